@@ -116,7 +116,7 @@ inline void write_and_read(Document document, Format format) {
   try {
     set_format(document, format);
     const std::string bytes = write_mesh(document).bytes;
-    if (bytes.empty()) return;  // no points as text
+    if (document.mesh.positions.empty()) return;
     const Mesh again = read_mesh(bytes, "written").document.mesh;
     const auto is_kept = [](const Face& face) { return !is_collapsed(face); };
     const auto& faces = document.mesh.faces;

@@ -137,6 +137,24 @@ class PcdReader {
         }
       rows_.end_row([&] { return "point " + std::to_string(point); });
     }
+    for (Field& field : fields_)
+      if (!field.is_color()) fit_to_type(field);
+  }
+
+  /// Numbers as text become what the type of the field holds, or doubles if that are others.
+  static void fit_to_type(Field& field) {
+    bool is_held = true;
+    with_type(field, [&](auto zero) {
+      using T = decltype(zero);
+      if constexpr (std::is_floating_point_v<T>) {
+        for (double& value : field.values) value = static_cast<double>(static_cast<T>(value));
+      } else {
+        is_held = std::all_of(field.values.begin(), field.values.end(), [](double value) {
+          return static_cast<double>(to_scalar<T>(value)) == value;
+        });
+      }
+    });
+    if (!is_held) field.kind = 'F', field.bytes = 8;
   }
 
   /// A color as text is a float whose bits are the color, or these bits as a whole number.
@@ -199,8 +217,9 @@ class PcdReader {
     if (x.count * y.count * z.count == 0) source_.fail("the PCD fields x y z have no numbers");
     for (std::size_t i = 0; i < points_; ++i)
       mesh.positions.emplace_back(x.values[i], y.values[i], z.values[i]);
-    const bool is_single = x.bytes == 4 && x.kind == 'F';
-    result_.document.style.coordinate = is_single ? Scalar::float32 : Scalar::float64;
+    const auto is_single = [](const Field& field) { return field.kind == 'F' && field.bytes == 4; };
+    const bool are_single = is_single(x) && is_single(y) && is_single(z);
+    result_.document.style.coordinate = are_single ? Scalar::float32 : Scalar::float64;
     for (Field& field : fields_) add_column(field, mesh.vertex_columns);
     zero_values_not_finite(mesh.vertex_columns, source_, "point", "pcd", result_.notes);
     drop_points_not_finite(mesh, 0, "pcd", result_.notes);

@@ -7,6 +7,7 @@
 #include "io/formats/column_groups.h"
 #include "io/formats/face_rows.h"
 #include "io/formats/finite_values.h"
+#include "mesh/coordinate_spacing.h"
 #include "support/counted.h"
 
 namespace transformesh {
@@ -146,22 +147,35 @@ class Converter {
   ReadResult result_;
 };
 
+bool are_held(Scalar type, const std::vector<double>& values) {
+  return with_scalar(type, [&](auto zero) {
+    using T = decltype(zero);
+    return std::all_of(values.begin(), values.end(), [](double value) {
+      return static_cast<double>(to_scalar<T>(value)) == value;
+    });
+  });
+}
+
 }  // namespace
 
 ReadResult mesh_of_vtk(const Source& source, VtkPiece piece) {
   return Converter(source, std::move(piece)).read();
 }
 
-Scalar column_type(bool is_floating, bool is_signed, std::size_t bytes,
-                   const std::vector<double>& values) {
-  if (is_floating) return bytes == 4 ? Scalar::float32 : Scalar::float64;
-  if (bytes == 1) return is_signed ? Scalar::int8 : Scalar::uint8;
-  if (bytes == 2) return is_signed ? Scalar::int16 : Scalar::uint16;
-  if (bytes == 4) return is_signed ? Scalar::int32 : Scalar::uint32;
-  const bool fits = std::all_of(values.begin(), values.end(), [](double value) {
-    return to_scalar<std::int32_t>(value) == value;
-  });
-  return fits ? Scalar::int32 : Scalar::float64;
+void set_type(bool is_floating, bool is_signed, std::size_t bytes, VtkArray& array) {
+  if (is_floating) {
+    array.type = bytes == 4 ? Scalar::float32 : Scalar::float64;
+    if (bytes == 4)
+      for (double& value : array.values) value = round_to_single(value);
+    return;
+  }
+  Scalar type = Scalar::int32;
+  if (bytes == 1) type = is_signed ? Scalar::int8 : Scalar::uint8;
+  if (bytes == 2) type = is_signed ? Scalar::int16 : Scalar::uint16;
+  if (bytes == 4) type = is_signed ? Scalar::int32 : Scalar::uint32;
+  array.type = Scalar::float64;
+  for (const Scalar candidate : {Scalar::int32, type})
+    if (are_held(candidate, array.values)) array.type = candidate;
 }
 
 }  // namespace transformesh

@@ -41,9 +41,9 @@ struct VtkPiece {
 /// index out of range and for an array of another length.
 ReadResult mesh_of_vtk(const Source& source, VtkPiece piece);
 
-/// The type of column that holds the numbers of a type of VTK of so many bytes; double for integers
-/// of 64 bits, unless all values fit in 32.
-Scalar column_type(bool is_floating, bool is_signed, std::size_t bytes,
-                   const std::vector<double>& values);
+/// Sets the type of an array whose numbers have a type of VTK of so many bytes. Numbers are rounded
+/// to floats if that is the type. Integers of 64 bits, and integers as text that their type does
+/// not hold, have the type int32 if all fit, else double.
+void set_type(bool is_floating, bool is_signed, std::size_t bytes, VtkArray& array);
 
 }  // namespace transformesh

@@ -84,8 +84,7 @@ void VtkStream::numbers(const std::string& type, std::uint64_t count, VtkArray& 
       fail(counted(count, "number") + " of " + quoted(array.name) + " are announced, but only " +
            counted(left, "byte") + " follow: the file is cut off or wrong");
     is_binary_ ? read_bytes<T>(count, array) : read_text(count, array);
-    array.type =
-        column_type(std::is_floating_point_v<T>, std::is_signed_v<T>, sizeof(T), array.values);
+    set_type(std::is_floating_point_v<T>, std::is_signed_v<T>, sizeof(T), array);
   });
   if (!is_known) fail("numbers of the type " + quoted(type) + " are not read");
 }

@@ -29,9 +29,8 @@ bool with_xml_type(const std::string& name, const Function& f) {
 }
 
 template <class T>
-void set_type(VtkArray& array) {
-  array.type =
-      column_type(std::is_floating_point_v<T>, std::is_signed_v<T>, sizeof(T), array.values);
+void set_type_of(VtkArray& array) {
+  set_type(std::is_floating_point_v<T>, std::is_signed_v<T>, sizeof(T), array);
 }
 
 /// How many characters of base64 hold so many bytes, with padding.
@@ -59,7 +58,7 @@ VtkArray VtpArrays::read(const pugi::xml_node& element) const {
     source_.fail(what + " has the type " + quoted(type) + ", which is not read");
   if (format == "ascii") {
     read_text(element, array);
-    with_xml_type(type, [&](auto zero) { set_type<decltype(zero)>(array); });
+    with_xml_type(type, [&](auto zero) { set_type_of<decltype(zero)>(array); });
   } else if (format == "binary" || format == "appended") {
     set_numbers(type, bytes_of(element, what), array);
   } else {
@@ -191,7 +190,7 @@ void VtpArrays::set_numbers(const std::string& type, std::string_view bytes,
     array.values.reserve(bytes.size() / sizeof(T));
     for (std::size_t at = 0; at < bytes.size(); at += sizeof(T))
       array.values.push_back(static_cast<double>(load_scalar<T>(bytes.data() + at, swapped)));
-    set_type<T>(array);
+    set_type_of<T>(array);
   });
 }
 

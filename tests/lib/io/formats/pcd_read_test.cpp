@@ -73,3 +73,11 @@ TEST_CASE("pcd: headers that make no sense") {
                  "the data ends before point 1 of 2"));
   CHECK(contains(read_error(fields + "POINTS 1\nDATA zip\n"), "the encoding 'zip' is not read"));
 }
+
+TEST_CASE("pcd: text with numbers that the type of their field does not hold") {
+  const Document document = read_document(
+      "VERSION .7\nFIELDS x y z ring\nSIZE 4 4 8 1\nTYPE F F F U\nCOUNT 1 1 1 1\nPOINTS 1\n"
+      "DATA ascii\n0.1 0 0.1 256\n");
+  CHECK(document.mesh.positions[0] == Vec3(static_cast<double>(0.1F), 0, 0.1));
+  CHECK(column(document.mesh.vertex_columns, "ring").type == Scalar::float64);
+}

@@ -61,9 +61,20 @@ TEST_CASE("vtk data: indices, offsets and lengths out of range") {
                        doctest::Contains("'id' has 2 numbers, but there are 3 cells"), InputError);
 }
 
-TEST_CASE("vtk data: integers of 64 bits are narrow if they fit") {
-  CHECK(column_type(false, true, 8, {1, -5}) == Scalar::int32);
-  CHECK(column_type(false, true, 8, {1e10}) == Scalar::float64);
-  CHECK(column_type(false, false, 2, {}) == Scalar::uint16);
-  CHECK(column_type(true, true, 4, {}) == Scalar::float32);
+TEST_CASE(
+    "vtk data: types that hold the numbers, also those that text has beside the stated type") {
+  const auto type_of = [](bool is_floating, bool is_signed, std::size_t bytes,
+                          std::vector<double> values) {
+    VtkArray array{"a", "", Scalar::float32, 1, std::move(values)};
+    set_type(is_floating, is_signed, bytes, array);
+    return array;
+  };
+  CHECK(type_of(false, true, 8, {1, -5}).type == Scalar::int32);
+  CHECK(type_of(false, true, 8, {1e10}).type == Scalar::float64);
+  CHECK(type_of(false, false, 2, {7}).type == Scalar::uint16);
+  CHECK(type_of(false, false, 1, {256}).type == Scalar::int32);
+  CHECK(type_of(false, false, 1, {0.5}).type == Scalar::float64);
+  CHECK(type_of(false, true, 4, {std::nan("")}).type == Scalar::float64);
+  CHECK(type_of(true, true, 4, {0.1}).values[0] == static_cast<double>(0.1F));
+  CHECK(type_of(true, true, 8, {0.1}).values[0] == 0.1);
 }
