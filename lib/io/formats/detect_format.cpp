@@ -106,11 +106,12 @@ bool is_utf16(std::string_view bytes) {
   return (zeros[0] == half && letters[1] == half) || (zeros[1] == half && letters[0] == half);
 }
 
-/// Whether the bytes are as many as the count of facets says, which is not 0. Other formats have
-/// that number there by chance only.
+/// Whether the bytes are exactly as many as the count of facets says. Other formats have that
+/// number there by chance only.
 bool is_stl_of_stated_size(std::string_view bytes) {
-  return is_binary_stl_by_size(bytes) && bytes.size() > stl_header_size &&
-         load_scalar<std::uint32_t>(bytes.data() + 80, !host_is_little) != 0;
+  if (bytes.size() < stl_header_size) return false;
+  const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, !host_is_little);
+  return bytes.size() - stl_header_size == stl_facet_size * facets;
 }
 
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {

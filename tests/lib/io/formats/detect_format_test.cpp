@@ -103,6 +103,7 @@ TEST_CASE("further formats are told by their first bytes") {
   // The header of binary STL may hold anything.
   for (const char* header : {"glTF", "{\"asset\"", "# vtk DataFile Version 2.0", "VERSION .7"})
     CHECK(kind(binary_stl(2, 2, header)) == FileKind::stl_binary);
+  CHECK(kind(binary_stl(0, 0, "glTF")) == FileKind::stl_binary);
 }
 
 TEST_CASE("the name decides where bytes cannot") {
