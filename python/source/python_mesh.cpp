@@ -93,9 +93,9 @@ std::string description(const PythonMesh& self) {
 
 // --- Reading and writing -------------------------------------------------------------------------
 
-MeshPointer parse(std::string_view bytes, const std::string& name, bool strict) {
+MeshPointer parse(std::string_view bytes, const std::string& name, const ReadOptions& options) {
   ReadResult result =
-      without_lock(py::none(), [&](const Progress&) { return read_mesh(bytes, name, {strict}); });
+      without_lock(py::none(), [&](const Progress&) { return read_mesh(bytes, name, options); });
   if (result.soup_note) {
     std::string& line = result.notes[*result.soup_note];
     line = with_advice({ErrorKind::not_joined, line});
@@ -111,7 +111,7 @@ std::string path_text(const py::object& path) {
 MeshPointer read(const py::object& path, bool strict) {
   const std::string name = path_text(path);
   const Bytes bytes = read_all(name);
-  return parse(bytes.view(), name, strict);
+  return parse(bytes.view(), name, {strict, input_folder(name)});
 }
 
 std::string bytes_of(const PythonMesh& self, const std::string& format, const std::string& name,
@@ -142,17 +142,18 @@ void bind_files(py::module_& module) {
   module.def(
       "parse",
       [](const py::bytes& bytes, bool strict) {
-        return parse(std::string_view(bytes), "the bytes", strict);
+        return parse(std::string_view(bytes), "the bytes", {strict});
       },
       py::arg("bytes"), py::kw_only(), py::arg("strict") = false,
       "The mesh that a file of these bytes holds.");
-  module.def(
-      "write", &write, py::arg("mesh"), py::arg("path"), py::kw_only(), py::arg("format") = "",
-      py::arg("scalar") = "",
-      "Writes a file, complete or not at all. The name's ending decides on the format "
-      "(.ply .off .obj .stl .glb .vtp .3mf .xyz) unless `format` does: ply, ply-ascii, ply-be, off, obj, "
-      "stl, glb, vtp, 3mf, xyz; else it is that of the file read, or binary PLY. `scalar` is float or "
-      "double.");
+  module.def("write", &write, py::arg("mesh"), py::arg("path"), py::kw_only(),
+             py::arg("format") = "", py::arg("scalar") = "",
+             "Writes a file, complete or not at all. The name's ending decides on the format "
+             "(.ply .off .obj .stl .glb .vtp .3mf .xyz) unless `format` does: ply, ply-ascii, "
+             "ply-be, off, obj, "
+             "stl, glb, vtp, 3mf, xyz; else it is that of the file read, or binary PLY. `scalar` "
+             "is float or "
+             "double.");
 }
 
 }  // namespace
@@ -243,9 +244,7 @@ void bind_mesh(py::module_& module) {
       .def("__repr__", &description)
       .def(py::pickle(
           [](const PythonMesh& self) { return py::bytes(write_mesh(self.document).bytes); },
-          [](const py::bytes& bytes) {
-            return parse(std::string_view(bytes), "the pickle", false);
-          }));
+          [](const py::bytes& bytes) { return parse(std::string_view(bytes), "the pickle", {}); }));
   bind_files(module);
 }
 
