@@ -2,6 +2,7 @@
 
 #include "clean/stitch/join_soup.h"
 #include "io/formats/file_format.h"
+#include "io/streams/expand.h"
 #include "mesh/touching_borders.h"
 #include "support/counted.h"
 #include "transformesh/errors.h"
@@ -79,7 +80,7 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
 void Inputs::keep_bytes(std::string_view bytes, const ReadResult& result) {
   if (!program_.input.keeps_bytes) return;
   // That faces share no vertices is the only note that is about nothing left out.
-  const bool is_exact = result.notes.size() == (result.soup_note ? 1U : 0U);
+  const bool is_exact = result.notes.size() == (result.soup_note ? 1U : 0U) && !is_gzip(bytes);
   bytes_ = is_exact ? std::string(bytes) : std::string();
   format_ = result.document.style.format;
 }
