@@ -1,6 +1,7 @@
 /// The whole public interface of the library.
 #pragma once
 
+#include "transformesh/align.h"
 #include "transformesh/align_features.h"
 #include "transformesh/boolean.h"
 #include "transformesh/carry.h"

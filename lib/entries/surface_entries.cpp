@@ -2,6 +2,7 @@
 #include <array>
 
 #include "entries/entries.h"
+#include "transformesh/align.h"
 #include "transformesh/align_features.h"
 #include "transformesh/carry.h"
 #include "transformesh/clean_result.h"
@@ -136,6 +137,17 @@ Entries entries_of(const AlignResult& result) {
 
 Entries entries_of(const TransformResult& result) {
   return {{"scale", result.scale}, {"mirrored", result.is_mirror}};
+}
+
+Entries entries_of(const RegistrationResult& result) {
+  const Matrix4 rows = result.motion.transpose();
+  return {{"rms", result.rms},
+          {"overlap", result.overlap},
+          {"rotation", result.rotation_deg},
+          {"stability", result.stability},
+          {"iterations", static_cast<std::size_t>(result.iterations)},
+          {"converged", result.has_converged},
+          {"matrix", std::vector<double>(rows.data(), rows.data() + rows.size())}};
 }
 
 Entries entries_of(const SelectionResult& result) {

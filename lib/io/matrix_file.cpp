@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/formats/text_rows.h"
+#include "support/number.h"
 
 namespace transformesh {
 
@@ -25,6 +26,14 @@ Eigen::Matrix4d parse_matrix(std::string_view bytes, const std::string& name) {
     source.fail("a 4x4 matrix has 16 numbers, but there " +
                 std::string(count == 1 ? "is " : "are ") + std::to_string(count));
   return matrix;
+}
+
+std::string matrix_text(const Eigen::Matrix4d& matrix) {
+  std::string text;
+  for (Eigen::Index row = 0; row < 4; ++row)
+    for (Eigen::Index column = 0; column < 4; ++column)
+      text += shortest_text(matrix(row, column)) + (column < 3 ? ' ' : '\n');
+  return text;
 }
 
 }  // namespace transformesh

@@ -1,10 +1,11 @@
-/// Everyday steps between the others: fill, handles, transform, select, split, sample, carry.
+/// Everyday steps between the others: fill, handles, transform, align, select, split, sample, carry.
 #include <algorithm>
 
 #include "arguments.h"
 #include "call.h"
 #include "io/comments.h"
 #include "python_mesh.h"
+#include "transformesh/align.h"
 #include "transformesh/carry.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -58,6 +59,13 @@ MeshPointer remove_handles_of(const PythonMesh& mesh, const PythonLength& max_le
 
 // --- transform -----------------------------------------------------------------------------------
 
+py::array_t<double> array_of(const Matrix4& matrix) {
+  py::array_t<double> array({4, 4});
+  for (Eigen::Index i = 0; i < 4; ++i)
+    for (Eigen::Index j = 0; j < 4; ++j) array.mutable_at(i, j) = matrix(i, j);
+  return array;
+}
+
 Matrix4 mirroring(const py::handle& value) {
   if (py::isinstance<py::str>(value)) {
     const std::string axis = py::cast<std::string>(value);
@@ -96,11 +104,21 @@ MeshPointer transform_mesh(const PythonMesh& mesh, const py::kwargs& steps) {
   const TransformResult result =
       without_lock(py::none(), [&](const Progress&) { return transform(document.mesh, product); });
   scale_lengths(document.style.comments, result.scale);
-  py::array_t<double> matrix({4, 4});
-  for (Eigen::Index i = 0; i < 4; ++i)
-    for (Eigen::Index j = 0; j < 4; ++j) matrix.mutable_at(i, j) = product(i, j);
   py::dict report = dict_of(entries_of(result));
-  report["matrix"] = matrix;
+  report["matrix"] = array_of(product);
+  return mesh_of(std::move(document), report);
+}
+
+// --- align ---------------------------------------------------------------------------------------
+
+MeshPointer align_mesh(const PythonMesh& mesh, const PythonMesh& reference, std::size_t samples,
+                       int iterations, const py::object& progress) {
+  Document document = mesh.document;
+  const RegistrationResult result = without_lock(progress, [&](const Progress& to) {
+    return align(document.mesh, reference.document.mesh, {samples, iterations}, to);
+  });
+  py::dict report = dict_of(entries_of(result));
+  report["matrix"] = array_of(result.motion);
   return mesh_of(std::move(document), report);
 }
 
@@ -203,6 +221,12 @@ void bind_editing(py::module_& module) {
              "rotate=(x, y, z, degrees), scale=factor, scale_axes=(x, y, z), mirror='x' or "
              "(a, b, c, d), matrix=(4, 4) numbers, center=True, unit_box=True. The report has the "
              "matrix of all. See tm-transform(1).");
+  module.def("align", &align_mesh, arg("mesh"), arg("reference"), py::kw_only(),
+             arg("samples") = RegistrationOptions().samples,
+             arg("iterations") = RegistrationOptions().iterations, arg("progress") = none,
+             "Turns and moves the mesh onto a reference that shows part of the same surface. The "
+             "report has the matrix, the share of the mesh that overlaps, and its root mean square "
+             "distance. See tm-align(1).");
   module.def("select", &select_faces_of, arg("mesh"), py::kw_only(), arg("largest") = none,
              arg("at_least") = 0.0, arg("by") = "faces", arg("where") = none, arg("box") = none,
              arg("around") = none, arg("invert") = false,

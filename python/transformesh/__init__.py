@@ -15,6 +15,7 @@ from ._transformesh import (
     OutputError,
     UsageError,
     __version__,
+    align,
     boolean,
     carry,
     cat,

@@ -152,6 +152,14 @@ def fill(
     allow_crossings: bool = False,
     progress: Progress = None,
 ) -> Mesh: ...
+def align(
+    mesh: Mesh,
+    reference: Mesh,
+    *,
+    samples: int = 3000,
+    iterations: int = 200,
+    progress: Progress = None,
+) -> Mesh: ...
 def handles(mesh: Mesh, *, max_length: Length = "5x", progress: Progress = None) -> Mesh: ...
 def transform(
     mesh: Mesh,

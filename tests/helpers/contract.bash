@@ -7,6 +7,7 @@
 contract_programs() {
   cat <<'TABLE'
 tm|lister|
+tm-align|filter|--reference MESH
 tm-boolean|filter|union
 tm-cameras|converter|
 tm-carry|filter|--from MESH --closest

@@ -76,6 +76,7 @@ link_what_is_built() { # FOLDER TARGET...
   ninja -C core -t targets all | sed -n 's|^bin/\(tm[^:]*\): .*|\1|p' | sort >built
   diff built - <<END
 tm
+tm-align
 tm-boolean
 tm-carry
 tm-cat

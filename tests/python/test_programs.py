@@ -240,6 +240,19 @@ def test_fill(holes, options, words, tmp_path):
     assert filled.report["filled"] == (0 if "max_edges" in options or "max_diameter" in options else 2)
 
 
+def test_align(tmp_path):
+    ball = shape("dented", "--faces", 3000)
+    turned = tm.transform(tm.parse(ball), rotate=(1, 2, 3, 15), translate=(0.1, 0, 0))
+    tm.write(turned, tmp_path / "turned.ply")
+    (tmp_path / "ball.ply").write_bytes(ball)
+    words = ["--reference", tmp_path / "ball.ply", "--report", tmp_path / "report"]
+    placed = tm.align(turned, tm.parse(ball))
+    assert same(placed, "tm-align", *words, stdin=(tmp_path / "turned.ply").read_bytes())
+    report = json.loads((tmp_path / "report").read_text())["result"]
+    assert placed.report["matrix"].ravel().tolist() == report["matrix"]
+    assert np.abs(placed.positions - tm.parse(ball).positions).max() < 1e-6
+
+
 @pytest.mark.parametrize("operation", ["union", "intersection", "difference", "xor", "cut"])
 def test_boolean(operation, tmp_path):
     ball, box = shape("sphere", "--faces", 2000), shape("box", 1, 1, 3, "--faces", 500)

@@ -33,6 +33,7 @@ has_only_numbers() {
     read -ra arguments <<<"$arguments"
     has_only_numbers || fail "$program ${arguments[*]}"
   done <<'TABLE'
+tm-align --reference TARGET
 tm-carry --from TARGET --closest
 tm-cat
 tm-checkmanifold

@@ -1,0 +1,147 @@
+#include "step/registration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "support/counted.h"
+#include "support/parallel.h"
+#include "transformesh/errors.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t samples_per_task = 256;
+/// Cosine of 60 degrees: surfaces that face farther apart are different sides of a thin part. Noise
+/// of a quarter of an edge turns normals of one side by less.
+constexpr double least_cosine = 0.5;
+/// Six unknowns need six equations; fewer pairs than this are accidents.
+constexpr std::size_t least_pairs = 20;
+/// Least share of the samples that overlap. With 0.05, noise picks small parts that fit anywhere.
+constexpr double least_overlap = 0.2;
+/// Pairs lose their weight at this many root mean squares of the overlap. At 2 the noise of the
+/// overlap itself counts as outliers; at 6 outliers pull.
+constexpr double biweight_reach = 3;
+/// Movement, in root mean squares of the overlap, that counts as rest. Pairs come and go, and keep
+/// moving the mesh by a few thousandths of the noise.
+constexpr double rest_in_noise = 0.01;
+
+}  // namespace
+
+struct Registration::Pair {
+  Vec3 point = Vec3::Zero();
+  OrientedPoint partner;
+  double squared_distance = 0;
+  bool is_valid = false;
+  double weight = 1;
+};
+
+Overlap overlap_of(const std::vector<double>& squared_distances, std::size_t samples) {
+  const auto least = static_cast<std::size_t>(least_overlap * static_cast<double>(samples));
+  const std::size_t first = std::min(least, squared_distances.size());
+  Overlap best;
+  double sum = 0;
+  for (std::size_t k = 1; k <= squared_distances.size(); ++k) {
+    sum += squared_distances[k - 1];
+    if (k < first) continue;
+    // Lambda is 3, as for large outliers in the paper; distances of exact zeros are rounding.
+    const double share = static_cast<double>(k) / static_cast<double>(samples);
+    const double mean_square = sum / static_cast<double>(k);
+    const double cost = (mean_square + registration_rest * registration_rest) /
+                        (share * share * share * share * share * share);
+    if (best.count == 0 || cost < best.cost) best = {k, mean_square, cost};
+  }
+  return best;
+}
+
+namespace {
+
+/// Weighs the pairs, and drops those without weight.
+template <class Pairs>
+void weigh(Pairs& pairs, double mean_square) {
+  const double bound = biweight_reach * biweight_reach * mean_square;
+  std::size_t count = 0;
+  while (count < pairs.size() && pairs[count].squared_distance <= bound) {
+    const double root = bound > 0 ? 1 - pairs[count].squared_distance / bound : 1;
+    pairs[count++].weight = root * root;
+  }
+  pairs.resize(count);
+}
+
+template <class Pairs>
+PlaneEquations equations_of(const Pairs& pairs) {
+  const auto count = static_cast<double>(pairs.size());
+  Vec3 center = Vec3::Zero();
+  for (const auto& pair : pairs) center += pair.point / count;
+  double square = 0;
+  for (const auto& pair : pairs) square += (pair.point - center).squaredNorm() / count;
+  if (!(square > 0)) throw GoalError("the mesh and the reference meet in a single point");
+  PlaneEquations equations(center, std::sqrt(square));
+  for (const auto& pair : pairs) {
+    const Vec3& normal = pair.partner.normal;
+    equations.add(pair.point, normal, normal.dot(pair.partner.position - pair.point), pair.weight);
+  }
+  return equations;
+}
+
+}  // namespace
+
+Registration::Pair Registration::pair_of(const OrientedPoint& sample) const {
+  const Vec3 point = motion_(sample.position);
+  const auto [partner, is_on_border] = surface_.closest(point);
+  const Vec3 normal = motion_.rotation * sample.normal;
+  const bool faces_away = !normal.isZero(0) && normal.dot(partner.normal) < least_cosine;
+  const bool is_valid = !is_on_border && !partner.normal.isZero(0) && !faces_away;
+  return {point, partner, (partner.position - point).squaredNorm(), is_valid};
+}
+
+std::vector<Registration::Pair> Registration::sorted_pairs() const {
+  std::vector<Pair> pairs(samples_.size());
+  parallel_for(samples_.size(), samples_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) pairs[i] = pair_of(samples_[i]);
+  });
+  std::erase_if(pairs, [](const Pair& pair) { return !pair.is_valid; });
+  if (pairs.size() < least_pairs)
+    throw GoalError("only " + counted(pairs.size(), "sample") + " of " +
+                    std::to_string(samples_.size()) +
+                    " lie on a part of the reference that faces the same way: the meshes do not "
+                    "overlap, or one of them looks inwards");
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return a.squared_distance < b.squared_distance;
+  });
+  return pairs;
+}
+
+Overlap Registration::overlap_of_pairs(const std::vector<Pair>& pairs) const {
+  std::vector<double> distances;
+  distances.reserve(pairs.size());
+  for (const Pair& pair : pairs) distances.push_back(pair.squared_distance);
+  return overlap_of(distances, samples_.size());
+}
+
+Overlap Registration::overlap() const { return overlap_of_pairs(sorted_pairs()); }
+
+/// One iteration; returns by how much the pairs moved at most.
+double Registration::improve() {
+  std::vector<Pair> pairs = sorted_pairs();
+  mean_square_ = overlap_of_pairs(pairs).mean_square;
+  weigh(pairs, mean_square_);
+  const auto [motion, stability] = equations_of(pairs).solve();
+  stability_ = stability;
+  motion_ = compose(motion, motion_);
+  double moved = 0;
+  for (const Pair& pair : pairs) moved = std::max(moved, (motion(pair.point) - pair.point).norm());
+  return moved;
+}
+
+int Registration::run(int most, const std::function<void(int)>& report) {
+  for (int iteration = 1; iteration <= most; ++iteration) {
+    report(iteration);
+    const double moved = improve();
+    has_converged_ = moved < registration_rest || moved < rest_in_noise * std::sqrt(mean_square_);
+    if (has_converged_) return iteration;
+  }
+  return most;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,64 @@
+/// tm-align: moves a mesh onto a reference, by rigid registration.
+#include "frame/run.h"
+#include "io/matrix_file.h"
+#include "support/number.h"
+#include "transformesh/align.h"
+
+namespace {
+
+using namespace transformesh;
+
+/// Below this, a motion that the surfaces hardly resist is said to be arbitrary: a ball with 1000
+/// faces has 0.01, and a ball with a dent 0.1.
+constexpr double low_stability = 0.03;
+constexpr double low_overlap = 0.3;
+
+struct Choices {
+  std::string reference, matrix;
+  RegistrationOptions registration;
+};
+
+void note_doubts(const RegistrationResult& result, tool::Run& run) {
+  if (!result.has_converged)
+    run.note("the mesh still moved after " + std::to_string(result.iterations) +
+             " iterations; allow more with --iterations");
+  if (result.overlap < low_overlap)
+    run.note("only " + significant(100 * result.overlap, 2) +
+             " % of the mesh lie on the reference: the place may be wrong; turn the mesh nearer to "
+             "it with tm-transform, then align it again");
+  if (result.stability < low_stability)
+    run.note("the surfaces slide on each other, as a ball turns in its socket: that part of the "
+             "motion is arbitrary");
+}
+
+void align_document(Document& document, const Choices& choices, tool::Run& run) {
+  const Mesh reference = run.in().read(choices.reference).mesh;
+  const RegistrationResult result =
+      align(document.mesh, reference, choices.registration, run.progress());
+  if (!choices.matrix.empty()) run.out().write(choices.matrix, matrix_text(result.motion));
+  run.report(entries_of(result));
+  note_doubts(result, run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Choices choices;
+  tool::Program program{"tm-align", "--reference FILE [OPTION]... [INPUT]",
+                        "Turns and moves a mesh onto a reference, as two scans of one object"};
+  program.options
+      .text("reference", &choices.reference, "FILE", "the mesh or points to move onto")
+      .is_needed = true;
+  program.options
+      .text("write-matrix", &choices.matrix, "FILE",
+            "write the motion as a 4x4 matrix, for tm-transform --matrix")
+      .affects_result = false;
+  program.options.integer("samples", &choices.registration.samples, 100, 10000000,
+                          "points by area on the mesh that are compared");
+  program.options.integer("iterations", &choices.registration.iterations, 1, 1000000,
+                          "at most this many");
+  program.epilog =
+      "Example: tm-align --reference scan-1.ply scan-2.ply | tm-cat scan-1.ply - > both.ply";
+  return program.run(argc, argv,
+                     [&](tool::Run& run) { align_document(run.document(), choices, run); });
+}
