@@ -41,19 +41,19 @@ struct Comparison {
 Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options = {},
                    const Progress& progress = {});
 
-/// The distance of every vertex of the mesh, used by a face or not, from the faces of the
-/// reference, or from its vertices where it has none; 0 or more. Throws what compare() throws.
-/// Cost: O(n log n), parallel; deterministic.
+/// Distances of all vertices from the faces of the reference, or from its vertices if it has none.
+/// Signed ones are negative inside; they need faces. Throw what compare() throws. O(n log n).
 std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
                                      const Progress& progress = {});
+std::vector<double> signed_vertex_distances(const Mesh& mesh, const Mesh& reference,
+                                            const Progress& progress = {});
 
 /// One way of a Hausdorff distance: how far away the farthest point is, and where.
 struct Farthest {
   double distance = 0;
   Vec3 point = Vec3::Zero();
 };
-/// The farthest of the same points from the faces of another mesh; many times faster than
-/// compare(), as a point that is nearer than one before is not searched to the end.
+/// The farthest of the same points from the faces of another mesh; much faster than compare().
 Farthest farthest_from(const ClosestPointQuery& reference, const Mesh& mesh,
                        const CompareOptions& options = {});
 

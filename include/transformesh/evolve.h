@@ -11,6 +11,8 @@
 /// last good iteration. Deterministic if the step is.
 #pragma once
 
+#include <optional>
+
 #include "transformesh/iteration.h"
 #include "transformesh/loop.h"
 
@@ -20,10 +22,11 @@ namespace transformesh {
 struct UntilRule {
   double least_movement = 0;
   bool is_stalled = false;
+  std::optional<long> components = {}, genus = {};  ///< ends if the mesh has as many
 };
 
 /// Ends if no vertex moved by `length`, in input units, or farther.
-inline UntilRule moved_less_than(double length) { return {length, false}; }
+inline UntilRule moved_less_than(double length) { return {length}; }
 
 /// Ends if the root mean square of the movements decreased by less than a hundredth in 20
 /// iterations, or if nothing moved.

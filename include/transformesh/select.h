@@ -1,23 +1,25 @@
 /// Selects the faces of a mesh that meet all of several conditions. Faces and vertices keep their
 /// order and columns; vertices that no face uses are dropped. The mesh may be open, a soup, or of
-/// any orientation. Components are connected by vertex indices. Deterministic. Cost: O(n log n).
+/// any orientation. Components are connected by vertex indices. A mesh does not change if a function
+/// throws. Deterministic. Cost: O(n log n).
 ///
-/// A component contains a point if its generalized winding number there does not round to 0:
-/// Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding
-/// numbers", ACM TOG 32(4), 2013. That is exact for closed components of any orientation.
+/// A component contains a point if its generalized winding number there does not round to 0
+/// (Jacobson et al., "Robust inside-outside segmentation", ACM TOG 32(4), 2013).
 #pragma once
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "transformesh/components.h"
+#include "transformesh/control.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 
 namespace transformesh {
 
-/// Conditions on faces. Members that are not set are no condition.
+/// Conditions on faces, if they are set.
 struct SelectionOptions {
   std::optional<std::size_t> largest;       ///< number of components to keep, largest first
   double at_least = 0;                      ///< least size of a component; 0: any
@@ -39,8 +41,22 @@ struct SelectionResult {
 };
 
 /// Keeps the selected faces. Throws UsageError for a condition that is none, InputError if there is
-/// no such column of numbers or the mask has the wrong length, GoalError if no face is selected.
-/// The mesh does not change if it throws.
+/// no such column or the mask has the wrong length, GoalError if no face is selected.
 SelectionResult select(Mesh& mesh, const SelectionOptions& options);
+
+/// The plane normal * x = offset. A cut keeps what its normal points to.
+struct CutPlane {
+  Vec3 normal;
+  double offset;
+};
+
+/// Cuts faces in two, drops their lists of texture coordinates, and returns whether there were any.
+/// These throw UsageError for a normal without direction, GoalError if nothing is left.
+bool cut_open(Mesh& mesh, const CutPlane& plane);
+/// Closes the cut, as clean() does. Throws InputError if the mesh is not closed.
+void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate = Scalar::float64,
+                const Progress& progress = Progress());
+/// Segments in which faces meet the plane; closed curves if the mesh is closed.
+std::vector<std::pair<Vec3, Vec3>> plane_section(const Mesh& mesh, const CutPlane& plane);
 
 }  // namespace transformesh

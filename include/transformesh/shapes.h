@@ -2,8 +2,8 @@
 /// one is closed, consistently oriented, without isolated vertices or columns, and its signed
 /// volume is positive. Lengths are in the units of the mesh. Most shapes are about 2.4 wide.
 ///
-/// sphere dented ellipsoid box torus genus torus-knot bowl figure are free of self-intersections;
-/// so are dumbbell for neck > 0, two-spheres and tori for gap > 0. The others intersect themselves:
+/// sphere dented ellipsoid box cylinder cone hull torus genus torus-knot bowl figure are free of
+/// self-intersections; dumbbell for neck > 0, two-spheres and tori for gap > 0 also. Others are not:
 /// two-spheres folded tangle many-spheres, tori and dumbbell (gap, neck < 0) in general position,
 /// boxes and pinch as degenerately as they can. Deterministic: the same options give the same bytes
 /// for any number of threads.
@@ -22,7 +22,8 @@ namespace transformesh {
 
 struct ShapeOptions {
   std::string kind;  ///< one of shape_kinds()
-  /// genus: N; torus-knot, tangle: P Q; ellipsoid, box: A B C; figure: T; folded: sphere or torus.
+  /// genus: N; torus-knot, tangle: P Q; ellipsoid, box: A B C; cylinder, cone: RADIUS HEIGHT;
+  /// figure: T; folded: sphere or torus.
   std::vector<std::string> parameters;
   std::optional<std::size_t> faces;  ///< how many, about; default 10000
   std::optional<double> edge;        ///< or the mean edge length, about; > 0
@@ -34,6 +35,7 @@ struct ShapeOptions {
   std::optional<double> noise;       ///< amplitude; >= 0; default 0, folded: 38 % of its box
   std::uint64_t seed = 1;            ///< of the noise and of random shapes
   std::optional<Box> around;         ///< sphere: contains this box with a little room
+  std::vector<Vec3> points;          ///< hull: the points to go around
   Vec3 center = Vec3::Zero();        ///< where the shape's own origin goes
 };
 

@@ -4,6 +4,7 @@
 
 #include "clean/certify/certify.h"
 #include "geometry/numbers/predicates.h"
+#include "mesh/touching_borders.h"
 #include "support/counted.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -31,6 +32,13 @@ Problem problem_without_area(const std::vector<Index>& faces) {
           {.faces = {faces[0]}, .counts = {faces.size()}}};
 }
 
+/// A border that lies upon another one is no hole: the faces there share no vertices.
+Problem border_problem(const Mesh& mesh, Problem problem) {
+  if (problem.kind == ErrorKind::not_closed && count_touching_borders(mesh) > 0)
+    problem.kind = ErrorKind::not_joined;
+  return problem;
+}
+
 void certify_mesh(const Mesh& mesh, const CheckMeshOptions& options, const Progress& progress,
                   MeshCheck& check) {
   CertifyOptions how;
@@ -54,7 +62,8 @@ MeshCheck check_mesh(const Mesh& mesh, const CheckMeshOptions& options, const Pr
   const Components parts = connected_components(mesh);
   check.components = parts.components.size();
   check.genus = parts.genus();
-  check.problems.push_back(manifold_problem(mesh, check.manifold, options.closed));
+  check.problems.push_back(
+      border_problem(mesh, manifold_problem(mesh, check.manifold, options.closed)));
   if (options.intersections || options.certified != nullptr) {
     check.intersections = find_intersections(mesh, progress);
     check.problems.push_back(problem_of(*check.intersections));

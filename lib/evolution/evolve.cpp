@@ -26,9 +26,7 @@ class EvolveLoop : public Loop {
     last_ = iterate(document, step_, options_, progress);
     clamped_iterations_ += last_.displaced.clamped > 0 ? 1 : 0;
     clamped_share_ = std::max(clamped_share_, transformesh::clamped_share(last_));
-    is_done_ = until_.is_stalled
-                   ? stalled_.add(last_.displaced.rms_displacement) || last_.displaced.moved == 0
-                   : last_.displaced.max_displacement < until_.least_movement;
+    is_done_ = has_ended();
   }
   bool is_done() const override { return is_done_; }
   void remember(LoopState& loop_state) override {
@@ -55,6 +53,15 @@ class EvolveLoop : public Loop {
   }
 
  private:
+  bool has_ended() {
+    const auto components = static_cast<long>(last_.topology.components);
+    if (until_.components && *until_.components == components) return true;
+    if (until_.genus && *until_.genus == last_.topology.genus) return true;
+    if (until_.is_stalled)
+      return stalled_.add(last_.displaced.rms_displacement) || last_.displaced.moved == 0;
+    return last_.displaced.max_displacement < until_.least_movement;
+  }
+
   const Step& step_;
   IterationOptions options_;
   UntilRule until_;

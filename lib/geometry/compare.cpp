@@ -48,7 +48,7 @@ class Distance {
   std::optional<ClosestPointQuery> surface_;
 };
 
-std::vector<double> distances(const std::vector<Vec3>& points, const Distance& distance,
+std::vector<double> distances(const std::vector<Vec3>& points, const auto& distance,
                               const Progress& progress, const char* phase) {
   std::vector<double> result(points.size());
   for (std::size_t begin = 0; begin < points.size(); begin += points_per_report) {
@@ -196,6 +196,16 @@ std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
                                      const Progress& progress) {
   check_comparable(mesh, reference);
   return distances(mesh.positions, Distance(reference), progress, "vertex distances");
+}
+
+std::vector<double> signed_vertex_distances(const Mesh& mesh, const Mesh& reference,
+                                            const Progress& progress) {
+  check_comparable(mesh, reference);
+  if (reference.faces.empty())
+    throw InputError("the reference has no faces: there is no inside of points");
+  const ClosestPointQuery closest(reference);
+  const auto distance = [&](const Vec3& point) { return closest(point).signed_distance; };
+  return distances(mesh.positions, distance, progress, "vertex distances");
 }
 
 Farthest farthest_from(const ClosestPointQuery& reference, const Mesh& mesh,

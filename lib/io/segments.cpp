@@ -4,6 +4,7 @@
 
 #include "support/number.h"
 #include "transformesh/errors.h"
+#include "transformesh/mesh_io.h"
 
 namespace transformesh {
 namespace {
@@ -37,6 +38,21 @@ std::vector<Segment> segments_of(const Document& document, const std::string& na
     segments.emplace_back(end_of(document, *first, row, name),
                           end_of(document, *second, row, name));
   return segments;
+}
+
+std::string segment_file(const std::vector<Segment>& segments) {
+  Document document;
+  OtherElement edges{"edge", segments.size(), {}};
+  Column& first = edges.columns.get("vertex1", Scalar::int32, segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) first.values[i] = static_cast<double>(2 * i);
+  Column& second = edges.columns.get("vertex2", Scalar::int32, segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    second.values[i] = static_cast<double>(2 * i + 1);
+    document.mesh.positions.push_back(segments[i].first);
+    document.mesh.positions.push_back(segments[i].second);
+  }
+  document.other_elements.push_back(std::move(edges));
+  return write_mesh(document).bytes;
 }
 
 }  // namespace transformesh

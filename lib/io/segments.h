@@ -15,4 +15,7 @@ using Segment = std::pair<Vec3, Vec3>;
 /// element and where a vertex is named that does not exist.
 std::vector<Segment> segments_of(const Document& document, const std::string& name);
 
+/// The bytes of a binary PLY that holds the segments, each with vertices of its own.
+std::string segment_file(const std::vector<Segment>& segments);
+
 }  // namespace transformesh

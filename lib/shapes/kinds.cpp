@@ -1,13 +1,16 @@
 #include "shapes/kinds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "shapes/assembly.h"
 #include "shapes/boxes.h"
+#include "shapes/convex_hull.h"
 #include "shapes/figure.h"
 #include "shapes/pinch.h"
+#include "shapes/revolved.h"
 #include "shapes/solids.h"
 #include "shapes/spheres.h"
 #include "shapes/tubes.h"
@@ -79,6 +82,28 @@ Mesh make_ellipsoid(const ShapeOptions& options, std::size_t faces, const Progre
 
 Mesh make_box(const ShapeOptions& options, std::size_t faces, const Progress&) {
   return box(three_lengths(options), faces);
+}
+
+std::array<double, 2> radius_and_height(const ShapeOptions& options) {
+  ShapeOptions three = options;
+  three.parameters.emplace_back("1");
+  const Vec3 lengths = three_lengths(three);
+  return {lengths[0], lengths[1]};
+}
+
+Mesh make_cylinder(const ShapeOptions& options, std::size_t faces, const Progress&) {
+  const auto [radius, height] = radius_and_height(options);
+  return cylinder(radius, height, faces);
+}
+
+Mesh make_cone(const ShapeOptions& options, std::size_t faces, const Progress&) {
+  const auto [radius, height] = radius_and_height(options);
+  return cone(radius, height, faces);
+}
+
+Mesh make_hull(const ShapeOptions& options, std::size_t, const Progress&) {
+  if (options.points.empty()) refuse(options, "no points are given to go around");
+  return convex_hull(options.points);
 }
 
 Mesh make_torus(const ShapeOptions& options, std::size_t faces, const Progress&) {
@@ -176,6 +201,9 @@ const std::vector<Kind>& kinds() {
       {"dented", {"radius"}, {}, 0, make_dented},
       {"ellipsoid", {}, {"1.2", "0.9", "0.6"}, 0, make_ellipsoid},
       {"box", {}, {"1.6", "1.2", "0.8"}, 0, make_box},
+      {"cylinder", {}, {"0.8", "1.6"}, 0, make_cylinder},
+      {"cone", {}, {"0.9", "1.6"}, 0, make_cone},
+      {"hull", {}, {}, 0, make_hull},
       {"torus", {"radius", "tube"}, {}, 0, make_torus},
       {"genus", {}, {"3"}, 0, make_genus},
       {"torus-knot", {"radius", "tube"}, {"2", "3"}, 0, make_torus_knot},

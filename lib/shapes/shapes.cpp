@@ -73,6 +73,8 @@ void check_options(const Kind& kind, const ShapeOptions& options) {
     throw UsageError("around makes a sphere and sets its radius and center itself");
   if (options.faces && options.edge)
     throw UsageError("faces and edge both set the size of the faces: give one of them");
+  if (kind.name == "hull" ? options.faces || options.edge : !options.points.empty())
+    throw UsageError("a hull has the faces that its points need, and no other shape has points");
   if (kind.name == "boxes" && options.edge)
     throw UsageError("boxes has no edge: its boxes have 12 faces each; give their count");
   if (kind.name == "boxes" && options.faces && options.count)
@@ -160,7 +162,7 @@ Mesh make_shape(const ShapeOptions& options, const Progress& progress) {
 double shape_diagonal(ShapeOptions options) {
   options.edge.reset();
   options.noise = 0;
-  if (options.kind != "boxes") options.faces = coarse_faces;
+  if (options.kind != "boxes" && options.kind != "hull") options.faces = coarse_faces;
   return diagonal_of(bounding_box(make_shape(options)));
 }
 

@@ -41,7 +41,7 @@ std::string nearest_name(std::string_view text, const std::vector<std::string>& 
 }
 
 bool is_near(std::string_view text, std::string_view name) {
-  return (!text.empty() && name.starts_with(text)) || 2 * edits(text, name) <= text.size();
+  return (!text.empty() && name.starts_with(text)) || 2 * edits(text, name) < text.size();
 }
 
 }  // namespace transformesh

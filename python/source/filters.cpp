@@ -173,6 +173,8 @@ MeshPointer shape(const std::string& kind, const py::args& parameters, const py:
       options.seed = py::cast<std::uint64_t>(value);
     else if (name == "around")
       options.around = bounding_box(py::cast<const PythonMesh&>(value).document.mesh);
+    else if (name == "of")
+      options.points = py::cast<const PythonMesh&>(value).document.mesh.positions;
     else
       throw UsageError("shape: there is no '" + name + "'");
   }

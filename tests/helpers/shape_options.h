@@ -18,6 +18,13 @@ inline ShapeOptions shape(const std::string& kind, std::size_t faces = 0,
   return options;
 }
 
+/// The kinds that need no mesh to go around.
+inline std::vector<std::string> kinds_without_hull() {
+  std::vector<std::string> kinds = shape_kinds();
+  std::erase(kinds, "hull");
+  return kinds;
+}
+
 inline ShapeOptions with_gap(ShapeOptions options, double gap) {
   options.gap = gap;
   return options;

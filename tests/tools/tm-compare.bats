@@ -89,3 +89,30 @@ volume_difference: 0" ]
   run --separate-stderr tm-compare --reference low.off --per-vertex absent/far.ply high.off
   assert_status 5
 }
+
+@test "tm-compare: two files, and one key" {
+  tm-compare --reference low.off high.off >named
+  tm-compare high.off low.off | cmp - named
+  [ "$(tm-compare --get hausdorff high.off low.off)" = 0.5 ]
+  run --separate-stderr tm-compare --get housedorf high.off low.off
+  assert_status 2
+  [[ $stderr == *"accuracy, completeness"* ]]
+  run --separate-stderr tm-compare --reference low.off high.off low.off
+  assert_status 2
+  one_line "$stderr"
+  run --separate-stderr tm-compare low.off high.off low.off
+  assert_status 2
+  one_line "$stderr"
+}
+
+@test "tm-compare: --signed is negative inside" {
+  tm-shape sphere --faces 500 --radius 1 -o outer.ply
+  tm-shape sphere --faces 500 --radius 0.5 -o inner.ply
+  signs() { tm-convert --format ply-ascii "$1" | awk '/^end_header/ { i = 1; next } i && NF == 4 && $1 != 3 { print ($4 < 0) }' | sort -u; }
+  tm-compare --signed --per-vertex d.ply inner.ply outer.ply >/dev/null
+  [ "$(signs d.ply)" = 1 ]
+  tm-compare --signed --per-vertex d.ply outer.ply inner.ply >/dev/null
+  [ "$(signs d.ply)" = 0 ]
+  run --separate-stderr tm-compare --signed outer.ply inner.ply
+  assert_status 2
+}

@@ -92,3 +92,81 @@ setup() {
   [[ $stderr == *"9999 are the most: join a soup by tm-stitch"* ]]
   [ "$(find . -name 'soup-*')" = "" ]
 }
+
+@test "a capped cut is closed, and its volume is that in front of the plane" {
+  # The box is from -0.5 to 0.5: planes inside, at a side (grazing) and in front of all.
+  while read -r plane volume; do
+    tm-select --plane "$plane" --cap small.ply -o cut.ply
+    tm-checkmanifold --closed --intersections cut.ply >/dev/null
+    tm-info --get volume cut.ply | awk -v v="$volume" '{ exit !($1 > v - 1e-9 && $1 < v + 1e-9) }'
+  done <<'TABLE'
+0,0,1,0.25 0.25
+0,0,-1,0.25 0.75
+0,0,2,-1 1
+1,0,0,-7 1
+1,1,0,0 0.5
+1,1,1,0 0.5
+1,1,1,0.5 0.1666666667
+TABLE
+  for plane in 0,0,1,0.5 1,0,0,3; do
+    run --separate-stderr tm-select --plane $plane --cap small.ply -o none.ply
+    assert_status 4
+    one_line "$stderr"
+    [[ $stderr == *"nothing of the mesh lies on the side"* ]]
+    [ ! -e none.ply ]
+  done
+}
+
+@test "both sides of a capped cut are the whole, of a knot, a mesh that intersects itself, and floats" {
+  tm-shape torus-knot --faces 6000 -o knot.ply
+  tm-shape two-spheres --faces 3000 | tm-convert --float -o balls.ply
+  for name in knot balls; do
+    tm-select --plane 1,2,3,0.1 --cap $name.ply -o front.ply
+    tm-select --plane -1,-2,-3,-0.1 --cap $name.ply -o back.ply
+    for side in front back; do tm-checkmanifold --closed --intersections $side.ply >/dev/null; done
+    whole=$(tm-clean $name.ply | tm-info --get volume)
+    awk -v a="$(tm-info --get volume front.ply)" -v b="$(tm-info --get volume back.ply)" -v w="$whole" \
+      'BEGIN { d = a + b - w; exit !(d < 1e-5 && d > -1e-5) }'
+  done
+}
+
+@test "an open cut leaves a border in the plane, and keeps properties" {
+  run --separate-stderr tm-select --plane 0,0,1,0.123 small.ply -o open.ply
+  assert_status 0
+  [[ $stderr == *"--cap closes it"* ]]
+  [ "$(tm-info --get boundary_loops open.ply)" -eq 1 ]
+  [[ $(tm-info --get bbox_min open.ply) == *" 0.123" ]]
+  tm-info --get area open.ply | awk '{ a = 1 + 4 * 0.377; exit !($1 > a - 1e-9 && $1 < a + 1e-9) }'
+  tm-fill --max-edges 1000 open.ply | tm-checkmanifold --closed --intersections
+  # A face in the plane bounds what is in front of it.
+  tm-select --plane 0,0,1,-0.5 small.ply | tm-checkmanifold --closed
+  run --separate-stderr tm-select --plane 0,0,1,0.5 small.ply
+  assert_status 4
+  run --separate-stderr tm-select --plane 0,0,1,0 --cap open.ply -o none.ply
+  assert_status 3
+  [[ $stderr == *"tm-fill closes holes"* ]]
+}
+
+@test "sections are the outline of a box, as edges and as a drawing" {
+  tm-select --plane 0,0,1,0.123 --cap --section edges.ply small.ply -o cut.ply
+  tm-convert --format ply-ascii --no-provenance edges.ply >edges.txt
+  # The perimeter of the unit square, from the vertices that each edge names.
+  awk '/^element vertex/ { n = $3 } /^element edge/ { m = $3 }
+    inside && k < n { x[k] = $1; y[k] = $2; if ($3 != 0.123) exit 1; ++k; next }
+    inside && m-- > 0 { sum += sqrt((x[$1] - x[$2]) ^ 2 + (y[$1] - y[$2]) ^ 2) }
+    /^end_header/ { inside = 1 }
+    END { exit !(sum > 4 - 1e-9 && sum < 4 + 1e-9) }' edges.txt
+  tm-select --plane 0,0,1,0.123 --cap --section outline.svg small.ply -o cut.ply
+  [ "$(grep -c '<path' outline.svg)" -eq 1 ]
+  grep -q ' Z"/>' outline.svg
+  python3 -c 'import sys, xml.dom.minidom as d; d.parse(sys.argv[1])' outline.svg
+}
+
+@test "options of a cut need its plane, and a plane its normal" {
+  for options in '--cap' '--section a.svg' '--plane 0,0,0,1' '--plane 0,0,0,1 --cap' '--plane 1,0,0,0 --invert'; do
+    # shellcheck disable=SC2086
+    run --separate-stderr tm-select $options small.ply
+    assert_status 2
+    one_line "$stderr"
+  done
+}

@@ -186,3 +186,62 @@ end_header" ] || fail "$output"
   for time in 0.25 0.5 0.73; do [ "$(tm-info --get genus $time.ply)" -eq 1 ]; done
   for frame in *.ply; do tm-checkmanifold --closed --intersections "$frame"; done
 }
+
+@test "cylinders and cones are closed, clean and as large as they should be" {
+  while read -r kind faces volume; do
+    # shellcheck disable=SC2086
+    tm-shape $kind 0.5 2 --faces "$faces" -o solid.ply
+    tm-checkmanifold --closed --intersections solid.ply >/dev/null
+    awk -v f="$(tm-info --get faces solid.ply)" -v n="$faces" 'BEGIN { exit !(f > 0.6 * n && f < 1.2 * n + 2) }'
+    awk -v v="$(tm-info --get volume solid.ply)" -v w="$volume" -v n="$faces" \
+      'BEGIN { exit !(v < w && (n < 1000 || v > 0.98 * w)) }'
+    [ "$(tm-info --get bbox_min solid.ply | cut -d ' ' -f 3)" = -1 ]
+    [ "$(tm-info --get bbox_max solid.ply | cut -d ' ' -f 3)" = 1 ]
+  done <<'TABLE'
+cylinder 20 1.5707963
+cylinder 500 1.5707963
+cylinder 10000 1.5707963
+cone 20 0.5235988
+cone 500 0.5235988
+cone 10000 0.5235988
+TABLE
+  for options in 'cylinder 1' 'cone 0 1' 'cylinder 1 -1' 'hull' 'sphere --of solid.ply' 'hull --of solid.ply --faces 9'; do
+    # shellcheck disable=SC2086
+    run --separate-stderr tm-shape $options
+    assert_status 2
+    one_line "$stderr"
+  done
+}
+
+@test "a hull is convex and contains all points, by awk" {
+  tm-shape torus-knot --faces 1000 -o knot.ply
+  tm-shape hull --of knot.ply -o hull.ply
+  tm-checkmanifold --closed --intersections hull.ply >/dev/null
+  tm-convert --format off --no-provenance hull.ply >hull.off
+  tm-convert --format off --no-provenance knot.ply >knot.off
+  # No point is in front of a face.
+  awk 'NF == 3 && FNR > 2 && FILENAME == "hull.off" { x[n] = $1; y[n] = $2; z[n] = $3; ++n }
+    NF == 4 && FNR > 2 && FILENAME == "hull.off" { a[m] = $2; b[m] = $3; c[m] = $4; ++m }
+    NF == 3 && FNR > 2 && FILENAME == "knot.off" {
+      for (f = 0; f < m; ++f) {
+        ux = x[b[f]] - x[a[f]]; uy = y[b[f]] - y[a[f]]; uz = z[b[f]] - z[a[f]]
+        vx = x[c[f]] - x[a[f]]; vy = y[c[f]] - y[a[f]]; vz = z[c[f]] - z[a[f]]
+        d = (uy * vz - uz * vy) * ($1 - x[a[f]]) + (uz * vx - ux * vz) * ($2 - y[a[f]]) + (ux * vy - uy * vx) * ($3 - z[a[f]])
+        if (d > 1e-12) exit 1
+      }
+      ++seen
+    }
+    END { exit !(m > 20 && seen > 400) }' hull.off knot.off
+  printf 'OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n' >flat.off
+  run --separate-stderr tm-shape hull --of flat.off
+  assert_status 3
+  [[ $stderr == *"one plane"* ]]
+}
+
+@test "a kind that is far from all others is not corrected into one of them" {
+  run --separate-stderr tm-shape prism
+  assert_status 2
+  [[ $stderr == *"--help lists"* ]]
+  run --separate-stderr tm-shape cyllinder
+  [[ $stderr == *"did you mean 'cylinder'?"* ]]
+}

@@ -100,7 +100,11 @@ void declare_common(Program& program) {
     options.flag("no-provenance", &common.no_provenance, "add no comment with the options used");
     if (program.reads_mesh()) program.reference_edge();
   }
-  if (program.may_print_report()) options.flag("json", &common.json, "print the report as JSON");
+  if (program.may_print_report()) {
+    options.flag("json", &common.json, "print the report as JSON");
+    if (options.find("get") == nullptr)
+      options.text("get", &common.get, "KEY", "print the value of this key of the report only");
+  }
   if (program.reads_points())
     options.flag("strict", &common.strict,
                  "refuse values that are not finite and unknown lines instead of dropping them");

@@ -82,7 +82,7 @@ struct OutputRules {
 /// The values of the options that programs share.
 struct CommonValues {
   std::string output = "-";
-  std::string format, reference_edge, report;
+  std::string format, reference_edge, report, get;
   int threads = 0;
   std::string max_memory, completion;
   double max_time = 0;

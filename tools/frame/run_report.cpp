@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 
@@ -19,24 +20,33 @@ void RunReport::show_settings() {
     if (option.is_common || value.empty() || value == "false") continue;
     const auto absolute = inputs_.resolved(option);
     messages_.detail("--" + option.name() + (option.is_flag() ? "" : " " + value) +
-                     (absolute ? " = " + shortest_text(*absolute) : ""));
+                     (absolute ? " = " + significant(*absolute, 6) : ""));
   }
   if (const auto edge = inputs_.used_reference_edge())
-    messages_.detail("reference edge " + shortest_text(*edge));
+    messages_.detail("reference edge " + significant(*edge, 6));
 }
 
 void RunReport::show_entries() const {
   for (const auto& [key, value] : result_) messages_.detail(key + ": " + text_of(value));
 }
 
-std::string RunReport::text() const {
-  const std::string* only = program_.output.only_key;
-  std::string lines;
+std::string RunReport::text_of_key(const std::string& only) const {
+  std::string keys;
   for (const auto& [key, value] : result_) {
-    if (only != nullptr && key == *only) return text_of(value) + '\n';
-    lines += key + ": " + text_of(value) + '\n';
+    if (key == only) return text_of(value) + '\n';
+    keys += (keys.empty() ? "" : ", ") + key;
   }
-  return program_.common.json ? json_text(object_of(result_)) : lines;
+  throw UsageError("--get: the report has no '" + only + "', but these: " + keys);
+}
+
+std::string RunReport::text() const {
+  const std::string* own = program_.output.only_key;
+  const std::string& only = own != nullptr ? *own : program_.common.get;
+  if (!only.empty()) return text_of_key(only);
+  if (program_.common.json) return json_text(object_of(result_));
+  std::string lines;
+  for (const auto& [key, value] : result_) lines += key + ": " + text_of(value) + '\n';
+  return lines;
 }
 
 std::string RunReport::full(const Entries& output_counts, const Phases& phases) {

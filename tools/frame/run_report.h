@@ -27,6 +27,9 @@ class RunReport {
   std::string full(const Entries& output_counts, const Phases& phases);
 
  private:
+  /// Throws UsageError if the report has no such key.
+  std::string text_of_key(const std::string& only) const;
+
   const Program& program_;
   Inputs& inputs_;
   Messages& messages_;

@@ -6,7 +6,7 @@ void declare_cleaning(Program& program, CleanChoices& choices) {
                          "grow regions from seeds, or test every piece (slow reference)");
   program.options.integer(
       "level", &choices.winding_level, 1, 1000000,
-      "keep the boundary of winding number >= LEVEL; 2 intersects two operands");
+      "keep the boundary of winding number >= N; 2 intersects two operands");
   program.options.flag("outermost", &choices.clean.outermost,
                        "drop components that bound cavities and what floats in them");
   program.options.length("separate", &choices.separate,

@@ -20,6 +20,15 @@ double edge_length(std::optional<Length>& length, double default_value, const ch
                    " is a factor of the local size: write it as 0.7x, not as " + length->text());
 }
 
+/// One length becomes the two of the defaults around it.
+void take_one_edge(RemeshChoices& choices) {
+  if (!choices.edge) return;
+  if (choices.min_edge || choices.max_edge || choices.adaptive)
+    throw UsageError("--edge sets --min-edge and --max-edge: give either one or the others");
+  choices.min_edge = Length{0.7 * choices.edge->value, choices.edge->unit};
+  choices.max_edge = Length{1.5 * choices.edge->value, choices.edge->unit};
+}
+
 /// `otherwise` for auto.
 double feature_angle(const std::string& text, double otherwise) {
   if (text == "auto") return otherwise;
@@ -55,6 +64,8 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
       "align", &choices.align, "FILE",
       "move vertices and turn edges onto the sharp edges of this mesh, which lies near, "
       "and do nothing else");
+  program.options.length("edge", &choices.edge,
+                         "edges about this long: 0.7 to 1.5 times, in place of the next two");
   program.options.length("min-edge", &choices.min_edge,
                          "collapse shorter edges (default 0.7x; with --adaptive 0.1x)");
   program.options.length("max-edge", &choices.max_edge,
@@ -99,6 +110,7 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   if (adapts && result.adaptive_error == 0)
     throw UsageError("--adaptive: the error must be above 0");
   const bool has_sizes = !result.size_column.empty();
+  take_one_edge(choices);
   result.min_edge = edge_length(choices.min_edge, adapts ? 0.1 : 0.7, "--min-edge", has_sizes, run);
   result.max_edge = edge_length(choices.max_edge, adapts ? 5 : 1.5, "--max-edge", has_sizes, run);
   result.only_smooth = choices.only == "smooth";
@@ -128,7 +140,8 @@ DecimateOptions decimate_options(RemeshChoices& choices, const Document& documen
 
 AlignOptions align_options(RemeshChoices& choices, const Document& document, Run& run) {
   refuse_others(run.program(), "align", "aligns",
-                {"feature-angle", "min-edge", "max-edge", "source"});
+                {"feature-angle", "edge", "min-edge", "max-edge", "source"});
+  take_one_edge(choices);
   AlignOptions result;
   result.feature_angle_deg = feature_angle(choices.feature_angle, result.feature_angle_deg);
   result.min_edge = edge_length(choices.min_edge, 0.7, "--min-edge", false, run);

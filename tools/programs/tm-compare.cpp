@@ -1,6 +1,7 @@
 /// tm-compare: how far a mesh is from a reference.
 #include "frame/run.h"
 #include "transformesh/compare.h"
+#include "transformesh/errors.h"
 #include "transformesh/measure.h"
 
 namespace {
@@ -10,6 +11,7 @@ using namespace transformesh;
 struct Options {
   std::string reference;
   std::string per_vertex;
+  bool is_signed = false;
   Length distance{0.01, Length::Unit::diagonal};
   std::optional<Length> within;
   long samples = static_cast<long>(CompareOptions().samples);
@@ -17,16 +19,31 @@ struct Options {
 };
 
 // The mesh with the distance of every vertex.
-void write_distances(const Mesh& reference, const std::string& path, tool::Run& run) {
+void write_distances(const Mesh& reference, const Options& options, tool::Run& run) {
   Document& document = run.document();
-  std::vector<double> distances = vertex_distances(document.mesh, reference, run.progress());
+  const auto& measure = options.is_signed ? signed_vertex_distances : vertex_distances;
+  std::vector<double> distances = measure(document.mesh, reference, run.progress());
   document.mesh.vertex_columns.get("distance", document.style.coordinate, distances.size()).values =
       std::move(distances);
-  run.out().write_mesh_file(path, std::move(document));
+  run.out().write_mesh_file(options.per_vertex, std::move(document));
+}
+
+/// The mesh of --reference, or the second input.
+Mesh read_reference(const Options& options, tool::Run& run) {
+  std::vector<Document>& documents = run.in().documents();
+  const std::size_t most = options.reference.empty() ? 2 : 1;
+  if (documents.size() > most)
+    throw UsageError("one mesh and one reference are compared, but '" + run.in().names()[most] +
+                     "' is one more");
+  if (!options.reference.empty()) return run.in().read(options.reference).mesh;
+  if (documents.size() == 2) return std::move(documents[1].mesh);
+  throw UsageError("name two files, a mesh and the reference, or the latter with --reference");
 }
 
 void compare_with_reference(const Options& options, tool::Run& run) {
-  const Mesh reference = run.in().read(options.reference).mesh;
+  if (options.is_signed && options.per_vertex.empty())
+    throw UsageError("--signed is for the distances that --per-vertex writes");
+  const Mesh reference = read_reference(options, run);
   run.in().set_basis(diagonal_of(bounding_box(reference)));
   CompareOptions library_options;
   library_options.samples = static_cast<std::size_t>(options.samples);
@@ -35,7 +52,7 @@ void compare_with_reference(const Options& options, tool::Run& run) {
   const Comparison found = compare(run.document().mesh, reference, library_options, run.progress());
 
   run.report(entries_of(found));
-  if (!options.per_vertex.empty()) write_distances(reference, options.per_vertex, run);
+  if (!options.per_vertex.empty()) write_distances(reference, options, run);
   run.answer(!options.within || found.hausdorff <= run.length(*options.within));
 }
 
@@ -44,13 +61,12 @@ void compare_with_reference(const Options& options, tool::Run& run) {
 int main(int argc, char** argv) {
   Options options;
   tool::Program program{"tm-compare",
-                        "--reference FILE [OPTION]... [INPUT]",
+                        "[OPTION]... [INPUT] [REFERENCE]",
                         "Measures the distances between a mesh and a reference",
-                        {tool::Reads::mesh},
+                        {tool::Reads::meshes},
                         {tool::Writes::answer}};
-  program.options
-      .text("reference", &options.reference, "FILE", "the mesh or points to compare with")
-      .is_needed = true;
+  program.options.text("reference", &options.reference, "FILE",
+                       "the mesh or points to compare with (default: the second input)");
   program.options.length(
       "distance", &options.distance,
       "completeness counts the reference up to here; 1% is of the reference's box");
@@ -58,6 +74,8 @@ int main(int argc, char** argv) {
   program.options.text(
       "per-vertex", &options.per_vertex, "FILE",
       "write the mesh with the property distance: of each vertex from the reference");
+  program.options.flag("signed", &options.is_signed,
+                       "distances of --per-vertex are negative inside the reference");
   program.options.integer("samples", &options.samples, 0, 1000000000,
                           "points by area on each surface; vertices are measured too");
   program.options.seed(&options.seed);

@@ -9,6 +9,7 @@
 #include "frame/loop_options.h"
 #include "frame/smoothing_option.h"
 #include "support/counted.h"
+#include "support/number.h"
 #include "transformesh/errors.h"
 #include "transformesh/evolve.h"
 
@@ -33,8 +34,9 @@ void declare(tool::Program& program, Options& options) {
       .is_needed = true;
   program.input.soups = tool::Soups::own;
   tool::declare_iterations(program, options.loop);
-  program.options.text("until", &options.until, "moved:LENGTH|stalled",
-                       "stop when no vertex moves as far, or nothing gets better any more");
+  program.options.text("until", &options.until, "moved:LENGTH|stalled|components:N|genus:N",
+                       "stop when no vertex moves as far, nothing gets better any more, or the "
+                       "mesh has that many components or handles");
   program.options.number(
       "alpha", &options.displace.alpha, 0, 1e300,
       "clamp on the movement by vx vy vz, as a fraction of the mean edge at the vertex");
@@ -57,7 +59,12 @@ UntilRule until_of(const std::string& text, tool::Run& run) {
   if (text == "stalled") return stalled();
   if (text.starts_with(moved))
     return moved_less_than(run.length(parse_length(text.substr(moved.size()))));
-  throw UsageError("--until: '" + text + "' is neither moved:LENGTH nor stalled");
+  UntilRule rule;
+  if (text.starts_with("components:")) rule.components = number_in<long>(text.substr(11));
+  if (text.starts_with("genus:")) rule.genus = number_in<long>(text.substr(6));
+  if (rule.components || rule.genus) return rule;
+  throw UsageError("--until: '" + text +
+                   "' is none of moved:LENGTH, stalled, components:N and genus:N");
 }
 
 Step step_of(const Options& options, const Record& record, Scalar coordinate) {

@@ -3,9 +3,9 @@
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "geometry/source_points.h"
+#include "io/segments.h"
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
-#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 
@@ -23,22 +23,6 @@ std::string pair_lines(const std::vector<FacePair>& pairs) {
   std::string lines;
   for (const auto& [f, g] : pairs) lines += std::to_string(f) + ' ' + std::to_string(g) + '\n';
   return lines;
-}
-
-// A PLY of vertices and edges.
-std::string segment_file(const std::vector<std::pair<Vec3, Vec3>>& segments) {
-  Document document;
-  OtherElement edges{"edge", segments.size(), {}};
-  Column& first = edges.columns.get("vertex1", Scalar::int32, segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) first.values[i] = static_cast<double>(2 * i);
-  Column& second = edges.columns.get("vertex2", Scalar::int32, segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    second.values[i] = static_cast<double>(2 * i + 1);
-    document.mesh.positions.push_back(segments[i].first);
-    document.mesh.positions.push_back(segments[i].second);
-  }
-  document.other_elements.push_back(std::move(edges));
-  return write_mesh(document).bytes;
 }
 
 void count_per_face(Mesh& mesh, const std::vector<FacePair>& pairs) {

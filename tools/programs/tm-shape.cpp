@@ -12,7 +12,7 @@ struct Options {
   std::optional<Length> edge, radius, tube, gap, neck, noise;
   long seed = 1;
   std::vector<double> center = {0, 0, 0};
-  std::string around;
+  std::string around, of;
 };
 
 // The options that do not depend on what 1% refers to.
@@ -23,7 +23,9 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   shape.kind = words[0];
   const std::string nearest = nearest_name(shape.kind, shape_kinds());
   if (nearest != shape.kind) {
-    throw UsageError("unknown kind of shape '" + shape.kind + "'; did you mean '" + nearest + "'?");
+    throw UsageError("unknown kind of shape '" + shape.kind +
+                     (is_near(shape.kind, nearest) ? "'; did you mean '" + nearest + "'?"
+                                                   : "'; --help lists those that there are"));
   }
   shape.parameters.assign(words.begin() + 1, words.end());
   shape.faces = options.faces;
@@ -31,6 +33,9 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   shape.seed = static_cast<std::uint64_t>(options.seed);
   shape.center = {options.center[0], options.center[1], options.center[2]};
   if (!options.around.empty()) shape.around = bounding_box(run.in().read(options.around).mesh);
+  if ((shape.kind == "hull") == options.of.empty())
+    throw UsageError("hull and --of FILE go together: the convex hull of that mesh or these points");
+  if (!options.of.empty()) shape.points = run.in().read(options.of).mesh.positions;
   return shape;
 }
 
@@ -81,9 +86,12 @@ int main(int argc, char** argv) {
   program.options.numbers("center", &options.center, "X,Y,Z", "where to put the shape");
   program.options.text("around", &options.around, "FILE",
                        "a sphere around the bounding box of that mesh");
+  program.options.text("of", &options.of, "FILE",
+                       "a hull around the vertices of that mesh or these points");
   program.epilog =
-      "Kinds: sphere, dented, ellipsoid A B C, box A B C, torus, genus N, torus-knot P Q,\n"
-      "two-spheres, tori, dumbbell, bowl, figure T; intersecting themselves: folded\n"
-      "sphere|torus, tangle P Q, many-spheres, boxes, pinch. Every parameter has a default.";
+      "Kinds: sphere, dented, ellipsoid A B C, box A B C, cylinder RADIUS HEIGHT,\n"
+      "cone RADIUS HEIGHT, hull, torus, genus N, torus-knot P Q, two-spheres, tori,\n"
+      "dumbbell, bowl, figure T; intersecting themselves: folded sphere|torus,\n"
+      "tangle P Q, many-spheres, boxes, pinch. Every parameter has a default.";
   return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

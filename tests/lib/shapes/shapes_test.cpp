@@ -34,7 +34,7 @@ void check_sound(const Mesh& mesh) {
 }  // namespace
 
 TEST_CASE("every kind is closed, oriented, manifold and near the faces wanted, for any seed") {
-  for (const std::string& kind : shape_kinds())
+  for (const std::string& kind : kinds_without_hull())
     // Legs and arms of the figure take more faces than the others.
     for (const std::size_t faces : {kind == "figure" ? 1000 : 500, 6000})
       for (const std::uint64_t seed : {1, 2, 3}) {
@@ -191,7 +191,7 @@ TEST_CASE("noise moves along the normals, by its amplitude at most, and depends 
 }
 
 TEST_CASE("the same options give the same bytes for any number of threads") {
-  for (const std::string& kind : shape_kinds()) {
+  for (const std::string& kind : kinds_without_hull()) {
     CAPTURE(kind);
     const auto made = [&](int threads) {
       const ThreadLimit limit(threads);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+using transformesh::is_near;
 using transformesh::nearest_name;
 
 TEST_CASE("the nearest name by edits") {
@@ -16,4 +17,13 @@ TEST_CASE("a prefix is one edit, and the first of equals wins") {
   CHECK(nearest_name("iter", {"filter", "iterations"}) == "iterations");
   CHECK(nearest_name("m", {"max", "min"}) == "max");
   CHECK(nearest_name("anything", {}) == "");
+}
+
+TEST_CASE("a name is near if fewer than half of the letters differ, or if the text begins it") {
+  CHECK(is_near("versoin", "version"));
+  CHECK(is_near("hel", "help"));
+  CHECK(is_near("boks", "box") == false);
+  CHECK(is_near("weld", "help") == false);
+  CHECK(is_near("cone", "bone"));
+  CHECK(is_near("cone", "box") == false);
 }

@@ -1,0 +1,79 @@
+// Cuts a solid at a plane and closes the cut: its intersection with a prism whose base lies in the
+// plane, as the boundary of winding number 2.
+#include <Eigen/Geometry>
+
+#include "mesh/triangle.h"
+#include "transformesh/clean.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
+#include "transformesh/select.h"
+
+namespace transformesh {
+namespace {
+
+/// The prism reaches this many diagonals of the mesh to all sides. Its base is one triangle, whose
+/// incircle has half that radius: with 4, the mesh is within it by a whole diagonal.
+constexpr double reach = 4;
+
+/// Two directions that are at right angles to a unit normal; those of axes if it is one.
+std::array<Vec3, 2> directions_across(const Vec3& normal) {
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().minCoeff(&axis);
+  const Vec3 first = normal.cross(Vec3::Unit(axis)).normalized();
+  return {first, normal.cross(first)};
+}
+
+/// A prism over a triangle in the plane that holds all of the box in front of the plane.
+Mesh prism_in_front(const CutPlane& plane, const Box& box) {
+  const double length = plane.normal.stableNorm();
+  if (!(length > 0) || !std::isfinite(length))
+    throw UsageError("the normal of the plane has no direction: it needs a length other than 0");
+  const Vec3 normal = plane.normal / length;
+  const Vec3 middle = box.min() + (box.max() - box.min()) / 2;
+  const double height = normal.dot(middle) - plane.offset / length;
+  const double size = diagonal_of(box);
+  const Vec3 center = middle - height * normal;
+  const auto [u, v] = directions_across(normal);
+
+  Mesh prism;
+  for (const double top : {0.0, std::abs(height) + size})
+    for (const auto& [x, y] : {std::pair(-2.0, -1.0), std::pair(2.0, -1.0), std::pair(0.0, 2.0)})
+      prism.positions.push_back(center + reach * size * (x * u + y * v) + top * normal);
+  prism.faces = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
+                 {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+  return prism;
+}
+
+/// Appends faces whose columns are zero.
+void append(Mesh& mesh, const Mesh& part) {
+  const auto offset = static_cast<Index>(mesh.positions.size());
+  mesh.vertex_columns.concatenate({}, mesh.positions.size(), part.positions.size());
+  mesh.face_columns.concatenate({}, mesh.faces.size(), part.faces.size());
+  mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+  for (const auto& [a, b, c] : part.faces)
+    mesh.faces.push_back({a + offset, b + offset, c + offset});
+}
+
+}  // namespace
+
+void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate, const Progress& progress) {
+  if (!check_manifold(mesh).is_closed())
+    throw InputError(ErrorKind::not_closed,
+                     "the mesh is open, so that a cut through it bounds no solid");
+  const Mesh prism = prism_in_front(plane, bounding_box(mesh));
+  CleanOptions options;
+  options.coordinate = coordinate;
+  // Of a mesh that overlaps itself, the overlap alone would have winding number 2.
+  Mesh solid = clean(mesh, options, progress).mesh;
+  append(solid, prism);
+  options.winding_level = 2;
+  try {
+    mesh = clean(solid, options, progress).mesh;
+  } catch (const GoalError& error) {
+    if (error.kind() != ErrorKind::no_such_level) throw;
+    throw GoalError("nothing of the mesh lies on the side that the plane's normal points to");
+  }
+}
+
+}  // namespace transformesh
