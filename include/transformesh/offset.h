@@ -43,13 +43,20 @@ struct OffsetResult {
   bool is_done() const { return has_arrived && !has_missed; }
 };
 
-/// The mean edge, but no longer than half the distance and a 60th of the diagonal, and no shorter
-/// than a 400th of that.
+/// The mean edge, at most half the distance and a 60th of the diagonal, at least its 400th.
 double offset_edge(const Mesh& mesh, double distance);
 
 /// Throws UsageError for a distance that is 0 or not finite, InputError for a mesh that is open or
 /// not oriented, GoalError where nothing is left (inwards) or where cleaning throws it.
 OffsetResult offset(Document& document, const OffsetOptions& options,
                     const Progress& progress = Progress());
+
+/// Moves the planes of the faces, so that corners stay sharp, and cleans; at most 4 distances far.
+/// Throws what offset() throws.
+void offset_mitered(Mesh& mesh, double distance, Scalar coordinate = Scalar::float64,
+                    const Progress& progress = Progress());
+/// Makes a solid of an open sheet, which becomes its middle, with mitered corners, and cleans it.
+void thicken(Mesh& mesh, double thickness, Scalar coordinate = Scalar::float64,
+             const Progress& progress = Progress());
 
 }  // namespace transformesh

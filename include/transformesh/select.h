@@ -1,8 +1,6 @@
 /// Selects the faces of a mesh that meet all of several conditions. Faces and vertices keep their
 /// order and columns; vertices that no face uses are dropped. The mesh may be open, a soup, or of
-/// any orientation. Components are connected by vertex indices. A mesh does not change if a function
-/// throws. Deterministic. Cost: O(n log n).
-///
+/// any orientation. A mesh does not change if a function throws. Deterministic. Cost: O(n log n).
 /// A component contains a point if its generalized winding number there does not round to 0
 /// (Jacobson et al., "Robust inside-outside segmentation", ACM TOG 32(4), 2013).
 #pragma once

@@ -109,6 +109,24 @@ clamps_nothing() {
   run_examples tm-report.1 tm-view.1
 }
 
+@test "the help of every program ends with an example that runs" {
+  load ../helpers/contract
+  cp -r "$BATS_FILE_TMPDIR/files" here
+  cd here
+  while IFS='|' read -r -u 8 program _; do
+    line=$("$program" --help | tail -n 1)
+    [[ $("$program" --help | tail -n 2 | head -n 1) == "Example:" && $line == *"$program "* ]] ||
+      fail "$program --help ends with no example"
+    case $program in
+      tm) if ! command -v man || ! command -v pandoc; then continue; fi >/dev/null ;;
+      # Its page runs the same command, which takes minutes.
+      tm-reconstruct) continue ;;
+      tm-report | tm-view) [ -e "$tm_build/share/transformesh/viewer.html" ] || continue ;;
+    esac
+    bash -euo pipefail -c "$line" >log 2>&1 </dev/null || fail "$line: $(cat log)"
+  done 8< <(contract_programs)
+}
+
 @test "examples of reconstruction" {
   run_examples tm-reconstruct.1
 }

@@ -73,3 +73,42 @@ load ../helpers/common
   # .2 by 2.2 by 4.2
   tm-info --get volume "$BATS_TEST_TMPDIR/plate.ply" | awk '{ exit !($1 > 1.7 && $1 < 1.87) }'
 }
+
+@test "--miter keeps corners sharp: a box becomes the larger or the smaller box" {
+  while read -r distance volume; do
+    tm-shape box 1 2 3 --faces 500 | tm-offset --miter --distance "$distance" -o box.ply
+    tm-checkmanifold --closed --intersections box.ply >/dev/null
+    tm-info --get volume box.ply | awk -v v="$volume" '{ exit !($1 > v - 1e-9 && $1 < v + 1e-9) }'
+  done <<'TABLE'
+0.25 7.875
+-0.25 1.875
+TABLE
+  # At 0.6 a box is inside out in one direction, a bar in two.
+  for size in '1 2 3' '1 1 3'; do
+    # shellcheck disable=SC2086
+    tm-shape box $size --faces 500 -o box.ply
+    run --separate-stderr tm-offset --miter --distance -0.6 box.ply -o none.ply
+    assert_status 4
+    one_line "$stderr"
+    [ ! -e none.ply ]
+  done
+}
+
+@test "--thicken makes a solid of a sheet, whose volume is its area times the thickness" {
+  tm-shape box 1 2 3 --faces 500 | tm-select --box -9,-9,-9,9,9,1.4 -o tray.ply
+  tm-offset --thicken 0.1 tray.ply -o solid.ply
+  tm-checkmanifold --closed --intersections solid.ply >/dev/null
+  # With mitered corners the volume is the area of the middle times the thickness, but for the
+  # corners of a ring, where it is exact too.
+  awk -v a="$(tm-info --get area tray.ply)" -v v="$(tm-info --get volume solid.ply)" \
+    'BEGIN { d = v / (0.1 * a) - 1; exit !(d < 0.01 && d > -0.01) }'
+  run --separate-stderr tm-offset --thicken 0.1 solid.ply
+  assert_status 3
+  one_line "$stderr"
+  for options in '' '--thicken 1 --distance 1' '--thicken 0'; do
+    # shellcheck disable=SC2086
+    run --separate-stderr tm-offset $options tray.ply
+    assert_status 2
+    one_line "$stderr"
+  done
+}

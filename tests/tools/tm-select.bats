@@ -101,7 +101,7 @@ setup() {
     tm-info --get volume cut.ply | awk -v v="$volume" '{ exit !($1 > v - 1e-9 && $1 < v + 1e-9) }'
   done <<'TABLE'
 0,0,1,0.25 0.25
-0,0,-1,0.25 0.75
+0,0,-1,-0.25 0.75
 0,0,2,-1 1
 1,0,0,-7 1
 1,1,0,0 0.5
@@ -151,7 +151,7 @@ TABLE
   tm-select --plane 0,0,1,0.123 --cap --section edges.ply small.ply -o cut.ply
   tm-convert --format ply-ascii --no-provenance edges.ply >edges.txt
   # The perimeter of the unit square, from the vertices that each edge names.
-  awk '/^element vertex/ { n = $3 } /^element edge/ { m = $3 }
+  awk 'BEGIN { k = 0 } /^element vertex/ { n = $3 } /^element edge/ { m = $3 }
     inside && k < n { x[k] = $1; y[k] = $2; if ($3 != 0.123) exit 1; ++k; next }
     inside && m-- > 0 { sum += sqrt((x[$1] - x[$2]) ^ 2 + (y[$1] - y[$2]) ^ 2) }
     /^end_header/ { inside = 1 }

@@ -217,12 +217,14 @@ TABLE
   tm-shape torus-knot --faces 1000 -o knot.ply
   tm-shape hull --of knot.ply -o hull.ply
   tm-checkmanifold --closed --intersections hull.ply >/dev/null
-  tm-convert --format off --no-provenance hull.ply >hull.off
-  tm-convert --format off --no-provenance knot.ply >knot.off
+  for name in hull knot; do
+    # Behind the line of counts.
+    tm-convert --format off $name.ply | grep -v '^#' | tail -n +3 >$name.off
+  done
   # No point is in front of a face.
-  awk 'NF == 3 && FNR > 2 && FILENAME == "hull.off" { x[n] = $1; y[n] = $2; z[n] = $3; ++n }
-    NF == 4 && FNR > 2 && FILENAME == "hull.off" { a[m] = $2; b[m] = $3; c[m] = $4; ++m }
-    NF == 3 && FNR > 2 && FILENAME == "knot.off" {
+  awk 'NF == 3 && FILENAME == "hull.off" { x[n] = $1; y[n] = $2; z[n] = $3; ++n }
+    NF == 4 && FILENAME == "hull.off" { a[m] = $2; b[m] = $3; c[m] = $4; ++m }
+    NF == 3 && FILENAME == "knot.off" {
       for (f = 0; f < m; ++f) {
         ux = x[b[f]] - x[a[f]]; uy = y[b[f]] - y[a[f]]; uz = z[b[f]] - z[a[f]]
         vx = x[c[f]] - x[a[f]]; vy = y[c[f]] - y[a[f]]; vz = z[c[f]] - z[a[f]]

@@ -49,3 +49,39 @@ setup() {
   run tm-clean --completion tcsh
   assert_status 2
 }
+
+@test "the command of each job runs" {
+  tm-shape sphere --faces 1000 -o a.ply
+  tm-shape box 1 1 3 --faces 1000 -o b.ply
+  tm-convert a.ply -o in.stl
+  tm | sed '/^$/,$d' >jobs
+  [ "$(wc -l <jobs)" -eq 12 ]
+  while read -r -u 8 line; do
+    command=${line:26}
+    case $command in
+      # It serves until it is ended, and there is no run of a morph, which takes long, to serve.
+      tm-view* | tm-morph*) ${command%% *} --help >/dev/null 2>&1 || [ "${command%% *}" = tm-view ] ;;
+      *) bash -euo pipefail -c "$command" >log 2>&1 </dev/null || fail "$command: $(cat log)" ;;
+    esac
+  done 8<jobs
+}
+
+@test "words of other programs open the page that explains them" {
+  mkdir bin
+  cp "$tm_build/bin/tm" "$tm_build/bin/tm-remesh" bin
+  run --separate-stderr bin/tm decimate
+  assert_status 0
+  [ "$stderr" = "tm: decimate: tm-remesh --faces 5000 a.ply" ]
+  [ "$output" = "$(tm-remesh --help)" ]
+}
+
+@test "an option of another program is shown there, and each of these is in the help" {
+  run --separate-stderr tm-clean --faces 500 x.ply
+  assert_status 2
+  [[ $stderr == *"see tm-remesh --faces" ]]
+  run --separate-stderr tm-info --weld x.ply
+  [[ $stderr == *"see tm-stitch --tolerance" ]]
+  while read -r program option; do
+    "$program" --help | grep -q -- " $option " || fail "$program has no $option"
+  done < <(sed -n 's/^    {"[a-z-]*", "\(.*\)"},/\1/p' "$tm_root/tools/frame/other_programs.cpp")
+}

@@ -87,7 +87,8 @@ std::string help_text(const Program& program) {
   if (!own.empty()) text += "\nOptions:\n" + own;
   text += "\nCommon options:\n" + option_entries(program, true) + length_lines(program);
   if (!program.epilog.empty()) text += '\n' + program.epilog + '\n';
-  return text + '\n' + exit_code_lines(program);
+  text += '\n' + exit_code_lines(program);
+  return program.example.empty() ? text : text + "\nExample:\n  " + program.example + '\n';
 }
 
 std::string short_help_text(const Program& program) {

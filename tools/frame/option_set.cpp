@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include "frame/other_programs.h"
 #include "frame/report.h"
 #include "support/error_prefix.h"
 #include "support/number.h"
@@ -83,9 +84,11 @@ namespace po = boost::program_options;
   names.reserve(options.size());
   for (const Option& option : options) names.push_back(option.name());
   const std::string nearest = nearest_name(word, names);
+  const std::string other = command_with(word);
   throw UsageError("unknown option '" + token + "'; " +
                    (is_near(word, nearest) ? "did you mean '--" + nearest + "'?"
-                                           : "--help lists those that there are"));
+                    : other.empty()        ? "--help lists those that there are"
+                                           : "see " + other));
 }
 
 [[noreturn]] void throw_missing(const std::string& name) {

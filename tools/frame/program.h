@@ -100,7 +100,8 @@ struct Program {
   InputRules input = {};
   OutputRules output = {};
   WordRules words = {};
-  std::string epilog = {};  ///< shown after the options: examples, formulas
+  std::string epilog = {};   ///< shown after the options: formulas, pipelines
+  std::string example = {};  ///< a complete command, which ends the help
   OptionSet options = {};
   CommonValues common = CommonValues();  // {} would make GCC 12 warn
   /// Called once all options have their values, to derive some from others; may throw UsageError.

@@ -57,8 +57,7 @@ int main(int argc, char** argv) {
                           "points by area on the mesh that are compared");
   program.options.integer("iterations", &choices.registration.iterations, 1, 1000000,
                           "at most this many");
-  program.epilog =
-      "Example: tm-align --reference scan-1.ply scan-2.ply | tm-cat scan-1.ply - > both.ply";
+  program.example = "tm-align --reference scan.ply part.ply | tm-cat scan.ply - > both.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { align_document(run.document(), choices, run); });
 }

@@ -110,6 +110,7 @@ int main(int argc, char** argv) {
       "center", &options.center, "X,Y,Z",
       "the scene's center for the table (default: nearest to all viewing axes)");
   program.epilog = "WHERE is a file, a folder or a quoted pattern; stdin is one file.";
+  program.example = "tm-cameras --list par.txt";
   return program.run(argc, argv, [&](tool::Run& run) {
     CameraList list = read(run.in().name(), options, run);
     const bool is_table = options.list || options.json;

@@ -46,9 +46,6 @@ int main(int argc, char** argv) {
                        "carry these, separated by commas (default: all but normals)");
   program.options.flag("closest", &options.closest,
                        "what does not state where it comes from takes the closest places");
-  program.epilog =
-      "Texture coordinates through two steps:\n"
-      "  tm-clean --source a.ply > b.ply\n"
-      "  tm-remesh --source b.ply | tm-carry --from a.ply b.ply - > c.ply";
+  program.example = "tm-clean --source a.ply | tm-carry --from a.ply - > carried.ply";
   return program.run(argc, argv, [&](tool::Run& run) { carry(options, run); });
 }

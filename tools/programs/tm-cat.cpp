@@ -18,6 +18,6 @@ void concatenate(tool::Run& run) {
 int main(int argc, char** argv) {
   tool::Program program{
       "tm-cat", "[OPTION]... [INPUT]...", "Concatenates meshes", {tool::Reads::meshes}};
-  program.epilog = "The union of overlapping bodies: tm-cat a.ply b.ply | tm-clean > union.ply";
+  program.example = "tm-cat a.ply b.ply | tm-clean > union.ply";
   return program.run(argc, argv, concatenate);
 }

@@ -55,5 +55,6 @@ int main(int argc, char** argv) {
   program.options.flag("pass", &options.pass,
                        "pass the mesh on; on a problem write nothing and exit with 1");
   program.output.is_mesh = [&] { return options.pass; };
+  program.example = "tm-checkmanifold --closed --intersections mesh.ply";
   return program.run(argc, argv, [&](tool::Run& run) { check(run.document(), options, run); });
 }

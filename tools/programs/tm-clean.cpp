@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   program.output.is_clean = true;
   program.input.soups = tool::Soups::own;
   tool::declare_cleaning(program, choices);
+  program.example = "tm-clean self-intersecting.ply > clean.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { clean_document(run.document(), choices, run); });
 }

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   program.epilog =
       "As a web page or a game shows it:\n"
       "  tm-color --cameras par.txt --images photos --texture a.ply -o a.glb";
+  program.example = "tm-color --cameras par.txt --images photos hull.ply > colored.ply";
   return program.run(argc, argv, [&](tool::Run& run) {
     tool::check_texture(options.choices, run);
     const std::vector<PictureView> views = picture_views_from(options.sources);

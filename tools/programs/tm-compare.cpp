@@ -79,5 +79,6 @@ int main(int argc, char** argv) {
   program.options.integer("samples", &options.samples, 0, 1000000000,
                           "points by area on each surface; vertices are measured too");
   program.options.seed(&options.seed);
+  program.example = "tm-compare --get hausdorff result.ply target.ply";
   return program.run(argc, argv, [&](tool::Run& run) { compare_with_reference(options, run); });
 }

@@ -66,5 +66,6 @@ int main(int argc, char** argv) {
   program.epilog =
       "Velocities are the vertex properties vx vy vz. Any program may compute them:\n"
       "  my-velocities < a.ply | tm-displace | tm-clean | tm-remesh > b.ply";
+  program.example = "tm-displace --normal-speed 0.01 mesh.ply | tm-clean | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { move(run.document(), options, run); });
 }

@@ -48,9 +48,6 @@ void declare(tool::Program& program, Options& options) {
   program.reference_edge();
   tool::declare_record(program, options.loop, "every how many iterations (default 10)",
                        "iteration");
-  program.epilog =
-      "A ball that grows until its volume has doubled, in any language:\n"
-      "  tm-evolve ball.ply -o large.ply --step 'tm-displace --normal-speed 0.01'";
 }
 
 UntilRule until_of(const std::string& text, tool::Run& run) {
@@ -117,5 +114,7 @@ int main(int argc, char** argv) {
                         {tool::Reads::file},
                         {tool::Writes::evolved_mesh}};
   declare(program, options);
+  program.example =
+      "tm-evolve --step 'tm-displace --normal-speed 0.01' mesh.ply --iterations 5 -o next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { evolve_mesh(options, run); });
 }

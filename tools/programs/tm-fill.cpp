@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
                        "add no vertices: flat patches of large triangles");
   program.options.flag("allow-crossings", &choices.allow_self_intersections,
                        "close also where every patch intersects the mesh, for tm-clean afterwards");
+  program.example = "tm-fill part.ply > closed.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { fill_document(run.document(), choices, run); });
 }

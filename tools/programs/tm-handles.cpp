@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   program.input.soups = tool::Soups::joined;
   program.options.length("max-length", &choices.max_length,
                          "remove handles that a loop of this length goes around (default 5x)");
+  program.example = "tm-handles scan.ply | tm-clean > untied.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { handle_document(run.document(), choices, run); });
 }

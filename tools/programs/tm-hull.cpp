@@ -63,5 +63,6 @@ int main(int argc, char** argv) {
                         "Makes the visual hull of calibrated silhouettes",
                         {tool::Reads::nothing}};
   declare(program, options);
+  program.example = "tm-hull --cameras par.txt --silhouettes masks > hull.ply";
   return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

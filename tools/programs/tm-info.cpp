@@ -65,5 +65,6 @@ int main(int argc, char** argv) {
       "per-vertex", &per_vertex, "FILE",
       "write the mesh with the property curvature: the mean curvature at each vertex");
   program.output.only_key = &key;
+  program.example = "tm-info --get volume mesh.ply";
   return program.run(argc, argv, [&](tool::Run& run) { describe(per_vertex, with_unit, run); });
 }

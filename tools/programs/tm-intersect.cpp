@@ -80,5 +80,6 @@ int main(int argc, char** argv) {
       "refine", &options.refine,
       "split faces along the intersections; source_face names where they come from");
   program.output.is_mesh = [&] { return !options.check && !options.any; };
+  program.example = "tm-intersect --check mesh.ply";
   return program.run(argc, argv, [&](tool::Run& run) { intersect(run.document(), options, run); });
 }

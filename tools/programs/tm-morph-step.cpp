@@ -86,8 +86,7 @@ int main(int argc, char** argv) {
       "across the target's gaps and walls, at most 1x long; 0: do not");
   program.options.text("write-target", &options.written_target, "FILE",
                        "write the target as it is used: points with their normals");
-  program.epilog =
-      "One iteration of an evolution, which tm-morph repeats:\n"
-      "  tm-morph-step --target b.ply < a.ply | tm-clean | tm-remesh > next.ply";
+  program.example =
+      "tm-morph-step --target target.ply source.ply | tm-clean | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { step(run.document(), options, run); });
 }

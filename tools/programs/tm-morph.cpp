@@ -96,5 +96,6 @@ int main(int argc, char** argv) {
   program.input.soups = tool::Soups::own;
   tool::declare_morph(program, choices);
   program.output.is_mesh = [&choices] { return !choices.print_pipeline; };
+  program.example = "tm-morph source.ply --target target.ply --iterations 5 -o next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { evolve(choices, run); });
 }

@@ -10,7 +10,8 @@ namespace {
 using namespace transformesh;
 
 struct Choices {
-  std::optional<Length> distance, edge;
+  std::optional<Length> distance, edge, thicken;
+  bool miter = false;
   OffsetOptions offset;
 };
 
@@ -22,7 +23,14 @@ void note_missed(const OffsetResult& result, tool::Run& run) {
 }
 
 void offset_document(Document& document, Choices& choices, tool::Run& run) {
-  if (!choices.distance) throw UsageError("--distance is needed: how far the surface moves");
+  if (choices.thicken.has_value() == choices.distance.has_value())
+    throw UsageError("give either --distance, how far the surface moves, or --thicken");
+  const Scalar coordinate = document.style.coordinate;
+  if (choices.thicken)
+    return thicken(document.mesh, run.length(*choices.thicken), coordinate, run.progress());
+  if (choices.miter)
+    return offset_mitered(document.mesh, run.length(*choices.distance), coordinate,
+                          run.progress());
   choices.offset.distance = run.length(*choices.distance);
   if (choices.edge) choices.offset.edge = run.length(*choices.edge);
   const OffsetResult result = offset(document, choices.offset, run.progress());
@@ -37,12 +45,15 @@ void offset_document(Document& document, Choices& choices, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Choices choices;
-  tool::Program program{"tm-offset", "[OPTION]... --distance LENGTH [INPUT]",
+  tool::Program program{"tm-offset", "[OPTION]... --distance LENGTH|--thicken LENGTH [INPUT]",
                         "Moves a surface outwards or inwards by a distance"};
   program.input.soups = tool::Soups::joined;
-  program.options
-      .length("distance", &choices.distance, "how far: outwards, or inwards where negative", true)
-      .is_needed = true;
+  program.options.length("distance", &choices.distance,
+                         "how far: outwards, or inwards where negative", true);
+  program.options.flag("miter", &choices.miter,
+                       "keep corners sharp and faces as they are, instead of rounding");
+  program.options.length("thicken", &choices.thicken,
+                         "make an open sheet a solid that is this thick, instead");
   program.options.length(
       "edge", &choices.edge,
       "edges are 0.7 to 1.5 times as long (default the mean edge, but at most half the "
@@ -50,6 +61,7 @@ int main(int argc, char** argv) {
   program.options.integer("iterations", &choices.offset.iterations, 1, 1000000, "at most so many");
   program.epilog =
       "A shell 2 thick: tm-offset --distance -2 a.ply | tm-stitch --flip | tm-cat a.ply -";
+  program.example = "tm-offset --distance 2% mesh.ply > larger.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { offset_document(run.document(), choices, run); });
 }

@@ -55,5 +55,6 @@ int main(int argc, char** argv) {
       "One iteration of a reconstruction, which goes on from coarse to fine:\n"
       "  tm-photo-step --cameras par.txt --images photos --scale 4 < a.ply |\n"
       "    tm-clean | tm-remesh > next.ply";
+  program.example = "tm-photo-step --cameras par.txt --images photos --scale 4 hull.ply > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { step(run.document(), options, run); });
 }

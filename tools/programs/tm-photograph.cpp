@@ -95,5 +95,6 @@ int main(int argc, char** argv) {
                         {tool::Reads::file},
                         {tool::Writes::text}};
   declare(program, options);
+  program.example = "tm-photograph --write-images shots mesh.ply > shots.txt";
   return program.run(argc, argv, [&](tool::Run& run) { photograph(options, run); });
 }

@@ -102,6 +102,8 @@ int main(int argc, char** argv) {
                         {tool::Writes::evolved_mesh}};
   program.input.soups = tool::Soups::own;
   tool::declare_reconstruction(program, choices);
+  program.example =
+      "tm-reconstruct --cameras par.txt --images photos --silhouettes masks -o object.ply";
   return program.run(argc, argv, [&](tool::Run& run) {
     tool::give_large_blocks_back();
     const ReconstructionOptions options = tool::reconstruction_of(choices, run);

@@ -87,6 +87,6 @@ int main(int argc, char** argv) {
                         "Keeps edges between two lengths and triangles round"};
   program.input.soups = tool::Soups::joined;
   tool::declare_remeshing(program, choices);
-  program.epilog = "After a step of an evolution: tm-clean < moved.ply | tm-remesh > next.ply";
+  program.example = "tm-remesh --edge 2% rough.ply > fine.ply";
   return program.run(argc, argv, [&](tool::Run& run) { change(run.document(), choices, run); });
 }

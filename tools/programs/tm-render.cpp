@@ -50,5 +50,6 @@ int main(int argc, char** argv) {
   tool::declare_picture(program, options);
   program.output.picture_endings = {".png", ".svg", ".mp4", ".gif"};
   program.epilog = "Before and after: tm-clean a.ply | tm-render --frame place a.ply - > both.png";
+  program.example = "tm-render mesh.ply > mesh.png";
   return program.run(argc, argv, [&](tool::Run& run) { render(options, run); });
 }

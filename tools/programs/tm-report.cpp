@@ -23,7 +23,6 @@ void declare(tool::Program& program, Options& options) {
                          "the axis that points up; auto: in the photographs, else y");
   program.options.text("title", &options.title, "TEXT",
                        "of the page (default: the names of the runs)");
-  program.epilog = "tm-morph a.ply --target b.ply --run morph && tm-report morph -o morph.html";
 }
 
 void report(const Options& options, tool::Run& run) {
@@ -62,5 +61,6 @@ int main(int argc, char** argv) {
                    "by side"};
   program.words.are_folders = true;
   declare(program, options);
+  program.example = "tm-morph a.ply --target b.ply --run morph && tm-report morph -o morph.html";
   return program.run(argc, argv, [&](tool::Run& run) { report(options, run); });
 }

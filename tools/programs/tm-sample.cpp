@@ -43,6 +43,6 @@ int main(int argc, char** argv) {
       "distance", &choices.distance,
       "instead a Poisson disk: no two points nearer than this, and no room for another");
   program.options.seed(&choices.seed);
-  program.epilog = "A surface from its points: tm-sample --distance 2% a.ply | tm-wrap > b.ply";
+  program.example = "tm-sample --count 1000 mesh.ply > points.ply";
   return program.run(argc, argv, [&](tool::Run& run) { sample(run.document(), choices, run); });
 }

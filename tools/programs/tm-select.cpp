@@ -70,14 +70,15 @@ std::string section_file(const Choices& c, const Mesh& mesh, const CutPlane& pla
                                      : segment_file(segments);
 }
 
-void cut_document(Document& document, const Choices& c, tool::Run& run) {
-  if (c.plane.empty()) {
-    if (c.cap || !c.section.empty())
-      throw UsageError("--cap and --section are of a cut: name its plane with --plane A,B,C,D");
-    return;
-  }
-  if (c.all.invert)
+void check_together(const Choices& c) {
+  if (c.plane.empty() && (c.cap || !c.section.empty()))
+    throw UsageError("--cap and --section are of a cut: name its plane with --plane A,B,C,D");
+  if (!c.plane.empty() && c.all.invert)
     throw UsageError("--invert keeps other faces; for the other side of --plane negate its numbers");
+}
+
+void cut_document(Document& document, const Choices& c, tool::Run& run) {
+  if (c.plane.empty()) return;
   const CutPlane plane{vector_of(c.plane.data()), c.plane[3]};
   if (!c.section.empty()) run.out().write(c.section, section_file(c, document.mesh, plane));
   if (c.cap) {
@@ -88,6 +89,7 @@ void cut_document(Document& document, const Choices& c, tool::Run& run) {
 }
 
 void select_document(Document& document, const Choices& choices, tool::Run& run) {
+  check_together(choices);
   report(select(document.mesh, options_of(choices)), run);
   cut_document(document, choices, run);
   if (!choices.split.empty()) write_parts(document, choices, run);
@@ -129,6 +131,7 @@ int main(int argc, char** argv) {
   program.output.is_mesh = [&] {
     return choices.split.empty() || program.options.find("output")->is_given;
   };
+  program.example = "tm-select --largest 1 mesh.ply > largest.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { select_document(run.document(), choices, run); });
 }

@@ -93,5 +93,6 @@ int main(int argc, char** argv) {
       "cone RADIUS HEIGHT, hull, torus, genus N, torus-knot P Q, two-spheres, tori,\n"
       "dumbbell, bowl, figure T; intersecting themselves: folded sphere|torus,\n"
       "tangle P Q, many-spheres, boxes, pinch. Every parameter has a default.";
+  program.example = "tm-shape torus --faces 2000 > torus.ply";
   return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

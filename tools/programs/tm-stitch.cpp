@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   program.options.flag("outwards", &options.outwards,
                        "turn closed bodies that are inside out, together with their cavities");
   program.options.flag("flip", &options.flip, "reverse all faces");
+  program.example = "tm-stitch model.stl > joined.ply";
   return program.run(argc, argv, [&](tool::Run& run) {
     stitch_document(run.document(), options, tolerance, run);
   });

@@ -66,5 +66,6 @@ int main(int argc, char** argv) {
       "tm-tile split huge.ply --tiles 16 -o tiles\n"
       "for tile in tiles/tile-*.ply; do tm-clean $tile -o ${tile/tile-/clean-}; done\n"
       "tm-tile join tiles > clean.ply";
+  program.example = "tm-tile split large.ply --tiles 2 -o tiles";
   return program.run(argc, argv, [&](tool::Run& run) { split_or_join(tiles, run); });
 }

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-transform", "[OPTION]... [INPUT]",
                         "Moves, turns, scales and mirrors a mesh, in the order of the options"};
   tool::declare_transforms(program, choices);
+  program.example = "tm-transform --rotate 0,0,1,90 mesh.ply > turned.ply";
   return program.run(argc, argv, [&](tool::Run& run) {
     transform_document(run.document(), choices, program, run);
   });

@@ -86,5 +86,6 @@ int main(int argc, char** argv) {
                         {tool::Reads::meshes},
                         {tool::Writes::page}};
   declare(program, options);
+  program.example = "tm-view mesh.ply > mesh.html";
   return program.run(argc, argv, [&](tool::Run& run) { show(options, run); });
 }

@@ -106,5 +106,6 @@ int main(int argc, char** argv) {
   program.options.flag("keep-outliers", &options.keep_outliers,
                        "wrap points that are far from all others, too");
   program.epilog = "POINTS are PLY, OFF or lines of x y z [nx ny nz]; of a mesh, its vertices.";
+  program.example = "tm-sample --distance 2% mesh.ply | tm-wrap > wrapped.ply";
   return program.run(argc, argv, [&](tool::Run& run) { wrap(options, run); });
 }

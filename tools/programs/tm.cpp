@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "frame/run.h"
+#include "options/jobs.h"
 #include "program_list.h"
 #include "support/suggestion.h"
 #include "transformesh/errors.h"
@@ -21,7 +22,8 @@ std::string list_text() {
     line.resize(18, ' ');
     text += line + does + '\n';
   }
-  return text + "\n`tm NAME` shows a page, `tm tm` what all programs share.\n";
+  return tool::list_of_jobs() + '\n' + text +
+         "\n`tm NAME` shows a page, `tm tm` what all programs share.\n";
 }
 
 std::vector<std::string> all_names() {
@@ -79,11 +81,15 @@ int main(int argc, char** argv) {
                         {tool::Writes::text}};
   program.words = {"NAME", "of a program, with or without tm-; tm: what all share"};
   program.words.choices = all_names();
+  program.example = "tm clean";
   return program.run(argc, argv, [](tool::Run& run) {
     const std::vector<std::string>& words = run.in().names();
     if (words.size() > 1)
       throw UsageError("one NAME at most, but '" + words[1] + "' is a second one");
-    if (!words.empty()) open_page(page_named(words[0]));
+    const tool::Alias* alias = words.empty() ? nullptr : tool::alias_of(words[0]);
+    if (alias != nullptr) run.note(words[0] + ": " + std::string(alias->command));
+    if (!words.empty())
+      open_page(alias != nullptr ? std::string(alias->program) : page_named(words[0]));
     run.out().set_bytes(list_text());
   });
 }

@@ -17,7 +17,7 @@ TEST_CASE("cylinders and cones of any proportions are closed, oriented and clean
       CAPTURE(faces);
       for (const Mesh& mesh :
            {shapes::cylinder(radius, 2, faces), shapes::cone(radius, 2, faces)}) {
-        const ManifoldCheck check = check_manifold(mesh);
+        const ManifoldReport check = check_manifold(mesh);
         CHECK(check.is_closed());
         CHECK(volume(mesh) > 0);
         CHECK(find_intersections(mesh).empty());

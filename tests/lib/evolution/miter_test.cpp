@@ -1,0 +1,48 @@
+#include "evolution/miter.h"
+
+#include <doctest/doctest.h>
+
+#include "helpers/shapes.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
+#include "transformesh/offset.h"
+
+using namespace transformesh;
+using doctest::Approx;
+
+TEST_CASE("vertices move by the planes around them") {
+  const std::vector<Vec3> directions = miter_directions(test::cube());
+  for (const Vec3& way : directions) CHECK((way.cwiseAbs() - Vec3::Ones()).norm() < 1e-12);
+  for (const Vec3& way : miter_directions(test::icosphere(4))) CHECK(way.norm() == Approx(1).epsilon(0.01));
+}
+
+TEST_CASE("a mitered offset of a cube is a cube, and of a thin one nothing") {
+  for (const double distance : {0.5, -0.25}) {
+    Mesh cube = test::cube();
+    offset_mitered(cube, distance);
+    const double side = 1 + 2 * distance;
+    CHECK(volume(cube) == Approx(side * side * side));
+    CHECK(cube.faces.size() == 12);
+  }
+  Mesh cube = test::cube();
+  CHECK_THROWS_AS(offset_mitered(cube, -0.6), GoalError);
+  CHECK_THROWS_AS(offset_mitered(cube, 0), UsageError);
+  CHECK(volume(cube) == Approx(1));
+}
+
+TEST_CASE("a thick sheet is closed and keeps its columns") {
+  Mesh sheet;
+  sheet.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  sheet.faces = {{0, 1, 2}, {0, 2, 3}};
+  sheet.vertex_columns.get("x", Scalar::float64, 4).values = {0, 1, 1, 0};
+  sheet.face_columns.get("label", Scalar::int32, 2).values = {7, 7};
+  thicken(sheet, 0.5);
+  CHECK(check_manifold(sheet).is_closed());
+  CHECK(volume(sheet) == Approx(0.5));
+  CHECK(bounding_box(sheet).min().z() == -0.25);
+  for (std::size_t v = 0; v < sheet.positions.size(); ++v)
+    CHECK(sheet.vertex_columns.find("x")->values[v] == sheet.positions[v].x());
+  for (const double label : sheet.face_columns.find("label")->values) CHECK(label == 7);
+  CHECK_THROWS_AS(thicken(sheet, 0.5), InputError);
+}
