@@ -10,10 +10,9 @@
 /// Guarantees: the motion is a rotation and a translation; columns follow as in transform().
 /// Deterministic for any number of threads. Cost: O(iterations * samples * log n).
 /// References: Chen & Medioni, "Object modelling by registration of multiple range images", Image
-/// and Vision Computing 10(3), 1992; Phillips, Liu & Tomasi, "Outlier robust ICP for minimizing
-/// fractional RMSD", 3DIM 2007; Turk & Levoy, "Zippered polygon meshes from range images",
-/// SIGGRAPH 1994 (borders); Gelfand et al., "Geometrically stable sampling for the ICP algorithm",
-/// 3DIM 2003 (stability).
+/// and Vision Computing 10(3), 1992. Phillips, Liu & Tomasi, "Outlier robust ICP for minimizing
+/// fractional RMSD", 3DIM 2007. Turk & Levoy, "Zippered polygon meshes", SIGGRAPH 1994 (borders).
+/// Gelfand et al., "Geometrically stable sampling for the ICP algorithm", 3DIM 2003.
 #pragma once
 
 #include "transformesh/control.h"
@@ -22,15 +21,15 @@
 namespace transformesh {
 
 struct RegistrationOptions {
-  std::size_t samples = 3000;   ///< points by area on the mesh; at least 100
-  int iterations = 200;         ///< most iterations; at least 1
+  std::size_t samples = 3000;  ///< points by area on the mesh; at least 100
+  int iterations = 200;        ///< most iterations; at least 1
 };
 
 struct RegistrationResult {
   Matrix4 motion = Matrix4::Identity();  ///< maps the mesh as it was onto the reference
   double rotation_deg = 0;               ///< angle of the motion, from 0 to 180
-  double rms = 0;       ///< root mean square distance of the overlap from the reference; input units
-  double overlap = 0;   ///< share of the samples that lie on the reference, from 0 to 1
+  double rms = 0;      ///< root mean square distance of the overlap from the reference; input units
+  double overlap = 0;  ///< share of the samples that lie on the reference, from 0 to 1
   double stability = 0;  ///< least resistance to a motion over the largest, from 0 to 1; 0: slides
   int iterations = 0;
   bool has_converged = false;  ///< the mesh came to rest before the limit of iterations

@@ -7,8 +7,7 @@
 /// Guarantees: the result is an oriented manifold without self-intersections, as far as remesh()
 /// promises. Not guaranteed: a distance from the true offset; the result reports it. Concave
 /// corners of the offset are rounded by about an edge length. Parts thinner than an edge may be
-/// lost, which is reported. Cavities stay.
-/// Columns are carried as by clean() and remesh(). Deterministic for any number of threads.
+/// lost, which is reported. Cavities stay. Columns are carried as by clean() and remesh().
 #pragma once
 
 #include <cstddef>
@@ -51,8 +50,7 @@ double offset_edge(const Mesh& mesh, double distance);
 OffsetResult offset(Document& document, const OffsetOptions& options,
                     const Progress& progress = Progress());
 
-/// Moves the planes of the faces, so that corners stay sharp, and cleans; at most 4 distances far.
-/// Throws what offset() throws.
+/// Moves the planes of the faces, so that corners stay sharp, and cleans. Throws as offset() does.
 void offset_mitered(Mesh& mesh, double distance, Scalar coordinate = Scalar::float64,
                     const Progress& progress = Progress());
 /// Makes a solid of an open sheet, which becomes its middle, with mitered corners, and cleans it.

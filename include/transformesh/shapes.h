@@ -3,10 +3,10 @@
 /// volume is positive. Lengths are in the units of the mesh. Most shapes are about 2.4 wide.
 ///
 /// sphere dented ellipsoid box cylinder cone hull torus genus torus-knot bowl figure are free of
-/// self-intersections; dumbbell for neck > 0, two-spheres and tori for gap > 0 also. Others are not:
-/// two-spheres folded tangle many-spheres, tori and dumbbell (gap, neck < 0) in general position,
-/// boxes and pinch as degenerately as they can. Deterministic: the same options give the same bytes
-/// for any number of threads.
+/// self-intersections; dumbbell for neck > 0, two-spheres and tori for gap > 0 also. Others are
+/// not: two-spheres folded tangle many-spheres, tori and dumbbell (gap, neck < 0) in general
+/// position, boxes and pinch as degenerately as they can. Deterministic: the same options give the
+/// same bytes for any number of threads.
 #pragma once
 
 #include <cstdint>

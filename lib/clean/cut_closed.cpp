@@ -64,7 +64,7 @@ void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate, const Prog
   const Mesh prism = prism_in_front(plane, bounding_box(mesh));
   CleanOptions options;
   options.coordinate = coordinate;
-  // Of a mesh that overlaps itself, the overlap alone would have winding number 2.
+  // Clean first: if the mesh overlaps itself, the overlap alone has winding number 2.
   Mesh solid = clean(mesh, options, progress).mesh;
   append(solid, prism);
   options.winding_level = 2;

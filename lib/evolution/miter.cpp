@@ -17,13 +17,13 @@
 namespace transformesh {
 namespace {
 
-/// Directions in which the planes at a vertex agree less than this are those of noise: creases of
-/// less than 2 degrees move by their mean normal, 0.0005 of the distance short.
+/// Eigenvalues below this share of the largest are noise. Creases of less than 2 degrees move by
+/// their mean normal, 0.0005 of the distance short; at 0.1, creases of 35 degrees do.
 constexpr double least_eigenvalue = 1e-3;
 /// Longest movement, in distances: a corner of 30 degrees. Sharper spikes are cut.
 constexpr double miter_limit = 4;
-/// What is left of a part that turned inside out twice lies nearer to the source than the
-/// distance. Curved surfaces miss the distance by less than this share.
+/// Remains of a part that turned inside out twice lie nearer to the source than this share of the
+/// distance. Curved surfaces miss the distance by less.
 constexpr double least_distance = 0.95;
 
 struct Planes {

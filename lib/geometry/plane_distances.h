@@ -21,12 +21,12 @@ class PlaneDistances {
 
   struct Crossing {
     Index low = 0, high = 0;  ///< ends of the edge
-    double weight = 0;        ///< of the end `high`
+    double weight = 0;        ///< weight of the end `high`, in [0, 1]
     Vec3 position = Vec3::Zero();
   };
   /// The crossing of an edge, the same in both directions.
   Crossing crossing(Index a, Index b) const;
-  const Vec3& normal() const { return normal_; }  ///< of unit length
+  const Vec3& normal() const { return normal_; }  ///< unit length
 
  private:
   const Mesh& mesh_;

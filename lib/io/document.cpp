@@ -71,7 +71,8 @@ void fill_missing_colors(Columns& columns, const Columns& first, const Columns& 
                          std::size_t rows, const std::string& element, Notes& notes) {
   bool is_filled = false;
   for (const char* name : {"red", "green", "blue", "alpha"}) {
-    const bool is_in_first = first.find(name) != nullptr, is_in_second = second.find(name) != nullptr;
+    const bool is_in_first = first.find(name) != nullptr,
+               is_in_second = second.find(name) != nullptr;
     Column* column = columns.find(name);
     if (is_in_first == is_in_second || column->list_count_type) continue;
     const bool is_float = column->type == Scalar::float32 || column->type == Scalar::float64;
@@ -90,7 +91,8 @@ std::vector<std::string> append_separated(Document& all, const Document& other) 
   if (first != nullptr && second != nullptr && first != second)
     notes.push_back("the units differ, " + std::string(first->name) + " and " +
                     std::string(second->name) + ": numbers are joined as they are");
-  const Columns vertices = names_of(all.mesh.vertex_columns), faces = names_of(all.mesh.face_columns);
+  const Columns vertices = names_of(all.mesh.vertex_columns),
+                faces = names_of(all.mesh.face_columns);
   const std::size_t vertex_rows = all.mesh.positions.size(), face_rows = all.mesh.faces.size();
   append_mesh(all.mesh, other.mesh, notes);
   if (vertex_rows > 0 && !other.mesh.positions.empty())

@@ -1,5 +1,6 @@
-/// Reads and writes a 4x4 matrix as text: 16 numbers row by row, with blanks, commas or line ends between them;
-/// what follows # is comment. Throws InputError with the line for anything else. Locale-free.
+/// Reads and writes a 4x4 matrix as text: 16 numbers row by row, with blanks, commas or line ends
+/// between them; what follows # is comment. Throws InputError with the line for anything else.
+/// Locale-free.
 #pragma once
 
 #include <Eigen/Core>

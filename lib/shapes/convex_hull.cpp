@@ -49,11 +49,11 @@ bool are_coplanar(const std::vector<Kernel::Point_3>& points) {
   if (points.size() < 4) return true;
   const auto& first = points.front();
   const auto& last = points.back();
-  const auto third = std::ranges::find_if(
-      points, [&](const auto& p) { return !CGAL::collinear(first, last, p); });
+  const auto third =
+      std::ranges::find_if(points, [&](const auto& p) { return !CGAL::collinear(first, last, p); });
   if (third == points.end()) return true;
-  return std::ranges::all_of(
-      points, [&](const auto& p) { return CGAL::coplanar(first, last, *third, p); });
+  return std::ranges::all_of(points,
+                             [&](const auto& p) { return CGAL::coplanar(first, last, *third, p); });
 }
 
 }  // namespace

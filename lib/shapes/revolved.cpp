@@ -31,9 +31,9 @@ void add_line(std::vector<Ring>& rings, double radius, double height, double edg
   for (long i = 1; i <= steps; ++i) {
     // The last one exactly, so that flat ends are flat and the axis is met.
     const double share = static_cast<double>(i) / static_cast<double>(steps);
-    rings.push_back(i == steps ? ring_of(radius, height, edge)
-                               : ring_of(from.radius + share * across, from.height + share * up,
-                                         edge));
+    rings.push_back(i == steps
+                        ? ring_of(radius, height, edge)
+                        : ring_of(from.radius + share * across, from.height + share * up, edge));
   }
 }
 

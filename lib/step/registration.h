@@ -1,7 +1,8 @@
 /// Iterative closest points: pairs samples of a mesh with a surface, and moves them onto it.
-/// Reference: Chen & Medioni, "Object modelling by registration of multiple range images", Image
-/// and Vision Computing 10(3), 1992; Phillips, Liu & Tomasi, "Outlier robust ICP for minimizing
-/// fractional RMSD", 3DIM 2007; Tukey's biweight: Beaton & Tukey, Technometrics 16(2), 1974.
+/// References: Chen & Medioni, "Object modelling by registration of multiple range images", Image
+/// and Vision Computing 10(3), 1992. Phillips, Liu & Tomasi, "Outlier robust ICP for minimizing
+/// fractional RMSD", 3DIM 2007. Beaton & Tukey, "The fitting of power series", Technometrics 16(2),
+/// 1974 (the biweight).
 #pragma once
 
 #include <functional>
@@ -15,7 +16,7 @@ namespace transformesh {
 /// Pairs that count as the part that both surfaces show.
 struct Overlap {
   std::size_t count = 0;   ///< number of pairs
-  double mean_square = 0;  ///< of the distances of these pairs
+  double mean_square = 0;  ///< mean squared distance of these pairs
   double cost = 0;         ///< fractional mean square: less is a better agreement
 };
 
@@ -52,7 +53,7 @@ class Registration {
   const RegistrationSurface& surface_;
   std::vector<OrientedPoint> samples_;
   RigidMotion motion_;
-  double mean_square_ = 0;  ///< of the overlap in the last iteration
+  double mean_square_ = 0;  ///< mean squared distance of the overlap, last iteration
   double stability_ = 0;
   bool has_converged_ = false;
 };

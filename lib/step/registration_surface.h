@@ -37,9 +37,9 @@ class RegistrationSurface {
 
   const Mesh& mesh_;
   std::optional<ClosestPointQuery> surface_;
-  std::vector<bool> border_edges_, border_vertices_;  ///< of halfedges and of vertices
+  std::vector<bool> border_edges_, border_vertices_;  ///< by halfedge and by vertex
   std::optional<KdTree> points_;
-  std::vector<Vec3> normals_;  ///< of points
+  std::vector<Vec3> normals_;  ///< one per point
 };
 
 }  // namespace transformesh

@@ -85,8 +85,7 @@ double angle_deg_of(const Eigen::Matrix3d& rotation) {
   return 2 * elementary::atan2(turn.vec().norm(), std::abs(turn.w())) * degrees;
 }
 
-void PlaneEquations::add(const Vec3& point, const Vec3& normal, double distance,
-                         double weight) {
+void PlaneEquations::add(const Vec3& point, const Vec3& normal, double distance, double weight) {
   const Vec3 turning = ((point - center_) / size_).cross(normal);
   const Row row{turning.x(), turning.y(), turning.z(), normal.x(), normal.y(), normal.z()};
   for (std::size_t i = 0; i < 6; ++i) {

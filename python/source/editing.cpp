@@ -1,4 +1,5 @@
-/// Everyday steps between the others: fill, handles, transform, align, select, split, sample, carry.
+/// Everyday steps between the others: fill, handles, transform, align, select, split, sample,
+/// carry.
 #include <algorithm>
 
 #include "arguments.h"

@@ -98,8 +98,7 @@ TABLE
   tm-shape box 1 2 3 --faces 500 | tm-select --box -9,-9,-9,9,9,1.4 -o tray.ply
   tm-offset --thicken 0.1 tray.ply -o solid.ply
   tm-checkmanifold --closed --intersections solid.ply >/dev/null
-  # With mitered corners the volume is the area of the middle times the thickness, but for the
-  # corners of a ring, where it is exact too.
+  # Mitered corners gain outside what they lose inside.
   awk -v a="$(tm-info --get area tray.ply)" -v v="$(tm-info --get volume solid.ply)" \
     'BEGIN { d = v / (0.1 * a) - 1; exit !(d < 0.01 && d > -0.01) }'
   run --separate-stderr tm-offset --thicken 0.1 solid.ply

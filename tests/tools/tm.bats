@@ -54,8 +54,8 @@ setup() {
   tm-shape sphere --faces 1000 -o a.ply
   tm-shape box 1 1 3 --faces 1000 -o b.ply
   tm-convert a.ply -o in.stl
-  tm | sed '/^$/,$d' >jobs
-  [ "$(wc -l <jobs)" -eq 12 ]
+  tm | sed '/^$/,$d' >list
+  [ "$(wc -l <list)" -eq 12 ]
   while read -r -u 8 line; do
     command=${line:26}
     case $command in
@@ -63,7 +63,7 @@ setup() {
       tm-view* | tm-morph*) ${command%% *} --help >/dev/null 2>&1 || [ "${command%% *}" = tm-view ] ;;
       *) bash -euo pipefail -c "$command" >log 2>&1 </dev/null || fail "$command: $(cat log)" ;;
     esac
-  done 8<jobs
+  done 8<list
 }
 
 @test "words of other programs open the page that explains them" {

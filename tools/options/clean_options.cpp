@@ -4,9 +4,8 @@ namespace transformesh::tool {
 void declare_cleaning(Program& program, CleanChoices& choices) {
   program.options.choice("method", &choices.method, {"grow", "static"},
                          "grow regions from seeds, or test every piece (slow reference)");
-  program.options.integer(
-      "level", &choices.winding_level, 1, 1000000,
-      "keep the boundary of winding number >= N; 2 intersects two operands");
+  program.options.integer("level", &choices.winding_level, 1, 1000000,
+                          "keep the boundary of winding number >= N; 2 intersects two operands");
   program.options.flag("outermost", &choices.clean.outermost,
                        "drop components that bound cavities and what floats in them");
   program.options.length("separate", &choices.separate,

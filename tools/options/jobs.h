@@ -10,7 +10,7 @@ namespace transformesh::tool {
 std::string list_of_jobs();
 
 struct Alias {
-  std::string_view word;     ///< as other programs call it
+  std::string_view word;     ///< name of the job in other programs
   std::string_view program;  ///< whose page explains it
   std::string_view command;
 };

@@ -27,8 +27,9 @@ void note_doubts(const RegistrationResult& result, tool::Run& run) {
              " % of the mesh lie on the reference: the place may be wrong; turn the mesh nearer to "
              "it with tm-transform, then align it again");
   if (result.stability < low_stability)
-    run.note("the surfaces slide on each other, as a ball turns in its socket: that part of the "
-             "motion is arbitrary");
+    run.note(
+        "the surfaces slide on each other, as a ball turns in its socket: that part of the "
+        "motion is arbitrary");
 }
 
 void align_document(Document& document, const Choices& choices, tool::Run& run) {
@@ -46,8 +47,7 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-align", "--reference FILE [OPTION]... [INPUT]",
                         "Turns and moves a mesh onto a reference, as two scans of one object"};
-  program.options
-      .text("reference", &choices.reference, "FILE", "the mesh or points to move onto")
+  program.options.text("reference", &choices.reference, "FILE", "the mesh or points to move onto")
       .is_needed = true;
   program.options
       .text("write-matrix", &choices.matrix, "FILE",

@@ -46,8 +46,9 @@ Vec3 scene_center(const std::vector<PinholeCamera>& cameras, const Options& opti
                   tool::Run& run) {
   if (!options.center.empty()) return Vec3(options.center.data());
   if (cameras.size() != 1) return viewed_point(cameras);
-  run.note("one camera alone determines no depth: the scene's center is taken one unit in front of "
-           "it; set it with --center");
+  run.note(
+      "one camera alone determines no depth: the scene's center is taken one unit in front of "
+      "it; set it with --center");
   return cameras[0].center() + cameras[0].rotation.row(2).normalized().transpose();
 }
 

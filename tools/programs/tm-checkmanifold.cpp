@@ -48,8 +48,9 @@ int main(int argc, char** argv) {
   program.options.flag("closed", &options.check.closed, "a border is a problem too");
   program.options.flag("intersections", &options.check.intersections,
                        "faces that intersect are a problem too");
-  program.options.text("certify", &options.certify, "FILE",
-                       "the mesh is the boundary of winding number >= N (of --level) of FILE, by samples");
+  program.options.text(
+      "certify", &options.certify, "FILE",
+      "the mesh is the boundary of winding number >= N (of --level) of FILE, by samples");
   program.options.integer("level", &options.winding_level, 1, 1000000,
                           "the winding level of --certify (default: 1)");
   program.options.flag("pass", &options.pass,

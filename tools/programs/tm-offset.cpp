@@ -29,8 +29,7 @@ void offset_document(Document& document, Choices& choices, tool::Run& run) {
   if (choices.thicken)
     return thicken(document.mesh, run.length(*choices.thicken), coordinate, run.progress());
   if (choices.miter)
-    return offset_mitered(document.mesh, run.length(*choices.distance), coordinate,
-                          run.progress());
+    return offset_mitered(document.mesh, run.length(*choices.distance), coordinate, run.progress());
   choices.offset.distance = run.length(*choices.distance);
   if (choices.edge) choices.offset.edge = run.length(*choices.edge);
   const OffsetResult result = offset(document, choices.offset, run.progress());

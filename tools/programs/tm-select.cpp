@@ -66,15 +66,15 @@ void write_parts(const Document& document, const Choices& c, tool::Run& run) {
 
 std::string section_file(const Choices& c, const Mesh& mesh, const CutPlane& plane) {
   const std::vector<Segment> segments = plane_section(mesh, plane);
-  return c.section.ends_with(".svg") ? section_svg(segments, plane.normal)
-                                     : segment_file(segments);
+  return c.section.ends_with(".svg") ? section_svg(segments, plane.normal) : segment_file(segments);
 }
 
 void check_together(const Choices& c) {
   if (c.plane.empty() && (c.cap || !c.section.empty()))
     throw UsageError("--cap and --section are of a cut: name its plane with --plane A,B,C,D");
   if (!c.plane.empty() && c.all.invert)
-    throw UsageError("--invert keeps other faces; for the other side of --plane negate its numbers");
+    throw UsageError(
+        "--invert keeps other faces; for the other side of --plane negate its numbers");
 }
 
 void cut_document(Document& document, const Choices& c, tool::Run& run) {

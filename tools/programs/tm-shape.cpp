@@ -34,7 +34,8 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   shape.center = {options.center[0], options.center[1], options.center[2]};
   if (!options.around.empty()) shape.around = bounding_box(run.in().read(options.around).mesh);
   if ((shape.kind == "hull") == options.of.empty())
-    throw UsageError("hull and --of FILE go together: the convex hull of that mesh or these points");
+    throw UsageError(
+        "hull and --of FILE go together: the convex hull of that mesh or these points");
   if (!options.of.empty()) shape.points = run.in().read(options.of).mesh.positions;
   return shape;
 }

@@ -14,7 +14,8 @@ using doctest::Approx;
 TEST_CASE("vertices move by the planes around them") {
   const std::vector<Vec3> directions = miter_directions(test::cube());
   for (const Vec3& way : directions) CHECK((way.cwiseAbs() - Vec3::Ones()).norm() < 1e-12);
-  for (const Vec3& way : miter_directions(test::icosphere(4))) CHECK(way.norm() == Approx(1).epsilon(0.01));
+  for (const Vec3& way : miter_directions(test::icosphere(4)))
+    CHECK(way.norm() == Approx(1).epsilon(0.01));
 }
 
 TEST_CASE("a mitered offset of a cube is a cube, and of a thin one nothing") {

@@ -1,13 +1,27 @@
 #include "transformesh/document.h"
 
+#include "helpers/shapes.h"
 #include "lib/io/bytes.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;
 
+namespace {
+
+Document document_of(Mesh mesh) { return {std::move(mesh), {}, {}}; }
+
+Mesh colored(Scalar type, double value) {
+  Mesh mesh = test::tetrahedron();
+  for (const char* name : {"red", "green", "blue"})
+    mesh.vertex_columns.get(name, type, 4).values.assign(4, value);
+  return mesh;
+}
+
+}  // namespace
+
 TEST_CASE("documents are joined: faces are renumbered, comments not repeated") {
   Document first, second;
-  first.mesh = second.mesh = tetrahedron();
+  first.mesh = second.mesh = test::tetrahedron();
   first.style.comments = {"one", "tm:reference-edge 2"};
   second.style.comments = {"one", "tm:reference-edge 3", "two"};
   second.mesh.face_columns.get("label", Scalar::uint8, 4).values = {1, 2, 3, 4};
@@ -27,4 +41,27 @@ TEST_CASE("joined documents keep the unit of the first, and a difference is said
             "the units differ, millimeter and meter: numbers are joined as they are"});
   CHECK(first.style.comments == std::vector<std::string>{"tm:unit millimeter"});
   CHECK(append(second, Document()).empty());
+}
+
+TEST_CASE("a mesh without colors becomes white beside a colored one, first or second") {
+  for (const auto& [type, value, white] :
+       {std::tuple(Scalar::uint8, 7.0, 255.0), std::tuple(Scalar::float32, 0.25, 1.0)})
+    for (const bool is_first : {true, false}) {
+      Document all = document_of(is_first ? colored(type, value) : test::tetrahedron());
+      const auto notes =
+          append(all, document_of(is_first ? test::tetrahedron() : colored(type, value)));
+      REQUIRE(notes.size() == 1);
+      CHECK(notes[0].find("white") != std::string::npos);
+      const std::vector<double>& red = all.mesh.vertex_columns.find("red")->values;
+      CHECK(red[0] == (is_first ? value : white));
+      CHECK(red[7] == (is_first ? white : value));
+    }
+}
+
+TEST_CASE("two colored meshes, and two without colors, need no word") {
+  Document all = document_of(colored(Scalar::uint8, 7));
+  CHECK(append(all, document_of(colored(Scalar::uint8, 9))).empty());
+  Document plain = document_of(test::cube());
+  CHECK(append(plain, document_of(test::tetrahedron())).empty());
+  CHECK(plain.mesh.faces.size() == 16);
 }

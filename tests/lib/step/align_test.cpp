@@ -54,7 +54,8 @@ void add_outliers(Mesh& mesh, double reach, Random& random) {
   for (std::size_t f = 0; f < count; f += 10) {
     const Vec3 away = reach * random.uniform(0, 1) * random_direction(random);
     const auto first = static_cast<Index>(mesh.positions.size());
-    for (const Index corner : mesh.faces[f]) mesh.positions.push_back(mesh.positions[corner] + away);
+    for (const Index corner : mesh.faces[f])
+      mesh.positions.push_back(mesh.positions[corner] + away);
     mesh.faces.push_back({first, first + 1, first + 2});
   }
 }

@@ -49,7 +49,7 @@ TEST_CASE("the motion is the least-squares one of Eigen's decomposition by QR") 
   CHECK(stability > 0.1);
   CHECK(stability < 1);
   const Vec3 turn(motion.rotation(2, 1), motion.rotation(0, 2), motion.rotation(1, 0));
-  // What is not linear in angles of 1e-5 is 1e-10.
+  // Angles of 1e-5 have terms of second order of 1e-10.
   CHECK((turn - expected.head<3>()).norm() < 1e-9);
   CHECK((motion.translation - expected.tail<3>()).norm() < 1e-9);
 }
