@@ -7,7 +7,7 @@
 
 #include "geometry/search/closest_point.h"
 #include "mesh/adjacency.h"
-#include "mesh/mesh_of_faces.h"
+#include "mesh/surface_columns.h"
 #include "transformesh/clean.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -151,6 +151,7 @@ void thicken(Mesh& mesh, double thickness, Scalar coordinate, const Progress& pr
   move(solid, directions, thickness / 2);
   append_other_side(solid, directions, -thickness);
   mesh = cleaned(solid, coordinate, progress);
+  refresh_normals(mesh);
 }
 
 }  // namespace transformesh

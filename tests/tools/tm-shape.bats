@@ -222,7 +222,8 @@ TABLE
     tm-convert --format off $name.ply | grep -v '^#' | tail -n +3 >$name.off
   done
   # No point is in front of a face.
-  awk 'NF == 3 && FILENAME == "hull.off" { x[n] = $1; y[n] = $2; z[n] = $3; ++n }
+  awk 'BEGIN { n = 0; m = 0 }
+    NF == 3 && FILENAME == "hull.off" { x[n] = $1; y[n] = $2; z[n] = $3; ++n }
     NF == 4 && FILENAME == "hull.off" { a[m] = $2; b[m] = $3; c[m] = $4; ++m }
     NF == 3 && FILENAME == "knot.off" {
       for (f = 0; f < m; ++f) {

@@ -1,6 +1,8 @@
 /// tm-offset: the surface at a distance from another one.
+#include "frame/column_notes.h"
 #include "frame/run.h"
 #include "mesh/location_text.h"
+#include "mesh/surface_columns.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
 #include "transformesh/offset.h"
@@ -26,6 +28,7 @@ void offset_document(Document& document, Choices& choices, tool::Run& run) {
   if (choices.thicken.has_value() == choices.distance.has_value())
     throw UsageError("give either --distance, how far the surface moves, or --thicken");
   const Scalar coordinate = document.style.coordinate;
+  if (choices.thicken) tool::note_dropped_lists(drop_corner_lists(document.mesh.face_columns), run);
   if (choices.thicken)
     return thicken(document.mesh, run.length(*choices.thicken), coordinate, run.progress());
   if (choices.miter)

@@ -1,7 +1,6 @@
 /// tm-select: keeps components or faces of a mesh.
 #include "frame/run.h"
-#include "geometry/section_svg.h"
-#include "io/segments.h"
+#include "options/cut_options.h"
 #include "support/counted.h"
 #include "support/number.h"
 #include "transformesh/components.h"
@@ -15,9 +14,9 @@ using namespace transformesh;
 struct Choices {
   std::optional<long> largest;
   std::string by = "faces";
-  std::vector<double> box, around, plane;
-  std::string split, section;
-  bool cap = false;
+  std::vector<double> box, around;
+  std::string split;
+  tool::CutChoices cut;
   SelectionOptions all;
 };
 
@@ -64,34 +63,10 @@ void write_parts(const Document& document, const Choices& c, tool::Run& run) {
   run.report("files", count);
 }
 
-std::string section_file(const Choices& c, const Mesh& mesh, const CutPlane& plane) {
-  const std::vector<Segment> segments = plane_section(mesh, plane);
-  return c.section.ends_with(".svg") ? section_svg(segments, plane.normal) : segment_file(segments);
-}
-
-void check_together(const Choices& c) {
-  if (c.plane.empty() && (c.cap || !c.section.empty()))
-    throw UsageError("--cap and --section are of a cut: name its plane with --plane A,B,C,D");
-  if (!c.plane.empty() && c.all.invert)
-    throw UsageError(
-        "--invert keeps other faces; for the other side of --plane negate its numbers");
-}
-
-void cut_document(Document& document, const Choices& c, tool::Run& run) {
-  if (c.plane.empty()) return;
-  const CutPlane plane{vector_of(c.plane.data()), c.plane[3]};
-  if (!c.section.empty()) run.out().write(c.section, section_file(c, document.mesh, plane));
-  if (c.cap) {
-    cut_closed(document.mesh, plane, document.style.coordinate, run.progress());
-  } else if (cut_open(document.mesh, plane)) {
-    run.note("the cut leaves a border; --cap closes it");
-  }
-}
-
 void select_document(Document& document, const Choices& choices, tool::Run& run) {
-  check_together(choices);
+  tool::check_cut(choices.cut, choices.all.invert);
   report(select(document.mesh, options_of(choices)), run);
-  cut_document(document, choices, run);
+  tool::cut_document(document, choices.cut, run);
   if (!choices.split.empty()) write_parts(document, choices, run);
   if (!run.program().writes_mesh()) run.out().write_nothing();
 }
@@ -117,11 +92,7 @@ int main(int argc, char** argv) {
       "around", &choices.around, "X,Y,Z",
       "the component that contains this point, of nested ones the innermost; where "
       "none does, the closest");
-  program.options.numbers("plane", &choices.plane, "A,B,C,D",
-                          "the part where a x + b y + c z >= d; faces across are cut");
-  program.options.flag("cap", &choices.cap, "close the cut of a closed mesh");
-  program.options.text("section", &choices.section, "FILE",
-                       "write the curves in the plane: .svg as a drawing, else PLY with edges");
+  tool::declare_cut(program, choices.cut);
   program.options.flag("invert", &choices.all.invert, "keep all other faces instead");
   program.options
       .text("split", &choices.split, "PREFIX",
