@@ -37,7 +37,7 @@ class RegistrationSurface {
 
   const Mesh& mesh_;
   std::optional<ClosestPointQuery> surface_;
-  std::vector<bool> border_edges_, border_vertices_;  ///< by halfedge and by vertex
+  std::vector<bool> border_edges_, border_vertices_;  ///< flags of halfedges and vertices
   std::optional<KdTree> points_;
   std::vector<Vec3> normals_;  ///< one per point
 };

@@ -12,8 +12,8 @@ using Job = std::pair<std::string_view, std::string_view>;
 // tests/tools/tm.bats runs each command.
 constexpr std::array<Job, 12> jobs{{
     {"repair a scan or a print", "tm-stitch in.stl | tm-fill | tm-clean > solid.ply"},
-    {"unite A and B", "tm-cat a.ply b.ply | tm-clean > union.ply"},
-    {"cut B out of A", "tm-stitch --flip b.ply | tm-cat a.ply - | tm-clean > cut.ply"},
+    {"unite A and B", "tm-boolean union a.ply b.ply > union.ply"},
+    {"cut B out of A", "tm-boolean difference a.ply b.ply > cut.ply"},
     {"cut it at a plane", "tm-select --plane 0,0,1,0 --cap a.ply > upper.ply"},
     {"make it lighter", "tm-remesh --faces 500 a.ply > lighter.ply"},
     {"make triangles even", "tm-remesh a.ply > even.ply"},
@@ -25,14 +25,13 @@ constexpr std::array<Job, 12> jobs{{
     {"watch a run", "tm-view --serve --run morph"},
 }};
 
-constexpr std::array<Alias, 18> aliases{{
-    {"boolean", "tm-clean", "tm-cat a.ply b.ply | tm-clean"},
+constexpr std::array<Alias, 17> aliases{{
     {"cut", "tm-select", "tm-select --plane 0,0,1,0 --cap a.ply"},
     {"decimate", "tm-remesh", "tm-remesh --faces 5000 a.ply"},
-    {"difference", "tm-clean", "tm-stitch --flip b.ply | tm-cat a.ply - | tm-clean"},
+    {"difference", "tm-boolean", "tm-boolean difference a.ply b.ply"},
     {"hausdorff", "tm-compare", "tm-compare --get hausdorff a.ply b.ply"},
     {"icp", "tm-align", "tm-align --reference a.ply b.ply"},
-    {"intersection", "tm-clean", "tm-cat a.ply b.ply | tm-clean --level 2"},
+    {"intersection", "tm-boolean", "tm-boolean intersection a.ply b.ply"},
     {"merge", "tm-cat", "tm-cat a.ply b.ply"},
     {"mirror", "tm-transform", "tm-transform --mirror x a.ply"},
     {"register", "tm-align", "tm-align --reference a.ply b.ply"},
@@ -42,7 +41,7 @@ constexpr std::array<Alias, 18> aliases{{
     {"slice", "tm-select", "tm-select --plane 0,0,1,0 --section outline.svg a.ply"},
     {"smooth", "tm-remesh", "tm-remesh --only smooth a.ply"},
     {"split", "tm-select", "tm-select --split part a.ply"},
-    {"union", "tm-clean", "tm-cat a.ply b.ply | tm-clean"},
+    {"union", "tm-boolean", "tm-boolean union a.ply b.ply"},
     {"weld", "tm-stitch", "tm-stitch a.stl"},
 }};
 

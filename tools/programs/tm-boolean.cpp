@@ -73,8 +73,6 @@ int main(int argc, char** argv) {
                        "leave flat regions in the pieces that they were cut into");
   program.options.flag("require-nonempty", &choices.require_nonempty,
                        "exit 4 if the result is empty");
-  program.epilog =
-      "Cut a ball out of a box:\n  tm-shape box > a.ply\n  tm-shape sphere > b.ply\n"
-      "  tm-boolean difference a.ply b.ply > c.ply";
+  program.example = "tm-boolean difference a.ply b.ply > cut.ply";
   return program.run(argc, argv, [&](tool::Run& run) { combine(choices, run); });
 }

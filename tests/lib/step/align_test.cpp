@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "helpers/mesh_distance.h"
+#include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "support/random.h"
 #include "transformesh/components.h"
@@ -97,7 +97,7 @@ double error_of(const Scans& scans, const RegistrationResult& result) {
 
 TEST_CASE("partial scans with noise and outliers come together from 20 degrees and 10 % away") {
   for (const char* kind : {"dented", "figure", "genus", "torus-knot"}) {
-    const Mesh whole = make_shape({.kind = kind, .faces = 10000});
+    const Mesh whole = make_shape(test::shape(kind, 10000));
     for (const std::uint64_t seed : {1, 2, 3}) {
       CAPTURE(kind);
       CAPTURE(seed);
@@ -112,7 +112,7 @@ TEST_CASE("partial scans with noise and outliers come together from 20 degrees a
 }
 
 TEST_CASE("exact copies come back exactly, whatever their size and place") {
-  const Mesh shape = make_shape({.kind = "dented", .faces = 3000});
+  const Mesh shape = make_shape(test::shape("dented", 3000));
   for (const double scale : {1e-150, 1.0, 1e100}) {
     Mesh reference = shape;
     for (Vec3& p : reference.positions) p = scale * (p + Vec3(3, 0, 0));
@@ -129,7 +129,7 @@ TEST_CASE("exact copies come back exactly, whatever their size and place") {
 }
 
 TEST_CASE("a soup has no borders inside, and columns follow") {
-  const Mesh reference = make_shape({.kind = "dented", .faces = 2000});
+  const Mesh reference = make_shape(test::shape("dented", 2000));
   Mesh soup;
   for (const Face& face : reference.faces) {
     const auto first = static_cast<Index>(soup.positions.size());
@@ -163,7 +163,7 @@ TEST_CASE("what cannot be aligned is refused, and the mesh stays") {
   CHECK_THROWS_AS(align(flat, cube), InputError);
   CHECK_THROWS_AS(align(cube, flat), InputError);
   CHECK_THROWS_AS(align(cube, inside), GoalError);
-  CHECK_THROWS_AS(align(cube, inside, {.samples = 99}), UsageError);
-  CHECK_THROWS_AS(align(cube, inside, {.iterations = 0}), UsageError);
+  CHECK_THROWS_AS(align(cube, inside, {99, 200}), UsageError);
+  CHECK_THROWS_AS(align(cube, inside, {3000, 0}), UsageError);
   CHECK(cube.positions == test::cube().positions);
 }
