@@ -1,8 +1,13 @@
 #include "fill/hole_patch.h"
 
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Polygon_mesh_processing/fair.h>
+#include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <optional>
 
@@ -24,9 +29,6 @@ constexpr std::size_t few_edges = 64;
 /// More edges make a search among all triangles slow, and flat ones do so earlier: their
 /// triangulations are equally good but for rounding, so that none can be left out.
 constexpr std::size_t many_edges = 512, many_flat_edges = 256;
-
-/// More triangles that CGAL adds to those of tetrahedra take longer than a few tenths of a second.
-constexpr std::size_t most_added_triangles = 200'000;
 
 Surface surface_of(const Mesh& mesh) {
   Surface surface;
@@ -92,8 +94,8 @@ std::vector<FaceNumber> add_triangles(Surface& surface, const std::vector<Halfed
   return faces;
 }
 
-/// How many edges from a point to the next the Delaunay tetrahedra of the points lack.
-std::size_t count_missing_edges(const std::vector<Vec3>& points) {
+/// The edges of the Delaunay tetrahedra of the points, which do not depend on where memory lies.
+std::vector<std::pair<Index, Index>> delaunay_edges(const std::vector<Vec3>& points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Base = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
   using Cell = CGAL::Delaunay_triangulation_cell_base_3<Kernel>;
@@ -103,19 +105,10 @@ std::size_t count_missing_edges(const std::vector<Vec3>& points) {
   for (const Vec3& p : points)
     numbered.emplace_back(Point(p.x(), p.y(), p.z()), static_cast<Index>(numbered.size()));
   const Tetrahedra tetrahedra(numbered.begin(), numbered.end());
-  std::vector<char> has_edge(points.size(), 0);
-  for (const auto& [cell, i, k] : tetrahedra.finite_edges()) {
-    const auto [a, b] = std::minmax(cell->vertex(i)->info(), cell->vertex(k)->info());
-    if (a + 1 == b) has_edge[a] = 1;
-    if (a == 0 && b + 1 == points.size()) has_edge[b] = 1;
-  }
-  return static_cast<std::size_t>(std::count(has_edge.begin(), has_edge.end(), 0));
-}
-
-/// CGAL adds all triangles at each missing edge.
-bool may_search_tetrahedra(const HoleBorder& hole) {
-  const std::size_t size = hole.points.size();
-  return size <= many_edges || size * count_missing_edges(hole.points) <= most_added_triangles;
+  std::vector<std::pair<Index, Index>> edges;
+  for (const auto& [cell, i, k] : tetrahedra.finite_edges())
+    edges.emplace_back(cell->vertex(i)->info(), cell->vertex(k)->info());
+  return edges;
 }
 
 /// Whether all points lie in one plane.
@@ -134,10 +127,9 @@ std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search sea
   const std::vector<Halfedge> border = border_of(surface, first);
   const std::optional<HoleBorder> hole = describe(surface, border);
   if (!hole) return faces;
-  if (search == Search::delaunay && border.size() > few_edges && may_search_tetrahedra(*hole)) {
-    processing::triangulate_hole(
-        surface, first, std::back_inserter(faces),
-        CGAL::parameters::use_delaunay_triangulation(true).do_not_use_cubic_algorithm(true));
+  if (search == Search::delaunay && border.size() > few_edges) {
+    faces =
+        add_triangles(surface, border, triangulation_among(*hole, delaunay_edges(hole->points)));
     if (!faces.empty()) return faces;
   }
   is_of_all = border.size() <= (is_flat(hole->points) ? many_flat_edges : many_edges);

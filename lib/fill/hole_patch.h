@@ -2,8 +2,7 @@
 /// area; the same refined until its triangles are as dense as those around; and that faired, so
 /// that it continues them smoothly. Reference: Liepa, "Filling holes in meshes", SGP 2003, as CGAL
 /// has it. Cost: that of the triangulation (hole_triangulation.h), nearly O(n log n) for
-/// Search::delaunay of many edges. Deterministic, but for this: of triangulations that are equally
-/// good to the last digit Search::delaunay takes for many edges the one that memory holds first.
+/// Search::delaunay of many edges. Deterministic.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +14,8 @@ namespace transformesh {
 
 enum class PatchKind { plain, refined, faired };
 
-/// Among which triangles: beyond 64 edges those of the Delaunay tetrahedra of the border, where
-/// they hold a patch; or always all.
+/// Among which triangles: beyond 64 edges those whose edges are of the Delaunay tetrahedra of the
+/// border; or always all.
 enum class Search { delaunay, all };
 
 /// Search::all is not asked for holes with more edges.

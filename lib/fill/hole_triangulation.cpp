@@ -73,21 +73,19 @@ HoleSubpolygon LeastTriangulation::best_between(std::size_t i, std::size_t k) co
   return best;
 }
 
-/// The best parts between points that are near each other, or joined by the greedy triangulation;
+/// The best parts between points that edges join, of those given or of the greedy triangulation;
 /// short ones first.
 class SparseTriangulation {
  public:
-  explicit SparseTriangulation(const HoleBorder& border)
+  using Edge = std::pair<Index, Index>;
+  SparseTriangulation(const HoleBorder& border, std::vector<Edge> edges)
       : border_(border),
         weigher_(border),
         size_(static_cast<Index>(border.points.size())),
+        edges_(std::move(edges)),
         to_(size_),
         from_(size_) {
-    const KdTree tree(border.points);
-    for (Index i = 0; i < size_; ++i) {
-      edges_.push_back({i, (i + 1) % size_});
-      for (const Index k : tree.nearest(border.points[i], nearest_tried)) edges_.push_back({i, k});
-    }
+    for (Index i = 0; i < size_; ++i) edges_.push_back({i, (i + 1) % size_});
     for (const auto& [i, m, k] : greedy_triangulation(border))
       edges_.insert(edges_.end(), {{i, m}, {m, k}, {i, k}});
     for (auto& [i, k] : edges_) std::tie(i, k) = std::minmax({i, k});
@@ -118,7 +116,6 @@ class SparseTriangulation {
   }
 
  private:
-  using Edge = std::pair<Index, Index>;
   using SubpolygonsTo = std::vector<std::pair<Index, HoleSubpolygon>>;
   HoleSubpolygon best_between(Index i, Index k) const;
 
@@ -148,7 +145,16 @@ std::vector<HoleTriangle> least_triangulation(const HoleBorder& border) {
 }
 
 std::vector<HoleTriangle> sparse_triangulation(const HoleBorder& border) {
-  return SparseTriangulation(border).run();
+  std::vector<std::pair<Index, Index>> edges;
+  const KdTree tree(border.points);
+  for (Index i = 0; i < border.points.size(); ++i)
+    for (const Index k : tree.nearest(border.points[i], nearest_tried)) edges.push_back({i, k});
+  return triangulation_among(border, std::move(edges));
+}
+
+std::vector<HoleTriangle> triangulation_among(const HoleBorder& border,
+                                              std::vector<std::pair<Index, Index>> edges) {
+  return SparseTriangulation(border, std::move(edges)).run();
 }
 
 }  // namespace transformesh

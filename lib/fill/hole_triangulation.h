@@ -31,6 +31,11 @@ std::vector<HoleTriangle> least_triangulation(const HoleBorder& border);
 /// is at least as good as that. Cost: O(n log n).
 std::vector<HoleTriangle> sparse_triangulation(const HoleBorder& border);
 
+/// The same among edges that are given, as pairs of numbers of points, and those of
+/// greedy_triangulation(). Cost: O(n log n) for edges of bounded valence.
+std::vector<HoleTriangle> triangulation_among(const HoleBorder& border,
+                                              std::vector<std::pair<Index, Index>> edges);
+
 /// Cuts off one corner after the other, first where the new edge is shortest. Empty if no corner is
 /// left that may be cut off. Cost: O(n log n).
 std::vector<HoleTriangle> greedy_triangulation(const HoleBorder& border);
