@@ -6,8 +6,8 @@
 /// that region, without walls of no thickness. Rounded to `coordinate`, it has no self-intersection
 /// and no face without area. Where operands do not meet, faces keep
 /// coordinates, columns and order. Faces of subtracted operands are reversed. Every face has the
-/// columns of the operand face that it is a piece of; missing columns are zero. An empty region is
-/// an empty mesh.
+/// columns of the operand face that it is a piece of; missing ones are as columns.h says. An empty
+/// region is an empty mesh.
 ///
 /// Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for solid geometry", ACM TOG
 /// 35(4), 2016. Throws InputError, naming the operand, if one is not closed and oriented, and

@@ -51,8 +51,8 @@ struct Columns {
   Columns blend(std::span<const RowBlend> rows) const;
   /// Appends a row that is blended from rows of these columns.
   void append(const RowBlend& row);
-  /// Appends all `other_rows` rows of `other`. Missing values are zero, or empty lists. Returns the
-  /// names of columns that are lists in one and numbers in the other.
+  /// Appends all `other_rows` rows of `other`. Missing values are zero or empty lists, and those of
+  /// colors white. Returns the names of columns that are lists in one and numbers in the other.
   std::vector<std::string> concatenate(const Columns& other, std::size_t rows,
                                        std::size_t other_rows);
 };

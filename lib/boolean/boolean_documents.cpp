@@ -4,6 +4,7 @@
 
 #include "boolean/boolean_script.h"
 #include "io/comments.h"
+#include "io/document/missing_colors.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
@@ -51,6 +52,9 @@ DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
   DocumentsBoolean combined{combine(command, side, operands, options, progress), {}, {}};
   for (const std::size_t i : combined.result.empty_operands)
     combined.problems.push_back(enclosing_nothing(names[i]));
+  for (std::size_t i = 1; i < documents.size(); ++i)
+    for (std::string& line : notes_of_missing_colors(documents[0].mesh, documents[i].mesh))
+      combined.notes.push_back(std::move(line));
   for (Document& document : documents) clear_rows(document.mesh);
   for (std::size_t i = 1; i < documents.size(); ++i)
     for (std::string& line : append(documents[0], documents[i]))

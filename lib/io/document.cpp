@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "io/document/missing_colors.h"
 #include "io/document/unit.h"
 #include "io/formats/obj_labels.h"
 
@@ -59,48 +60,15 @@ void append_lines(std::vector<std::string>& all, const std::vector<std::string>&
       all.push_back(line);
 }
 
-/// The columns without their values.
-Columns names_of(const Columns& columns) {
-  Columns names;
-  for (const Column& column : columns.columns) names.columns.emplace_back().name = column.name;
-  return names;
-}
-
-/// Rows without a color become white: black would look like a color of the mesh.
-void fill_missing_colors(Columns& columns, const Columns& first, const Columns& second,
-                         std::size_t rows, const std::string& element, Notes& notes) {
-  bool is_filled = false;
-  for (const char* name : {"red", "green", "blue", "alpha"}) {
-    const bool is_in_first = first.find(name) != nullptr,
-               is_in_second = second.find(name) != nullptr;
-    Column* column = columns.find(name);
-    if (is_in_first == is_in_second || column->list_count_type) continue;
-    const bool is_float = column->type == Scalar::float32 || column->type == Scalar::float64;
-    const auto middle = column->values.begin() + static_cast<std::ptrdiff_t>(rows);
-    std::fill(is_in_first ? middle : column->values.begin(),
-              is_in_first ? column->values.end() : middle, is_float ? 1 : 255);
-    is_filled = true;
-  }
-  if (is_filled)
-    notes.push_back("only one input has colors of its " + element + ": the other becomes white");
-}
-
 std::vector<std::string> append_separated(Document& all, const Document& other) {
   Notes notes;
   const Unit *first = unit_of(all), *second = unit_of(other);
   if (first != nullptr && second != nullptr && first != second)
     notes.push_back("the units differ, " + std::string(first->name) + " and " +
                     std::string(second->name) + ": numbers are joined as they are");
-  const Columns vertices = names_of(all.mesh.vertex_columns),
-                faces = names_of(all.mesh.face_columns);
-  const std::size_t vertex_rows = all.mesh.positions.size(), face_rows = all.mesh.faces.size();
+  for (std::string& line : notes_of_missing_colors(all.mesh, other.mesh))
+    notes.push_back(std::move(line));
   append_mesh(all.mesh, other.mesh, notes);
-  if (vertex_rows > 0 && !other.mesh.positions.empty())
-    fill_missing_colors(all.mesh.vertex_columns, vertices, other.mesh.vertex_columns, vertex_rows,
-                        "vertices", notes);
-  if (face_rows > 0 && !other.mesh.faces.empty())
-    fill_missing_colors(all.mesh.face_columns, faces, other.mesh.face_columns, face_rows, "faces",
-                        notes);
   append_elements(all.other_elements, other.other_elements, notes);
   append_lines(all.style.comments, other.style.comments);
   append_lines(all.style.obj_info, other.style.obj_info);

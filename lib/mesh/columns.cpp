@@ -72,11 +72,17 @@ Column empty_copy(const Column& column) {
   return copy;
 }
 
-void append_zeros(Column& column, std::size_t rows) {
+/// Colors are white, as black would look like a color of the mesh.
+double missing_value(const Column& column) {
+  if (!is_color(column)) return 0;
+  return is_floating(column.type) ? 1 : 255;
+}
+
+void append_missing(Column& column, std::size_t rows) {
   if (column.list_count_type) {
     column.list_offsets.insert(column.list_offsets.end(), rows, column.values.size());
   } else {
-    column.values.insert(column.values.end(), rows, 0.0);
+    column.values.insert(column.values.end(), rows, missing_value(column));
   }
 }
 
@@ -160,7 +166,7 @@ std::vector<std::string> Columns::concatenate(const Columns& other, std::size_t 
     if (fits) {
       append_column(column, *source);
     } else {
-      append_zeros(column, other_rows);
+      append_missing(column, other_rows);
       if (source) misfits.push_back(column.name);
     }
   }
@@ -168,7 +174,7 @@ std::vector<std::string> Columns::concatenate(const Columns& other, std::size_t 
   for (const Column& column : other.columns) {
     if (known.contains(column.name) || sources.at(column.name) != &column) continue;
     Column& copy = added.emplace_back(empty_copy(column));
-    append_zeros(copy, rows);
+    append_missing(copy, rows);
     append_column(copy, column);
   }
   std::move(added.begin(), added.end(), std::back_inserter(columns));

@@ -11,7 +11,7 @@ using Job = std::pair<std::string_view, std::string_view>;
 
 // tests/tools/tm.bats runs each command.
 constexpr std::array<Job, 12> jobs{{
-    {"repair a scan or a print", "tm-stitch in.stl | tm-fill | tm-clean > solid.ply"},
+    {"repair a scan or a print", "tm-repair in.stl > solid.ply"},
     {"unite A and B", "tm-boolean union a.ply b.ply > union.ply"},
     {"cut B out of A", "tm-boolean difference a.ply b.ply > cut.ply"},
     {"cut it at a plane", "tm-select --plane 0,0,1,0 --cap a.ply > upper.ply"},

@@ -21,9 +21,9 @@ struct Pipeline {
 /// `solids.ply` holds the parts of a body, `b.ply` a convex part that overlaps it.
 const std::vector<Pipeline> pipelines = {
     {"tm-clean solids.ply > a.ply", "", "a.ply"},
-    {"", "tm-cat a.ply b.ply | tm-clean > union.ply", "union.ply"},
-    {"", "tm-cat a.ply b.ply | tm-clean --level 2 > intersection.ply", "intersection.ply"},
-    {"", "tm-stitch --flip b.ply | tm-cat a.ply - | tm-clean > difference.ply", "difference.ply"},
+    {"", "tm-boolean union a.ply b.ply > union.ply", "union.ply"},
+    {"", "tm-boolean intersection a.ply b.ply > intersection.ply", "intersection.ply"},
+    {"", "tm-boolean difference a.ply b.ply > difference.ply", "difference.ply"},
     {"", "tm-morph-step --target b.ply < a.ply | tm-clean | tm-remesh > next.ply", "next.ply"},
     {"cp union.ply body.ply", "tm-offset --distance 2% body.ply > thicker.ply", "thicker.ply"},
     {"tm-remesh --reference-edge 2% difference.ply > scan.ply", "", "scan.ply"},
@@ -54,8 +54,8 @@ const std::vector<Pipeline> pipelines = {
     {"cp target.ply box.ply",
      "tm-evolve box.ply -o round.ply --iterations 20 --step 'tm-displace --curvature-speed 0.001'",
      "round.ply"},
-    {"tm-convert -o scan.stl solids.ply",
-     "tm-stitch scan.stl | tm-clean --outermost | tm-remesh > repaired.ply", "repaired.ply"},
+    {"tm-convert -o scan.stl solids.ply", "tm-repair scan.stl | tm-remesh > repaired.ply",
+     "repaired.ply"},
 };
 
 /// A convex body whose middle lies on a corner of the other one, so that they overlap.

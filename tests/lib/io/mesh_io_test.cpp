@@ -167,7 +167,8 @@ TEST_CASE("mesh io: rounding to floats leaves nothing that is no float") {
 TEST_CASE("mesh io: what is no mesh is refused with its first bytes") {
   CHECK(read_error("") == "the input is empty: not a single byte of a mesh (input)");
   CHECK(read_error("\x89PNG\r\n") ==
-        "unknown mesh format, starting with '\\x89PNG\\x0d\\x0a': PLY, OFF, OBJ, STL, glTF, 3MF, VTK, "
+        "unknown mesh format, starting with '\\x89PNG\\x0d\\x0a': PLY, OFF, OBJ, STL, glTF, 3MF, "
+        "VTK, "
         "VTP, PCD and points as text are read (input)");
   CHECK(contains(read_error("\x1f\x8b\x08"), "the compressed data is cut off"));
   CHECK(contains(read_error("just text"), "'just text'"));

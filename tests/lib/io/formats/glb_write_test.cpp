@@ -174,7 +174,8 @@ TEST_CASE("glb: closed manifolds are said to be such, with the copies that are o
   CHECK(split.numbers(extension_of(split)["mergeIndices"]) == std::vector<double>{6});
   CHECK(split.numbers(extension_of(split)["mergeValues"]) == std::vector<double>{1});
   const auto& merged =
-      split.json["accessors"][extension_of(split)["manifoldPrimitive"]["indices"].get<std::size_t>()];
+      split.json["accessors"]
+                [extension_of(split)["manifoldPrimitive"]["indices"].get<std::size_t>()];
   CHECK(merged["sparse"]["count"] == 1);
 
   document.mesh.faces.pop_back();
