@@ -18,7 +18,7 @@ struct VtpEncoding {
   bool has_wide_headers = false;  ///< sizes are 64 bits, not 32
   bool is_compressed = false;     ///< arrays are blocks compressed by zlib
   bool is_appended_text = false;  ///< the appended data is base64
-  std::string_view appended;      ///< the appended data
+  std::string_view appended{};    ///< the appended data
 };
 
 class VtpArrays {
