@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
       .flag("print-pipeline", &choices.print_pipeline,
             "print the pipeline of filters that does the same, instead of the mesh")
       .affects_result = false;
-  program.example = "tm-repair scan.stl > solid.ply";
+  program.example = "tm-repair model.stl > solid.ply";
   program.output.is_mesh = [&] { return choices.writes_mesh(); };
   return program.run(argc, argv,
                      [&](tool::Run& run) { repair_document(run.document(), choices, run); });

@@ -1,5 +1,4 @@
 // Makes a solid of a box without a face.
-#include <transformesh/components.h>
 #include <transformesh/repair.h>
 #include <transformesh/shapes.h>
 
