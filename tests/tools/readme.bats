@@ -18,6 +18,8 @@ setup_file() {
   mkdir files && cd files
   tm-shape sphere --radius 1 --faces 2000 -o a.ply
   tm-shape box 1 1 3 --faces 1000 -o b.ply
+  tm-shape folded --faces 2000 -o broken.stl
+  tm-shape sphere --radius 0.3 --faces 500 -o hole.ply
   tm-shape dumbbell --faces 3000 -o body.ply
   tm-shape dented --faces 20000 --noise 10% -o scan.ply
   tm-shape sphere --center 1,0,0 --radius 0.3 --faces 1000 -o ball.ply
@@ -64,15 +66,15 @@ run_line() {
   diff <(grep -oE '^```[a-z]+' "$tm_root/README.md" | sort -u) <(printf '```%s\n' bash cpp python sh)
   # All but one of the indented lines belong to the two tests below.
   diff <(indented_lines) <(
-    head -n 1 < <(indented_lines)
+    head -n 3 < <(indented_lines)
     echo 'cmake -DTM_VIEWS=ON build && cmake --build build --target installed && sudo cmake --install build'
     indented_lines Pipelines
   )
 }
 
-@test "the pipeline that opens the README" {
-  run_line "$(indented_lines | head -n 1)"
-  tm-checkmanifold --closed next.ply
+@test "the lines that open the README" {
+  while IFS= read -r -u 7 line; do run_line "$line"; done 7< <(indented_lines | head -n 3)
+  for file in solid.ply part.ply next.ply; do tm-checkmanifold --closed "$file"; done
 }
 
 @test "every recipe in one line runs as it is printed" {
