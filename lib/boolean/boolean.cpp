@@ -19,24 +19,29 @@ constexpr std::array empty_region_kinds{ErrorKind::no_positive_winding, ErrorKin
                                         ErrorKind::canceling_faces, ErrorKind::no_area,
                                         ErrorKind::thinner_than_rounding};
 
+/// The signs of the only operand of an operation that failed with this error.
+WindingSigns signs_of_one(ErrorKind kind) {
+  return {false, kind == ErrorKind::no_positive_winding};
+}
+
 /// Chooses the boundary of what a Boolean operation selects.
 class SolidChooser : public PieceChooser {
  public:
   SolidChooser(BooleanOperation operation, const std::vector<Operand>& operands,
-               const JoinedOperands& joined, std::vector<char>& encloses)
-      : operation_(operation), operands_(operands), joined_(joined), encloses_(encloses) {}
+               const JoinedOperands& joined, std::vector<WindingSigns>& signs)
+      : operation_(operation), operands_(operands), joined_(joined), signs_(signs) {}
 
   void mark_open(WeldedMesh& /*welded*/) const override {}
   bool is_level_set(const WeldedMesh& welded, const std::vector<Meeting>& meetings) const override;
   void choose(Arrangement& arrangement, std::vector<char>& kept) const override {
-    encloses_ = choose_selected(operation_, joined_, WindingAt(), arrangement, kept).encloses;
+    signs_ = choose_selected(operation_, joined_, WindingAt(), arrangement, kept).signs;
   }
 
  private:
   BooleanOperation operation_;
   const std::vector<Operand>& operands_;
   const JoinedOperands& joined_;
-  std::vector<char>& encloses_;  ///< per operand; set when pieces are chosen
+  std::vector<WindingSigns>& signs_;  ///< per operand; set when pieces are chosen
 };
 
 // The sum of winding numbers is at least 1 where any is, if none is negative. It reaches the number
@@ -49,6 +54,7 @@ bool SolidChooser::is_level_set(const WeldedMesh& welded,
   const auto is_unknown = [](OperandKind kind) { return kind == OperandKind::unknown; };
   const bool is_any_unknown = std::any_of(kinds.begin(), kinds.end(), is_unknown);
   if (is_any_unknown) check_solids(operands_);
+  if (operands_.size() == 1) return true;
   switch (operation_) {
     case BooleanOperation::unite:
       return !is_any_unknown;
@@ -93,26 +99,41 @@ void number_operands(JoinedOperands& joined) {
   std::copy(joined.operand_of.begin(), joined.operand_of.end(), column.values.begin());
 }
 
-CleanResult clean_joined(JoinedOperands& joined, const PieceChooser& chooser, int winding_level,
-                         const BooleanOptions& options, const Progress& progress) {
+/// What is left if a region is empty.
+BooleanResult empty_result(const Mesh& joined) {
+  BooleanResult empty;
+  empty.mesh.vertex_columns = joined.vertex_columns.select({});
+  empty.mesh.face_columns = joined.face_columns.select({});
+  empty.removed_faces = joined.faces.size();
+  empty.changed = true;
+  return empty;
+}
+
+BooleanResult clean_joined(JoinedOperands& joined, const PieceChooser& chooser, int winding_level,
+                           const BooleanOptions& options, const Progress& progress) {
   if (options.source_operand) number_operands(joined);
   CleanOptions cleaning;
   cleaning.winding_level = winding_level;
   cleaning.merge_flat = options.merge_flat;
   cleaning.coordinate = options.coordinate;
   try {
-    return clean_region(joined.mesh, cleaning, chooser, progress);
+    return {clean_region(joined.mesh, cleaning, chooser, progress), {}};
   } catch (const GoalError& error) {
     if (std::find(empty_region_kinds.begin(), empty_region_kinds.end(), error.kind()) ==
         empty_region_kinds.end())
       throw;
+    BooleanResult empty = empty_result(joined.mesh);
+    empty.reason = error.kind();
+    return empty;
   }
-  CleanResult empty;
-  empty.mesh.vertex_columns = joined.mesh.vertex_columns.select({});
-  empty.mesh.face_columns = joined.mesh.face_columns.select({});
-  empty.removed_faces = joined.mesh.faces.size();
-  empty.changed = true;
-  return empty;
+}
+
+void note_operands(const std::vector<Operand>& operands, const std::vector<WindingSigns>& signs,
+                   BooleanResult& result) {
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    if (signs[i].is_positive || operands[i].mesh->faces.empty()) continue;
+    (signs[i].is_negative ? result.inside_out : result.canceling).push_back(i);
+  }
 }
 
 }  // namespace
@@ -120,31 +141,27 @@ CleanResult clean_joined(JoinedOperands& joined, const PieceChooser& chooser, in
 BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& operands,
                       const BooleanOptions& options, const Progress& progress) {
   JoinedOperands joined = join_operands(operation, operands);
-  BooleanResult result;
-  if (joined.mesh.faces.empty()) {
-    result.mesh = std::move(joined.mesh);
-    return result;
-  }
+  if (joined.mesh.faces.empty()) return empty_result(joined.mesh);
   const bool intersects = operation == BooleanOperation::intersect;
-  std::vector<char> encloses(operands.size(), 1);
-  const SolidChooser chooser(operation, operands, joined, encloses);
+  std::vector<WindingSigns> signs(operands.size(), {true, false});
+  const SolidChooser chooser(operation, operands, joined, signs);
   try {
-    static_cast<CleanResult&>(result) = clean_joined(
+    BooleanResult result = clean_joined(
         joined, chooser, intersects ? static_cast<int>(operands.size()) : 1, options, progress);
+    if (operands.size() == 1 && result.reason) signs[0] = signs_of_one(*result.reason);
+    note_operands(operands, signs, result);
+    return result;
   } catch (const InputError&) {
     check_solids(operands);  // which names the operand
     throw;
   }
-  for (std::size_t i = 0; i < operands.size(); ++i)
-    if (!encloses[i] && !operands[i].mesh->faces.empty()) result.empty_operands.push_back(i);
-  return result;
 }
 
-CleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,
-                      const BooleanOptions& options, const Progress& progress) {
+BooleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,
+                        const BooleanOptions& options, const Progress& progress) {
   check_solids({solid});
   JoinedOperands joined = join_operands(BooleanOperation::unite, {sheet, solid});
-  if (joined.mesh.faces.empty()) return {.mesh = std::move(joined.mesh)};
+  if (joined.mesh.faces.empty()) return empty_result(joined.mesh);
   return clean_joined(joined, SheetChooser(side, joined), 1, options, progress);
 }
 

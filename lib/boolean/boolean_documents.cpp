@@ -1,10 +1,13 @@
 #include "boolean/boolean_documents.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "boolean/boolean_script.h"
 #include "io/comments.h"
 #include "io/document/missing_colors.h"
+#include "io/document/unit.h"
+#include "io/streams/streams.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
@@ -18,7 +21,7 @@ BooleanResult combine(const std::string& command, SheetSide side,
   if (command != cut_command)
     return boolean(boolean_operation(command), operands, options, progress);
   if (operands.size() != 2) throw UsageError("cut needs two meshes: a sheet and a solid");
-  return {cut_sheet(operands[0], operands[1], side, options, progress), {}};
+  return cut_sheet(operands[0], operands[1], side, options, progress);
 }
 
 void clear_rows(Mesh& mesh) {
@@ -44,14 +47,15 @@ DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
                                    const std::vector<std::string>& names, BooleanOptions options,
                                    const Progress& progress) {
   std::vector<Operand> operands;
+  std::vector<std::string> said_names;
   options.coordinate = Scalar::float32;
   for (std::size_t i = 0; i < documents.size(); ++i) {
-    operands.push_back({&documents[i].mesh, names[i]});
+    said_names.push_back(input_name(names[i]));
+    operands.push_back({&documents[i].mesh, said_names.back()});
     if (documents[i].style.coordinate == Scalar::float64) options.coordinate = Scalar::float64;
   }
   DocumentsBoolean combined{combine(command, side, operands, options, progress), {}, {}};
-  for (const std::size_t i : combined.result.empty_operands)
-    combined.problems.push_back(enclosing_nothing(names[i]));
+  combined.problems = problems_of(combined.result, said_names);
   for (std::size_t i = 1; i < documents.size(); ++i)
     for (std::string& line : notes_of_missing_colors(documents[0].mesh, documents[i].mesh))
       combined.notes.push_back(std::move(line));
@@ -62,6 +66,15 @@ DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
   documents[0].mesh = std::exchange(combined.result.mesh, {});
   add_planarity(documents[0].style.comments, combined.result.merge_displacement);
   return combined;
+}
+
+bool unite_length_comments(Document& all, const Document& read) {
+  std::vector<std::string>& comments = all.style.comments;
+  const double moved = std::max(planarity_of(comments), planarity_of(read.style.comments));
+  add_planarity(comments, moved - planarity_of(comments));
+  const Unit *first = unit_of(all), *second = unit_of(read);
+  if (first == nullptr && second != nullptr) set_unit(all, *second);
+  return first == nullptr || second == nullptr || first == second;
 }
 
 }  // namespace transformesh

@@ -17,7 +17,7 @@ const std::vector<std::string>& boolean_commands();
 
 struct DocumentsBoolean {
   BooleanResult result;            ///< without the mesh
-  std::vector<Problem> problems;   ///< operands that enclose nothing
+  std::vector<Problem> problems;   ///< problems_of() the result
   std::vector<std::string> notes;  ///< lines that append() returns
 };
 
@@ -27,5 +27,9 @@ DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
                                    std::vector<Document>& documents,
                                    const std::vector<std::string>& names, BooleanOptions options,
                                    const Progress& progress);
+
+/// Copies the comments on lengths of a document that was read, unless the other one has such a
+/// unit: the unit, and the bound of how far flat faces moved. Returns whether the units agree.
+bool unite_length_comments(Document& all, const Document& read);
 
 }  // namespace transformesh

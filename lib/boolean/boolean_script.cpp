@@ -118,15 +118,16 @@ bool ScriptRun::run_in_place(const ScriptLine& line) {
 Value ScriptRun::run_line(std::size_t at) {
   const ScriptLine& line = lines_[at];
   std::vector<Operand> operands;
+  std::vector<std::string> names;
   double displacement = 0;
   for (const std::string& name : line.operands) {
     Value& value = value_of(name);
     operands.push_back({&value.whole(), name});
+    names.push_back(in_line(line.number, name));
     displacement = std::max(displacement, value.displacement);
   }
   BooleanResult made = boolean(line.operation, operands, options_);
-  for (const std::size_t i : made.empty_operands)
-    result_.problems.push_back(enclosing_nothing(in_line(line.number, line.operands[i])));
+  for (Problem& problem : problems_of(made, names)) result_.problems.push_back(std::move(problem));
   result_.pairs += made.pairs;
   result_.rounding_repairs += made.rounding_repairs;
   return {{}, EditedSolid(std::move(made.mesh)), displacement + made.merge_displacement};
@@ -180,8 +181,20 @@ BooleanOperation boolean_operation(std::string_view name) {
   return static_cast<BooleanOperation>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-Problem enclosing_nothing(const std::string& name) {
-  return {ErrorKind::inside_out, name + " encloses nothing: its faces look inwards"};
+std::vector<Problem> problems_of(const BooleanResult& result,
+                                 const std::vector<std::string>& names) {
+  std::vector<Problem> problems;
+  for (const std::size_t i : result.inside_out)
+    problems.push_back(
+        {ErrorKind::inside_out, names[i] + " encloses nothing: its faces look inwards"});
+  for (const std::size_t i : result.canceling)
+    problems.push_back({ErrorKind::double_sided,
+                        names[i] + " encloses nothing: its faces lie upon each other and cancel "
+                                   "out"});
+  if (result.reason == ErrorKind::thinner_than_rounding)
+    problems.push_back({ErrorKind::thinner_than_rounding,
+                        names[0] + ": rounding leaves nothing of the result, which is too thin"});
+  return problems;
 }
 
 std::vector<ScriptLine> parse_boolean_script(std::string_view text) {

@@ -31,8 +31,9 @@ const std::vector<std::string>& boolean_operation_names();
 /// The operation of a name, which is one of these.
 BooleanOperation boolean_operation(std::string_view name);
 
-/// Says that an operand encloses nothing.
-Problem enclosing_nothing(const std::string& name);
+/// Says which operands enclose nothing, and whether rounding leaves nothing of the result.
+std::vector<Problem> problems_of(const BooleanResult& result,
+                                 const std::vector<std::string>& names);
 
 /// Throws InputError, naming the line, unless each says NAME = OPERATION OPERAND... and there is
 /// one.
@@ -40,7 +41,7 @@ std::vector<ScriptLine> parse_boolean_script(std::string_view text);
 
 struct ScriptResult {
   Mesh mesh;
-  std::vector<Problem> problems;     ///< operands that enclose nothing
+  std::vector<Problem> problems;     ///< problems_of() the results
   std::size_t pairs = 0;             ///< that intersected, in all operations
   std::size_t rounding_repairs = 0;  ///< in all operations
   std::size_t in_place = 0;          ///< operations for which a part of the mesh was enough

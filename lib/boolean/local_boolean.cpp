@@ -16,9 +16,9 @@
 namespace transformesh {
 namespace {
 
-/// A part is worth it if it has less than this share of the faces: else to find the rest again
-/// costs more than is saved.
-constexpr std::size_t most_share = 4;
+/// The solid has at least so many times the faces of the part and the operand. For larger parts the
+/// whole operation, which cuts only what shows, takes less time.
+constexpr std::size_t least_ratio = 4;
 
 /// Vertex column with the vertices of the solid; -1 for others.
 constexpr const char* vertex_number = "tm:vertex";
@@ -86,7 +86,7 @@ bool LocalBoolean::find_part() {
     for (const Index v : mesh.faces[face]) corners.push_back(v);
   for (const Index v : corners) reach_.extend(mesh.positions[v]);
   faces_ = solid_.faces_touching(reach_);
-  if (most_share * (faces_.size() + operand_.faces.size()) > solid_.faces()) return false;
+  if (least_ratio * (faces_.size() + operand_.faces.size()) > solid_.faces()) return false;
   for (const Index face : faces_)
     for (const Index v : mesh.faces[face]) vertices_.push_back(v);
   std::sort(vertices_.begin(), vertices_.end());

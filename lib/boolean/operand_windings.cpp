@@ -8,7 +8,8 @@ void OperandWindings::change(Index operand, int by) {
   winding += by;
   const bool is_inside = winding >= 1;
   if (is_inside && !was_inside) ++inside_of_;
-  if (is_inside) encloses_[operand] = 1;
+  signs_[operand].is_positive |= winding > 0;
+  signs_[operand].is_negative |= winding < 0;
   if (was_inside && !is_inside) --inside_of_;
 }
 

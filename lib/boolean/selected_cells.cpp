@@ -62,7 +62,7 @@ class SelectedCells {
   std::vector<char> find();
   const Patches& patches() const { return patches_; }
   /// Per operand, once the sides are found.
-  const std::vector<char>& encloses() const { return encloses_; }
+  const std::vector<WindingSigns>& signs() const { return signs_; }
 
  private:
   struct Step {
@@ -92,7 +92,7 @@ class SelectedCells {
   std::vector<Index> cell_of_;             ///< per side
   std::vector<std::vector<Index>> sides_;  ///< per cell, which is named by one of its sides
   std::vector<char> is_selected_;          ///< per cell, or unknown
-  std::vector<char> encloses_;             ///< per operand
+  std::vector<WindingSigns> signs_;        ///< per operand
   std::vector<Step> way_;                  ///< from the first cell to the one just entered
 };
 
@@ -105,7 +105,7 @@ SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& o
       jumps_(operands, arrangement),
       patches_(arrangement),
       ray_(*arrangement.welded, patches_.size()),
-      encloses_(operands.is_reversed.size(), 0) {
+      signs_(operands.is_reversed.size()) {
   IsWholeEdge is_whole;
   if (first_at)
     is_whole = [this](std::span<const Index> halfedges) { return is_whole_edge(halfedges); };
@@ -201,7 +201,10 @@ bool SelectedCells::spread_from(Index side) {
     enter(beyond, windings);
     way_.push_back({beyond, through});
   }
-  for (std::size_t i = 0; i < encloses_.size(); ++i) encloses_[i] |= windings.encloses()[i];
+  for (std::size_t i = 0; i < signs_.size(); ++i) {
+    signs_[i].is_positive |= windings.signs()[i].is_positive;
+    signs_[i].is_negative |= windings.signs()[i].is_negative;
+  }
   return true;
 }
 
@@ -228,7 +231,7 @@ Selection choose_selected(BooleanOperation operation, const JoinedOperands& oper
   const std::vector<char> is_selected = cells.find();
   const bool is_known = !is_selected.empty() || cells.patches().size() == 0;
   if (is_known) keep_boundary(arrangement, cells.patches(), is_selected, kept);
-  return {is_known, cells.encloses()};
+  return {is_known, cells.signs()};
 }
 
 }  // namespace transformesh

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "boolean/operand_windings.h"
 #include "boolean/operands.h"
 #include "clean/arrange/arrange.h"
 
@@ -17,8 +18,8 @@ namespace transformesh {
 using WindingAt = std::function<std::optional<int>(const Vec3& point)>;
 
 struct Selection {
-  bool is_known = true;          ///< false if `first_at` did not tell a winding number
-  std::vector<char> encloses{};  ///< per operand: it has w >= 1 somewhere
+  bool is_known = true;               ///< false if `first_at` did not tell a winding number
+  std::vector<WindingSigns> signs{};  ///< per operand
 };
 
 /// Does what PieceChooser::choose() says. If `first_at` is given, the first operand is part of a

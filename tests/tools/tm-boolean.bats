@@ -112,6 +112,36 @@ volume_of() {
   [[ $stderr = "tm-boolean: line 1 of the script: b.off encloses nothing: "* ]]
 }
 
+@test "a mesh whose faces cancel out encloses nothing, and the advice mends it" {
+  cube 0 3 >a.off
+  cube 1 2 >b.off
+  tm-stitch --flip b.off | tm-cat b.off - -o both.off
+  run --separate-stderr tm-boolean difference a.off both.off -o result.ply
+  [ "$status" -eq 0 ]
+  [[ $stderr = "tm-boolean: both.off encloses nothing: its faces lie upon each other and cancel out; tm-stitch --one-side "* ]]
+  [ "$(tm-info --get volume result.ply)" = 27 ]
+  [ "$(tm-stitch --one-side both.off | tm-boolean difference a.off - | tm-info --get volume)" = 26 ]
+  tm-stitch --flip b.off >flipped.off
+  run --separate-stderr bash -c 'tm-boolean union - <flipped.off >result.ply'
+  [[ $stderr = "tm-boolean: standard input encloses nothing: its faces look inwards; "* ]]
+}
+
+@test "a script keeps the unit, and the bound of how far flat faces moved" {
+  cube 0 2 | tm-convert -o a.3mf
+  cube 1 3 >b.off
+  tm-shape sphere -o ball.ply
+  tm-transform --translate 0.5,0,0 ball.ply | tm-boolean union ball.ply - -o c.ply
+  tm-convert --format ply-ascii c.ply | grep '^comment tm:planarity' >bound
+  printf '%s\n' "x = union a.3mf b.off" "x = union x c.ply" >steps.txt
+  tm-boolean --script steps.txt --format ply-ascii -o result.ply
+  [ "$(tm-info --units --get unit result.ply)" = millimeter ]
+  awk 'NR == FNR { least = $3; next } /^comment tm:planarity/ { found = $3 >= least } END { exit !found }' bound result.ply
+  tm-transform --to inch a.3mf -o inch.3mf
+  printf '%s\n' "x = union a.3mf inch.3mf" >steps.txt
+  run --separate-stderr tm-boolean --script steps.txt -o result.ply
+  [[ $stderr = *"the units of the meshes differ"* ]]
+}
+
 @test "a mesh with borders is refused by its name" {
   cube 0 1 >a.off
   sed -e 's/^8 12 0$/8 11 0/' -e '$d' a.off >"open =1.off"

@@ -79,7 +79,8 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
 
 void Inputs::keep_bytes(std::string_view bytes, const ReadResult& result) {
   if (!program_.input.keeps_bytes) return;
-  // That faces share no vertices is the only note that is about nothing left out.
+  // Every note tells of something that the reader left out or changed, except the one on faces that
+  // share no vertices.
   const bool is_exact = result.notes.size() == (result.soup_note ? 1U : 0U) && !is_gzip(bytes);
   bytes_ = is_exact ? std::string(bytes) : std::string();
   format_ = result.document.style.format;

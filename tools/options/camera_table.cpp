@@ -6,6 +6,7 @@
 
 #include "frame/report.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 #include "transformesh/pinhole_camera.h"
 
 namespace transformesh::tool {
@@ -107,6 +108,30 @@ std::string json_of(const CameraTable& table) {
     json["cameras"].push_back(json_of(table, i));
   }
   return json_text(json);
+}
+
+CameraTable table_of(CameraList list, const std::vector<double>& center, std::size_t neighbors) {
+  std::vector<PinholeCamera> cameras;
+  for (const CameraRecord& record : list.cameras) {
+    if (record.is_relative)
+      throw InputError("the focal length of '" + record.name +
+                       "' is a share of the image's side (" + record.place + "): name the images");
+    cameras.push_back(record.camera);
+  }
+  CameraTable table;
+  table.list = std::move(list);
+  table.is_center_assumed = center.empty() && cameras.size() == 1;
+  if (!center.empty())
+    table.scene_center = Vec3(center.data());
+  else if (table.is_center_assumed)
+    table.scene_center = cameras[0].center() + cameras[0].rotation.row(2).normalized().transpose();
+  else
+    table.scene_center = viewed_point(cameras);
+  table.pixel_size = pixel_size(cameras, table.scene_center);
+  PairOptions pairs;
+  pairs.neighbors = neighbors;
+  table.pairs = choose_pairs(cameras, table.scene_center, pairs);
+  return table;
 }
 
 }  // namespace transformesh::tool

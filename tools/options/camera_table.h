@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "views/cameras/camera_file.h"
 #include "views/cameras/view_pairs.h"
@@ -13,7 +14,12 @@ struct CameraTable {
   Vec3 scene_center = Vec3::Zero();
   double pixel_size = 0;  ///< the median at the scene's center
   std::vector<ViewPair> pairs;
+  bool is_center_assumed = false;  ///< one unit in front of a single camera
 };
+
+/// The scene's center is `center` if that has three numbers, else the point nearest to all viewing
+/// axes. Throws InputError for a camera whose focal length needs the size of its image.
+CameraTable table_of(CameraList list, const std::vector<double>& center, std::size_t neighbors);
 
 /// Columns under a line of their names.
 std::string text_of(const CameraTable& table);

@@ -31,8 +31,14 @@ void combine_inputs(const Choices& choices, tool::Run& run) {
 
 void run_script(const Choices& choices, tool::Run& run) {
   const std::vector<ScriptLine> lines = parse_boolean_script(run.in().read_bytes(choices.script));
-  const auto read = [&](const std::string& file) { return run.in().read(file).mesh; };
+  bool units_agree = true;
+  const auto read = [&](const std::string& file) {
+    Document document = run.in().read(file);
+    units_agree &= unite_length_comments(run.document(), document);
+    return std::move(document.mesh);
+  };
   ScriptResult result = run_boolean_script(lines, read, choices.options, run.progress());
+  if (!units_agree) run.note("the units of the meshes differ: numbers are taken as they are");
   for (const Problem& problem : result.problems) run.say().note(problem);
   run.document().mesh = std::move(result.mesh);
   add_planarity(run.document().style.comments, result.merge_displacement);
@@ -47,9 +53,9 @@ void combine(Choices& choices, tool::Run& run) {
   choices.options.merge_flat = !choices.no_merge_flat;
   if (run.program().common.as_float) choices.options.coordinate = Scalar::float32;
   choices.script.empty() ? combine_inputs(choices, run) : run_script(choices, run);
-  if (!run.document().mesh.faces.empty()) return;
-  if (choices.require_nonempty) throw GoalError("the result is empty");
-  run.note("the result is empty: a mesh without faces");
+  const bool is_empty = run.document().mesh.faces.empty();
+  if (is_empty && choices.require_nonempty) throw GoalError("the result is empty");
+  if (is_empty) run.note("the result is empty: a mesh without faces");
 }
 
 }  // namespace

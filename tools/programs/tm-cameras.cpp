@@ -42,31 +42,13 @@ CameraList read(const std::string& where, const Options& options, tool::Run& run
   return cameras_of_images(std::move(list), where, options.images);
 }
 
-Vec3 scene_center(const std::vector<PinholeCamera>& cameras, const Options& options,
-                  tool::Run& run) {
-  if (!options.center.empty()) return Vec3(options.center.data());
-  if (cameras.size() != 1) return viewed_point(cameras);
-  run.note(
-      "one camera alone determines no depth: the scene's center is taken one unit in front of "
-      "it; set it with --center");
-  return cameras[0].center() + cameras[0].rotation.row(2).normalized().transpose();
-}
-
 std::string table(CameraList list, const Options& options, tool::Run& run) {
-  std::vector<PinholeCamera> cameras;
-  for (const CameraRecord& record : list.cameras) {
-    if (record.is_relative)
-      throw InputError("the focal length of '" + record.name +
-                       "' is a share of the image's side (" + record.place + "): name the images");
-    cameras.push_back(record.camera);
-  }
-  PairOptions pairs;
-  pairs.neighbors = static_cast<std::size_t>(options.neighbors);
-  tool::CameraTable table;
-  table.list = std::move(list);
-  table.scene_center = scene_center(cameras, options, run);
-  table.pixel_size = pixel_size(cameras, table.scene_center);
-  table.pairs = choose_pairs(cameras, table.scene_center, pairs);
+  const tool::CameraTable table =
+      tool::table_of(std::move(list), options.center, static_cast<std::size_t>(options.neighbors));
+  if (table.is_center_assumed)
+    run.note(
+        "one camera alone determines no depth: the scene's center is taken one unit in front of "
+        "it; set it with --center");
   const Vec3& center = table.scene_center;
   run.report("scene_center", std::vector<double>{center.x(), center.y(), center.z()});
   run.report("pixel_size", table.pixel_size);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clean/stitch/weld.h"
+#include "mesh/drop_faces.h"
 #include "mesh/edges.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/components.h"
@@ -55,20 +56,6 @@ void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
         first, last, [&](const SortedFace& other) { return other.is_odd != first->is_odd; });
     if (is_double) visit(first, last);
   });
-}
-
-std::size_t drop_faces(Mesh& mesh, const std::vector<char>& is_dropped) {
-  std::vector<Face> faces;
-  std::vector<Index> rows;
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (is_dropped[f]) continue;
-    faces.push_back(mesh.faces[f]);
-    rows.push_back(f);
-  }
-  const std::size_t dropped = mesh.faces.size() - faces.size();
-  if (dropped > 0) mesh.face_columns = mesh.face_columns.select(rows);
-  mesh.faces = std::move(faces);
-  return dropped;
 }
 
 // The faces with one vertex for all that have one position.

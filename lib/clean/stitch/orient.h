@@ -23,7 +23,8 @@ namespace transformesh {
 /// Vertices are the same when their indices are. Columns and the order of faces stay as they are.
 /// Returns the number of faces reversed. Throws InputError, naming the place, where a sheet has one
 /// side only; then the mesh is as it was.
-/// With `keeps_most`, groups without border edges look the way most of their faces did, too.
+/// If `keeps_most`, closed groups are not turned outwards either: they look the way most of their
+/// faces did.
 std::size_t orient_faces(Mesh& mesh, bool keeps_most = false);
 
 /// Whether orient_faces() leaves no edge at which faces are misoriented (orientation_check.h).

@@ -11,6 +11,7 @@
 #include "clean/stitch/split_border_edges.h"
 #include "clean/stitch/split_singular_edges.h"
 #include "clean/stitch/weld.h"
+#include "mesh/drop_faces.h"
 #include "mesh/surface_columns.h"
 #include "mesh/umbrellas.h"
 
@@ -29,17 +30,9 @@ std::size_t join_vertices(Mesh& mesh, double tolerance) {
 }
 
 std::size_t drop_collapsed_faces(Mesh& mesh) {
-  std::vector<Face> faces;
-  std::vector<Index> rows;
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    if (is_collapsed(mesh.faces[f])) continue;
-    faces.push_back(mesh.faces[f]);
-    rows.push_back(f);
-  }
-  const std::size_t dropped = mesh.faces.size() - faces.size();
-  if (dropped > 0) mesh.face_columns = mesh.face_columns.select(rows);
-  mesh.faces = std::move(faces);
-  return dropped;
+  std::vector<char> is_dropped;
+  for (const Face& face : mesh.faces) is_dropped.push_back(is_collapsed(face) ? 1 : 0);
+  return drop_faces(mesh, is_dropped);
 }
 
 // Counts edges at which faces are left over; those that several leave open all have the same

@@ -13,8 +13,8 @@ int main() {
   const BooleanResult cut =
       boolean(BooleanOperation::subtract, {{&box, "box"}, {&corner, "corner"}});
   if (std::abs(connected_components(cut.mesh).components[0].volume - 7) > 1e-12) return 1;
-  if (!cut.empty_operands.empty()) return 1;
-  const CleanResult inside = cut_sheet({&corner, "corner"}, {&box, "box"}, SheetSide::inside);
+  if (!cut.inside_out.empty()) return 1;
+  const BooleanResult inside = cut_sheet({&corner, "corner"}, {&box, "box"}, SheetSide::inside);
   const Components parts = connected_components(inside.mesh);
   return parts.components.size() == 1 && parts.components[0].boundary_loops == 1 ? 0 : 1;
 }

@@ -164,10 +164,13 @@ TEST_CASE("a body inside another is cut out, and one inside out is empty") {
   CHECK(combine(Operation::subtract, {small, large}).mesh.faces.empty());
   const BooleanResult nothing = combine(Operation::unite, {test::reversed(large)});
   CHECK(nothing.mesh.faces.empty());
-  CHECK(nothing.empty_operands == std::vector<std::size_t>{0});
-  CHECK(combine(Operation::subtract, {large, test::reversed(small)}).empty_operands ==
+  CHECK(nothing.inside_out == std::vector<std::size_t>{0});
+  CHECK(combine(Operation::subtract, {large, test::reversed(small)}).inside_out ==
         std::vector<std::size_t>{1});
-  CHECK(combine(Operation::subtract, {small, large, Mesh{}}).empty_operands.empty());
+  CHECK(combine(Operation::subtract, {small, large, Mesh{}}).inside_out.empty());
+  const Mesh both_sides = test::joined(small, test::reversed(small));
+  CHECK(combine(Operation::subtract, {large, both_sides}).canceling == std::vector<std::size_t>{1});
+  CHECK(combine(Operation::unite, {both_sides}).canceling == std::vector<std::size_t>{0});
   CHECK(test::signed_volume(combine(Operation::subtract, {large, test::reversed(small)}).mesh) ==
         27);
 }
