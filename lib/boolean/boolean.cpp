@@ -99,7 +99,7 @@ void number_operands(JoinedOperands& joined) {
   std::copy(joined.operand_of.begin(), joined.operand_of.end(), column.values.begin());
 }
 
-/// What is left if a region is empty.
+/// The result if a region is empty.
 BooleanResult empty_result(const Mesh& joined) {
   BooleanResult empty;
   empty.mesh.vertex_columns = joined.vertex_columns.select({});

@@ -134,9 +134,9 @@ volume_of() {
   tm-convert --format ply-ascii c.ply | grep '^comment tm:planarity' >bound
   printf '%s\n' "x = union a.3mf b.off" "x = union x c.ply" >steps.txt
   tm-boolean --script steps.txt --format ply-ascii -o result.ply
-  [ "$(tm-info --units --get unit result.ply)" = millimeter ]
+  [ "$(tm-info --get unit result.ply)" = millimeter ]
   awk 'NR == FNR { least = $3; next } /^comment tm:planarity/ { found = $3 >= least } END { exit !found }' bound result.ply
-  tm-transform --to inch a.3mf -o inch.3mf
+  tm-transform --to in a.3mf -o inch.3mf
   printf '%s\n' "x = union a.3mf inch.3mf" >steps.txt
   run --separate-stderr tm-boolean --script steps.txt -o result.ply
   [[ $stderr = *"the units of the meshes differ"* ]]

@@ -58,13 +58,15 @@ int main(int argc, char** argv) {
   program.options.choice("get", &key,
                          {"vertices", "faces", "edges", "components", "genus", "boundary_loops",
                           "area", "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min",
-                          "edge_max", "angle_min", "angle_min_mean", "valence6"},
+                          "edge_max", "angle_min", "angle_min_mean", "valence6", "unit"},
                          "print the value of this key only");
-  program.options.flag("units", &with_unit, "also report the unit of lengths, if the file has one");
+  program.options.flag("units", &with_unit,
+                       "also report the unit of lengths; unknown if there is none");
   program.options.text(
       "per-vertex", &per_vertex, "FILE",
       "write the mesh with the property curvature: the mean curvature at each vertex");
   program.output.only_key = &key;
   program.example = "tm-info --get volume mesh.ply";
-  return program.run(argc, argv, [&](tool::Run& run) { describe(per_vertex, with_unit, run); });
+  return program.run(
+      argc, argv, [&](tool::Run& run) { describe(per_vertex, with_unit || key == "unit", run); });
 }
