@@ -30,6 +30,7 @@
 #include "transformesh/mesh_io.h"
 #include "transformesh/morph.h"
 #include "transformesh/morph_step.h"
+#include "transformesh/motion.h"
 #include "transformesh/offset.h"
 #include "transformesh/pinhole_camera.h"
 #include "transformesh/remesh.h"
