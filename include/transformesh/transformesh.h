@@ -18,6 +18,7 @@
 #include "transformesh/error_kind.h"
 #include "transformesh/errors.h"
 #include "transformesh/evolve.h"
+#include "transformesh/evolve_in_time.h"
 #include "transformesh/fill.h"
 #include "transformesh/handles.h"
 #include "transformesh/intersect.h"

@@ -3,7 +3,7 @@
 #include "evolution/loop/iteration_text.h"
 #include "evolution/recorded_loops.h"
 #include "transformesh/displace.h"
-#include "transformesh/evolve.h"
+#include "transformesh/evolve_in_time.h"
 #include "transformesh/morph.h"
 #include "transformesh/offset.h"
 
@@ -59,6 +59,19 @@ Entries entries_of(const EvolveResult& result) {
                    {"clamped_share", result.clamped_share},
                    {"max_displacement", result.last.displaced.max_displacement},
                    {"rms_displacement", result.last.displaced.rms_displacement}});
+  return entries;
+}
+
+Entries entries_of(const TimeResult& result) {
+  const EvolveResult& evolution = result.evolution;
+  Entries entries{{"stop", evolution.is_done ? "converged" : "iteration_limit"},
+                  {"iterations", evolution.iterations}};
+  append(entries, entries_of(evolution.last.topology));
+  append(entries, {{"time", result.time},
+                   {"volume", result.volume},
+                   {"volume_drift", result.volume_drift},
+                   {"max_move", result.max_move},
+                   {"repeated_steps", result.repeated}});
   return entries;
 }
 

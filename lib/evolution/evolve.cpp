@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "evolution/end_rule.h"
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/iteration_text.h"
 #include "evolution/loop/loop.h"
 #include "evolution/loop/record.h"
 #include "evolution/loop/stages.h"
-#include "evolution/loop/stop_rules.h"
 #include "evolution/recorded_loops.h"
 #include "support/counted.h"
 #include "support/number.h"
@@ -19,18 +19,18 @@ namespace {
 class EvolveLoop : public Loop {
  public:
   EvolveLoop(const Step& step, IterationOptions options, const UntilRule& until)
-      : step_(step), options_(std::move(options)), until_(until) {}
+      : step_(step), options_(std::move(options)), end_rule_(until) {}
 
   void advance(Document& document, std::size_t /*iteration*/, const Progress& progress) override {
     options_.expects_changes = last_.was_cleaned;
     last_ = iterate(document, step_, options_, progress);
     clamped_iterations_ += last_.displaced.clamped > 0 ? 1 : 0;
     clamped_share_ = std::max(clamped_share_, transformesh::clamped_share(last_));
-    is_done_ = has_ended();
+    is_done_ = end_rule_.add(last_);
   }
   bool is_done() const override { return is_done_; }
   void remember(LoopState& loop_state) override {
-    stalled_.remember(loop_state);
+    end_rule_.remember(loop_state);
     loop_state("done", is_done_);
     loop_state("clamped_iterations", clamped_iterations_)("clamped_share", clamped_share_);
   }
@@ -53,19 +53,9 @@ class EvolveLoop : public Loop {
   }
 
  private:
-  bool has_ended() {
-    const auto components = static_cast<long>(last_.topology.components);
-    if (until_.components && *until_.components == components) return true;
-    if (until_.genus && *until_.genus == last_.topology.genus) return true;
-    if (until_.is_stalled)
-      return stalled_.add(last_.displaced.rms_displacement) || last_.displaced.moved == 0;
-    return last_.displaced.max_displacement < until_.least_movement;
-  }
-
   const Step& step_;
   IterationOptions options_;
-  UntilRule until_;
-  StalledRule stalled_;
+  EndRule end_rule_;
   IterationResult last_;
   bool is_done_ = false;
   std::size_t clamped_iterations_ = 0;

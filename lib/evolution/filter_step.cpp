@@ -70,4 +70,11 @@ Step step_through(MeshFilter filter, Scalar coordinate, const DisplaceOptions& o
   };
 }
 
+std::string bytes_for_filter(const Mesh& mesh) { return bytes_of(mesh, Scalar::float64); }
+
+std::vector<Vec3> velocities_in(const std::string& bytes) {
+  return column_velocities(
+      read_mesh(bytes, "the output of the velocity command", {.strict = true}).document.mesh);
+}
+
 }  // namespace transformesh

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "transformesh/iteration.h"
 
@@ -19,5 +20,11 @@ using MeshFilter = std::function<std::string(const std::string& bytes)>;
 
 /// Meshes go in with coordinates of the type given.
 Step step_through(MeshFilter filter, Scalar coordinate, const DisplaceOptions& options = {});
+
+/// Returns the mesh as binary PLY with double coordinates, for a filter that computes velocities.
+std::string bytes_for_filter(const Mesh& mesh);
+
+/// Returns the velocities vx, vy and vz of a mesh in bytes. Throws InputError if they are missing.
+std::vector<Vec3> velocities_in(const std::string& bytes);
 
 }  // namespace transformesh

@@ -7,13 +7,17 @@
 #include <vector>
 
 #include "evolution/loop/record.h"
-#include "transformesh/evolve.h"
+#include "transformesh/evolve_in_time.h"
 #include "transformesh/morph.h"
 
 namespace transformesh {
 
 EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options,
                     const LoopOptions& loop, Record& record, const Progress& progress = Progress());
+
+TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOptions& time,
+                          const EvolveOptions& options, const LoopOptions& loop, Record& record,
+                          const Progress& progress = Progress());
 
 MorphResult morph(Document& document, const Target& target, const MorphOptions& options,
                   const LoopOptions& loop, Record& record, const Progress& progress = Progress());

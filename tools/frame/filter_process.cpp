@@ -18,10 +18,6 @@
 namespace transformesh::tool {
 namespace {
 
-[[noreturn]] void throw_not_run(const std::string& command) {
-  throw GoalError("cannot run '" + command + "': " + std::strerror(errno));
-}
-
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 File opened(int descriptor, const char* mode, const std::string& command) {
@@ -53,12 +49,26 @@ Output output_of(FilterOutput kind, const std::string& command) {
   return {opened(ends[0], "r", command), opened(ends[1], "w", command)};
 }
 
-pid_t start(const std::string& command, const File& input, const File& output) {
+std::string all_of(const File& file) {
+  std::string output;
+  std::array<char, 65536> block{};
+  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get()))
+    output.append(block.data(), count);
+  return output;
+}
+
+}  // namespace
+
+void throw_not_run(const std::string& command) {
+  throw GoalError("cannot run '" + command + "': " + std::strerror(errno));
+}
+
+pid_t start_shell(const std::string& command, int input, int output) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(input.get()), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(output.get()), STDOUT_FILENO);
-  // Of its own group, which ends with this process.
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  // The group ends with this process.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
@@ -75,14 +85,6 @@ pid_t start(const std::string& command, const File& input, const File& output) {
   return child;
 }
 
-std::string all_of(const File& file) {
-  std::string output;
-  std::array<char, 65536> block{};
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get()))
-    output.append(block.data(), count);
-  return output;
-}
-
 void check_ending(const std::string& command, int status) {
   if (WIFSIGNALED(status)) {
     throw GoalError("'" + command + "' was ended by signal " + std::to_string(WTERMSIG(status)));
@@ -95,12 +97,10 @@ void check_ending(const std::string& command, int status) {
   throw GoalError(message);
 }
 
-}  // namespace
-
 std::string run_filter(const std::string& command, std::string_view input, FilterOutput output) {
   const File child_input = file_of(input, command);
   Output ends = output_of(output, command);
-  const pid_t child = start(command, child_input, ends.to_write);
+  const pid_t child = start_shell(command, fileno(child_input.get()), fileno(ends.to_write.get()));
   set_child_group(child);
   ends.to_write.reset();
   std::string bytes;

@@ -1,0 +1,56 @@
+/// Evolves a surface along a motion in physical time: in each step all vertices move by the same
+/// span of time, then clean() removes self-intersections and remesh() keeps the surface sampled.
+///
+/// The velocity is evaluated at the stages of the integrator on the same connectivity. If a step
+/// changes the number of components or the genus, it is repeated with half the span until the span
+/// is at most `event_tolerance`, so that the time of the change is known.
+/// Guarantees of the result: iteration.h. The source is cleaned first, and the result once more.
+/// Throws what the stages throw, with the number of the iteration; GoalError if the span becomes
+/// too short to reach the end. The mesh is then that of the last good iteration. Deterministic if
+/// the motion is. Reference for embedded pairs and the choice of the span: Hairer, Norsett &
+/// Wanner, "Solving Ordinary Differential Equations I", 2nd ed., 1993, section II.4.
+#pragma once
+
+#include "transformesh/evolve.h"
+#include "transformesh/motion.h"
+
+namespace transformesh {
+
+/// Explicit Runge-Kutta methods of order 1, 2 and 4.
+enum class Integrator { euler, midpoint, rk4 };
+
+struct TimeOptions {
+  double end = 1;   ///< the evolution lasts from time 0 to this; > 0
+  double span = 0;  ///< time of a step; 0: as long as `max_move` and `tolerance` permit
+  Integrator integrator = Integrator::midpoint;
+  double max_move = 0.5;  ///< of a vertex in a step, in mean lengths of its edges, if `span` is 0
+  /// Largest difference of a vertex to the embedded method (Euler in midpoint, midpoint in rk4), in
+  /// input units, if `span` is 0; 0: no limit.
+  double tolerance = 0;
+  double event_tolerance = -1;  ///< time; 0: no step is repeated; negative: `end` / 1000
+  /// Restores by a motion along the normals the volume that cleaning and remeshing change. It is
+  /// spread in proportion to how far vertices moved.
+  bool keep_volume = false;
+};
+
+struct TimeResult {
+  double time = 0;           ///< at the end of this run
+  EvolveResult evolution;    ///< `is_done`: the end of time or the rule was reached
+  double volume = 0;         ///< of the result, in cubic input units
+  double volume_drift = 0;   ///< sum of what cleaning and remeshing changed and was not restored
+  double max_move = 0;       ///< largest movement in a step, in mean lengths of a vertex's edges
+  std::size_t repeated = 0;  ///< steps repeated with a shorter span, with those of earlier runs
+};
+
+/// A run that continues replaces the document by its state. `options.iteration.remesh` smooths by
+/// default: use RemeshOptions() to keep what the motion made.
+TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOptions& time,
+                          const EvolveOptions& options = {}, const LoopOptions& loop = {},
+                          const Progress& progress = Progress());
+
+/// Evolves a mesh in double precision.
+TimeResult evolve_in_time(Mesh& mesh, const Motion& motion, const TimeOptions& time,
+                          const EvolveOptions& options = {}, const LoopOptions& loop = {},
+                          const Progress& progress = Progress());
+
+}  // namespace transformesh

@@ -1,0 +1,227 @@
+#include "transformesh/evolve_in_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "evolution/end_rule.h"
+#include "evolution/loop/csv_row.h"
+#include "evolution/loop/iteration_text.h"
+#include "evolution/loop/loop.h"
+#include "evolution/loop/record.h"
+#include "evolution/loop/stages.h"
+#include "evolution/recorded_loops.h"
+#include "evolution/volume_keeper.h"
+#include "mesh/local_measures.h"
+#include "mesh/surface_columns.h"
+#include "step/integration.h"
+#include "step/time_span.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
+
+namespace transformesh {
+namespace {
+
+/// Growth of the span from one step to the next if the error or an implicit integrator limits it.
+/// The next trial is shortened if that was too much, which costs one evaluation.
+constexpr double span_growth = 1.5;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+void check(const TimeOptions& options) {
+  if (!(options.end > 0) || !std::isfinite(options.end))
+    throw UsageError("the time at the end must be a positive number");
+  if (!(options.span >= 0) || !std::isfinite(options.span))
+    throw UsageError("the span of a step must be a positive number, or 0");
+  if (!(options.max_move > 0)) throw UsageError("the largest movement must be positive");
+  if (options.tolerance > 0 && options.integrator == Integrator::euler)
+    throw UsageError(
+        "Euler's method has no embedded method that estimates the error: use midpoint "
+        "or rk4 with a tolerance");
+}
+
+TimeOptions completed(TimeOptions options) {
+  check(options);
+  if (options.event_tolerance < 0) options.event_tolerance = options.end / 1000;
+  return options;
+}
+
+/// Moves vertices; rounding, cleaning and remeshing are the iteration's.
+DisplaceResult moved(Mesh& mesh, const std::vector<Vec3>& displacements, double mean_edge) {
+  DisplaceResult result;
+  result.mean_edge = mean_edge;
+  double squares = 0;
+  for (std::size_t v = 0; v < displacements.size(); ++v) {
+    const double length = displacements[v].norm();
+    mesh.positions[v] += displacements[v];
+    result.moved += length > 0 ? 1 : 0;
+    result.max_displacement = std::max(result.max_displacement, length);
+    squares += length * length;
+  }
+  if (!displacements.empty())
+    result.rms_displacement = std::sqrt(squares / static_cast<double>(displacements.size()));
+  if (result.moved > 0) result.new_normals = refresh_normals(mesh);
+  return result;
+}
+
+class TimeLoop : public Loop {
+ public:
+  TimeLoop(const Motion& motion, const TimeOptions& time, IterationOptions iteration,
+           const UntilRule& until)
+      : motion_(motion), options_(time), iteration_(std::move(iteration)), end_rule_(until) {}
+
+  void start(Document& document, const Progress& progress) override {
+    topology_ = clean_in_place(document, progress, iteration_.outermost).topology;
+    is_closed_ = check_manifold(document.mesh).is_closed();
+    if (options_.keep_volume && !is_closed_)
+      throw InputError("only a closed mesh has a volume to keep");
+    is_done_ = document.mesh.faces.empty();
+    measure_surface(document.mesh);
+  }
+
+  void advance(Document& document, std::size_t /*iteration*/, const Progress& progress) override {
+    const HalfedgeLengths edges = halfedge_lengths(document.mesh);
+    const Document before = document;
+    const Integration integration(motion_, before.mesh, time_, options_.integrator, progress);
+    const double remaining = options_.end - time_;
+    TimeStep step =
+        chosen_step(integration, options_, remaining, longest_span(), edges.vertex_mean);
+    if (!is_near_event()) usual_span_ = step.span;
+    iterate_along(document, step, edges.mean, progress);
+    while (last_.topology != topology_ && step.span > options_.event_tolerance &&
+           options_.event_tolerance > 0) {
+      event_end_ = time_ + step.span;
+      ++repeated_;
+      document = before;
+      step = step_over(integration, step.span / 2, edges.vertex_mean);
+      iterate_along(document, step, edges.mean, progress);
+    }
+    if (options_.keep_volume) drift_ += keeper_.restore(document, iteration_, progress);
+    accept(document.mesh, step, remaining);
+  }
+
+  bool is_done() const override { return is_done_; }
+
+  void remember(LoopState& loop_state) override {
+    end_rule_.remember(loop_state);
+    loop_state("done", is_done_)("time", time_)("span", span_)("usual_span", usual_span_)(
+        "event_end", event_end_);
+    loop_state("components", topology_.components)("genus", topology_.genus);
+    loop_state("closed", is_closed_)("drift", drift_)("repeated", repeated_);
+    loop_state("max_move", max_move_)("pairs", last_.pairs)("was_cleaned", last_.was_cleaned);
+  }
+
+  void measure(CsvRow& row) const override {
+    row.number("time", time_, 10).number("time_step", span_, 10);
+    measure_mesh(last_, row);
+    row.text("volume", is_closed_ ? significant(volume_, 12) : "").number("area", area_, 12);
+    row.number("max_displacement", last_.displaced.max_displacement);
+    row.number("rms_displacement", last_.displaced.rms_displacement);
+    measure_times(last_, row);
+  }
+
+  std::string message() const override {
+    return ": time " + significant(time_, 4) + ", " + in_words(last_.faces, last_.topology) +
+           ", moved " + significant(last_.displaced.max_displacement, 3) + " at most";
+  }
+
+  TimeResult result(std::size_t iterations, const Document& document) const {
+    TimeResult result{time_, {iterations, is_done_, 0, 0, last_}};
+    result.volume = volume(document.mesh);
+    result.volume_drift = drift_;
+    result.max_move = max_move_;
+    result.repeated = repeated_;
+    return result;
+  }
+
+ private:
+  bool is_near_event() const { return event_end_ > time_; }
+
+  /// Toward the end of a span in which the topology changes, the interval is bisected.
+  double longest_span() const {
+    if (is_near_event()) {
+      const double gap = event_end_ - time_;
+      return gap > options_.event_tolerance ? gap / 2 : gap;
+    }
+    const bool is_limited = motion_.displacement || options_.tolerance > 0;
+    return is_limited && usual_span_ > 0 ? span_growth * usual_span_ : infinite;
+  }
+
+  void iterate_along(Document& document, const TimeStep& step, double mean_edge,
+                     const Progress& progress) {
+    iteration_.expects_changes = last_.was_cleaned;
+    const auto move = [&](Mesh& mesh, const Progress&) {
+      const std::vector<Vec3>& displacements = step.integrated.displacements;
+      const DisplaceResult result = moved(mesh, displacements, mean_edge);
+      if (options_.keep_volume) keeper_.begin(mesh, displacements);
+      return result;
+    };
+    last_ = iterate(document, move, iteration_, progress);
+  }
+
+  void accept(const Mesh& mesh, const TimeStep& step, double remaining) {
+    const bool is_end = step.span >= remaining;
+    time_ = is_end ? options_.end : time_ + step.span;
+    span_ = step.span;
+    max_move_ = std::max(max_move_, step.max_move);
+    topology_ = last_.topology;
+    is_done_ = is_end || mesh.faces.empty() || end_rule_.add(last_);
+    measure_surface(mesh);
+  }
+
+  void measure_surface(const Mesh& mesh) {
+    volume_ = volume(mesh);
+    area_ = surface_area(mesh);
+  }
+
+  const Motion& motion_;
+  TimeOptions options_;
+  IterationOptions iteration_;
+  EndRule end_rule_;
+  VolumeKeeper keeper_;
+  IterationResult last_;
+  Topology topology_;
+  double time_ = 0, event_end_ = 0;
+  double span_ = 0, usual_span_ = 0;  ///< of the last step; the same without events
+  double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
+  std::size_t repeated_ = 0;
+  bool is_closed_ = false, is_done_ = false;
+};
+
+}  // namespace
+
+TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOptions& time,
+                          const EvolveOptions& options, const LoopOptions& loop_options,
+                          Record& record, const Progress& progress) {
+  TimeLoop loop(motion, completed(time), completed(options.iteration, document.mesh),
+                options.until);
+  run_loop(loop, document, loop_options, record, progress);
+  return loop.result(record.iteration(), document);
+}
+
+TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOptions& time,
+                          const EvolveOptions& options, const LoopOptions& loop,
+                          const Progress& progress) {
+  Record record(loop.record);
+  return evolve_in_time(document, motion, time, options, loop, record, progress);
+}
+
+TimeResult evolve_in_time(Mesh& mesh, const Motion& motion, const TimeOptions& time,
+                          const EvolveOptions& options, const LoopOptions& loop,
+                          const Progress& progress) {
+  Document document;
+  document.mesh = std::move(mesh);
+  try {
+    TimeResult result = evolve_in_time(document, motion, time, options, loop, progress);
+    mesh = std::move(document.mesh);
+    return result;
+  } catch (...) {
+    mesh = std::move(document.mesh);
+    throw;
+  }
+}
+
+}  // namespace transformesh

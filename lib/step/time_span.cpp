@@ -1,0 +1,81 @@
+#include "step/time_span.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/number.h"
+#include "transformesh/errors.h"
+
+namespace transformesh {
+namespace {
+
+/// Shortest span, as a fraction of the time at which the evolution ends: a million steps of this
+/// length do not change the fifth digit of the time.
+constexpr double shortest_span = 1e-12;
+
+/// Safety factor for the next trial after one that moved too far or had too large an error. Hairer,
+/// Norsett & Wanner recommend .8 to .9.
+constexpr double safety = 0.9;
+
+/// Shortens `span` to an equal division of what remains, so that no last step is much shorter.
+double divided(double remaining, double span) {
+  constexpr double tiny = 1e-9;  // of a step: rounding of the division
+  if (!(span < remaining)) return remaining;
+  return remaining / std::ceil(remaining / span - tiny);
+}
+
+/// The factor by which a trial has to be shortened; at least 1 if it is accepted.
+double allowed_factor(const TimeStep& trial, const TimeOptions& options) {
+  double factor = 1;
+  if (trial.max_move > options.max_move) factor = safety * options.max_move / trial.max_move;
+  const double error = trial.integrated.error;
+  if (options.tolerance > 0 && error > options.tolerance) {
+    const double power = 1.0 / error_order(options.integrator);
+    factor = std::min(factor, safety * std::pow(options.tolerance / error, power));
+  }
+  return factor;
+}
+
+}  // namespace
+
+double largest_share(std::span<const Vec3> vectors, std::span<const double> scales) {
+  double largest = 0;
+  for (std::size_t v = 0; v < vectors.size(); ++v)
+    if (scales[v] > 0) largest = std::max(largest, vectors[v].norm() / scales[v]);
+  return largest;
+}
+
+TimeStep step_over(const Integration& integration, double span,
+                   std::span<const double> edge_means) {
+  TimeStep step{span, integration.over(span)};
+  step.max_move = largest_share(step.integrated.displacements, edge_means);
+  return step;
+}
+
+TimeStep chosen_step(const Integration& integration, const TimeOptions& options, double remaining,
+                     double longest, std::span<const double> edge_means) {
+  if (options.span > 0) {
+    constexpr double tiny = 1e-9;  // of a step: rounding of the sum of all spans
+    const bool is_last = remaining <= options.span * (1 + tiny);
+    const double span = is_last ? remaining : options.span;
+    return step_over(integration, std::min(span, longest), edge_means);
+  }
+  const double speed = largest_share(integration.initial_velocities(), edge_means);
+  // A little shorter than the limit, which later stages may exceed: another trial costs as much.
+  const double limit = safety * options.max_move;
+  double span = speed > 0 ? std::min(longest, limit / speed) : longest;
+  for (;;) {
+    span = divided(remaining, span);
+    if (span < shortest_span * options.end) {
+      throw GoalError("steps became shorter than " + significant(shortest_span * options.end, 3) +
+                      ": the motion is too fast for the edges or the tolerance");
+    }
+    TimeStep trial = step_over(integration, span, edge_means);
+    const double factor = allowed_factor(trial, options);
+    if (factor == 1) return trial;
+    // At most a tenth at once: far from the limit the estimates do not hold.
+    span *= std::clamp(factor, 0.1, safety);
+  }
+}
+
+}  // namespace transformesh

@@ -1,0 +1,79 @@
+#include "options/evolve_options.h"
+
+#include "frame/smoothing_option.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+
+namespace transformesh::tool {
+namespace {
+
+UntilRule until_of(const std::string& text, Run& run) {
+  constexpr std::string_view moved = "moved:";
+  if (text.empty()) return {};
+  if (text == "stalled") return stalled();
+  if (text.starts_with(moved))
+    return moved_less_than(run.length(parse_length(text.substr(moved.size()))));
+  UntilRule rule;
+  if (text.starts_with("components:")) rule.components = number_in<long>(text.substr(11));
+  if (text.starts_with("genus:")) rule.genus = number_in<long>(text.substr(6));
+  if (rule.components || rule.genus) return rule;
+  throw UsageError("--until: '" + text +
+                   "' is none of moved:LENGTH, stalled, components:N and genus:N");
+}
+
+void refuse(const Program& program, std::initializer_list<const char*> names,
+            const std::string& reason) {
+  for (const char* name : names)
+    if (program.options.find(name)->is_given) throw UsageError("--" + std::string(name) + reason);
+}
+
+void check_step(const EvolveChoices& choices, const Program& program) {
+  if (choices.step.empty()) {
+    throw UsageError(
+        "the motion is missing: give --step COMMAND, or --time T with --velocity "
+        "COMMAND");
+  }
+  refuse(program, time_option_names(), " needs --time T, the end of an evolution in time");
+}
+
+}  // namespace
+
+void declare_evolve(Program& program, EvolveChoices& choices) {
+  program.options.text("step", &choices.step, "COMMAND",
+                       "filter that moves vertices: a mesh in and a mesh out, or the vertex "
+                       "properties vx vy vz out; TM_ITERATION holds the number of the iteration");
+  declare_time(program, choices.time);
+  declare_iterations(program, choices.loop);
+  program.options.text("until", &choices.until, "moved:LENGTH|stalled|components:N|genus:N",
+                       "stop when no vertex moves as far, nothing gets better any more, or the "
+                       "mesh has that many components or handles");
+  program.options.number("alpha", &choices.displace.alpha, 0, 1e300,
+                         "with --step: clamp on the movement by vx vy vz, as a fraction of the "
+                         "mean edge at the vertex");
+  program.options.text("smooth", &choices.smooth, "KIND",
+                       "smoothing of tm-remesh (default 0.1, with --time none)");
+  program.options.length("min-edge", &choices.iteration.min_edge, "collapse shorter edges");
+  program.options.length("max-edge", &choices.iteration.max_edge, "split longer edges");
+  program.reference_edge();
+  declare_record(program, choices.loop, "every how many iterations (default 10)", "iteration");
+}
+
+void check_evolve(const EvolveChoices& choices, const Program& program) {
+  if (!choices.is_in_time()) return check_step(choices, program);
+  refuse(program, {"step"}, " has no time: with --time, give --velocity COMMAND");
+  refuse(program, {"alpha"},
+         " would move vertices by different spans of time: with --time, --max-move limits the step "
+         "of all vertices");
+  check_time(choices.time);
+}
+
+EvolveOptions evolution_of(const EvolveChoices& choices, Run& run) {
+  EvolveOptions options{choices.iteration, until_of(choices.until, run)};
+  options.iteration.reference_edge = run.in().reference_edge();
+  options.iteration.remesh = RemeshOptions();
+  const std::string usual = choices.is_in_time() ? "none" : "0.1";
+  read_smoothing(choices.smooth.empty() ? usual : choices.smooth, options.iteration.remesh);
+  return options;
+}
+
+}  // namespace transformesh::tool

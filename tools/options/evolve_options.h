@@ -1,0 +1,33 @@
+/// Options of tm-evolve as they are written, and their meaning to the library.
+#pragma once
+
+#include <string>
+
+#include "frame/loop_options.h"
+#include "frame/run.h"
+#include "options/time_options.h"
+#include "transformesh/evolve.h"
+
+namespace transformesh::tool {
+
+struct EvolveChoices {
+  std::string step;
+  std::string until;
+  std::string smooth;
+  DisplaceOptions displace;
+  IterationOptions iteration;
+  TimeChoices time;
+  LoopChoices loop;
+
+  bool is_in_time() const { return time.end > 0; }
+};
+
+void declare_evolve(Program& program, EvolveChoices& choices);
+
+/// Throws UsageError if options of the two kinds of evolution, with and without --time, are mixed.
+void check_evolve(const EvolveChoices& choices, const Program& program);
+
+/// Resolves lengths for the mesh of the run.
+EvolveOptions evolution_of(const EvolveChoices& choices, Run& run);
+
+}  // namespace transformesh::tool

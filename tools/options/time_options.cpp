@@ -1,0 +1,124 @@
+#include "options/time_options.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+#include "evolution/filter_step.h"
+#include "frame/filter_process.h"
+#include "frame/velocity_process.h"
+#include "support/number.h"
+#include "transformesh/errors.h"
+
+namespace transformesh::tool {
+namespace {
+
+/// Without --time, --time-step is a factor; with it, a span.
+double number_of(const std::string& text) {
+  const auto number = number_in<double>(text);
+  if (number && std::isfinite(*number)) return *number;
+  throw UsageError("--time-step: '" + text + "' is not a number");
+}
+
+void tell_command(const Moment& moment, std::size_t iteration) {
+  setenv("TM_ITERATION", std::to_string(iteration).c_str(), 1);
+  setenv("TM_TIME", shortest_text(moment.time).c_str(), 1);
+  setenv("TM_TIME_STEP", shortest_text(moment.span).c_str(), 1);
+  setenv("TM_STAGE", std::to_string(moment.stage).c_str(), 1);
+}
+
+/// Runs the command anew for each evaluation.
+VectorField velocity_through(const std::string& command,
+                             const std::function<std::size_t()>& iteration) {
+  return [command, iteration](const Mesh& mesh, const Moment& moment, const Progress&) {
+    tell_command(moment, iteration());
+    return velocities_in(run_filter(command, bytes_for_filter(mesh)));
+  };
+}
+
+/// Keeps the command alive for all evaluations.
+VectorField velocity_from(const std::string& command) {
+  auto process = std::make_shared<VelocityProcess>(command);
+  return [process](const Mesh& mesh, const Moment& moment, const Progress&) {
+    return process->velocities(bytes_for_filter(mesh), moment);
+  };
+}
+
+}  // namespace
+
+void declare_time(Program& program, TimeChoices& choices) {
+  OptionSet& options = program.options;
+  options.number("time", &choices.end, 0, 1e300,
+                 "evolve from time 0 to this: all vertices move by the same span of time in a step "
+                 "(default 0: --step, without a time)");
+  options.text("velocity", &choices.velocity, "COMMAND",
+               "filter that gets the mesh of a stage and writes its velocities vx vy vz; TM_TIME, "
+               "TM_TIME_STEP and TM_STAGE hold the time, the span of the step and the stage");
+  options.flag("persistent", &choices.persistent,
+               "the velocity COMMAND stays alive and answers one mesh after another");
+  options.text("time-step", &choices.span, "NUMBER|auto",
+               "with --time: span of each step (default auto: as long as --max-move permits); with "
+               "--step: movement by vx vy vz is so many times as far (default 1)");
+  options.choice("integrator", &choices.integrator, {"euler", "midpoint", "rk4"},
+                 "Runge-Kutta method of order 1, 2 or 4");
+  options.number("max-move", &choices.options.max_move, 1e-6, 1e6,
+                 "with --time-step auto: farthest movement of a vertex in a step, in mean lengths "
+                 "of its edges");
+  options.length("tolerance", &choices.tolerance,
+                 "with --time-step auto: largest local error of a step (default: no limit)");
+  options.number("event-tolerance", &choices.options.event_tolerance, -1, 1e300,
+                 "halve a step that changes components or genus until it is so short; 0: never "
+                 "(default -1: a thousandth of --time)");
+  options.flag("keep-volume", &choices.options.keep_volume,
+               "restore the volume that cleaning and remeshing change");
+}
+
+std::initializer_list<const char*> time_option_names() {
+  static constexpr std::initializer_list<const char*> names{
+      "velocity",  "persistent",      "integrator", "max-move",
+      "tolerance", "event-tolerance", "keep-volume"};
+  return names;
+}
+
+void check_time(const TimeChoices& choices) {
+  if (choices.velocity.empty())
+    throw UsageError("the motion is missing: with --time, give --velocity COMMAND");
+}
+
+double time_factor(const TimeChoices& choices) {
+  if (choices.span == "auto")
+    throw UsageError("--time-step auto needs --time T, the end of an evolution in time");
+  return choices.span.empty() ? 1 : number_of(choices.span);
+}
+
+TimeOptions time_options_of(const TimeChoices& choices, Run& run) {
+  TimeOptions options = choices.options;
+  options.end = choices.end;
+  if (!choices.span.empty() && choices.span != "auto") {
+    options.span = number_of(choices.span);
+    if (!(options.span > 0)) throw UsageError("--time-step: with --time, a step needs a span > 0");
+  }
+  if (choices.integrator != "midpoint")
+    options.integrator = choices.integrator == "rk4" ? Integrator::rk4 : Integrator::euler;
+  if (choices.tolerance) options.tolerance = run.length(*choices.tolerance);
+  return options;
+}
+
+Motion motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration) {
+  if (choices.persistent) return {velocity_from(choices.velocity)};
+  return {velocity_through(choices.velocity, iteration)};
+}
+
+void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
+  const bool is_given = !choices.span.empty() && choices.span != "auto";
+  if (is_given && result.max_move > 1) {
+    run.note("vertices moved by up to " + significant(result.max_move, 2) +
+             " mean edges in a step; a smaller --time-step, or auto, follows the motion better");
+  }
+  if (choices.options.keep_volume && std::abs(result.volume_drift) > 1e-9 * result.volume) {
+    run.note("volume that could not be restored: " + significant(result.volume_drift, 3) +
+             "; it was lost or gained where components, handles or cavities changed");
+  }
+}
+
+}  // namespace transformesh::tool
