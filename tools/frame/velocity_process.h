@@ -17,7 +17,8 @@ namespace transformesh::tool {
 
 class VelocityProcess {
  public:
-  /// Starts the command. Throws GoalError if it cannot be run or is not ready within a minute.
+  /// Starts the command. Throws GoalError if it cannot be run or does not write `ready` within ten
+  /// seconds.
   explicit VelocityProcess(std::string command);
   ~VelocityProcess();
   VelocityProcess(const VelocityProcess&) = delete;

@@ -1,0 +1,147 @@
+#include "transformesh/evolve_in_time.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "evolution/recorded_loops.h"
+#include "helpers/shapes.h"
+#include "helpers/temporary_folder.h"
+#include "transformesh/errors.h"
+#include "transformesh/measure.h"
+#include "transformesh/mesh_io.h"
+#include "transformesh/velocity.h"
+
+using namespace transformesh;
+
+namespace {
+
+EvolveOptions unsmoothed() {
+  EvolveOptions options;
+  options.iteration.remesh = RemeshOptions();
+  options.iteration.remesh.smoothing = Smoothing::none;
+  return options;
+}
+
+Motion growing(double speed) {
+  return {[speed](const Mesh& mesh, const Moment&, const Progress&) {
+    return normal_velocities(mesh, speed);
+  }};
+}
+
+/// Two balls of radius 1 whose surfaces are apart by this distance; the right one moves to the left
+/// with unit speed.
+Document two_balls(double apart) {
+  Document document;
+  document.mesh =
+      test::joined(test::icosphere(3), test::moved(test::icosphere(3), Vec3(2 + apart, 0, 0)));
+  Column& mask =
+      document.mesh.vertex_columns.get("mask", Scalar::float64, document.mesh.positions.size());
+  for (std::size_t v = mask.values.size() / 2; v < mask.values.size(); ++v) mask.values[v] = 1;
+  return document;
+}
+
+Motion approaching() {
+  return {[](const Mesh& mesh, const Moment&, const Progress&) {
+    std::vector<Vec3> velocities;
+    for (const double share : mesh.vertex_columns.find("mask")->values)
+      velocities.emplace_back(-share, 0, 0);
+    return velocities;
+  }};
+}
+
+}  // namespace
+
+TEST_CASE("a sphere that grows with unit speed has radius 1 + t at time t") {
+  Mesh mesh = test::icosphere(4);
+  const TimeResult result = evolve_in_time(mesh, growing(1), {.end = 0.5}, unsmoothed());
+  CHECK(result.evolution.is_done);
+  CHECK(result.time == 0.5);
+  const double exact = 4 * std::numbers::pi / 3 * std::pow(1.5, 3);
+  CHECK(volume(mesh) == doctest::Approx(exact).epsilon(0.01));
+  CHECK(result.volume == volume(mesh));
+}
+
+TEST_CASE("time goes on from one step to the next, and stages lie within it") {
+  Mesh mesh = test::icosphere(2);
+  double last = -1;
+  const Motion motion{[&](const Mesh& now, const Moment& moment, const Progress&) {
+    CHECK(moment.time >= last);
+    last = moment.time;
+    return std::vector<Vec3>(now.positions.size(), Vec3(2 * moment.time, 0, 0));
+  }};
+  evolve_in_time(mesh, motion, {.end = 1, .span = 0.1, .integrator = Integrator::rk4},
+                 unsmoothed());
+  CHECK(last == doctest::Approx(1));
+  // The integral of 2 t from 0 to 1.
+  CHECK(bounding_box(mesh).center().x() == doctest::Approx(1).epsilon(1e-3));
+}
+
+TEST_CASE("the time at which two balls touch is found within the tolerance") {
+  Document document = two_balls(0.3);
+  Record record;
+  double merged_at = 0;
+  LoopOptions loop;
+  TimeOptions time{.end = 0.4, .event_tolerance = 1e-3};
+  EvolveOptions options = unsmoothed();
+  options.until.components = 1;
+  const TimeResult result =
+      evolve_in_time(document, approaching(), time, options, loop, record, Progress());
+  merged_at = result.time;
+  CHECK(result.evolution.last.topology == Topology{1, 0});
+  CHECK(result.repeated > 0);
+  CHECK(merged_at == doctest::Approx(0.3).epsilon(0.004));
+}
+
+TEST_CASE("volume is kept to rounding while a sphere is carried and remeshed") {
+  Mesh mesh = test::icosphere(3);
+  const double before = volume(mesh);
+  const Motion turning{[](const Mesh& now, const Moment&, const Progress&) {
+    std::vector<Vec3> velocities;
+    for (const Vec3& p : now.positions) velocities.emplace_back(Vec3(-p.y(), p.x(), 0));
+    return velocities;
+  }};
+  EvolveOptions options = unsmoothed();
+  options.iteration.max_edge = {1.05, Length::Unit::reference_edge};
+  const TimeOptions time{.end = 3, .integrator = Integrator::rk4, .keep_volume = true};
+  const TimeResult result = evolve_in_time(mesh, turning, time, options);
+  CHECK(std::abs(result.volume_drift) < 1e-10 * before);
+  // The integrator itself changes the volume by its own error.
+  CHECK(volume(mesh) == doctest::Approx(before).epsilon(1e-6));
+}
+
+TEST_CASE("a run that continues ends with the same bytes") {
+  const auto bytes = [](const std::string& state, std::size_t iterations) {
+    Document document = two_balls(0.3);
+    RecordOptions record;
+    record.state = state;
+    record.resume = true;
+    const TimeOptions time{.end = 0.4, .integrator = Integrator::midpoint, .tolerance = 1e-3};
+    evolve_in_time(document, approaching(), time, unsmoothed(), {iterations, {}, record});
+    return write_mesh(document).bytes;
+  };
+  const test::TemporaryFolder folder;
+  const std::string state = folder / "state";
+  for (const std::size_t limit : {1, 3, 5}) bytes(state, limit);
+  CHECK(bytes(state, 1000) == bytes(folder / "other", 1000));
+}
+
+TEST_CASE("options that mean nothing are refused") {
+  Mesh mesh = test::icosphere(1);
+  const auto refuse = [&](const TimeOptions& time) {
+    CHECK_THROWS_AS(evolve_in_time(mesh, growing(1), time), UsageError);
+  };
+  refuse({.end = 0});
+  refuse({.end = INFINITY});
+  refuse({.span = -1});
+  refuse({.max_move = 0});
+  refuse({.integrator = Integrator::euler, .tolerance = 1});
+}
+
+TEST_CASE("an open mesh has no volume to keep") {
+  Mesh mesh = test::icosphere(1);
+  mesh.faces.pop_back();
+  CHECK_THROWS_AS(evolve_in_time(mesh, growing(0.1), {.keep_volume = true}, unsmoothed()),
+                  InputError);
+}

@@ -1,0 +1,141 @@
+load ../helpers/common
+
+setup_file() {
+  cd "$BATS_FILE_TMPDIR"
+  tm-shape sphere --faces 1000 --center 1,0,0 --double -o ball.ply
+  # Turns about the axis of z; once per stage, and in one process for all stages.
+  cat >turn.awk <<'AWK'
+BEGIN { OFMT = "%.17g" }
+/^element vertex/ { count = $3 }
+/^element face/ { print "property double vx\nproperty double vy\nproperty double vz" }
+/^end_header/ { body = 1; print; next }
+body && count > 0 { --count; print $0, -$2, $1, 0; next }
+{ print }
+AWK
+  cat >turn.py <<'PYTHON'
+import struct, sys
+source, sink = sys.stdin.buffer, sys.stdout.buffer
+sink.write(b'ready\n')
+sink.flush()
+while line := source.readline():
+    head, body = source.read(int(line.split()[1])).split(b'end_header\n', 1)
+    count = int(head.split(b'element vertex ')[1].split()[0])
+    sink.write(b'velocities %d\n' % count)
+    for x, y, z in struct.iter_unpack('<3d', body[:24 * count]):
+        sink.write(struct.pack('<3d', -y, x, 0))
+    sink.flush()
+PYTHON
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  cp "$BATS_FILE_TMPDIR"/turn.* .
+  ball=$BATS_FILE_TMPDIR/ball.ply
+  once='tm-convert --format ply-ascii | awk -f turn.awk'
+}
+
+value() { jq -r ".result.$1" "$2"; }
+
+# Exit code, and a part of the message.
+assert_failure_with() {
+  assert_status "$1"
+  [[ $stderr == *"$2"* ]] || fail "$stderr"
+}
+
+# Distance of the center of the box from where the center of the ball has turned to.
+distance_from_turned() {
+  read -r x0 y0 _ <<<"$(tm-info --get bbox_min "$1")"
+  read -r x1 y1 _ <<<"$(tm-info --get bbox_max "$1")"
+  awk -v x="$x0" -v X="$x1" -v y="$y0" -v Y="$y1" -v t="$2" \
+    'BEGIN { print sqrt(((x + X) / 2 - cos(t))^2 + ((y + Y) / 2 - sin(t))^2) }'
+}
+
+@test "all vertices move by the same time, and higher orders are nearer to the truth" {
+  for integrator in euler midpoint rk4; do
+    tm-evolve "$ball" -o $integrator.ply -q --time 1 --time-step 0.1 --report $integrator.json \
+      --integrator $integrator --velocity "$once"
+    [ "$(value time $integrator.json)" = 1 ]
+    [ "$(value iterations $integrator.json)" = 10 ]
+    distance_from_turned $integrator.ply 1 >>distances
+  done
+  # Ten steps: about 1/20, 1/600 and 1e-6, and the boxes of meshes that are turned.
+  awk 'NR == 1 { euler = $1 } NR == 2 { mid = $1 } END { exit !(euler > 0.03 && mid < 0.01 && $1 < 0.01) }' distances
+}
+
+@test "a command that stays alive gives the same bytes as one that is started for each stage" {
+  command -v python3 || skip "without Python"
+  tm-evolve "$ball" -o once.ply --no-provenance -q --time 0.5 --velocity "$once"
+  tm-evolve "$ball" -o alive.ply --no-provenance -q --time 0.5 --persistent --velocity 'python3 turn.py'
+  cmp once.ply alive.ply
+}
+
+@test "commands find the time, the span and the stage in their environment" {
+  tm-evolve "$ball" -o out.ply -q --time 0.2 --time-step 0.1 \
+    --velocity "echo \"\$TM_ITERATION \$TM_TIME \$TM_TIME_STEP \$TM_STAGE\" >>calls; $once"
+  diff calls - <<'END'
+1 0 0 0
+1 0.05 0.1 1
+2 0.1 0 0
+2 0.15000000000000002 0.1 1
+END
+}
+
+@test "a run that was stopped continues to the same bytes, and the CSV holds the time" {
+  tm-evolve "$ball" -o whole.ply --no-provenance -q --time 0.6 --velocity "$once" --csv whole.csv
+  tm-evolve "$ball" -o parts.ply --no-provenance -q --time 0.6 --velocity "$once" --csv parts.csv --iterations 2
+  tm-evolve "$ball" -o parts.ply --no-provenance -q --time 0.6 --velocity "$once" --csv parts.csv --resume
+  cmp whole.ply parts.ply
+  cut -d, -f1-10 whole.csv >whole
+  cut -d, -f1-10 parts.csv | cmp - whole
+  [ "$(tail -1 whole | cut -d, -f2)" = 0.6 ]
+}
+
+@test "the volume is kept where remeshing would take it" {
+  volume=$(tm-info --get volume "$ball")
+  for keep in '' --keep-volume; do
+    tm-evolve "$ball" -o out.ply -q --time 3 --integrator rk4 --max-move 2 --velocity "$once" \
+      --max-edge 1.05x $keep
+    awk -v a="$volume" -v b="$(tm-info --get volume out.ply)" 'BEGIN { print (b - a) / a }' >>errors
+  done
+  awk 'NR == 1 { lost = $1 } END { exit !(lost < -5e-4 && $1 > -1e-5 && $1 < 1e-5) }' errors
+}
+
+@test "commands that do not keep the protocol are told, and nothing hangs" {
+  persistent() {
+    run --separate-stderr timeout 20 tm-evolve "$ball" -o out.ply --time 1 --persistent --velocity "$1"
+  }
+  persistent 'cat'
+  assert_failure_with 4 "did not begin with the line 'ready'"
+  persistent 'exit 3'
+  assert_failure_with 3 "ended with exit code 3"
+  persistent 'echo ready; read -r line; echo wrong'
+  assert_failure_with 3 "answered 'wrong' instead of 'velocities' and the number of vertices"
+  persistent 'echo ready; read -r line; echo velocities 7; head -c 168 /dev/zero'
+  assert_failure_with 3 "returned 7 vectors for 502 vertices"
+  persistent 'echo ready; read -r line; exit 0'
+  assert_failure_with 4 "ended before all velocities were computed"
+}
+
+@test "options that do not go together are refused with the ones that do" {
+  refused() {
+    run --separate-stderr tm-evolve "$ball" -o out.ply "${@:2}"
+    assert_failure_with 2 "$1"
+  }
+  refused 'the motion is missing' --time 1
+  refused 'the motion is missing'
+  refused '--max-move needs --time T' --step cat --max-move 1
+  refused '--alpha would move vertices by different spans of time' --time 1 --velocity cat --alpha 1
+  refused '--step has no time' --time 1 --step cat
+  refused '--time-step auto needs --time T' --step cat --time-step auto
+  refused "--time-step: 'x' is not a number" --time 1 --velocity cat --time-step x
+  refused 'span > 0' --time 1 --velocity cat --time-step 0
+  refused 'use midpoint or rk4 with a tolerance' --time 1 --velocity cat --integrator euler --tolerance 1
+}
+
+@test "steps that move vertices far are told, and the advice helps" {
+  run --separate-stderr tm-evolve "$ball" -o out.ply --time 1 --time-step 0.5 --velocity "$once"
+  assert_status 0
+  [[ $stderr == *"mean edges in a step; a smaller --time-step, or auto,"* ]]
+  run --separate-stderr tm-evolve "$ball" -o out.ply --time 1 --velocity "$once"
+  [[ $stderr != *"mean edges in a step"* ]]
+}
