@@ -1,9 +1,9 @@
-/// Evolves a surface along a motion in physical time: in each step all vertices move by the same
-/// span of time, then clean() removes self-intersections and remesh() keeps the surface sampled.
+/// Evolves a surface along a motion in physical time. In each step all vertices move by the same
+/// span of time. Then clean() removes self-intersections and remesh() keeps the surface sampled.
 ///
-/// The velocity is evaluated at the stages of the integrator on the same connectivity. If a step
-/// changes the number of components or the genus, it is repeated with half the span until the span
-/// is at most `event_tolerance`, so that the time of the change is known.
+/// The velocity is evaluated at the stages of the integrator on the same connectivity. A step that
+/// changes the number of components or the genus is repeated with half the span until the span is
+/// at most `event_tolerance`: the time of the change is known to that tolerance.
 /// Guarantees of the result: iteration.h. The source is cleaned first, and the result once more.
 /// Throws what the stages throw, with the number of the iteration; GoalError if the span becomes
 /// too short to reach the end. The mesh is then that of the last good iteration. Deterministic if
@@ -23,7 +23,8 @@ struct TimeOptions {
   double end = 1;   ///< the evolution lasts from time 0 to this; > 0
   double span = 0;  ///< time of a step; 0: as long as `max_move` and `tolerance` permit
   Integrator integrator = Integrator::midpoint;
-  double max_move = 0.5;  ///< of a vertex in a step, in mean lengths of its edges, if `span` is 0
+  double max_move =
+      0.5;  ///< largest movement in a step, in mean edges at the vertex, if `span` is 0
   /// Largest difference of a vertex to the embedded method (Euler in midpoint, midpoint in rk4), in
   /// input units, if `span` is 0; 0: no limit.
   double tolerance = 0;
@@ -36,7 +37,7 @@ struct TimeOptions {
 struct TimeResult {
   double time = 0;           ///< at the end of this run
   EvolveResult evolution;    ///< `is_done`: the end of time or the rule was reached
-  double volume = 0;         ///< of the result, in cubic input units
+  double volume = 0;         ///< volume of the result, in cubic input units
   double volume_drift = 0;   ///< sum of what cleaning and remeshing changed and was not restored
   double max_move = 0;       ///< largest movement in a step, in mean lengths of a vertex's edges
   std::size_t repeated = 0;  ///< steps repeated with a shorter span, with those of earlier runs

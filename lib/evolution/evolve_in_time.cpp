@@ -6,17 +6,17 @@
 #include <utility>
 
 #include "evolution/end_rule.h"
+#include "evolution/integration.h"
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/iteration_text.h"
 #include "evolution/loop/loop.h"
 #include "evolution/loop/record.h"
 #include "evolution/loop/stages.h"
 #include "evolution/recorded_loops.h"
+#include "evolution/time_span.h"
 #include "evolution/volume_keeper.h"
 #include "mesh/local_measures.h"
 #include "mesh/surface_columns.h"
-#include "step/integration.h"
-#include "step/time_span.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
 #include "transformesh/manifold.h"
@@ -87,7 +87,7 @@ class TimeLoop : public Loop {
     const Document before = document;
     const Integration integration(motion_, before.mesh, time_, options_.integrator, progress);
     const double remaining = options_.end - time_;
-    TimeStep step =
+    TrialStep step =
         chosen_step(integration, options_, remaining, longest_span(), edges.vertex_mean);
     if (!is_near_event()) usual_span_ = step.span;
     iterate_along(document, step, edges.mean, progress);
@@ -150,7 +150,7 @@ class TimeLoop : public Loop {
     return is_limited && usual_span_ > 0 ? span_growth * usual_span_ : infinite;
   }
 
-  void iterate_along(Document& document, const TimeStep& step, double mean_edge,
+  void iterate_along(Document& document, const TrialStep& step, double mean_edge,
                      const Progress& progress) {
     iteration_.expects_changes = last_.was_cleaned;
     const auto move = [&](Mesh& mesh, const Progress&) {
@@ -162,7 +162,7 @@ class TimeLoop : public Loop {
     last_ = iterate(document, move, iteration_, progress);
   }
 
-  void accept(const Mesh& mesh, const TimeStep& step, double remaining) {
+  void accept(const Mesh& mesh, const TrialStep& step, double remaining) {
     const bool is_end = step.span >= remaining;
     time_ = is_end ? options_.end : time_ + step.span;
     span_ = step.span;
@@ -185,7 +185,7 @@ class TimeLoop : public Loop {
   IterationResult last_;
   Topology topology_;
   double time_ = 0, event_end_ = 0;
-  double span_ = 0, usual_span_ = 0;  ///< of the last step; the same without events
+  double span_ = 0, usual_span_ = 0;  ///< span of the last step; the same without events
   double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
   std::size_t repeated_ = 0;
   bool is_closed_ = false, is_done_ = false;

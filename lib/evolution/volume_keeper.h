@@ -1,6 +1,6 @@
-/// Restores the volume that cleaning and remeshing change (TimeOptions::keep_volume): vertices move
-/// along the gradient of the volume, in proportion to how far the motion carried them, so that
-/// parts at rest stay where they are.
+/// Restores the volume that cleaning and remeshing change (TimeOptions::keep_volume). Vertices move
+/// along the gradient of the volume, in proportion to how far the motion carried them: parts at
+/// rest stay where they are.
 #pragma once
 
 #include <vector>

@@ -1,9 +1,9 @@
 /// A command of the user that stays alive and computes velocities for one mesh after another.
 ///
-/// Protocol on its standard streams. It first writes the line `ready`. Then, for each evaluation,
-/// it reads a line `mesh BYTES TIME SPAN STAGE` and BYTES bytes of binary PLY with double
-/// coordinates, and writes a line `velocities COUNT` and three little-endian doubles for each of
-/// the COUNT vertices, in their order. It ends with exit code 0 when its input ends.
+/// Protocol on its standard streams. It first writes the line `ready`. Then it answers requests. A
+/// request is a line `mesh BYTES TIME SPAN STAGE` and BYTES bytes of binary PLY with double
+/// coordinates. The answer is a line `velocities COUNT` and three little-endian doubles for each of
+/// the COUNT vertices, in their order. The command ends with exit code 0 when its input ends.
 #pragma once
 
 #include <sys/types.h>

@@ -1,4 +1,4 @@
-#include "step/integration.h"
+#include "evolution/integration.h"
 
 #include <algorithm>
 #include <string>

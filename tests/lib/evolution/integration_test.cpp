@@ -1,4 +1,4 @@
-#include "step/integration.h"
+#include "evolution/integration.h"
 
 #include <doctest/doctest.h>
 

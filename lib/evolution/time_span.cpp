@@ -1,4 +1,4 @@
-#include "step/time_span.h"
+#include "evolution/time_span.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,13 @@ constexpr double safety = 0.9;
 
 /// Shortens `span` to an equal division of what remains, so that no last step is much shorter.
 double divided(double remaining, double span) {
-  constexpr double tiny = 1e-9;  // of a step: rounding of the division
+  constexpr double tiny = 1e-9;  // relative rounding error of the division
   if (!(span < remaining)) return remaining;
   return remaining / std::ceil(remaining / span - tiny);
 }
 
 /// The factor by which a trial has to be shortened; at least 1 if it is accepted.
-double allowed_factor(const TimeStep& trial, const TimeOptions& options) {
+double allowed_factor(const TrialStep& trial, const TimeOptions& options) {
   double factor = 1;
   if (trial.max_move > options.max_move) factor = safety * options.max_move / trial.max_move;
   const double error = trial.integrated.error;
@@ -45,17 +45,17 @@ double largest_share(std::span<const Vec3> vectors, std::span<const double> scal
   return largest;
 }
 
-TimeStep step_over(const Integration& integration, double span,
-                   std::span<const double> edge_means) {
-  TimeStep step{span, integration.over(span)};
+TrialStep step_over(const Integration& integration, double span,
+                    std::span<const double> edge_means) {
+  TrialStep step{span, integration.over(span)};
   step.max_move = largest_share(step.integrated.displacements, edge_means);
   return step;
 }
 
-TimeStep chosen_step(const Integration& integration, const TimeOptions& options, double remaining,
-                     double longest, std::span<const double> edge_means) {
+TrialStep chosen_step(const Integration& integration, const TimeOptions& options, double remaining,
+                      double longest, std::span<const double> edge_means) {
   if (options.span > 0) {
-    constexpr double tiny = 1e-9;  // of a step: rounding of the sum of all spans
+    constexpr double tiny = 1e-9;  // relative rounding error of the sum of spans
     const bool is_last = remaining <= options.span * (1 + tiny);
     const double span = is_last ? remaining : options.span;
     return step_over(integration, std::min(span, longest), edge_means);
@@ -70,7 +70,7 @@ TimeStep chosen_step(const Integration& integration, const TimeOptions& options,
       throw GoalError("steps became shorter than " + significant(shortest_span * options.end, 3) +
                       ": the motion is too fast for the edges or the tolerance");
     }
-    TimeStep trial = step_over(integration, span, edge_means);
+    TrialStep trial = step_over(integration, span, edge_means);
     const double factor = allowed_factor(trial, options);
     if (factor == 1) return trial;
     // At most a tenth at once: far from the limit the estimates do not hold.

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "step/integration.h"
+#include "evolution/integration.h"
 
 namespace transformesh {
 
 /// A span of time and what the vertices do in it.
-struct TimeStep {
+struct TrialStep {
   double span = 0;
   Integrated integrated;
   double max_move = 0;  ///< largest movement of a vertex, in mean lengths of its edges
@@ -23,10 +23,11 @@ double largest_share(std::span<const Vec3> vectors, std::span<const double> scal
 /// that span. Otherwise no vertex moves by more than `options.max_move` of the mean length of its
 /// edges `edge_means`, the error is at most `options.tolerance`, and the span is at most
 /// `longest`. Throws GoalError if such a span is shorter than 1e-12 of `options.end`.
-TimeStep chosen_step(const Integration& integration, const TimeOptions& options, double remaining,
-                     double longest, std::span<const double> edge_means);
+TrialStep chosen_step(const Integration& integration, const TimeOptions& options, double remaining,
+                      double longest, std::span<const double> edge_means);
 
 /// Returns the same step over another span, with its measures.
-TimeStep step_over(const Integration& integration, double span, std::span<const double> edge_means);
+TrialStep step_over(const Integration& integration, double span,
+                    std::span<const double> edge_means);
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-#include "step/time_span.h"
+#include "evolution/time_span.h"
 
 #include <doctest/doctest.h>
 
@@ -23,8 +23,8 @@ Motion accelerating() {
   }};
 }
 
-TimeStep step_of(const Motion& motion, const TimeOptions& options, double remaining,
-                 double longest = 1e300) {
+TrialStep step_of(const Motion& motion, const TimeOptions& options, double remaining,
+                  double longest = 1e300) {
   const Mesh mesh = test::icosphere(2);
   const Integration integration(motion, mesh, 0, options.integrator, Progress());
   return chosen_step(integration, options, remaining, longest, halfedge_lengths(mesh).vertex_mean);
@@ -33,7 +33,7 @@ TimeStep step_of(const Motion& motion, const TimeOptions& options, double remain
 }  // namespace
 
 TEST_CASE("no vertex moves farther than the limit, and the spans divide the time equally") {
-  const TimeStep step = step_of(moving_at(1), {.max_move = 0.5}, 10);
+  const TrialStep step = step_of(moving_at(1), {.max_move = 0.5}, 10);
   CHECK(step.max_move <= 0.5);
   CHECK(step.max_move > 0.4);
   const double count = 10 / step.span;
@@ -52,7 +52,7 @@ TEST_CASE("the last step ends at the end") {
 
 TEST_CASE("the tolerance of the error shortens the span, and only as far as necessary") {
   // The difference to Euler's method is span^2 / 2.
-  const TimeStep step = step_of(accelerating(), {.max_move = 1e9, .tolerance = 1e-4}, 10);
+  const TrialStep step = step_of(accelerating(), {.max_move = 1e9, .tolerance = 1e-4}, 10);
   CHECK(step.integrated.error <= 1e-4);
   CHECK(step.integrated.error > 0.5e-4);
 }
