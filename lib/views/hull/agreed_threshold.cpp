@@ -16,11 +16,15 @@
 namespace transformesh {
 namespace {
 
-constexpr double largest_side_px = 320;
-constexpr int hull_resolution = 48;
-constexpr double share_to_keep = 0.1;
-/// Four steps halve the intensity.
+// The four limits below trade time for the precision of the comparison; the time grows with the
+// square of the image side and the cube of the hull resolution.
+constexpr double largest_side_px = 320;  ///< photographs are shrunk to this size
+constexpr int hull_resolution = 48;      ///< cells along the longest side of the box
+constexpr double share_to_keep = 0.1;    ///< HullOptions::keep, against phantoms
+/// Number of candidates below the dividing threshold. Each is 2^(1/4) times smaller than the one
+/// before.
 constexpr int steps_down = 8;
+/// candidates within this distance of the best are considered equal
 constexpr double agreement_tolerance = 0.001;
 
 struct SmallView {
@@ -56,8 +60,8 @@ std::vector<View> views_at(double intensity, const std::vector<SmallView>& small
   return views;
 }
 
-/// How well the silhouettes agree with those of their hull, the mean over the views; none where
-/// they are not those of a bounded object.
+/// Returns the mean agreement of the silhouettes with those of their visual hull, or nothing if
+/// they do not bound a hull.
 std::optional<double> hull_agreement(const std::vector<View>& views) {
   Mesh hull;
   try {

@@ -1,13 +1,15 @@
-/// The intensity at which photographs agree best on what is the object and what the background.
+/// Finds the intensity threshold at which the silhouettes of all photographs agree best.
 ///
-/// One image alone does not distinguish dark regions of the object from the background. Together
-/// images do: a intensity that is too high cuts into the object in some views, and their hull no
-/// longer fills the silhouettes of the others; one that is too low takes the background for the
-/// object, which the others carve. The intensity that best divides the pixels of all photographs
-/// (dividing_threshold) and smaller ones, down to a quarter of it, are tried. Each is judged by how
-/// well its silhouettes agree with those of their visual hull: the mean over the views of
-/// intersection over union. The highest of the intensities within 0.001 of the best is taken,
-/// because there contours lie farthest from the background's noise.
+/// One photograph alone does not distinguish dark regions of the object from the background.
+/// Several photographs do. A threshold that is too high cuts parts off the object in some views,
+/// and the hull no longer fills the silhouettes of the other views. A threshold that is too low
+/// adds background to some silhouettes, which the other views carve away from the hull.
+///
+/// The candidates are the threshold that best divides the pixels of all photographs
+/// (dividing_threshold) and eight smaller ones, down to a quarter of it. The score of a candidate
+/// is the intersection over union of its silhouettes and those of their visual hull, averaged over
+/// the views. The result is the highest candidate whose score is within 0.001 of the best, because
+/// a higher threshold keeps contours away from the noise of the background.
 #pragma once
 
 #include <span>
@@ -20,16 +22,17 @@
 
 namespace transformesh {
 
-/// Looks at images of at most 320 pixels, and hulls of 48 cells. Where no intensity gives a hull,
-/// it is the dividing intensity. `options.intensity` is not used; throws UsageError as
-/// threshold_silhouette does for the others, and where no view has an image. O(pixels); 2 to 3 s of
-/// computing for 16 views. Parallel; the same for any number of threads.
+/// Compares images of at most 320 pixels by means of hulls of 48 cells along the longest side.
+/// Returns dividing_threshold() if no candidate yields a hull. Ignores `options.intensity`. Throws
+/// UsageError if no view has an image, and if the other options are out of range (see
+/// threshold_silhouette). O(pixels); 2 to 3 s of processor time for 16 views. Parallel; the result
+/// does not depend on the number of threads.
 double agreed_threshold(std::span<const View> views, const ThresholdOptions& options = {},
                         const Progress& progress = {});
 
-/// Gives every view, which has an image, the silhouette of what is brighter than the intensity, or
-/// than the agreed one where options have none. Returns that intensity; throws as both functions
-/// do.
+/// Sets the silhouette of every view to the pixels above `options.intensity`, or above
+/// agreed_threshold() if that is not given. Every view must have an image. Returns the threshold.
+/// Throws what agreed_threshold() and threshold_silhouette() throw.
 double threshold_silhouettes(std::vector<View>& views, ThresholdOptions options = {},
                              const Progress& progress = {});
 

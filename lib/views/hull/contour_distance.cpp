@@ -28,7 +28,9 @@ struct Segment {
   }
 };
 
-/// Finds the nearest segment of the contour for each pixel that has one nearer than `limit`.
+/// Computes the distance of each pixel to the nearest segment of the contour, up to `limit`.
+/// Marching squares yields the segments; two sweeps over the image pass the nearest segment from
+/// pixel to pixel.
 class ContourDistance {
  public:
   ContourDistance(const GrayImage& silhouette, float limit)
@@ -45,8 +47,7 @@ class ContourDistance {
   }
 
  private:
-  /// Marching squares: adds the segments of the contour in the square of four pixel centers, whose
-  /// sides it enters and leaves.
+  /// Adds the segments of the contour in the square of four pixel centers, by marching squares.
   void trace_cell(int x, int y) {
     static constexpr std::array<std::array<int, 2>, 4> corners = {
         {{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
@@ -134,7 +135,7 @@ float interpolated(const Image& distances, double x, double y) {
   const int bottom = std::min(top + 1, height - 1);
 
   const float upper_left = distances.at(left, top);
-  if (std::isinf(upper_left)) return upper_left;  // without a contour all pixels are
+  if (std::isinf(upper_left)) return upper_left;  // without a contour all distances are infinite
   const auto across = static_cast<float>(inner_x - left);
   const auto down = static_cast<float>(inner_y - top);
   const float upper = upper_left + across * (distances.at(right, top) - upper_left);

@@ -1,10 +1,10 @@
-/// How far each pixel of a silhouette, and each place between pixels, is from its contour.
+/// Signed distances from the contour of a silhouette, at pixels and between them.
 ///
-/// In memory a silhouette is above 127.5 inside and below outside; its contour is where the
-/// intensities, interpolated between pixel centers, cross 127.5. Masks of two intensities thus have
-/// it half-way between pixels, masks with soft edges know it better. Beyond the outermost pixels
-/// nothing is known: there is no contour along the border of an image, even where the object leaves
-/// it.
+/// Pixels of a silhouette are above 127.5 inside and below outside. The contour is the curve where
+/// the bilinearly interpolated intensity is 127.5. Masks of two intensities thus have the contour
+/// half-way between pixels; masks with antialiased edges have a more precise one. The border of an
+/// image is not part of the contour, even if the object extends beyond the image, because nothing
+/// is known outside the image.
 #pragma once
 
 #include <limits>
@@ -15,19 +15,21 @@ namespace transformesh {
 
 inline constexpr float contour_intensity = 127.5F;
 
-/// The signed distance of every pixel to the contour, in pixels, positive outside. Infinite, with
-/// that sign, where there is no contour. May be too large by a few hundredths of a pixel. No
-/// distance is above `limit`; those well below it are not changed by it.
-/// O(pixels), two sweeps; deterministic. Reference: Danielsson, "Euclidean distance mapping",
-/// CGIP 14 (1980).
+/// Returns the distance of every pixel from the contour, in pixels, positive outside. Without a
+/// contour all distances are infinite. Distances are cut off at `limit`; `limit` does not change
+/// distances well below it.
+/// Reference: Danielsson, "Euclidean distance mapping", CGIP 14 (1980). Unlike there, the nearest
+/// contour segment is propagated, not the nearest pixel. Distances may be too large by a few
+/// hundredths of a pixel, because only neighbors are considered. O(pixels), two sweeps;
+/// deterministic.
 GrayImage signed_distance(const GrayImage& silhouette,
                           float limit = std::numeric_limits<float>::infinity());
 
-/// What `distance_at` says of places outside the image.
+/// Result of distance_at() outside of the image.
 inline constexpr float unknown_distance = std::numeric_limits<float>::quiet_NaN();
 
-/// The distance at a place between pixels, bilinear; unknown_distance more than half a pixel beyond
-/// the outermost pixel centers.
+/// Returns the bilinearly interpolated distance at (x, y). Returns unknown_distance for points that
+/// are more than half a pixel beyond the outermost pixel centers.
 float distance_at(const GrayImage& distances, double x, double y);
 float distance_at(const PackableImage& distances, double x, double y);
 

@@ -1,3 +1,9 @@
+/// Samples the function of hull.h on a regular grid and extracts its zero set by marching
+/// tetrahedra.
+///
+/// The grid is processed in blocks of nodes. A block that is entirely outside of one silhouette, or
+/// inside all of them, is decided by one distance lookup per view. Nodes of the other blocks are
+/// sampled one by one. O(views * (blocks + sampled nodes)) time; 4 bytes per node.
 #include "transformesh/hull.h"
 
 #include <Eigen/Geometry>
@@ -19,13 +25,14 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_nodes = 1 << 28;
-/// Side of the blocks of nodes that a single look at the silhouettes may carve or keep.
+constexpr double most_nodes = 1 << 28;  ///< 1 GiB of values
+/// Side of a block, in nodes. Larger blocks are decided less often, smaller ones save fewer
+/// lookups.
 constexpr std::size_t block_nodes = 8;
-/// By how much an interpolated distance between pixels may be off.
+/// Bound of the error of interpolated distances.
 constexpr double distance_slack_px = 1;
 
-/// Reads at points in space how far they are from the contour of a silhouette.
+/// Evaluates the distance from the contour of one silhouette at points in space.
 struct Carver {
   Projection projection;
   double focal_length = 1;
@@ -75,7 +82,7 @@ double field(const std::vector<Carver>& carvers, const Vec3& point) {
 
 enum class Verdict { carved, kept, open };
 
-/// The rectangle around the image of a box.
+/// Bounding rectangle of the image of a box, in pixels.
 struct Footprint {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
@@ -104,8 +111,8 @@ struct Footprint {
   }
 };
 
-/// What one view says of all points of a box. From pixel to pixel a distance changes by at most
-/// one, so that the distance in the middle bounds all others.
+/// Decides whether one view carves or keeps a whole box. Distances are 1-Lipschitz in the image, so
+/// that the distance at the center of the footprint bounds all distances in it.
 Verdict verdict_of(const Carver& carver, const Box& box) {
   const Footprint footprint(carver.projection, box);
   if (!footprint.is_before_camera) return Verdict::open;
@@ -128,7 +135,7 @@ Verdict verdict_of(const std::vector<Carver>& carvers, const Box& box) {
   return verdict;
 }
 
-/// Measures the field at the nodes of a grid, block by block.
+/// Samples the field at the nodes of a grid, block by block.
 class Sampler {
  public:
   Sampler(const std::vector<Carver>& carvers, ValueGrid& grid)
@@ -158,11 +165,11 @@ class Sampler {
       low[axis] = block[axis] * block_nodes;
       high[axis] = std::min(low[axis] + block_nodes, grid_.nodes[axis]);
     }
-    // The box is one cell wider than the block, so that no edge that leaves a carved or kept block
-    // crosses the surface.
+    // The box extends one cell below the block, so that no edge of the grid which enters a carved
+    // or kept block crosses the surface.
     const Vec3 cell = Vec3::Constant(grid_.spacing);
     const Verdict verdict = verdict_of(carvers_, Box{place(low) - cell, place(high)});
-    if (verdict == Verdict::carved) return;  // nodes are outside from the start
+    if (verdict == Verdict::carved) return;  // run() has marked all nodes as outside
     for (std::size_t z = low[2]; z < high[2]; ++z)
       for (std::size_t y = low[1]; y < high[1]; ++y)
         for (std::size_t x = low[0]; x < high[0]; ++x) measure({x, y, z}, verdict);
@@ -179,7 +186,7 @@ class Sampler {
 
   const std::vector<Carver>& carvers_;
   ValueGrid& grid_;
-  float far_;  ///< values are cut off at this distance, beyond which only their sign counts
+  float far_;  ///< values are clamped to [-far_, far_]; beyond, only their sign matters
   Site blocks_{};
 };
 
@@ -193,7 +200,7 @@ void check(const HullOptions& options) {
     throw UsageError("the box of a hull must have its smaller corner first");
 }
 
-/// The box lies within the outermost nodes, which are always outside.
+/// Creates a grid around the box. All nodes on the boundary of the grid lie outside of the box.
 ValueGrid make_grid(const Box& box, const HullOptions& options) {
   const Vec3 size = box.max() - box.min();
   ValueGrid grid;

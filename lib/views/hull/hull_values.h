@@ -1,4 +1,5 @@
-/// The function whose zero set is the visual hull (hull.h), and hulls of views in a list.
+/// Internal interface of the visual hull (hull.h): its implicit function, and hulls of lists of
+/// views.
 #pragma once
 
 #include <span>
@@ -9,25 +10,25 @@
 
 namespace transformesh {
 
-/// Returns the smallest box around all points that lie before every camera and project into the
-/// bounding rectangle of every silhouette, one pixel wider: a linear program, solved exactly. A
-/// side of a rectangle on the border of its image bounds nothing, as the object may continue beyond
-/// it. Views without silhouette count as cameras that have the object before them. Throws
-/// InputError, with the name of the view, for a silhouette without a pixel inside; if no point is
-/// left, and if the silhouettes do not bound the object on all sides.
+/// Returns the smallest axis-parallel box around all points that are in front of every camera and
+/// project into every silhouette's bounding rectangle, enlarged by one pixel. Solves a linear
+/// program exactly. A side of a rectangle at the border of its image is no constraint, because the
+/// object may continue beyond it. A view without silhouette only requires that the object is in
+/// front of its camera. Throws InputError if a silhouette has no pixel inside (names the view), if
+/// no point satisfies all constraints, and if the silhouettes do not bound the object on all sides.
 Box silhouette_box(std::span<const View> views);
 
-/// Does what visual_hull() of hull.h does.
+/// Equals visual_hull() of hull.h, for a list of views.
 HullResult visual_hull(std::span<const View> views, const HullOptions& options = {},
                        const Progress& progress = {});
 
-/// Returns F on a grid, cut off at four cells. The zero set contains all components: `keep` is not
-/// used. Throws and costs as visual_hull().
+/// Returns the function F of hull.h on a grid, clamped to plus and minus four cells. Ignores
+/// `options.keep`: the zero set contains all components. Throws and costs as visual_hull().
 ValueGrid hull_values(std::span<const View> views, const HullOptions& options = {},
                       const Progress& progress = {});
 
-/// Drops components with less than this fraction of the largest one's volume, and components that
-/// are inside out. Returns how many.
+/// Removes components of non-positive volume, and components of less than `keep` times the volume
+/// of the largest one. Returns the number of removed components.
 std::size_t drop_components(Mesh& mesh, double keep);
 
 }  // namespace transformesh

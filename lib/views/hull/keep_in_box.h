@@ -1,4 +1,4 @@
-/// Views of nothing but what is in a box: for photographs with clutter around the object.
+/// Restricts views to the contents of a box, for photographs with clutter around the object.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace transformesh {
 
-/// Where a view shows nothing of the box, and a pixel around it neither, its photograph becomes
-/// black and its silhouette the outside; all else stays. Images that are packed are so again.
-/// Throws UsageError for a box that is not finite or has no inside, InputError, with the name of
-/// the view, where that shows nothing of the box. O(pixels); in parallel over views, deterministic.
+/// Sets pixels of photographs and silhouettes to 0 (black, outside) if neither they nor one of
+/// their neighbors show the box. Packed images stay packed. Throws UsageError if the box is not
+/// finite or has no interior. Throws InputError, with the name of the view, if a view does not show
+/// the box. O(pixels); parallel over views, deterministic.
 void keep_in_box(std::vector<View>& views, const Box& box);
 
 }  // namespace transformesh

@@ -9,14 +9,16 @@
 namespace transformesh {
 namespace {
 
+/// Least distance of a vertex from the ends of its edge, as a fraction of the edge. Larger values
+/// give better shaped but less accurate faces.
 constexpr double least_share = 0.05;
 
-/// Names an edge of the grid: eight times the node where it starts, plus a bit for each axis along
-/// which it leads.
+/// Identifies an edge of the grid: eight times its first node, plus bits 1, 2 and 4 for the axes x,
+/// y and z along which it extends.
 using EdgeKey = std::uint64_t;
 using KeyFace = std::array<EdgeKey, 3>;
 
-/// Corners of a cube as bits x, y, z, ordered so that the tetrahedron is positively oriented.
+/// Corners of a cube as bits x, y, z, ordered so that the tetrahedron has positive orientation.
 using Tetrahedron = std::array<unsigned, 4>;
 constexpr std::array<Tetrahedron, 6> kuhn = {{{{0, 1, 3, 7}},
                                               {{0, 2, 6, 7}},
@@ -25,7 +27,7 @@ constexpr std::array<Tetrahedron, 6> kuhn = {{{{0, 1, 3, 7}},
                                               {{0, 6, 4, 7}},
                                               {{0, 5, 1, 7}}}};
 
-/// Even permutations that bring any one corner, or any two, to the front.
+/// Even permutations that move each corner, and each pair of corners, to the front.
 constexpr std::array<std::array<unsigned, 4>, 4> one_first = {
     {{{0, 1, 2, 3}}, {{1, 0, 3, 2}}, {{2, 3, 0, 1}}, {{3, 2, 1, 0}}}};
 constexpr std::array<std::array<unsigned, 4>, 6> two_first = {{{{0, 1, 2, 3}},
@@ -59,7 +61,7 @@ class Cube {
     if (inside == 2) cut_across(t, faces);
   }
 
-  /// Adds the triangle around the one corner that is on its own side.
+  /// Adds the triangle that separates the only corner with `is_inside_ == side` from the others.
   void cut_off(const Tetrahedron& t, bool side, std::vector<KeyFace>& faces) const {
     for (const auto& order : one_first) {
       if (is_inside_[t[order[0]]] != side) continue;
@@ -70,7 +72,7 @@ class Cube {
     }
   }
 
-  /// Adds the quadrilateral between the two corners inside and the two outside.
+  /// Adds two triangles that separate the two corners inside from the two corners outside.
   void cut_across(const Tetrahedron& t, std::vector<KeyFace>& faces) const {
     for (const auto& order : two_first) {
       const std::array<unsigned, 4> c = {t[order[0]], t[order[1]], t[order[2]], t[order[3]]};
@@ -82,8 +84,8 @@ class Cube {
     }
   }
 
-  /// Of two corners of a Kuhn tetrahedron, the bits of one are among those of the other, so that
-  /// the edge leads from one to the other along the axes of the bits that differ.
+  /// Requires two corners of one Kuhn tetrahedron. The bits of one are a subset of the bits of the
+  /// other, so that the edge starts at corner `a & b` and extends along the axes `a ^ b`.
   EdgeKey key(unsigned a, unsigned b) const { return node_[a & b] * 8 + (a ^ b); }
 
   std::array<std::size_t, 8> node_{};
@@ -138,7 +140,7 @@ Mesh march_tetrahedra(const ValueGrid& grid) {
   if (*std::min_element(grid.nodes.begin(), grid.nodes.end()) < 2) return mesh;
   const std::vector<KeyFace> faces = all_faces(grid);
 
-  // Vertices come in the order of the edges that they lie on.
+  // Vertices are in the order of their edges.
   std::vector<EdgeKey> keys;
   keys.reserve(3 * faces.size());
   for (const KeyFace& face : faces) keys.insert(keys.end(), face.begin(), face.end());

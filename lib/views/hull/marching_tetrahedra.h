@@ -1,7 +1,7 @@
-/// The surface on which values on a grid change sign, by marching tetrahedra.
+/// Triangulates the surface where values on a grid change sign, by marching tetrahedra.
 /// Reference: Doi & Koide, "An efficient method of triangulating equi-valued surfaces by using
-/// tetrahedral cells", IEICE Transactions 1991. Each cube of the grid is cut into Kuhn's six
-/// tetrahedra around its diagonal, which fit those of the cubes beside it.
+/// tetrahedral cells", IEICE Transactions 1991. Each cube of the grid is divided into Kuhn's six
+/// tetrahedra around its diagonal, which match those of adjacent cubes.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 namespace transformesh {
 
 struct ValueGrid {
-  Vec3 origin = Vec3::Zero();          ///< position of node 0, 0, 0
-  double spacing = 1;                  ///< > 0, between neighbors
-  std::array<std::size_t, 3> nodes{};  ///< their number along x, y and z
-  std::vector<float> values;           ///< finite, negative inside; x runs fastest
+  Vec3 origin = Vec3::Zero();          ///< position of node (0, 0, 0)
+  double spacing = 1;                  ///< distance between neighboring nodes, > 0
+  std::array<std::size_t, 3> nodes{};  ///< number of nodes along x, y and z
+  std::vector<float> values;           ///< finite, negative inside; x varies fastest
 
   std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
     return (z * nodes[1] + y) * nodes[0] + x;
@@ -26,11 +26,12 @@ struct ValueGrid {
   }
 };
 
-/// A closed, oriented 2-manifold without self-intersection, whatever the values: each face lies in
-/// its own tetrahedron. Nodes on the boundary of the grid must not be negative. A vertex lies on an
-/// edge of the grid where the value is zero, interpolated, but no closer to the edge's ends than a
-/// twentieth of it, so that no face degenerates. Empty where nothing is inside.
-/// O(nodes), parallel; the same mesh for any number of threads.
+/// Returns a closed, oriented 2-manifold without self-intersection for any values, because each
+/// face lies in its own tetrahedron. Values on the boundary of the grid must not be negative. A
+/// vertex lies on an edge of the grid where the linearly interpolated value is zero, but at least a
+/// twentieth of the edge away from its ends, so that no face degenerates. The mesh is empty if no
+/// value is negative. O(nodes + f log f) for f faces. Parallel; the result does not depend on the
+/// number of threads.
 Mesh march_tetrahedra(const ValueGrid& grid);
 
 }  // namespace transformesh

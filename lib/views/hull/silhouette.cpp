@@ -19,31 +19,32 @@ namespace {
 
 bool is_inside(float intensity) { return intensity > contour_intensity; }
 
-/// The silhouette whose contour is `offset` pixels outside of the one with these distances.
+/// Returns the silhouette whose contour is `offset` pixels outside the contour of `distances`.
 GrayImage offset_silhouette(GrayImage distances, float offset) {
   for (float& pixel : distances.pixels)
     pixel = std::clamp(contour_intensity * (1 + offset - pixel), 0.0F, 255.0F);
   return distances;
 }
 
-/// Dilates by a disc and erodes by it again. The border of the image is no contour, so that nothing
-/// is eroded from there.
+/// Closes the silhouette: dilates and then erodes it by a disc. Erosion does not start at the
+/// border of the image, because the border is not part of the contour.
 GrayImage closed(const GrayImage& silhouette, float radius) {
-  // Only distances near the radius count; four pixels more carry them past their neighbors.
+  // Only distances near `radius` matter. The distance transform needs the margin of four pixels,
+  // because distances pass through neighbors that may be farther from the contour.
   const float limit = radius + 4;
   const GrayImage wide = offset_silhouette(signed_distance(silhouette, limit), radius);
   GrayImage narrow = offset_silhouette(signed_distance(wide, limit), -radius);
-  // Where nothing was closed the contour stays exactly where it was.
+  // Keep the exact contour at places where nothing was closed.
   for (std::size_t i = 0; i < narrow.pixels.size(); ++i)
     narrow.pixels[i] = std::max(narrow.pixels[i], silhouette.pixels[i]);
   return narrow;
 }
 
-/// How many pixels have each intensity.
+/// Number of pixels of each intensity.
 using Histogram = std::array<std::size_t, 256>;
 
-/// The last dark intensity: where the variance between dark and bright intensities, Otsu's equation
-/// 14, is largest. Shares that a float could not tell from none do not divide anything.
+/// Returns the last intensity of the dark class: the one with the largest variance between the two
+/// classes (Otsu's equation 14). Classes with a fraction of pixels below float epsilon are ignored.
 std::ptrdiff_t otsu_threshold(const Histogram& counts) {
   const double scale = 1 / std::accumulate(counts.begin(), counts.end(), 0.0);
   double mean = 0;
@@ -82,7 +83,7 @@ double dividing_threshold(std::span<const GrayImage> images) {
   const auto is_used = [](std::size_t count) { return count > 0; };
   if (std::none_of(counts.begin(), counts.end(), is_used)) return contour_intensity;
 
-  // Otsu's intensity may be any of those without a pixel that follow the brightest dark one.
+  // All intensities in the gap between the two classes have the same variance between classes.
   // NOLINTBEGIN(readability-qualified-auto): an iterator of an array is a pointer here only
   const auto first_bright = counts.begin() + otsu_threshold(counts) + 1;
   const auto bright = std::find_if(first_bright, counts.end(), is_used);
@@ -103,8 +104,9 @@ GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& o
   if (image.empty()) return silhouette;
 
   if (options.blur > 0) silhouette = gaussian_blur(image, options.blur);
-  // The intensities become as steep as the range allows without a cut between dark and bright,
-  // which keeps the place of the contour between two pixels.
+  // Scale intensities about the threshold, which becomes 127.5. The narrower of the dark and
+  // bright ranges fills half of [0, 255], and the wider one is clipped. The contour between two
+  // pixels keeps its position unless one of them is clipped.
   const auto intensity = static_cast<float>(
       options.intensity ? *options.intensity : dividing_threshold({&silhouette, 1}));
   const float slope = contour_intensity / std::min(intensity, 255 - intensity);

@@ -1,4 +1,4 @@
-/// Silhouettes: where an image shows the object. See contour_distance.h for their intensities.
+/// Computes and compares silhouettes. The meaning of their intensities is in contour_distance.h.
 #pragma once
 
 #include <optional>
@@ -12,33 +12,35 @@
 
 namespace transformesh {
 
-/// The intensity that best divides the pixels of all images into dark and bright ones (Otsu, "A
-/// threshold selection method from gray-level histograms", IEEE Trans. SMC 9, 1979), in the middle
-/// of the intensities that no pixel has. From 0.5 to 254.5.
+/// Returns the intensity that best divides the pixels of all images into dark and bright ones
+/// (Otsu, "A threshold selection method from gray-level histograms", IEEE Trans. SMC 9, 1979).
+/// If intensities between the two classes have no pixel, returns the middle of these. In [0.5,
+/// 254.5].
 double dividing_threshold(std::span<const GrayImage> images);
 
-/// The silhouette of a bright object before a dark background. Its contour is where the blurred
-/// image crosses the intensity, except where gaps are closed (dilated and eroded by a disc). Throws
-/// UsageError for options out of range. O(pixels).
+/// Returns the silhouette of a bright object in front of a dark background. Its contour is the
+/// curve where the blurred image crosses `options.intensity`, except where morphological closing by
+/// a disc fills gaps. Throws UsageError if options are out of range. O(pixels).
 GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options = {});
 
-/// 255 inside and 0 outside: as masks in files are.
+/// Returns a silhouette with pixels of 255 inside and 0 outside, as in mask files.
 GrayImage binary_silhouette(const GrayImage& silhouette);
 
-/// Share of the pixels that are inside.
+/// Returns the fraction of the pixels that are inside.
 double inside_share(const GrayImage& silhouette);
 
-/// Intersection over union of the insides of two silhouettes of one size; 1 where both are empty.
-/// Throws UsageError for other sizes.
+/// Returns intersection over union of the insides of two silhouettes; 1 if both are empty. Throws
+/// UsageError if their sizes differ.
 double silhouette_agreement(const GrayImage& first, const GrayImage& second);
 
-/// 255 where the center of a pixel sees the mesh, else 0. Cost and determinism as of rasterize.
+/// Returns an image with 255 at pixels whose center shows the mesh, else 0. Costs as rasterize().
 GrayImage mesh_silhouette(const Mesh& mesh, const Camera& camera);
 
-/// The same in the photograph, or else in the silhouette, of a view.
+/// Renders the mesh at the size of the view's photograph, or of its silhouette if it has no
+/// photograph.
 GrayImage mesh_silhouette(const Mesh& mesh, const View& view);
 
-/// For each view the silhouette_agreement of its silhouette with that of the mesh.
+/// Returns for each view the silhouette_agreement() of its silhouette and that of the mesh.
 std::vector<double> silhouette_agreements(const Mesh& mesh, std::span<const View> views);
 
 }  // namespace transformesh

@@ -1,3 +1,5 @@
+/// Bounds the visual hull by a box: six linear programs in three variables, with one constraint for
+/// each camera and for each side of a silhouette's bounding rectangle. Solved exactly by CGAL.
 #include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
@@ -16,12 +18,12 @@
 namespace transformesh {
 namespace {
 
-/// The points X with row * (X, 1) <= 0.
+/// The set of points X with row * (X, 1) <= 0.
 using HalfSpace = Eigen::RowVector4d;
 using LinearProgram = CGAL::Quadratic_program<double>;
 using Solution = CGAL::Quadratic_program_solution<CGAL::Gmpzf>;
 
-/// The first and the last column, or row, of an image that has a pixel inside.
+/// First and last column, or row, that contains a pixel inside the silhouette.
 struct Range {
   int first = 0;
   int last = -1;
@@ -82,7 +84,7 @@ LinearProgram program_of(const std::vector<HalfSpace>& bounds) {
   return program;
 }
 
-/// The least value of the coordinate for sign 1, the largest one for sign -1.
+/// Returns the minimum of the coordinate for sign 1, the maximum for sign -1.
 double least(LinearProgram program, int axis, double sign) {
   program.set_c(axis, sign);
   const Solution solution = CGAL::solve_linear_program(program, CGAL::Gmpzf());

@@ -19,18 +19,18 @@
 namespace transformesh {
 namespace {
 
-/// How large the object in pictures, and hulls, are that decide.
+/// Resolution of a check.
 struct Fineness {
-  int side_px = 160;
-  int cells = 64;
+  int side_px = 160;  ///< greatest side of the object in shrunk silhouettes
+  int cells = 64;     ///< HullOptions::resolution
 };
 constexpr Fineness coarse;
 constexpr Fineness fine{320, 128};
-constexpr std::size_t least_views = 3;
-/// Points along each side of the box in which views vote.
+constexpr std::size_t least_views = 3;  ///< views are dropped only while more than these are left
+/// Grid points along each side of the box in suspicions().
 constexpr int vote_points = 48;
 
-/// The mean over blocks of pixels, which the smaller camera stays aligned with.
+/// Returns the mean of each block of `side` x `side` pixels, which PinholeCamera::shrunk() matches.
 GrayImage block_means(const GrayImage& image, int side) {
   GrayImage means(image.width / side, image.height / side);
   for (int y = 0; y < means.height; ++y) {
@@ -44,7 +44,7 @@ GrayImage block_means(const GrayImage& image, int side) {
   return means;
 }
 
-/// The larger side of the rectangle around what is inside.
+/// Returns the larger side of the bounding rectangle of the pixels inside, in pixels.
 int extent(const GrayImage& silhouette) {
   int left = silhouette.width, right = -1, top = silhouette.height, bottom = -1;
   for (int y = 0; y < silhouette.height; ++y) {
@@ -59,7 +59,7 @@ int extent(const GrayImage& silhouette) {
   return std::max({right - left, bottom - top, 0}) + 1;
 }
 
-/// The silhouettes alone, made smaller.
+/// Returns the views without photographs, with silhouettes and cameras shrunk by whole factors.
 std::vector<View> shrunk(std::span<const View> views, int side_px) {
   std::vector<View> result(views.size());
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
@@ -73,10 +73,10 @@ std::vector<View> shrunk(std::span<const View> views, int side_px) {
   return result;
 }
 
-/// What the hull of some views says of each of them.
+/// Agreement of some views with their common hull.
 struct Agreement {
-  std::vector<double> of_view;
-  bool has_hull = false;  ///< else agreements are 0
+  std::vector<double> of_view;  ///< silhouette_agreement() of each view
+  bool has_hull = false;        ///< if false, all agreements are 0
 
   double least() const { return *std::min_element(of_view.begin(), of_view.end()); }
   double sum() const { return std::accumulate(of_view.begin(), of_view.end(), 0.0); }
@@ -113,7 +113,8 @@ bool is_border_inside(const GrayImage& silhouette) {
   return 2 * inside > count;
 }
 
-/// Where the cameras look, about as large as they see it.
+/// Returns a cube around the point at which the cameras look. Half of its side is the median radius
+/// that the views cover there.
 Box viewed_box(const std::vector<View>& views) {
   const Vec3 center = viewed_point(cameras_of(views));
   std::vector<double> reaches;
@@ -143,7 +144,9 @@ Sight seen_at(const View& view, const Projection& projection, const Vec3& point)
   return is_inside ? Sight::object : Sight::background;
 }
 
-/// How often each view, alone or with a few, carves what most take for the object.
+/// Returns for each view how many grid points it carves that most views observe as object. If k
+/// views carve the same point, it counts 1 / k^2 for each of them. Points carved by more than a
+/// third of the views are mostly background and usually do not count.
 std::vector<double> suspicions(const std::vector<View>& views) {
   const Box box = viewed_box(views);
   std::vector<Projection> projections;
@@ -171,7 +174,7 @@ std::vector<double> suspicions(const std::vector<View>& views) {
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + "%"; }
 
-/// "'a'", "'a' and 'b'", "'a', 'b' and 2 further views".
+/// Returns "'a'", "'a' and 'b'", "'a', 'b' and 'c'", or "'a', 'b' and 2 further views".
 std::string names_of(const std::vector<std::string>& names) {
   std::string text = quoted(names.front());
   if (names.size() == 2) return text + " and " + quoted(names[1]);
@@ -182,7 +185,7 @@ std::string names_of(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Looks for what explains that views disagree.
+/// Searches for a mistake that explains why views disagree.
 class Diagnosis {
  public:
   Diagnosis(std::vector<View> views, Agreement agreement, const ViewCheckOptions& options,
@@ -192,23 +195,23 @@ class Diagnosis {
         options_(options),
         progress_(progress) {}
 
-  /// The views that are to be left out; none where there is no hull and no explanation. Throws
-  /// InputError where there is another explanation, or where they are to stay.
+  /// Returns the views to leave out. Returns none if there is neither a hull nor an explanation.
+  /// Throws InputError if a mistake explains the disagreement, or if views must not be left out.
   std::vector<std::size_t> run() {
     try_cameras();
     try_inverted();
     try_shifts();
     find_bad();
     if (options_.drops_bad_views && !bad_.empty()) return bad_;
-    // Whoever makes the hull says why there is none: it may only lack a box.
+    // The caller's visual_hull() reports why there is no hull. Possibly only the box is missing.
     if (bad_.empty() && !agreement_.has_hull) return {};
     try_exchanges();
     fail_for_bad();
   }
-  /// The agreement of those with the hull of the others.
+  /// Returns for each bad view the fraction of its silhouette that the hull of the others covers.
   const std::vector<double>& agreement_with_others() const { return agreement_of_bad_; }
 
-  /// Throws InputError where masks whose border is inside agree better inverted.
+  /// Throws InputError if views agree after inversion of the masks whose border is inside.
   void try_inverted() const;
 
  private:
@@ -225,7 +228,7 @@ class Diagnosis {
   }
   bool agree(const Agreement& found) const { return found.least() >= options_.least_agreement; }
   bool agree(const std::vector<View>& views) const { return agree(agreement(views)); }
-  std::vector<View> rest() const;  ///< without those that are bad
+  std::vector<View> rest() const;  ///< all views except the bad ones
 
   std::vector<View> views_;
   Agreement agreement_;
@@ -263,7 +266,7 @@ void Diagnosis::try_inverted() const {
     invert(view.silhouette);
     names.push_back(view.name);
   }
-  // Of all but a few a view may be left out.
+  // If few masks could be inverted and bad views may be left out, they are left out instead.
   const bool is_dropped = options_.drops_bad_views && 3 * names.size() <= views.size();
   if (names.empty() || is_dropped || !agree(views)) return;
   const bool are_all = names.size() == views.size();
@@ -275,7 +278,7 @@ void Diagnosis::try_inverted() const {
                    "all views agree");
 }
 
-// The silhouette that falls off the end is left out: it may be that of no camera.
+// The last pair is left out: after the shift, its silhouette may belong to no camera.
 void Diagnosis::try_shifts() const {
   if (views_.size() <= least_views) return;
   for (const std::size_t forward : {1U, 0U}) {
@@ -300,7 +303,8 @@ std::vector<View> Diagnosis::rest() const {
   return views;
 }
 
-/// Leaves out the most suspicious views, as many as it takes; none where the rest never agrees.
+/// Leaves out the most suspicious views one after the other until the rest agrees. Leaves out none
+/// if the rest never agrees.
 void Diagnosis::find_bad() {
   if (views_.size() <= least_views) return;
   const std::vector<double> suspicion = suspicions(views_);
@@ -317,7 +321,7 @@ void Diagnosis::find_bad() {
   bad_.clear();
 }
 
-/// Takes back those whose suspicion came from the company they were in.
+/// Restores each view whose suspicion was caused only by other bad views.
 void Diagnosis::keep_only_bad() {
   const std::vector<std::size_t> suspects = bad_;
   for (const std::size_t suspect : suspects) {
@@ -387,12 +391,13 @@ ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options,
                       const Progress& progress) {
   check(options);
   std::vector<View> seen;
-  std::vector<std::size_t> place;  // in `views`
+  std::vector<std::size_t> place;  // index of each view with a silhouette in `views`
   for (std::size_t i = 0; i < views.size(); ++i)
     if (!views[i].silhouette.empty()) place.push_back(i);
   if (place.size() < 2 || options.least_agreement == 0) return {};
 
-  // Thin parts may get lost in the small, where nothing is wrong with them.
+  // At low resolution thin parts of the object may vanish, although the views are correct. A second
+  // check at higher resolution avoids false alarms.
   progress("check views");
   for (const std::size_t i : place)
     seen.push_back({views[i].name, views[i].camera, {}, views[i].silhouette});

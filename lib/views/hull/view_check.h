@@ -1,13 +1,14 @@
-/// Whether cameras and silhouettes agree with each other, before they are believed.
+/// Checks whether cameras and silhouettes agree, before a hull is computed from them.
 ///
-/// The visual hull covers each silhouette where all views agree on the object. Good sets cover at
-/// least three quarters of every silhouette; one bad view carves the object in all others. Where
-/// some silhouette is covered less, the explanations that are tried are those of mistakes which are
-/// often made, and the one after which all views agree is reported: a left-handed world, cameras
-/// that look along -z, inverted masks, silhouettes shifted by one against the cameras, two cameras
-/// swapped, and a few views that disagree with the rest.
+/// The visual hull fills every silhouette if all views agree. In good sets of views the hull covers
+/// at least three quarters of each silhouette; one bad view carves the hull in all others. If a
+/// silhouette is covered less, common mistakes are tried, and the one after whose correction all
+/// views agree is reported. These are: a left-handed world, cameras that look along -z, inverted
+/// masks, silhouettes shifted by one against the cameras, two swapped cameras, and a few views that
+/// disagree with the rest.
 ///
-/// What is consistent cannot be found: a shift by one on a regular turntable turns the object.
+/// Consistent mistakes are not detected. For example, a shift by one on a regular turntable only
+/// rotates the object.
 #pragma once
 
 #include <string>
@@ -19,16 +20,17 @@
 namespace transformesh {
 
 struct ViewCheckOptions {
-  /// [0, 1]: of every silhouette with that of the hull, as silhouette_agreement() has it; at 0
-  /// views are believed without a look.
+  /// Least silhouette_agreement() of every silhouette with that of the hull, in [0, 1]; 0 disables
+  /// the check. Good sets reach 0.75.
   double least_agreement = 0.7;
-  /// Views that disagree with the rest are left out, up to a third and as long as three agree.
+  /// If true, views that disagree with the rest are left out: at most a third, and at least three
+  /// stay.
   bool drops_bad_views = false;
 };
 
 struct BadView {
   std::string name;
-  double agreement = 0;  ///< with the hull of the others
+  double agreement = 0;  ///< fraction of its silhouette that the hull of the others covers
 };
 
 /// Returns "the view 'NAME' is left out: ..." with the agreement in percent.
@@ -36,17 +38,19 @@ std::string in_words(const BadView& view);
 
 struct ViewCheck {
   double least_agreement = 1;    ///< of the views that are left
-  std::vector<BadView> dropped;  ///< in the order in which they were left out
+  std::vector<BadView> dropped;  ///< in input order
 };
 
-/// Takes views that disagree out of `views` where that is wanted. Views without silhouette are
-/// passed over; fewer than two with one are believed, and so are those that have no hull for which
-/// there is no explanation: their silhouettes may not bound the object. Throws InputError that
-/// names views and says what is wrong and what to do, and UsageError for options out of range.
+/// Checks the views that have a silhouette, and removes views that disagree if the options allow
+/// it. Accepts fewer than two silhouettes without a check. Also accepts views that have no hull if
+/// no mistake explains this, because their silhouettes may not bound the object. Throws InputError,
+/// with the names of views, the mistake and its remedy. Throws UsageError if options are out of
+/// range.
 ///
-/// Looks at silhouettes made smaller, the object to 160 pixels, and hulls of 64 cells, then at
-/// twice as fine ones where thin parts may be lost. 0.1 s of computing for 16 views that agree, 1
-/// to 3 s for others. Parallel; the same for any number of threads.
+/// Shrinks silhouettes so that the object is at most 160 pixels large, and computes a hull of 64
+/// cells. If this fails, repeats the check at twice the resolution, because thin parts may have
+/// been lost. 0.1 s of processor time for 16 views that agree, 1 to 3 s for others. Parallel; the
+/// result does not depend on the number of threads.
 ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options = {},
                       const Progress& progress = {});
 
