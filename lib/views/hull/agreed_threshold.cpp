@@ -24,7 +24,7 @@ constexpr double share_to_keep = 0.1;    ///< HullOptions::keep, against phantom
 /// Number of candidates below the dividing threshold. Each is 2^(1/4) times smaller than the one
 /// before.
 constexpr int steps_down = 8;
-/// candidates within this distance of the best are considered equal
+/// Candidates whose agreement is this close to the best are considered equal.
 constexpr double agreement_tolerance = 0.001;
 
 struct SmallView {

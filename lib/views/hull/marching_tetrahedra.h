@@ -28,10 +28,10 @@ struct ValueGrid {
 
 /// Returns a closed, oriented 2-manifold without self-intersection for any values, because each
 /// face lies in its own tetrahedron. Values on the boundary of the grid must not be negative. A
-/// vertex lies on an edge of the grid where the linearly interpolated value is zero, but at least a
-/// twentieth of the edge away from its ends, so that no face degenerates. The mesh is empty if no
-/// value is negative. O(nodes + f log f) for f faces. Parallel; the result does not depend on the
-/// number of threads.
+/// vertex lies on an edge of the grid where the linearly interpolated value is zero. Its distance
+/// from the ends is at least a twentieth of the edge, so that no face degenerates. The mesh is
+/// empty if no value is negative. O(nodes + f log f) for f faces. Parallel; the result does not
+/// depend on the number of threads.
 Mesh march_tetrahedra(const ValueGrid& grid);
 
 }  // namespace transformesh

@@ -49,8 +49,8 @@ struct ViewCheck {
 ///
 /// Shrinks silhouettes so that the object is at most 160 pixels large, and computes a hull of 64
 /// cells. If this fails, repeats the check at twice the resolution, because thin parts may have
-/// been lost. 0.1 s of processor time for 16 views that agree, 1 to 3 s for others. Parallel; the
-/// result does not depend on the number of threads.
+/// been lost. Takes 0.1 s of processor time for 16 views that agree, 1 to 3 s for others. Parallel;
+/// the result does not depend on the number of threads.
 ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options = {},
                       const Progress& progress = {});
 

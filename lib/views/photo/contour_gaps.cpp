@@ -12,9 +12,12 @@
 namespace transformesh {
 namespace {
 
+/// Depth tolerance for vertices next to the background, in pixels. Near a contour a surface curves
+/// away from the camera by less than this. A larger value also accepts vertices behind a near part
+/// of the surface; a smaller one rejects rims of blunt surfaces.
 constexpr double pixels_of_curvature = 20;
 
-/// Whether the faces around a vertex are seen from outside, from inside, or both; bits unite.
+/// Sides of the faces around a vertex that a camera observes, as bits.
 enum Facing : char { unseen = 0, front = 1, back = 2, both = 3 };
 
 std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
@@ -29,9 +32,9 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
   return result;
 }
 
-/// Whether a pixel beside the place shows background, and no other part of the surface lies so much
-/// nearer to the eye that it is that part which borders on it. Where a surface meets the background
-/// it curves away from the eye, by `pixels_of_curvature` at most.
+/// True if a pixel next to (x, y) shows background and a point at `depth` can border on it. The
+/// point cannot if other parts of the surface around (x, y) are all nearer to the camera by more
+/// than `pixels_of_curvature`: then one of those borders on the background.
 bool borders_on_background(const VisibleDepths& depths, const PackableImage& image, double x,
                            double y, double depth, double pixel) {
   const int column = static_cast<int>(std::lround(x));

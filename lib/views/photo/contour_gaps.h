@@ -1,8 +1,8 @@
-/// How far a surface is from the silhouettes that it should have.
+/// Distances of a surface from the silhouettes that it should have.
 ///
 /// A vertex outside any silhouette is outside the object. A vertex on the rim of the surface in a
-/// view, where it borders on the background, should lie on the silhouette's contour there. Places
-/// beyond an image, and silhouettes without a contour, say nothing.
+/// view borders on the background there, and should lie on the contour of the silhouette. A vertex
+/// has no distance in views that do not contain it, and none to silhouettes without a contour.
 #pragma once
 
 #include <span>
@@ -14,15 +14,19 @@
 
 namespace transformesh {
 
-/// Per vertex; lengths in input units.
+/// Per vertex. Lengths are in input units.
 struct ContourGaps {
-  std::vector<double> outside;  ///< how far it is outside, in the view where that is most; or 0
-  std::vector<double> inside;   ///< how far the contour is beyond it, summed over views
-  std::vector<Index> rims;      ///< number of views in that sum
+  /// largest distance beyond the contour over all views; 0 if it is in no view beyond
+  std::vector<double> outside;
+  /// sum of the distances from the contour, over views in which it is an inner rim
+  std::vector<double> inside;
+  std::vector<Index> rims;  ///< number of views in the sum `inside`
 };
 
-/// `distances` are signed_distance() of the views' silhouettes, empty where there is none. `seen`
-/// is of mesh and views. O(views * vertices); deterministic.
+/// Measures the gaps of `mesh`. `distances` are signed_distance() of the silhouettes, empty for
+/// views without silhouette. `seen` must be made of `mesh` and `views`. If silhouettes are lower
+/// bounds (SilhouetteMeaning::least), `outside` is 0, and `inside` only counts gaps beyond one
+/// pixel. O(views * vertices); deterministic.
 ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views, const SeenViews& seen,
                          std::span<const PackableImage> distances,
                          SilhouetteMeaning meaning = SilhouetteMeaning::exact);

@@ -12,7 +12,7 @@ namespace {
 
 using Row = Eigen::ArrayXf;
 
-/// Keeps the last rows of several images, with zeros to either side of each.
+/// Ring buffer of the last rows of several images, each row padded with zeros on both sides.
 class RowRing {
  public:
   RowRing(int rows, int width, int planes, int padding)
@@ -95,7 +95,7 @@ class Correlation {
 
   using Rows = std::array<const float*, rows>;
 
-  /// The rows of an image that windows around row y cover.
+  /// Returns the rows of an image that are covered by windows around row `y`.
   Rows reach(const RowRing& ring, int plane, int y) const {
     Rows result;
     for (int k = 0; k < rows; ++k)
@@ -103,7 +103,7 @@ class Correlation {
     return result;
   }
 
-  /// Sums a term of the pixels over the window around each pixel of a row.
+  /// Sums `term` over the window around each pixel of a row.
   template <typename Term>
   void sum_windows(const Term& term, Row& out) {
     float* __restrict column = column_.data() + radius;
@@ -127,7 +127,7 @@ class Correlation {
     sum_windows([&](std::size_t k, int x) { return a[k][x] * b[k][x]; }, sums_[sum12]);
   }
 
-  /// Weights are rho, and 0 where less than half of the window is seen.
+  /// Sets weights to rho, and to 0 for windows of which at most half is visible.
   void find_weights(int y) {
     constexpr float half = 0.5F * rows * rows;
     const float* __restrict seen = compared_.row(is_seen, y);
@@ -138,8 +138,8 @@ class Correlation {
     weight_ *= least_ / (least_ + static_cast<float>(options_.contrast));
   }
 
-  /// Finds the energy and the loss of each window, and its pull: the derivative of the loss by 1 -
-  /// cc.
+  /// Computes energy and loss of each window, and `pull_`: the derivative of the loss with respect
+  /// to 1 - cc.
   void find_loss() {
     energy_ = weight_ * (1 - correlation_);
     loss_ = energy_;
@@ -151,7 +151,7 @@ class Correlation {
     pull_ *= share_.square();
   }
 
-  /// Adds the energy of row y.
+  /// Computes the windows around row `y` and adds their sums to `totals_`.
   void compare(int y) {
     find_moments(y);
     const auto noise = static_cast<float>(options_.noise_variance);
@@ -171,7 +171,8 @@ class Correlation {
     totals_.pixels += static_cast<std::size_t>((weight_ > 0).count());
   }
 
-  /// What the windows of row y contribute to the derivative at their pixels.
+  /// Stores the contributions of the windows around row `y` to the derivatives at their pixels. The
+  /// derivative of a window is linear in the intensities of a pixel, with these factors.
   void keep_factors(int y) {
     by_deviations_ = pull_ * inverse_ / deviations_;
     by_variance_ = pull_ * inverse_ / variance2_;
@@ -200,7 +201,7 @@ class Correlation {
   CorrelationOptions options_;
   RowRing compared_;
   RowRing factors_;
-  Row column_;  ///< sums over columns of a window, with zeros to either side
+  Row column_;  ///< sums over the columns of a window, with zeros on both sides
   std::array<Row, moments> sums_;
   std::array<Row, factor_planes> factor_sums_;
   Row inverse_, mean1_, mean2_, variance1_, variance2_, deviations_, correlation_;

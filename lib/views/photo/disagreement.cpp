@@ -14,11 +14,13 @@
 namespace transformesh {
 namespace {
 
-/// Of independent noise after the blur of scale 1, the variance by that of its mixed second
-/// difference, both over the median of a normal deviate's magnitude.
+/// Ratio of the variance of independent noise to the squared median of the magnitude of its mixed
+/// second difference. 0.1523 is the ratio of both variances after the blur of scale 1, and 0.6745
+/// is the median magnitude of a standard normal variable.
 constexpr double variance_by_squared_median = 0.1523 / (0.6745 * 0.6745);
 
-/// Above it hardly anything is left that photographs could have in common, and excess says little.
+/// Cap of the floor in WindowSums::excess(). If noise explains more, photographs have hardly
+/// anything in common, and the excess would be the quotient of two small numbers.
 constexpr double largest_floor = 0.9;
 
 struct Window {
@@ -26,10 +28,10 @@ struct Window {
   float excess() const { return (energy - floor) / weight; }
 };
 
-/// Of the pairs with the same reference view the two that agree best, for each pixel of its box.
+/// For each pixel of the compared box, the two best windows over all pairs with one reference view.
 class BestWindows {
  public:
-  /// Anew, in the same memory.
+  /// Clears all windows for a box of this size; keeps the allocated memory.
   void begin(int width, int height) {
     width_ = width;
     windows_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), {});
@@ -88,7 +90,7 @@ void add_pair(const Warp& warp, const VisibleSurface& seen, double noise,
       });
 }
 
-/// A view as it sees the surface, and how well others agree with it.
+/// Comparison of one reference view with the other views of its pairs.
 struct Compared {
   VisibleSurface room;
   WarpRoom warp_room;
@@ -129,7 +131,7 @@ void add_to_vertices(const Mesh& mesh, const Compared& view, Disagreement& resul
   }
 }
 
-/// The variance of the noise in each view.
+/// Returns the noise variance of each view, over the pixels that show the surface.
 std::vector<double> noise_variances(std::span<const View> views, const SeenViews& seen) {
   std::vector<double> noise(views.size());
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
@@ -187,10 +189,10 @@ Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double leas
   const std::size_t count = scene.views.size();
   const std::vector<double> noise = noise_variances(scene.views, seen);
 
-  // Sums go by the order of the views, for the same bytes with any number of threads.
+  // Sums are added in the order of the views, so that the result does not depend on the threads.
   Disagreement result;
   result.of_vertex.resize(mesh.positions.size());
-  // Views by as many at once as there are threads, to save memory.
+  // To save memory, only as many views as there are threads are compared at once.
   std::vector<Compared> compared(std::min(allowed_thread_count(), count));
   for (std::size_t begin = 0; begin < count; begin += compared.size()) {
     const std::size_t end = std::min(compared.size(), count - begin);

@@ -1,13 +1,14 @@
-/// How much photographs disagree on each part of a surface, and how much of that their noise
-/// explains.
+/// Measures how much photographs disagree on each part of a surface, and how much of this is noise.
 ///
-/// Each pixel of a view is compared with the other views of its pairs in windows (correlation.h).
-/// Of three or more comparisons the second best counts, else the best: some views see the place
-/// flatly, or beside what hides it, but of a wrong surface none agree. The dissimilarity of a
-/// vertex is the mean of 1 - cc over the windows around it, weighted by rho and by its barycentric
-/// weight. The floor is what it would be if photographs showed there the same but for noise: the
-/// mean of (noise + noise_variance) / sqrt(v1 v2). On the true surface of generated scenes both
-/// differ by .01 to .09, where it is wrong by .5 and more.
+/// Each pixel of a view is compared in windows (correlation.h) with the other views of its pairs.
+/// If there are three or more comparisons, the second best counts, else the best. The reason is
+/// that even on the true surface some views observe a point at a grazing angle or near an occluding
+/// contour; on a wrong surface no views agree. The dissimilarity of a vertex is the mean of 1 - cc
+/// over the windows around it, weighted by rho and by the vertex's barycentric weight.
+///
+/// The floor is the expected dissimilarity if photographs differed only by noise: the mean of
+/// (noise + noise_variance) / sqrt(v1 v2). In generated scenes, dissimilarity and floor differ by
+/// .01 to .09 on the true surface, and by .5 or more on wrong surfaces.
 #pragma once
 
 #include <span>
@@ -20,15 +21,15 @@
 
 namespace transformesh {
 
-/// Sums over windows.
+/// Sums over compared windows.
 struct WindowSums {
-  double weight = 0;  ///< rho; 0 where nothing is compared
+  double weight = 0;  ///< sum of rho; 0 if nothing is compared
   double energy = 0;  ///< rho (1 - cc)
   double floor = 0;   ///< rho times the floor
 
   double dissimilarity() const { return weight > 0 ? energy / weight : 0; }
   double mean_floor() const { return weight > 0 ? floor / weight : 0; }
-  /// From 0, where noise explains all, to 1, where photographs have nothing in common.
+  /// Dissimilarity beyond the floor, from 0 (explained by noise) to 1 (nothing in common).
   double excess() const;
   WindowSums& operator+=(const WindowSums& other);
 };
@@ -38,16 +39,19 @@ struct Disagreement {
   std::vector<WindowSums> of_vertex;
 };
 
-/// Of a scene at scale 1, whose blur is known. `least_cosine` is that of PhotoStepOptions. Throws
-/// as photoconsistency() does; a little slower. The same for any number of threads.
+/// Compares the views of a scene at scale 1, because noise_variance() assumes the blur of that
+/// scale. `least_cosine` is that of PhotoStepOptions. Takes a little longer than
+/// photoconsistency(), and throws as that does. The result does not depend on the number of
+/// threads.
 Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                           const PhotoconsistencyOptions& options = {},
                           const Progress& progress = {});
 
-/// The variance of the noise in a photograph of scale 1 (at_scale), in squared intensities, where
-/// `depth` is above 0; 0 where that is nowhere. It is measured as what the mixed second difference
-/// leaves: texture hardly shows in it unless it is as fine as the pixels. Reference: Immerkaer,
-/// "Fast noise variance estimation", CVIU 64(2), 1996; here by the median. O(pixels).
+/// Returns the variance of the noise in a photograph of scale 1 (at_scale), in squared intensities.
+/// Uses pixels where `depth` is above 0; returns 0 if there are none. The variance is estimated
+/// from mixed second differences, which texture hardly affects unless it is as fine as the pixels.
+/// Reference: Immerkaer, "Fast noise variance estimation", CVIU 64(2), 1996. Unlike there, the
+/// median of the differences is used, not their mean. O(pixels).
 double noise_variance(const GrayImage& image, const GrayImage& depth);
 
 }  // namespace transformesh

@@ -1,5 +1,4 @@
-/// Calibrated photographs at one scale, made ready for steps of a surface towards them
-/// (paper 5.3.1).
+/// Calibrated photographs at one scale, prepared for steps of a surface towards them (paper 5.3.1).
 #pragma once
 
 #include <span>
@@ -11,19 +10,22 @@
 namespace transformesh {
 
 struct PhotoScene {
-  std::vector<View> views;               ///< without silhouettes
-  std::vector<PackableImage> distances;  ///< to the silhouettes; empty where there is none
+  std::vector<View> views;  ///< without silhouettes
+  /// signed distances from silhouettes; empty for views without silhouette
+  std::vector<PackableImage> distances;
   std::vector<ViewPair> pairs;
-  double pixel = 0;  ///< length of a pixel's side where the cameras look
+  /// length of a pixel's side at the point at which the cameras look; input units
+  double pixel = 0;
 };
 
-/// Views at a smaller scale (at_scale), and which of them to compare (choose_pairs). Throws
-/// InputError where there is no such pair, UsageError as at_scale does. O(pixels), in parallel over
-/// views; the same for any number of threads. Of views that are packed, so is the scene: 2 bytes a
-/// pixel, or 3 of photographs with intensities between those of 8 bits.
+/// Shrinks views by `scale` (at_scale) and chooses the pairs to compare (choose_pairs). Throws
+/// InputError if there is no such pair, UsageError as at_scale() does. O(pixels). Parallel over
+/// views; the result does not depend on the number of threads. If the views are packed, so is the
+/// scene. It then takes 2 bytes per pixel, or 3 if photographs have fractional intensities.
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});
 
-/// The same, and images and silhouettes of the views are gone, each as soon as it is not needed.
+/// Equals photo_scene(), but clears images and silhouettes of `views` as early as possible, to save
+/// memory.
 PhotoScene take_photo_scene(std::span<View> views, double scale, const PairOptions& pairs = {});
 
 }  // namespace transformesh

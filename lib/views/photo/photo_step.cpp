@@ -36,14 +36,14 @@ std::vector<ViewPair> compared_pairs(const std::vector<ViewPair>& pairs, PairOrd
   return result;
 }
 
-/// Curvatures plus damping, so that none is 0 where anything is compared.
+/// Returns curvatures plus damping; positive at all compared vertices if `damping` > 0.
 std::vector<double> damped_curvature(const Photoconsistency& measured, double damping) {
   std::vector<double> result(measured.curvature);
   for (std::size_t v = 0; v < result.size(); ++v) result[v] += damping * measured.coverage[v];
   return result;
 }
 
-/// The median of the curvatures over the vertices that are seen, one at least.
+/// Returns the median curvature of the visible vertices. At least one vertex must be visible.
 double usual_curvature(const Photoconsistency& measured, std::span<const double> curvature) {
   std::vector<double> seen;
   for (std::size_t v = 0; v < curvature.size(); ++v) {
@@ -74,7 +74,7 @@ std::vector<double> newton_movements(const Mesh& mesh, const UniformLaplacian& l
   return thin_plate_step(mesh, laplacian, problem);
 }
 
-/// A third of the area of the faces around each vertex.
+/// Returns a third of the area of the faces around each vertex.
 std::vector<double> vertex_areas(const Mesh& mesh) {
   std::vector<double> areas(mesh.positions.size(), 0);
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -104,7 +104,7 @@ double mean_edge(const Mesh& mesh, const UniformLaplacian& laplacian, Index vert
   return around.empty() ? 0 : sum / static_cast<double>(around.size());
 }
 
-/// The mean movement as a fraction of the local mean edge before it.
+/// Returns the mean movement as a fraction of the mean edge at the vertex before the movement.
 double mean_share(const Mesh& before, const Mesh& after, const UniformLaplacian& laplacian) {
   double sum = 0;
   std::size_t count = 0;
@@ -137,7 +137,7 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
   progress("move");
   const ContourGaps gaps = contour_gaps(mesh, scene.views, seen, scene.distances, options.meaning);
 
-  // Vertices move along their normals; displace() clamps.
+  // Vertices move along their normals. displace() clamps the movements.
   const UniformLaplacian laplacian(mesh);
   const std::vector<Vec3> normals = vertex_normals(mesh);
   const bool is_gradient = options.rule == PhotoStepRule::gradient;

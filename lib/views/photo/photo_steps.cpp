@@ -11,6 +11,7 @@
 namespace transformesh {
 namespace {
 
+// Thresholds of lost coverage (PhotoStepsResult).
 constexpr double least_share_kept = 0.9;
 constexpr double least_pixels_kept = 0.5;
 
@@ -19,24 +20,25 @@ bool is_lost(const PhotoStepResult& before, const PhotoStepResult& after) {
          static_cast<double>(after.pixels) < least_pixels_kept * static_cast<double>(before.pixels);
 }
 
-/// Goes on from where a step led, and keeps where that went.
+/// Adds a fraction of the previous movement to each step (heavy-ball method).
 class Momentum {
  public:
   Momentum(double share, double alpha) : share_(share), alpha_(alpha) {}
 
-  /// Called before a step, and after it.
+  /// Stores the positions before a step.
   void begin(const Mesh& mesh) {
     if (share_ > 0) before_ = mesh.positions;
   }
+  /// Adds momentum to the movement since begin().
   void add(Mesh& mesh);
 
  private:
   double share_, alpha_;
   std::vector<Vec3> before_;
-  std::vector<Vec3> ways_;  ///< of the last step; none at first
+  std::vector<Vec3> ways_;  ///< previous movements with their momentum; empty before the first step
 };
 
-// The sum is clamped as a step is.
+// The sum is clamped like a single step.
 void Momentum::add(Mesh& mesh) {
   if (share_ == 0) return;
   const std::vector<Vec3> last = std::exchange(ways_, mesh.positions);

@@ -1,9 +1,10 @@
-/// Several steps towards photographs (photo_step.h) in a row, on the same faces.
+/// Several consecutive steps towards photographs (photo_step.h) with the same faces.
 ///
-/// With momentum a step also goes on with a share of the movement before it, but for the last one:
-/// where steps are small and agree, as where noise is most of what photographs show, the surface
-/// gets there in a fraction of them, while movements to and fro cancel.
+/// With momentum, each step except the last also repeats a fraction of the previous movement. Small
+/// steps in the same direction add up, so that the surface converges in a fraction of the steps;
+/// this is typical if photographs are noisy. Movements in opposite directions cancel.
 /// Reference: Polyak, "Some methods of speeding up the convergence of iteration methods", USSR
+/// Computational Mathematics and Mathematical Physics 4(5), 1964.
 /// Computational Mathematics and Mathematical Physics 4(5), 1964.
 #pragma once
 
@@ -15,24 +16,25 @@ namespace transformesh {
 struct PhotoStepsOptions {
   PhotoStepOptions step;
   int iterations = 1;  ///< >= 1
-  /// Compare a pair of views in one order only, the lower index first, and in the next step the
-  /// other way round: half the work, and as good after a few steps.
+  /// If true, steps alternate between the two orders of each pair of views, instead of using both
+  /// in each step. The first step uses pairs in which the reference view has the lower index.
+  /// Halves the work per step; results are as good after a few steps.
   bool alternate = false;
-  double momentum = 0;  ///< [0, 1): the share
+  double momentum = 0;  ///< fraction of the previous movement that is repeated; [0, 1)
 };
 
 struct PhotoStepsResult {
   PhotoStepResult first;
   PhotoStepResult last;
-  /// A surface may also look consistent because little of it is compared. Set where, from the first
-  /// to the last step of the same order of pairs, the share of the visible pixels that are compared
-  /// fell by a tenth or more, or the number of those compared by half. The share does not mind that
-  /// a surface becomes smaller.
+  /// True if much less of the surface is compared after the steps than before; then a low energy
+  /// does not mean that photographs agree. Compares the first and the last step with the same order
+  /// of pairs. Coverage is lost if the compared fraction of the visible pixels falls by a tenth, or
+  /// if their number falls by half. The fraction does not depend on the size of the surface.
   bool lost_coverage = false;
 };
 
-/// Throws as photo_step() does, and UsageError for less than one iteration and a momentum out of
-/// range.
+/// Throws as photo_step() does. Throws UsageError if the number of iterations or the momentum is
+/// out of range.
 PhotoStepsResult photo_steps(Mesh& mesh, const PhotoScene& scene,
                              const PhotoStepsOptions& options = {}, const Progress& progress = {});
 

@@ -14,18 +14,18 @@
 namespace transformesh {
 namespace {
 
-/// Sums over the pairs with the same reference view, per pixel of its box.
+/// Sums over all pairs with one reference view, per pixel of its compared box.
 struct ReferenceSums {
   VisibleSurface room;
   WarpRoom warp_room;
-  const VisibleSurface* seen = nullptr;  ///< null where the view is compared with none
-  GrayImage gradient;                    ///< derivative of the energy by the depth of the pixel
+  const VisibleSurface* seen = nullptr;  ///< null if the view is the reference of no pair
+  GrayImage gradient;  ///< derivative of the loss with respect to the depth of the pixel
   GrayImage curvature;
-  GrayImage count;  ///< pairs that see the pixel
+  GrayImage count;  ///< number of pairs in which the pixel is visible
   CorrelationSums sums;
   std::size_t visible = 0;
 
-  /// For the next view, in the same memory.
+  /// Clears all sums for another view; keeps the allocated memory.
   void begin(const VisibleSurface& surface) {
     seen = &surface;
     for (GrayImage* const image : {&gradient, &curvature, &count}) {
@@ -37,8 +37,8 @@ struct ReferenceSums {
   }
 };
 
-/// Sums per face, for each corner its barycentric share; derivatives are by the movement of the
-/// face along its normal.
+/// Sums per corner of a face, weighted by barycentric coordinates. Derivatives are with respect to
+/// movements of the face along its normal.
 struct FaceSums {
   std::array<double, 3> gradient{};
   std::array<double, 3> curvature{};
@@ -105,7 +105,7 @@ void compare_with_others(std::size_t reference, std::span<const View> views, con
   }
 }
 
-/// Adds the sums of each pixel to those of the corners of its face.
+/// Distributes the sums of each pixel to the corners of its face.
 void add_to_faces(const ReferenceSums& sums, std::vector<FaceSums>& faces) {
   if (sums.seen == nullptr) return;
   const VisibleSurface& seen = *sums.seen;
@@ -167,8 +167,8 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
   progress("compare");
   Photoconsistency result;
   std::vector<FaceSums> faces(mesh.faces.size());
-  // As many views at once as there are threads, to save memory. Sums go by the order of the views,
-  // for the same bytes with any number of threads.
+  // To save memory, only as many views as there are threads are compared at once. Sums are added in
+  // the order of the views, so that the result does not depend on the number of threads.
   std::vector<ReferenceSums> sums(std::min(allowed_thread_count(), views.size()));
   for (std::size_t start = 0; start < views.size(); start += sums.size()) {
     const std::size_t count = std::min(sums.size(), views.size() - start);

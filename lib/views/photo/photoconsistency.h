@@ -1,15 +1,18 @@
-/// How well photographs agree on a surface, and the exact derivative of that by every vertex
-/// (paper 5.3.1; Pons, Keriven & Faugeras, IJCV 72(2), 2007).
+/// Photoconsistency of a surface, and its exact derivative with respect to every vertex (paper
+/// 5.3.1; Pons, Keriven & Faugeras, IJCV 72(2), 2007).
 ///
-/// For each pair every pixel of the reference view is carried over the surface into the other view
-/// (warp.h) and both are compared in windows (correlation.h). The energy is the sum of
-/// rho (1 - cc) over pixels and pairs; energy / weight, the mean dissimilarity, is what to compare
-/// between meshes, because the pixels change with the surface.
+/// For each pair of views, every pixel of the reference view is projected onto the surface and from
+/// there into the other view (warp.h). Both images are compared in windows (correlation.h). The
+/// energy is the sum of rho (1 - cc) over pixels and pairs. To compare meshes, use the mean
+/// dissimilarity energy / weight, because the number of pixels changes with the surface.
 ///
-/// The derivative holds what is seen where, and rho, as they are: it is exact for movements that
-/// change no contour and no border of an image. Only the second image of a pair is differentiated:
-/// give both orders. Views without overlap contribute nothing.
-/// Cost: O(views * faces + pairs * pixels); memory 46 bytes a pixel of what one view sees for
+/// The derivative treats visibility and rho as constant. It is thus exact for movements that change
+/// no contour and no border of an image. Only the second image of a pair is differentiated; pass
+/// both orders of each pair to use both. Pairs without overlap contribute nothing.
+///
+/// O(views * faces + pairs * pixels) time. Memory: 46 bytes per visible pixel of one view and
+/// thread, and 72 bytes per face. Parallel over views; the result does not depend on the number of
+/// threads.
 /// each thread, and 72 a face. In parallel over views; the same bytes for any number of threads.
 #pragma once
 
@@ -25,22 +28,24 @@
 
 namespace transformesh {
 
-/// Sums over the compared pixels of all pairs; those of a vertex by its barycentric weight l in
-/// each.
+/// Sums over the compared pixels of all pairs. Sums of a vertex are weighted by its barycentric
+/// weight in each pixel.
 struct Photoconsistency {
   double energy = 0;
-  double loss = 0;             ///< the sum that is differentiated: the energy, if not robust
-  double weight = 0;           ///< sum of rho
-  std::size_t pixels = 0;      ///< compared, over all pairs
-  std::size_t visible = 0;     ///< pixels that see the surface, over all pairs, compared or not
-  std::vector<Vec3> gradient;  ///< derivative of the loss by the position
-  /// Second derivative by a movement along the normals, after Gauss and Newton, halved.
+  double loss = 0;         ///< the sum that is differentiated; equals `energy` if not robust
+  double weight = 0;       ///< sum of rho
+  std::size_t pixels = 0;  ///< number of compared pixels, over all pairs
+  /// number of pixels that show the surface, over all pairs, whether compared or not
+  std::size_t visible = 0;
+  std::vector<Vec3> gradient;  ///< derivative of the loss with respect to the position
+  /// Half of the Gauss-Newton approximation of the second derivative, for movements along the
+  /// normals.
   std::vector<double> curvature;
-  std::vector<double> coverage;  ///< sums of l
+  std::vector<double> coverage;  ///< sum of barycentric weights
 };
 
-/// `seen` is of mesh and views. Throws UsageError for options out of range and for a
-/// pair of views that do not exist.
+/// Compares `pairs` of views on `mesh`. `seen` must be made of `mesh` and `views`. Throws
+/// UsageError if options are out of range, and if a pair refers to a view that does not exist.
 Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
                                   const SeenViews& seen, std::span<const ViewPair> pairs,
                                   const PhotoconsistencyOptions& options = {},

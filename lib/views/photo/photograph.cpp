@@ -24,7 +24,7 @@ void check(const PhotographOptions& options) {
     throw UsageError("the spread of the gain must be at least 0 and less than 1");
 }
 
-/// A normal deviate, by Box and Muller.
+/// Returns a standard normal variable, by the transform of Box and Muller.
 double deviate(Random& random) {
   const double radius = std::sqrt(-2 * elementary::log(1 - random.uniform(0, 1)));
   return radius * elementary::cos(2 * std::numbers::pi * random.uniform(0, 1));
@@ -55,7 +55,7 @@ class Exposure {
 
  private:
   void expose_row(int y) {
-    // Every row has noise of its own, because threads expose rows in any order.
+    // Each row has its own random numbers, because threads process rows in any order.
     Random random(mixed(seed_) + static_cast<std::uint64_t>(y));
     const int all = options_.samples * options_.samples;
     for (int x = 0; x < photograph_.image.width; ++x) {

@@ -1,5 +1,4 @@
-/// Photographs that a camera would take of a textured surface: known truth for tests of
-/// reconstruction.
+/// Simulates photographs of a textured surface, as ground truth for tests of reconstruction.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +10,23 @@
 namespace transformesh {
 
 struct PhotographOptions {
-  int samples = 3;   ///< [1, 8] each way in a pixel: pixels are averages, as in a camera
-  double noise = 2;  ///< >= 0: deviation of the sensor's noise, in intensities
+  int samples = 3;   ///< samples per pixel along each axis, averaged; [1, 8]
+  double noise = 2;  ///< standard deviation of the sensor noise, in intensities; >= 0
   double gain_spread =
-      0;  ///< [0, 1): intensities of a photograph are scaled by 1, give or take this
-  double offset_spread = 0;  ///< >= 0: and shifted by at most so many intensities
-  std::uint64_t seed = 1;    ///< of noise, gain and offset
+      0;  ///< intensities of a photograph are scaled by a factor in 1 +- this; [0, 1)
+  double offset_spread = 0;  ///< intensities of a photograph are shifted by at most this; >= 0
+  std::uint64_t seed = 1;    ///< seed of noise, gain and offset
 };
 
 struct Photograph {
-  GrayImage image;       ///< whole intensities from 0 to 255; the background is black but for noise
+  GrayImage image;  ///< integer intensities from 0 to 255; the background is black except for noise
   GrayImage silhouette;  ///< 255 where at least half of the pixel shows the surface, else 0
 };
 
-/// The surface shows the texture without shading, as a matte one does in diffuse light. `number` is
-/// that of the photograph: each has its own noise. Throws UsageError for options out of range.
-/// O(faces + pixels covered * samples^2 * waves), parallel; the same bytes for any number of
-/// threads.
+/// Renders the surface with the texture but without shading, as a matte surface in diffuse light.
+/// `number` is the index of the photograph, so that each has different noise. Throws UsageError if
+/// options are out of range. O(faces + covered pixels * samples^2 * waves), parallel; the result
+/// does not depend on the number of threads.
 Photograph take_photograph(const Mesh& mesh, const Camera& camera, const SolidTexture& texture,
                            std::uint64_t number, const PhotographOptions& options = {});
 

@@ -1,11 +1,15 @@
-/// One step towards photographs that are prepared at one scale (photo_scene.h).
+/// One step towards photographs that are prepared at one scale (photo_scene.h). Vertices move along
+/// their normals.
 ///
-/// gauss_newton: movements d along the vertex normals that lower the quadratic model of the energy,
-/// damped by `damping` compared pixels a squared pixel, plus the bending of a thin plate
-/// (thin_plate.h) and a quadratic pull towards silhouettes. Independent of units, contrast and
-/// scale. gradient: the paper's d = -t (gradient of the energy per unit of area), in length^-3: t
-/// is in length^4 and depends on the units of the mesh. Silhouettes pull by their fraction of the
-/// gap, and vertices move by `smoothing` of the distance to the mean of their neighbors.
+/// `gauss_newton` minimizes a quadratic model: the energy of the photographs, the bending energy of
+/// a thin plate (thin_plate.h) and quadratic attraction to silhouettes. The photographs' part is
+/// damped by `damping`, in compared pixels per squared pixel. The step is independent of units,
+/// contrast and scale.
+///
+/// `gradient` is the paper's step: vertices move by -`time_step` times the gradient of the energy
+/// per unit of area. That gradient is in length^-3. Hence `time_step` is in length^4 and depends on
+/// the units of the mesh. In addition, vertices move by the fraction `silhouettes` of their gap to
+/// silhouettes, and by the fraction `smoothing` towards the mean of their neighbors.
 #pragma once
 
 #include "transformesh/photo_step.h"
@@ -13,7 +17,7 @@
 
 namespace transformesh {
 
-/// Does what photo_step() of photo_step.h does.
+/// Equals photo_step() of photo_step.h, for a prepared scene.
 PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene,
                            const PhotoStepOptions& options = {}, const Progress& progress = {});
 

@@ -13,11 +13,11 @@
 namespace transformesh {
 namespace {
 
+// The range of 128 +- 40 uses most of [0, 255] but rarely exceeds it.
 constexpr double middle_intensity = 128;
-/// Standard deviation of the intensities.
-constexpr double deviation = 40;
+constexpr double deviation = 40;  ///< standard deviation of the intensities
 
-/// Inverse factorials of odd numbers, the last first.
+/// Inverse factorials of odd numbers up to 19, in descending order of the numbers.
 constexpr std::array sine_coefficients = [] {
   std::array<double, 10> coefficients{};
   double factorial = 1;
@@ -28,7 +28,8 @@ constexpr std::array sine_coefficients = [] {
   return coefficients;
 }();
 
-/// A direction uniform on the sphere: by Archimedes, heights are uniform.
+/// Returns a direction that is uniformly distributed on the sphere. Heights are uniform, by
+/// Archimedes' theorem.
 Vec3 random_direction(Random& random) {
   const double height = random.uniform(-1, 1);
   const double angle = random.uniform(0, 2 * std::numbers::pi);
@@ -36,8 +37,9 @@ Vec3 random_direction(Random& random) {
   return {radius * elementary::cos(angle), radius * elementary::sin(angle), height};
 }
 
-/// To 1e-13 and a spacing of numbers at the angle, quicker than to all digits: an intensity has
-/// 8 bits. By the Taylor series, of the angle less a multiple of pi.
+/// Returns the sine with an error of 1e-13 plus one spacing of numbers at `angle`. This suffices
+/// for intensities of 8 bits and is faster than elementary::sin(). Reduces the angle modulo pi and
+/// sums the Taylor series.
 double quick_sine(double angle) {
   using elementary::inverse;
   using elementary::pi;
@@ -65,7 +67,8 @@ SolidTexture::SolidTexture(const TextureOptions& options) {
     waves_.push_back(
         {2 * std::numbers::pi / wavelength * direction, random.uniform(0, 2 * std::numbers::pi)});
   }
-  // The mean square of a sine is a half, so that the waves together have the deviation.
+  // The mean square of a sine is 1/2. Hence the sum of all waves has the standard deviation
+  // `deviation`.
   amplitude_ = deviation * std::sqrt(2.0 / options.waves);
 }
 

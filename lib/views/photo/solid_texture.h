@@ -1,6 +1,6 @@
-/// A gray texture that fills space, so that surfaces cut from it need no coordinates of their own:
-/// the sum of waves in random directions (Peachey, "Solid texturing of complex surfaces", SIGGRAPH
-/// 1985).
+/// A solid gray texture: a function on space, so that surfaces need no texture coordinates
+/// (Peachey, "Solid texturing of complex surfaces", SIGGRAPH 1985). It is a sum of sine waves in
+/// random directions.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +11,23 @@
 namespace transformesh {
 
 struct TextureOptions {
-  int waves = 40;         ///< [1, 10000]
-  double finest = 0.03;   ///< > 0: shortest wavelength, in input units
-  double coarsest = 0.3;  ///< >= finest: longest; wavelengths between are drawn by octave
+  int waves = 40;        ///< number of waves; [1, 10000]
+  double finest = 0.03;  ///< shortest wavelength, in input units; > 0
+  /// longest wavelength, in input units; >= finest. Logarithms of wavelengths are uniform.
+  double coarsest = 0.3;
   std::uint64_t seed = 1;
 };
 
 class SolidTexture {
  public:
-  /// Throws UsageError for options out of range.
+  /// Throws UsageError if options are out of range.
   explicit SolidTexture(const TextureOptions& options);
 
-  /// Gray intensities around 128 that rarely leave 20 to 236. O(waves).
+  /// Returns the intensity at a point: 128 on average, and rarely outside of [20, 236]. O(waves).
   float intensity_at(const Vec3& point) const;
 
  private:
-  struct Wave {
+  struct Wave {                     ///< radians per unit of length
     Vec3 frequency = Vec3::Zero();  ///< radians a unit of length
     double phase = 0;
   };

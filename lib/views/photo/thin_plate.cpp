@@ -8,9 +8,12 @@
 namespace transformesh {
 namespace {
 
+// Limits of the conjugate gradients. Lower precision per step suffices, because the next step of an
+// evolution continues from the result.
 constexpr int most_iterations = 20;
 constexpr double residual_share = 0.05;
-constexpr double bending_diagonal = 7.0 / 6;  ///< of L^T L at a vertex with six neighbors
+/// Diagonal of L^T L at a vertex with six neighbors: 1 + 6 / 36.
+constexpr double bending_diagonal = 7.0 / 6;
 constexpr std::size_t vertices_per_task = 4096;
 
 void for_vertices(std::size_t count, const std::function<void(std::size_t)>& body) {
@@ -41,7 +44,7 @@ class Plate {
     }
   }
 
-  /// The negative derivative of the energy by the movements, where they are 0.
+  /// Returns the negative gradient of the energy with respect to the movements, at zero movement.
   std::vector<double> force(std::span<const Vec3> positions) {
     laplacian_.apply_bending(positions, bent_);
     std::vector<double> result(positions.size());
@@ -67,7 +70,6 @@ class Plate {
 }  // namespace
 
 UniformLaplacian::UniformLaplacian(const Mesh& mesh) : offsets_(mesh.positions.size() + 1, 0) {
-  // Each edge makes its ends neighbors of each other.
   const Edges edges(mesh);
   std::vector<char> is_border(mesh.positions.size(), 0);
   const auto for_ends = [&](const auto& body) {

@@ -16,7 +16,8 @@ using Vec3f = Eigen::Vector3f;
 
 constexpr int rows_per_band = 16;
 
-/// 1 / (r N) where the face is seen from outside and steeply enough, else 0.
+/// Returns 1 / (r N) if the camera observes the front of the face, at a cosine above
+/// `least_cosine`; else 0.
 float inverse_facing(const Vec3f& ray, const Vec3f& normal, float least_cosine) {
   const float facing = ray.dot(normal);
   const bool is_seen =
@@ -24,7 +25,7 @@ float inverse_facing(const Vec3f& ray, const Vec3f& normal, float least_cosine) 
   return is_seen ? 1 / facing : 0;
 }
 
-/// Grows a box that is inside out where it is empty.
+/// Extends the box by a pixel. In an empty box, ends are before beginnings.
 void grow(PixelBox& box, int x, int y) {
   box.first_column = std::min(box.first_column, x);
   box.end_column = std::max(box.end_column, x + 1);
@@ -32,7 +33,7 @@ void grow(PixelBox& box, int x, int y) {
   box.end_row = std::max(box.end_row, y + 1);
 }
 
-/// Row `y` of the view.
+/// Computes depth and facing of row `y` of the view.
 void compare_row(VisibleSurface& seen, std::span<const Vec3f> normals, const PinholeCamera& camera,
                  float least_cosine, int y) {
   const Vec3f start = camera.ray(0, y).cast<float>();
@@ -54,8 +55,8 @@ Camera camera_of(const View& view) {
   return {view.camera.projection(), view.image.width, view.image.height};
 }
 
-/// Draws a band of rows at a time, and hands over those of the box, each from its first column on;
-/// in parallel.
+/// Rasterizes bands of rows in parallel. Calls `take` for each row of the box, with its pixels from
+/// the box's first column on.
 void draw_rows(const BandRasterizer& bands, int width,
                const std::function<void(int y, const FacePixel* row)>& take) {
   const PixelBox& box = bands.box();
@@ -99,7 +100,7 @@ VisibleDepths depths_of(const VisibleSurface& seen) {
   return {std::move(depths), seen.box};
 }
 
-/// To be filled, wherever it comes from.
+/// Resizes the raster to the box. Values are arbitrary; the caller fills them.
 template <class Value>
 void resize(Raster<Value>& raster, const PixelBox& box) {
   raster.width = box.columns();

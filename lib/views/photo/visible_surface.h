@@ -1,4 +1,4 @@
-/// The surface as one view sees it, with what a comparison of photographs needs per pixel.
+/// The surface as observed by one view, with all values per pixel that comparisons need.
 #pragma once
 
 #include "raster/rasterize.h"
@@ -7,33 +7,35 @@
 
 namespace transformesh {
 
-/// Images are of a box of the view, beyond which nothing is seen, and 0 where there is nothing.
+/// Images cover `box`, the part of the view that shows the surface. Values are 0 at other pixels.
 struct VisibleSurface {
   PixelBox box;
   FaceBuffer faces;
-  /// Depth of the pixels that are compared, which see the outside of a face, and not too flatly
-  /// along it.
+  /// Depth of the pixels that are compared: those that show the front of a face, and at an angle
+  /// that is not too grazing (`least_cosine`).
   GrayImage depth;
-  /// 1 / (r N) of these, r the pixel's PinholeCamera::ray and N the unit normal of the face: < 0.
+  /// 1 / (r N) of the compared pixels, < 0. r is the pixel's PinholeCamera::ray, N the unit normal
+  /// of the face.
   GrayImage inverse_facing;
-  GrayImage intensity;  ///< of the photograph, where that is packed; else it is empty
-  /// That of the compared pixels, within the box above.
+  GrayImage intensity;  ///< part of the photograph, if that is packed; else empty
+  /// Bounding box of the compared pixels; inside `box`.
   PixelBox compared;
 };
 
-/// What all views see. Of views that are packed (PackableImage) only depths are held, a byte or so
-/// a pixel of the box, and all else is found when it is asked for. Backs of faces hide nothing.
+/// Visible surfaces of all views. For packed views (PackableImage) only depths are stored, about a
+/// byte per pixel of the box; all other values are recomputed on demand. Faces observed from behind
+/// are ignored and occlude nothing.
 class SeenViews {
  public:
-  /// Keeps references to both. `least_cosine` is that of the angle between ray and normal below
-  /// which a face is seen too flatly; >= 0. In parallel over views; the same for any number of
-  /// threads.
+  /// Keeps references to `mesh` and `views`. Faces are not compared if the cosine between ray and
+  /// normal is below `least_cosine`, >= 0. Parallel over views; the result does not depend on the
+  /// number of threads.
   SeenViews(const Mesh& mesh, std::span<const View> views, double least_cosine);
 
-  /// Of any face; 0 where there is none.
+  /// Returns depths of all front faces; 0 at pixels without a face.
   const VisibleDepths& depths(std::size_t view) const { return depths_[view]; }
-  /// In `room`, 28 bytes a pixel of the box, where it is not held. Safe to call from several
-  /// threads.
+  /// Returns the visible surface of a view. If it is not stored, computes it into `room`, 28 bytes
+  /// per pixel of the box. Thread-safe.
   const VisibleSurface& surface(std::size_t view, VisibleSurface& room) const;
 
  private:

@@ -10,14 +10,14 @@
 namespace transformesh {
 namespace {
 
-/// The pixel and the depth at which the other view has a point, and how the pixel moves as the
-/// point goes along its ray.
+/// Pixel and depth of a point in the other view, and derivatives of the pixel with respect to the
+/// depth of the point in the reference view.
 struct Landing {
   double x, y, depth;
   double along_x, along_y;
 };
 
-/// The point at `depth` on the ray whose image has the direction (a, b, c).
+/// Projects the point at `depth` on the ray with direction (a, b, c) in the other view.
 Landing land(double a, double b, double c, double depth, const Vec3& shift) {
   const double far = depth * c + shift.z();
   const double inverse = 1 / far;
@@ -26,7 +26,8 @@ Landing land(double a, double b, double c, double depth, const Vec3& shift) {
   return {x, y, far, (a - x * c) * inverse, (b - y * c) * inverse};
 }
 
-/// The pixels that places between seen ones need: all of an image that is not packed.
+/// Returns the pixels that interpolation between visible pixels reads. Returns the whole image if
+/// it is not packed.
 PixelBox part_of(const PackableImage& image, const PixelBox& seen) {
   constexpr int around = 2;
   if (!image.is_packed()) return {0, image.width, 0, image.height};
@@ -87,7 +88,7 @@ void Warp::row(int y, const WarpedRow& out) const {
     if (!(at.depth > 0 && at.x >= first && at.y >= first && at.x < end_x && at.y < end_y)) continue;
     const int to_x = static_cast<int>(at.x);
     const int to_y = static_cast<int>(at.y);
-    // A point between pixels is hidden where it is clearly behind the farthest of them.
+    // A point between four pixels is hidden if it is clearly behind the farthest of them.
     if (depths_.reach(to_x, to_y) <= at.depth * nearer_) continue;
     const Sample found =
         sample<interpolation>(other_, to_x - part_.first_column, to_y - part_.first_row,

@@ -1,5 +1,5 @@
-/// One view seen through another: for a pixel of the reference view, what the other view shows at
-/// the same point of the surface (the reprojection of Pons, Keriven & Faugeras, IJCV 72, 2007).
+/// Reprojection of one view into another: for each pixel of the reference view, the intensity of
+/// the other view at the same point of the surface (Pons, Keriven & Faugeras, IJCV 72, 2007).
 #pragma once
 
 #include "views/cameras/view.h"
@@ -8,19 +8,20 @@
 
 namespace transformesh {
 
-/// One row, from the first to the last compared column of the reference view. Where the other view
-/// does not show the point, all are 0.
+/// One row of a warp, from the first to the last compared column of the reference view. All values
+/// are 0 at points that are not visible in the other view.
 struct WarpedRow {
   float* is_seen = nullptr;    ///< 1 or 0
-  float* reference = nullptr;  ///< intensity of the reference image, less `middle_intensity`
-  float* other = nullptr;      ///< intensity of the other image, less `middle_intensity`
-  float* slope = nullptr;      ///< derivative of `other` by the depth of the point
+  float* reference = nullptr;  ///< intensity of the reference image minus `middle_intensity`
+  float* other = nullptr;      ///< intensity of the other image minus `middle_intensity`
+  /// derivative of `other` with respect to the depth of the point in the reference view
+  float* slope = nullptr;
 };
 
-/// Intensities are less this one, so that sums of their squares keep their digits.
+/// Subtracted from intensities, so that sums of their squares lose fewer digits.
 inline constexpr float middle_intensity = 128;
 
-/// For images that are packed.
+/// Memory for unpacked images and depths, to be reused from warp to warp.
 struct WarpRoom {
   GrayImage image;
   VisibleDepths depths;
@@ -28,9 +29,9 @@ struct WarpRoom {
 
 class Warp {
  public:
-  /// A point is hidden where it is farther than the surface by more than `depth_tolerance` of its
-  /// depth. What is passed must outlive the warp; `room` takes 6 bytes a pixel of
-  /// what is seen of an image that is packed.
+  /// A point is hidden if it is behind the visible surface of `other` by more than the fraction
+  /// `depth_tolerance` of its depth. All arguments must outlive the warp. `room` takes 6 bytes per
+  /// pixel of the visible part of a packed image.
   Warp(const View& reference, const VisibleSurface& seen_by_reference, const View& other,
        const VisibleDepths& depths_of_other, double depth_tolerance, WarpRoom& room);
   Warp(const Warp&) = delete;
@@ -45,13 +46,14 @@ class Warp {
 
   const PackableImage& reference_;
   const VisibleSurface& seen_;
-  int width_, height_;  ///< of the other view
-  PixelBox part_;       ///< of it, that is in `other_`
+  int width_, height_;  ///< size of the other view
+  PixelBox part_;       ///< part of the other view that is in `other_`
   const GrayImage& other_;
   const VisibleDepths& depths_;
-  Eigen::Matrix3d turn_;  ///< from pixels of the reference to rays in pixels of the other
-  Vec3 shift_;            ///< the reference's center in pixels of the other
-  double nearer_;
+  /// maps homogeneous pixels of the reference view to directions in those of the other
+  Eigen::Matrix3d turn_;
+  Vec3 shift_;     ///< center of the reference camera in homogeneous pixels of the other view
+  double nearer_;  ///< a point is hidden if its depth times this is beyond the visible depth
 };
 
 }  // namespace transformesh
