@@ -20,7 +20,7 @@ Vec3 read_vector(TextRows& rows, const std::string& what) {
   return vector;
 }
 
-/// Bundler's cameras look along -z with y up, these along z with y down.
+/// Converts Bundler's camera frame (looks along -z, y up) to ours (looks along z, y down).
 CameraRecord read_camera(TextRows& rows, const Source& source, std::size_t number) {
   CameraRecord record;
   record.name = "camera" + std::to_string(number);
@@ -31,7 +31,7 @@ CameraRecord read_camera(TextRows& rows, const Source& source, std::size_t numbe
     rows.fail(who + " has focal length 0: Bundler could not place it, leave it out");
   record.camera.intrinsics = Vec3(lens.x(), lens.x(), 1).asDiagonal();
   check_intrinsics(rows, record.camera.intrinsics, who);
-  // The same in a world with y down: distortion is radial.
+  // Radial distortion does not change if y is reversed.
   record.distortion.radial[0] = lens.y();
   record.distortion.radial[1] = lens.z();
   const Vec3 turned(1, -1, -1);

@@ -15,7 +15,7 @@ constexpr std::string_view known_formats =
     "Middlebury parameters, COLMAP's models, Bundler, OpenCV's YAML and XML, Metashape's XML, "
     "RealityCapture's CSV and XMP and 3x4 matrices are read";
 
-/// Goes to the first row that is not a comment; false where there is none.
+/// Advances to the first row that is not a comment. Returns false if there is none.
 bool first_row(TextRows& rows) {
   while (rows.next_row()) {
     if (!rows.peek().starts_with('#')) return true;
@@ -30,7 +30,7 @@ bool are_numbers(TextRows rows) {
   return true;
 }
 
-/// By words that only one program writes.
+/// Recognizes a format by words that only one program writes.
 std::optional<CameraFormat> format_of_program(std::string_view beginning) {
   const auto has = [&](const char* word) { return beginning.find(word) != std::string_view::npos; };
   if (has("<document") && has("<chunk")) return CameraFormat::metashape;
@@ -40,13 +40,13 @@ std::optional<CameraFormat> format_of_program(std::string_view beginning) {
   return {};
 }
 
-/// The format of a file by its first row, where the number of numbers in that does not tell.
+/// Recognizes a format by its first row, if the number of numbers in the row is not enough.
 std::optional<CameraFormat> format_of_words(TextRows rows) {
   if (colmap_section(rows) != ColmapSection::none) return CameraFormat::colmap;
   if (rows.peek() == "CONTOUR") return CameraFormat::matrices;
   if (rows.words_left() < 20) return {};
-  // Middlebury's parameters without the number of cameras are its format too: their reader says
-  // what is missing.
+  // Accept Middlebury's parameters without the leading number of cameras as well. The reader then
+  // reports the missing number.
   rows.word();
   return are_numbers(rows) ? std::optional(CameraFormat::middlebury) : std::nullopt;
 }
@@ -61,7 +61,7 @@ void check_names(const CameraList& list) {
   }
 }
 
-// Every format has a name in a line of its own or in one with numbers.
+// Every format stores the name in a line of its own or in a line with numbers.
 void check_written_name(const CameraRecord& record) {
   const std::string& name = record.name;
   const bool is_padded = name.empty() || name.starts_with(' ') || name.ends_with(' ');
@@ -82,7 +82,7 @@ void check_complete(const CameraList& list) {
   }
 }
 
-/// Of the formats that are written, COLMAP's and OpenCV's alone have distortion.
+/// Throws if a lens has distortion and the format cannot store distortion.
 void check_undistorted(const CameraList& list, CameraFormat format) {
   if (format != CameraFormat::middlebury && format != CameraFormat::matrices) return;
   for (const CameraRecord& record : list.cameras) {
@@ -94,7 +94,7 @@ void check_undistorted(const CameraList& list, CameraFormat format) {
   }
 }
 
-/// Throws for what is not written, or into several files.
+/// Throws if the format is only read, or needs several files.
 void check_is_one_text(const CameraList& list, CameraFormat format) {
   const auto refuse = [](const char* program) {
     throw InputError(std::string(program) + "'s files are read, not written");
@@ -108,7 +108,7 @@ void check_is_one_text(const CameraList& list, CameraFormat format) {
     throw InputError("OpenCV's files hold a camera each: name a folder for them");
 }
 
-/// Each camera needs a file of its own that is found in its folder.
+/// Throws if two cameras would be written to one file, or if a file would be hidden.
 void check_files(const std::vector<CameraText>& files, const CameraList& list) {
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -149,7 +149,7 @@ CameraFormat known_format(const Source& source) {
               std::string(known_formats));
 }
 
-/// Whether the file is one of the two that COLMAP needs together.
+/// True if the file is one of the two that COLMAP needs together.
 bool is_colmap_section(const std::string& path) {
   const std::string name = std::filesystem::path(path).filename().string();
   return name == "cameras.txt" || name == "images.txt" || name == "cameras.bin" ||
@@ -161,7 +161,8 @@ bool has_colmap_files(const std::filesystem::path& folder, const std::string& ex
          is_file((folder / ("images" + extension)).string());
 }
 
-/// Of a folder with both, text counts unless a binary file is named.
+/// Returns the extension of the model's files. Prefers text, unless `where` names a binary file.
+/// Returns "" if the folder has neither pair of files.
 std::string colmap_extension(const std::filesystem::path& folder, const std::string& where) {
   const bool is_binary_named = where.ends_with(".bin");
   if (!is_binary_named && has_colmap_files(folder, ".txt")) return ".txt";
@@ -180,7 +181,7 @@ CameraList read_colmap_folder(const std::filesystem::path& folder, const std::st
                              : read_colmap(camera_source, image_source);
 }
 
-/// The files of a folder that look like camera files, which must be of one format.
+/// Returns the camera files of a folder. Throws if their formats differ.
 std::vector<std::string> camera_files_in(const std::string& folder) {
   std::vector<std::string> files;
   std::optional<CameraFormat> format;
@@ -228,7 +229,7 @@ std::optional<CameraFormat> camera_format(std::string_view bytes) {
   const bool has_row = first_row(rows);
   const std::size_t words = has_row ? rows.words_left() : 0;
   const bool has_numbers = has_row && are_numbers(rows);
-  // Behind the comment may be the name of a matrix.
+  // A comment may be the name of a matrix. Hence numbers are examined before comments.
   if (has_numbers && (words == 4 || words == 12)) return CameraFormat::matrices;
   if (bytes.starts_with("# Bundle file")) return CameraFormat::bundler;
   if (has_numbers && words == 1) return CameraFormat::middlebury;

@@ -1,21 +1,23 @@
-/// Camera files: Middlebury parameters, COLMAP's models, Bundler, OpenCV, Metashape, RealityCapture
-/// and 3x4 matrices, distinguished by their content.
+/// Reads and writes camera files. The format is recognized by the content.
 ///
-/// Middlebury: the number of cameras, then a line `name k11 .. k33 r11 .. r33 t1 t2 t3` for each.
-/// COLMAP: cameras.txt and images.txt, in two files of a folder or joined in one text, or
-/// cameras.bin and images.bin in a folder; its pixel centers are at 0.5. Bundler: bundle.out v0.3;
-/// the principal point is the image's center. Matrices: twelve numbers in rows, K [R | t] up to
-/// scale; several may follow each other in a file, each perhaps after a comment `# name`.
+/// Middlebury: the number of cameras, then one line `name k11 .. k33 r11 .. r33 t1 t2 t3` per
+/// camera.
+/// COLMAP: cameras.txt and images.txt, as two files of a folder or concatenated in one text; or
+/// cameras.bin and images.bin in a folder. Pixel centers are at 0.5.
+/// Bundler: bundle.out v0.3. The principal point is the image's center.
+/// Matrices: twelve numbers in rows, K [R | t] up to scale. A file may contain several matrices. A
+/// comment `# name` before a matrix is its name.
+/// OpenCV: YAML or XML with camera_matrix and distortion_coefficients, and either R and T or rows
+/// of extrinsic_parameters.
+/// Metashape: the XML of the cameras. Only aligned cameras are read, in units of the chunk.
+/// RealityCapture: the table (CSV) of internal and external parameters, or one XMP file per camera.
 ///
-/// OpenCV: YAML or XML with camera_matrix, distortion_coefficients, and R and T, or rows of
-/// extrinsic_parameters. Metashape: the XML of its cameras, aligned ones, in units of the chunk.
-/// RealityCapture: its table (CSV) of internal and external parameters, or an XMP file a camera.
+/// Distortion is read from Bundler, OpenCV, Metashape and RealityCapture (except for terms beyond
+/// r^6), and from COLMAP's models SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV.
 ///
-/// Distortion is known of Bundler, OpenCV, Metashape and RealityCapture, but for their terms beyond
-/// r^6, and of COLMAP's models SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV. All of them throw
-/// InputError naming file and line for cameras that a pinhole, but for that, is not, for numbers
-/// that are missing, not finite, beyond 1e100 or no numbers, for focal lengths that are nothing
-/// beside the principal point, and for counts that disagree.
+/// All readers throw InputError, naming file and line, if a camera is not a pinhole with such
+/// distortion. They also throw if a number is missing, malformed, not finite or beyond 1e100, if a
+/// focal length is negligible compared with the principal point, and if counts disagree.
 #pragma once
 
 #include <optional>
@@ -31,7 +33,7 @@ namespace transformesh {
 enum class CameraFormat {
   middlebury,
   colmap,
-  colmap_binary,  ///< to be written
+  colmap_binary,  ///< for writing
   bundler,
   matrices,
   opencv,
@@ -39,33 +41,40 @@ enum class CameraFormat {
   reality_capture
 };
 
-/// None where the beginning looks like no camera file.
+/// Recognizes the format by the beginning of a file. Returns nothing if it is not a camera file.
 std::optional<CameraFormat> camera_format(std::string_view bytes);
 
-/// The cameras of a text, which is complete in itself; `name` is the text's, for messages. Matrices
-/// without names are called after `stem`, or else the stem of `name`.
+/// Reads cameras from a text, which must be complete in itself. `name` is the name of the text in
+/// messages. Matrices without names are named after `stem`, or after the stem of `name` if `stem`
+/// is empty.
 CameraList parse_cameras(std::string_view bytes, const std::string& name,
                          const std::string& stem = {});
 
-/// The cameras of a file, a folder or a pattern, in order: several matrix files in natural order.
-/// Of a folder the files are taken that look like camera files, which must be of one format.
+/// Reads cameras from a file, a folder or a pattern, in the order of the files. Several matrix
+/// files are sorted in natural order. In a folder, only files that look like camera files are read;
+/// they must have the same format.
 CameraList cameras_from(const std::string& where);
 
-/// A file with its name, where a format has several.
+/// One of several files of a format.
 struct CameraText {
   std::string name;
   std::string text;
 };
 
-/// One text that reads back as the same cameras. Throws InputError for what the format cannot hold:
-/// Bundler, Metashape and RealityCapture are only read, OpenCV holds one camera, COLMAP's binary
-/// files are two, COLMAP needs the images' sizes, these three no skew, Middlebury and matrices no
-/// distortion, Middlebury names without blanks, all of them names that are not empty; and for
-/// cameras that are still to be given the size of their image.
+/// Returns one text that is read back as the same cameras. Throws InputError if the format cannot
+/// store the cameras:
+/// - Bundler, Metashape and RealityCapture are only read.
+/// - OpenCV's files contain one camera, and COLMAP's binary model has several files.
+/// - COLMAP needs the sizes of the images; OpenCV and COLMAP have no skew.
+/// - Middlebury and matrices have no distortion.
+/// - Middlebury needs names without blanks; all formats need names that are not empty.
+///
+/// Also throws if a camera depends on the size of an image that is not known.
 std::string write_cameras(const CameraList& list, CameraFormat format);
 
-/// As the programs of the format expect it in a folder: COLMAP's three files, for each camera a
-/// matrix as `NAME.txt` or OpenCV's `NAME.yml`, Middlebury's `cameras_par.txt`.
+/// Returns the files that programs of the format expect in a folder. These are COLMAP's three
+/// files, Middlebury's `cameras_par.txt`, or for each camera a matrix `NAME.txt` or OpenCV's
+/// `NAME.yml`. Throws as write_cameras() does, except that several files are possible.
 std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat format);
 
 }  // namespace transformesh

@@ -1,4 +1,5 @@
-/// The formats of camera files, one source each. Internal to camera_file.
+/// Readers and writers of single camera formats, with one source file per format. Internal to
+/// camera_file.
 #pragma once
 
 #include "io/formats/text_rows.h"
@@ -9,30 +10,30 @@
 
 namespace transformesh {
 
-/// Each throws InputError for what camera_file.h refuses.
+/// All readers throw InputError as described in camera_file.h.
 CameraList read_bundler(const Source& source);
-/// Cameras are called after the stem.
+/// Names cameras after `stem`.
 CameraList read_opencv(const Source& source, const std::string& stem);
 CameraList read_metashape(const Source& source);
-/// The table of cameras, or the XMP file of one, which is called after the stem.
+/// Reads the table of cameras, or the XMP file of one camera, which is named after `stem`.
 CameraList read_reality_capture(const Source& source, const std::string& stem);
-/// Cameras without a name are called after the stem.
+/// Names cameras without a name after `stem`.
 CameraList read_matrices(const Source& source, const std::string& stem);
-/// Cameras and images in one text.
+/// Reads cameras and images from one text.
 CameraList read_colmap(const Source& source);
-/// Cameras and images in two texts.
+/// Reads cameras and images from two texts.
 CameraList read_colmap(const Source& cameras, const Source& images);
-/// The same of cameras.bin and images.bin.
+/// Reads cameras.bin and images.bin.
 CameraList read_colmap_binary(const Source& cameras, const Source& images);
 
-/// Which of COLMAP's files has such a row.
+/// The COLMAP file in which a row can occur.
 enum class ColmapSection { none, cameras, images };
 ColmapSection colmap_section(TextRows rows);
 
 std::string write_matrix(const CameraRecord& record);
 std::string write_colmap_cameras(const CameraList& list);
 std::string write_colmap_images(const CameraList& list);
-/// cameras.bin and images.bin of their texts.
+/// Convert the texts of cameras.txt and images.txt to cameras.bin and images.bin.
 std::string binary_colmap_cameras(const std::string& text);
 std::string binary_colmap_images(const std::string& text);
 std::string write_opencv(const CameraRecord& record);

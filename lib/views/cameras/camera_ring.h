@@ -1,4 +1,4 @@
-/// Cameras around an object, as on a turntable.
+/// Generates cameras on a ring around an object, as on a turntable.
 #pragma once
 
 #include <span>
@@ -11,20 +11,20 @@ namespace transformesh {
 struct CameraRing {
   int count = 16;  ///< >= 1
   std::vector<double> elevations_deg = {
-      18, -12};                ///< above the horizon, < 90 either way, taken in turn
-  Vec3 center = Vec3::Zero();  ///< the point that all cameras look at
-  double distance = 1;         ///< > 0, from the center
-  int width = 320;             ///< >= 1, of the images, in pixels
-  int height = 240;            ///< >= 1
-  double focal_length = 1090;  ///< > 0, in pixels
+      18, -12};                ///< above the horizon, in (-90, 90); cameras use them in turn
+  Vec3 center = Vec3::Zero();  ///< the point at which all cameras look
+  double distance = 1;         ///< distance of the cameras from the center, > 0
+  int width = 320;             ///< width of the images in pixels, >= 1
+  int height = 240;            ///< height of the images in pixels, >= 1
+  double focal_length = 1090;  ///< in pixels, > 0
 };
 
-/// The distance from which the smallest ball around the ring's center that holds the points fills
-/// most of the image's shorter side.
+/// Returns a distance at which the points fill most of the image's shorter side. The points are
+/// replaced by the smallest ball around the ring's center that contains them.
 double distance_for(std::span<const Vec3> points, const CameraRing& ring);
 
-/// Named view0000 and so on, evenly around the z axis from +x on, z upwards in the images. Throws
-/// UsageError for options out of range.
+/// Returns cameras view0000, view0001, ... at equal angles around the z axis, beginning at +x. The
+/// z axis points up in the images. Throws UsageError if options are out of range.
 CameraList camera_ring(const CameraRing& ring);
 
 }  // namespace transformesh

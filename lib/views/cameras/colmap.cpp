@@ -8,10 +8,10 @@
 namespace transformesh {
 namespace {
 
-/// No character begins a comment within a row: an image's name may hold a #.
+/// No character begins a comment within a row, because names of images may contain #.
 constexpr TextRows::Rules rules{'\0', false};
 
-/// What cameras.txt knows: K, and the size of the images that were taken with it.
+/// One camera of cameras.txt: intrinsics, and the size of the images that were taken with it.
 struct Lens {
   Eigen::Matrix3d intrinsics = Eigen::Matrix3d::Identity();
   LensDistortion distortion;
@@ -43,7 +43,8 @@ int read_side(TextRows& rows, const char* name, const std::string& who) {
   return side;
 }
 
-/// A model, and the names of its parameters behind cx and cy; SIMPLE ones have one focal length.
+/// A camera model with the names of its parameters after cx and cy. SIMPLE models have one focal
+/// length.
 struct Model {
   std::string_view name;
   bool has_two_focals = false;
@@ -59,7 +60,8 @@ double& parameter(LensDistortion& distortion, std::string_view name) {
   return name[0] == 'k' ? distortion.radial[index] : distortion.tangential[index];
 }
 
-/// COLMAP has the center of the first pixel at 0.5, 0.5, where it is 0, 0 here.
+/// Reads a camera. Subtracts 0.5 from the principal point, because COLMAP's first pixel center is
+/// (0.5, 0.5) and ours is (0, 0).
 void read_lens(TextRows& rows, Lenses& lenses) {
   const std::string id(rows.word());
   const std::string who = "camera " + quoted(id);
@@ -126,8 +128,8 @@ CameraRecord read_image(TextRows& rows, const Source& source, const Lenses& lens
   return record;
 }
 
-/// Skips the second line of an image, which holds the points seen; it may be empty, or be missing
-/// at the end of the file.
+/// Skips the second line of an image, which contains observed points. The line may be empty, and
+/// missing at the end of the file.
 void skip_points(TextRows& rows, const Source& source, const std::string& name) {
   const char* line = rows.rest();
   const char* end = std::find(line, source.end(), '\n');
@@ -152,7 +154,7 @@ CameraList read_images(TextRows& rows, const Source& source, const Lenses& lense
   return list;
 }
 
-/// Whether the row that rows is at describes a camera.
+/// True if the current row describes a camera.
 bool at_lens(const TextRows& rows) { return colmap_section(rows) == ColmapSection::cameras; }
 
 [[noreturn]] void fail_without_images(const TextRows& rows) {

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// The models by their numbers in files, with how many parameters they have.
+/// Camera models, indexed by their number in files, with their number of parameters.
 struct Model {
   const char* name;
   int parameters;
@@ -27,7 +27,7 @@ constexpr std::array models{Model{"SIMPLE_PINHOLE", 3},
                             Model{"RADIAL_FISHEYE", 5},
                             Model{"THIN_PRISM_FISHEYE", 12}};
 
-/// Numbers one after the other, little-endian.
+/// Reads consecutive little-endian numbers.
 class Numbers {
  public:
   explicit Numbers(const Source& source) : source_(source), rest_(source.bytes) {}
@@ -75,7 +75,7 @@ void copy_numbers(Numbers& numbers, int count, TextBuffer& text) {
   }
 }
 
-/// The same as a line of cameras.txt for each.
+/// Converts cameras.bin to the text of cameras.txt.
 std::string cameras_text(const Source& source) {
   Numbers numbers(source);
   TextBuffer text;
@@ -96,7 +96,7 @@ std::string cameras_text(const Source& source) {
   return text.take();
 }
 
-/// The same as a line of images.txt for each, and an empty one instead of its points.
+/// Converts images.bin to the text of images.txt, with an empty line instead of points.
 std::string images_text(const Source& source) {
   Numbers numbers(source);
   TextBuffer text;
@@ -117,7 +117,7 @@ std::string images_text(const Source& source) {
   return text.take();
 }
 
-/// Numbers one after the other, little-endian.
+/// Writes consecutive little-endian numbers.
 class Bytes {
  public:
   template <class Number>
@@ -133,7 +133,7 @@ class Bytes {
   std::string bytes_;
 };
 
-/// The words of a row of text, and the rest where there is no more than a name.
+/// Splits a row of text into words. rest() is the remaining text, for names with blanks.
 class Words {
  public:
   explicit Words(std::string_view row) : rest_(row) {}
@@ -154,7 +154,7 @@ class Words {
   std::string_view rest_;
 };
 
-/// The rows that are neither empty nor comments.
+/// Returns the rows that are neither empty nor comments.
 std::vector<std::string_view> rows_of(std::string_view text) {
   std::vector<std::string_view> rows;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
@@ -170,7 +170,7 @@ std::int32_t number_of_model(std::string_view name) {
   return static_cast<std::int32_t>(model - models.begin());
 }
 
-/// How many rows there are, and what `add` makes of the words of each.
+/// Returns the number of rows, followed by the output of `add` for the words of each row.
 template <class Add>
 std::string binary_rows(const std::string& text, const Add& add) {
   const std::vector<std::string_view> rows = rows_of(text);
@@ -201,7 +201,7 @@ std::string binary_colmap_images(const std::string& text) {
     bytes.add(words.number<std::uint32_t>());
     bytes.add(words.rest());
     bytes.add('\0');
-    bytes.add(std::uint64_t{0});  // points
+    bytes.add(std::uint64_t{0});  // number of observed points
   });
 }
 

@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-/// COLMAP's first pixel has its center at 0.5, 0.5.
+/// The center of COLMAP's first pixel is (0.5, 0.5).
 constexpr double pixel_center = 0.5;
 
 bool is_same_lens(const CameraRecord& a, const CameraRecord& b) {
@@ -15,7 +15,7 @@ bool is_same_lens(const CameraRecord& a, const CameraRecord& b) {
          a.width == b.width && a.height == b.height;
 }
 
-/// The index of a lens: that of the first camera of the list that has it.
+/// Returns the index of the first camera in the list with the same lens as `record`.
 std::size_t lens_of(const CameraList& list, const CameraRecord& record) {
   const auto first =
       std::find_if(list.cameras.begin(), list.cameras.end(),
@@ -23,7 +23,7 @@ std::size_t lens_of(const CameraList& list, const CameraRecord& record) {
   return static_cast<std::size_t>(first - list.cameras.begin());
 }
 
-/// In the order of FULL_OPENCV.
+/// Adds coefficients in the order of FULL_OPENCV.
 void add(const LensDistortion& distortion, TextBuffer& text) {
   const auto& [k1, k2, k3, k4, k5, k6] = distortion.radial;
   const auto& [p1, p2] = distortion.tangential;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Takes the number at the start of the text, and returns its digits without leading zeros.
+/// Removes the number at the start of the text and returns its digits without leading zeros.
 std::string_view take_number(std::string_view& text) {
   std::string_view digits = text.substr(0, text.find_first_not_of("0123456789"));
   text.remove_prefix(digits.size());
@@ -75,7 +75,7 @@ bool is_folder(const std::string& path) {
   return fs::is_directory(path, error);
 }
 
-/// A pipe is a file here, which fs::is_regular_file() would deny.
+/// Unlike fs::is_regular_file(), also true for pipes.
 bool is_file(const std::string& path) {
   std::error_code error;
   return fs::exists(path, error) && !fs::is_directory(path, error);
@@ -96,7 +96,7 @@ bool is_natural_less(std::string_view first, std::string_view second) {
       second.remove_prefix(1);
     }
   }
-  // Names that differ in leading zeros only, as 1 and 01, are equal so far.
+  // Only leading zeros differ, as in 1 and 01.
   if (first.empty() && second.empty()) return whole_first < whole_second;
   return first.empty();
 }

@@ -1,4 +1,4 @@
-/// Files that one word names: a file, a folder, or a pattern as shells have it.
+/// Resolves an argument that is a file, a folder, or a shell pattern.
 #pragma once
 
 #include <string>
@@ -7,23 +7,26 @@
 
 namespace transformesh {
 
-/// The files of `where` in natural order. A folder stands for the files in it, without those in
-/// its folders and those with a dot in front. A pattern has *, ? or [ and names no file. Throws
-/// InputError where there is nothing of the name.
+/// Returns the files at `where` in natural order. A folder yields its files, except hidden files
+/// and files in subfolders. An argument that is neither file nor folder and contains *, ? or [ is a
+/// pattern. Throws InputError if there is no file.
 std::vector<std::string> files_at(const std::string& where);
-/// The folders of a folder, or whatever a pattern matches, likewise; nothing where there is none.
+/// Returns the subfolders of a folder, or everything that matches a pattern, in natural order.
+/// Returns nothing if there is no match.
 std::vector<std::string> folders_at(const std::string& where);
 
 bool is_folder(const std::string& path);
 bool is_file(const std::string& path);
 
-/// All bytes, or the first `limit`. Throws InputError.
+/// Returns the first `limit` bytes of a file, at most. Throws InputError if the file cannot be
+/// read.
 std::string file_bytes(const std::string& path, std::size_t limit = std::string::npos);
 
-/// `dinoR0000` of `data/dinoR0000.png`. What begins with a digit is no extension: view.001.
+/// Returns the file name without folder and extension: `dinoR0000` for `data/dinoR0000.png`. A
+/// suffix that begins with a digit is not an extension: `view.001` stays.
 std::string stem_of(std::string_view path);
 
-/// Compares with runs of digits as numbers: view9 comes before view10.
+/// Natural order: compares runs of digits as numbers, so that view9 comes before view10.
 bool is_natural_less(std::string_view first, std::string_view second);
 
 }  // namespace transformesh

@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-/// What a sensor of the file says of all its cameras.
+/// Lens parameters that several cameras of a file share.
 struct Sensor {
   Eigen::Matrix3d intrinsics = Eigen::Matrix3d::Identity();
   LensDistortion distortion;
@@ -32,7 +32,7 @@ int side(const pugi::xml_node& resolution, const char* name, const Source& sourc
   return static_cast<int>(numbers[0]);
 }
 
-/// What was found, where the file has also what was there before.
+/// Returns the adjusted calibration if the file also has the initial one.
 pugi::xml_node calibration_of(const pugi::xml_node& sensor) {
   pugi::xml_node found;
   for (const pugi::xml_node& calibration : xml_elements(sensor, "calibration"))
@@ -40,8 +40,8 @@ pugi::xml_node calibration_of(const pugi::xml_node& sensor) {
   return found;
 }
 
-/// The model of frame cameras in Metashape's manual, whose p1 and p2 are OpenCV's p2 and p1. The
-/// principal point is counted from the image's center.
+/// Reads the model of frame cameras in Metashape's manual. Its p1 and p2 are OpenCV's p2 and p1.
+/// Its principal point is relative to the image's center.
 Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
   Sensor sensor;
   const auto calibration = calibration_of(element);
@@ -69,7 +69,7 @@ Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
   return sensor;
 }
 
-/// The matrix of a camera leads from it to the chunk.
+/// Converts the matrix of a camera, which maps camera coordinates to those of the chunk.
 PinholeCamera pose_of(const std::vector<double>& numbers, const std::string& who,
                       const Source& source) {
   if (numbers.size() != 16) source.fail("the transform of " + who + " has no 16 numbers");
@@ -120,7 +120,7 @@ CameraList read_metashape(const Source& source) {
   CameraList list;
   list.names_images = true;
   for (const pugi::xml_node& element : xml_elements(chunks[0], "camera")) {
-    // Cameras that could not be aligned have no place.
+    // Cameras that could not be aligned have no transform.
     if (const auto transform = xml_element(element, "transform"))
       list.cameras.push_back(read_camera(element, transform, sensors, source));
   }

@@ -23,7 +23,8 @@ Stems plain_stems(const NamedFiles& files) {
   return stems;
 }
 
-/// Without the folder where that leads out of the root.
+/// Returns the stem with its folder below `root`, or the stem alone if the folder is not below
+/// `root`.
 std::string stem_with_folder(std::string_view path, const std::string& root) {
   namespace fs = std::filesystem;
   if (!root.empty() && path.starts_with(root)) path.remove_prefix(root.size());
@@ -43,8 +44,8 @@ Stems stems_with_folders(const NamedFiles& files) {
   return stems;
 }
 
-/// What follows the last separator, with it, unless that holds a digit: `-mask` of
-/// `dinoR0000-mask`.
+/// Returns the last separator and the text after it, such as `-mask` of `dinoR0000-mask`. Returns
+/// "" if that text contains a digit.
 std::string_view suffix_of(std::string_view stem) {
   const std::size_t separator = stem.find_last_of("-_. ");
   if (separator == std::string_view::npos || separator == 0) return {};
@@ -90,7 +91,8 @@ std::string counts_text(const NamedFiles& first, const NamedFiles& second) {
                                    : counts_text(files, others)));
 }
 
-/// The partners of `first`; none where no name has one. Throws InputError where only some have one.
+/// Returns the index of each partner of `first`, or nothing if no name has a partner. Throws
+/// InputError if only some names have one.
 std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Stems& second_stems,
                                                    const NamedFiles& first,
                                                    const NamedFiles& second) {

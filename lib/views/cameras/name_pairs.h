@@ -1,4 +1,4 @@
-/// Which files belong together, by their names.
+/// Pairs files by their names.
 #pragma once
 
 #include <string>
@@ -6,28 +6,30 @@
 
 namespace transformesh {
 
-/// Files of one kind, with the words that messages have for them.
+/// Files of one kind, with the words for them in messages.
 struct NamedFiles {
-  std::string kind;                 ///< `image`, `silhouette`: with an s for several
-  std::string where;                ///< as the user wrote it
-  std::vector<std::string> paths;   ///< compared by their stems
-  std::vector<std::string> places;  ///< of each, where names are read from a file; or empty
-  std::string root = {};            ///< the folder in which paths begin, if they begin in one
+  std::string kind;                ///< singular noun, such as `image` or `silhouette`
+  std::string where;               ///< the argument as the user wrote it
+  std::vector<std::string> paths;  ///< paths, which are compared by their stems
+  /// Where each name was read, if names come from a file; else empty.
+  std::vector<std::string> places;
+  std::string root = {};  ///< the folder to which all paths belong, if there is one
 };
 
-/// The stems of the paths; where two are the same, as `left/0001` and `right/0001` of cameras that
-/// share a numbering, all with their folders below the root.
+/// Returns the stems of the paths. If two stems are equal, as for `left/0001` and `right/0001`,
+/// returns all stems with their folders below the root.
 std::vector<std::string> distinct_stems(const NamedFiles& files);
 
-/// For each of `first` the index of its partner among `second`: that of the same stem, or
-/// distinct stem where stems are the same on both sides. A suffix
-/// that all names of a side share, such as -mask or _P, counts only where no name has a partner
-/// with it. Where none has a partner at all, both are taken as they are, in order, unless names
-/// must agree.
+/// Returns for each of `first` the index of its partner in `second`. The rules, in this order:
+/// 1. Files with the same stem are partners. If both sides have repeated stems, distinct_stems()
+///    are compared.
+/// 2. If no file has a partner, suffixes that all names of a side share, such as -mask or _P, are
+///    ignored.
+/// 3. If still no file has a partner, files are paired in their order, unless `names_must_agree`.
 ///
-/// Throws InputError where the numbers of files differ, where only some names have a partner (they
-/// might be numbered from another start, which would silently shift every camera), and where two
-/// names of a side are the same.
+/// Throws InputError if the numbers of files differ, if two names of a side are equal, and if only
+/// some names have a partner. The last case may result from numberings with different starts; pairs
+/// in order would then silently shift every camera.
 std::vector<std::size_t> pair_by_name(const NamedFiles& first, const NamedFiles& second,
                                       bool names_must_agree);
 

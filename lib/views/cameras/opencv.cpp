@@ -16,13 +16,13 @@ using Keys = std::initializer_list<const char*>;
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// The entries of a file that OpenCV's FileStorage wrote, as YAML or as XML.
+/// Entries of a file that OpenCV's FileStorage wrote as YAML or XML.
 class Storage {
  public:
   explicit Storage(const Source& source)
       : source_(source), is_xml_(source.bytes.find("<opencv_storage") != std::string_view::npos) {}
 
-  /// The numbers of the first of these keys that is there; none where none is.
+  /// Returns the numbers of the first key that exists, or nothing if none exists.
   std::optional<Entries> find(Keys keys) const {
     for (const char* key : keys)
       if (const auto text = text_of(key)) return numbers_in(*text, key);
@@ -44,7 +44,7 @@ class Storage {
   [[noreturn]] void fail(const std::string& what) const { source_.fail(what); }
 
  private:
-  /// Where the value of the key begins; npos where there is no such key.
+  /// Returns the position of the value of the key, or npos if there is no such key.
   std::size_t value_of(const std::string& key) const {
     const std::string_view text = source_.bytes;
     const std::string start = is_xml_ ? "<" + key : key + ":";
@@ -115,7 +115,7 @@ LensDistortion distortion_of(const Storage& storage) {
   LensDistortion distortion;
   const auto found = storage.find({"distortion_coefficients", "distCoeffs", "dist_coeffs", "D"});
   if (!found) return distortion;
-  // Models of more numbers have a thin prism and a tilted sensor.
+  // Models with more coefficients have a thin prism and a tilted sensor.
   for (std::size_t i = 8; i < found->size(); ++i)
     if ((*found)[i] != 0)
       storage.fail(
@@ -141,7 +141,7 @@ Eigen::Matrix3d intrinsics_of(const Storage& storage) {
   return k;
 }
 
-/// Rows of a rotation vector and t; or R and t of a single camera.
+/// Reads rows of a rotation vector and t, or R and t of a single camera.
 std::vector<PinholeCamera> poses_of(const Storage& storage) {
   std::vector<PinholeCamera> poses;
   if (const auto rows = storage.find({"extrinsic_parameters", "extrinsics"})) {
@@ -190,7 +190,7 @@ std::vector<double> numbers_of(const Eigen::Matrix3d& matrix) {
   return numbers;
 }
 
-/// As many as there are: k1 k2 p1 p2 k3, and k4 k5 k6 behind them.
+/// Returns k1 k2 p1 p2 k3, followed by k4 k5 k6 if one of these is not 0.
 std::vector<double> numbers_of(const LensDistortion& distortion) {
   const auto& k = distortion.radial;
   const auto& [p1, p2] = distortion.tangential;

@@ -12,11 +12,12 @@ namespace {
 
 constexpr TextRows::Rules rules{'#', false};
 
-/// As much skew, beside the focal length, is what numbers of 12 digits make of none.
+/// Skew below this fraction of the focal length is rounding of numbers of 12 digits, and is set to
+/// 0.
 constexpr double no_skew = 1e-11;
 
-/// RQ decomposition by Gram-Schmidt from the last row upwards: K33 = 1, focal lengths positive,
-/// det R = 1. The sign and the scale of a projection mean nothing.
+/// Decomposes a projection, up to scale and sign, into K [R | t] with K33 = 1, positive focal
+/// lengths and det R = 1. RQ decomposition by Gram-Schmidt from the last row upwards.
 PinholeCamera decomposed(Projection projection) {
   const double sign = projection.leftCols<3>().determinant() < 0 ? -1 : 1;
   projection *= sign / projection.row(2).head<3>().norm();
@@ -35,14 +36,14 @@ PinholeCamera decomposed(Projection projection) {
   return camera;
 }
 
-/// Whether the left three columns have no inverse, as far as doubles can tell.
+/// True if the left three columns are singular in double precision.
 bool is_singular(const Projection& projection) {
   const Eigen::Matrix3d left = projection.leftCols<3>();
   const double size = left.row(0).norm() * left.row(1).norm() * left.row(2).norm();
   return !(std::abs(left.determinant()) > 1e-12 * size);
 }
 
-/// Why no camera has the matrix; empty where the camera is made of it.
+/// Decomposes a projection into a camera. Returns the reason if this is not possible, else "".
 std::string decompose(const Projection& projection, const std::string& who, PinholeCamera& camera) {
   if (!projection.allFinite() || is_singular(projection)) {
     return who + " is singular: no camera has it";
@@ -52,7 +53,7 @@ std::string decompose(const Projection& projection, const std::string& who, Pinh
   return problem.empty() ? translation_problem(camera.translation, who) : problem;
 }
 
-/// The name that a comment before a matrix gives it, without blanks around it.
+/// Returns the name in a comment before a matrix, without surrounding blanks.
 std::string name_in(std::string_view comment) {
   constexpr std::string_view blanks = " \t\r\v\f";
   const std::size_t first = std::min(comment.find_first_not_of(blanks), comment.size());
@@ -101,7 +102,7 @@ CameraList read_matrices(const Source& source, const std::string& stem) {
     list.cameras.push_back(std::move(record));
   }
   if (list.cameras.empty()) rows.fail("there is no camera in the file");
-  // In a file of its own a matrix has the file's name; a comment before it is a title.
+  // A single matrix is named after its file. A comment before it is a title.
   if (list.cameras.size() == 1) list.cameras[0].name = stem;
   return list;
 }

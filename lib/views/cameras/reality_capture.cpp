@@ -13,21 +13,21 @@
 namespace transformesh {
 namespace {
 
-/// Of film, to which focal lengths refer.
+/// Width of the film to which focal lengths refer.
 constexpr double film_width_mm = 36;
 
-/// What both formats say of a lens, in units of the image's larger side but for `focal_mm`.
+/// Lens parameters of both formats. Unit: the image's larger side, except for `focal_mm`.
 struct Lens {
   double focal_mm = 0;
   double aspect = 1;
   double skew = 0;
-  double u = 0, v = 0;  ///< principal point from the image's center
+  double u = 0, v = 0;  ///< principal point relative to the image's center
   std::array<double, 4> k{};
   std::array<double, 2> t{};
 };
 
-/// The record's intrinsics without its pose. Brown's model, in which RealityCapture's coefficients
-/// are OpenCV's but for k4, which it has as the factor of r^8.
+/// Returns a record with intrinsics but without pose. The distortion is Brown's model with OpenCV's
+/// coefficients, except for k4, which is the factor of r^8.
 CameraRecord record_of(const Lens& lens, const std::string& who, const Source& source) {
   CameraRecord record;
   record.place = source.name;
@@ -65,8 +65,9 @@ Eigen::Matrix3d turned(double angle_deg, int axis) {
   return rotation;
 }
 
-/// Without rotation a camera looks down, with north above: along -z with y up. Angles turn it about
-/// the vertical, clockwise, then about its own x and y.
+/// Returns the rotation from the world to the camera. Without rotation the camera looks down along
+/// -z, with north (y) up. Heading rotates it clockwise about the vertical; then pitch and roll
+/// rotate it about its own x and y axes.
 Eigen::Matrix3d rotation_of(double heading, double pitch, double roll) {
   const Eigen::Matrix3d to_world = turned(-heading, 2) * turned(pitch, 0) * turned(roll, 1);
   return Vec3(1, -1, -1).asDiagonal() * to_world.transpose();
@@ -83,7 +84,7 @@ std::vector<std::string> fields_of(std::string_view line) {
   }
 }
 
-/// A row of the table by the names of its columns.
+/// A row of the table, accessed by the names of columns.
 class Row {
  public:
   Row(const std::vector<std::string>& columns, const std::vector<std::string>& fields,
@@ -107,7 +108,7 @@ class Row {
     source_.fail_at_line(place_,
                          column + " is " + quoted(text(column)) + ", which is no finite number");
   }
-  /// 0 where there is no such column.
+  /// Returns 0 if there is no such column.
   double optional_number(const std::string& column) const {
     return fields_.contains(column) ? number(column) : 0;
   }
@@ -157,7 +158,7 @@ CameraList read_table(const Source& source) {
   return list;
 }
 
-/// A value is an attribute of the description, or an element in it.
+/// Returns the numbers of an attribute of the description, or of an element in it.
 std::vector<double> values(const pugi::xml_node& description, const std::string& name,
                            const Source& source) {
   if (const auto attribute = xml_attribute(description, name.c_str()))

@@ -12,18 +12,19 @@
 namespace transformesh {
 namespace {
 
+// The blur of view.h. More blur removes more aliasing and noise, but also detail.
 constexpr double blur_per_scale = 0.45;
 constexpr double blur_at_scale_one = 0.6;
-constexpr double deviations_kept = 3;
+constexpr double deviations_kept = 3;  ///< a Gaussian is truncated at this many standard deviations
 
-/// How a pixel of the smaller image is made of a run of pixels of the larger one.
+/// Weights with which consecutive pixels of the larger image form a pixel of the smaller image.
 struct Blend {
   int first = 0;
   std::vector<float> weights;
 };
 
-/// A Gaussian, spread over the area of a pixel of the smaller image where that is larger than one.
-/// Its deviation is above half a pixel, so that sums over pixel centers are as good as integrals.
+/// A Gaussian, convolved with the area of a pixel of the smaller image if `scale` > 1. Its standard
+/// deviation is above half a pixel, so that sums over pixel centers approximate integrals well.
 class Kernel {
  public:
   explicit Kernel(double scale, double deviation)
@@ -66,7 +67,7 @@ std::vector<Blend> blends(int size, double scale, const Kernel& kernel) {
   return result;
 }
 
-/// Blends rows of the larger image into one, of which blend_columns() then makes pixels.
+/// Sums weighted rows of the larger image. blend_columns() then sums columns of the result.
 void blend_rows(const GrayImage& image, const Blend& blend, std::vector<float>& sum) {
   std::fill(sum.begin(), sum.end(), 0.0F);
   for (std::size_t k = 0; k < blend.weights.size(); ++k) {
@@ -98,7 +99,7 @@ GrayImage resampled(const GrayImage& image, double scale, double deviation) {
   return result;
 }
 
-/// The blur of scale 1, which reaches a pixel to either side.
+/// Returns the blur of scale 1 with three taps. It is truncated to one pixel on both sides.
 ThreeTapBlur taps_at_scale_one() {
   const Kernel kernel(1, blur_at_scale_one);
   constexpr int size = 3;
@@ -113,7 +114,7 @@ ThreeTapBlur taps_at_scale_one() {
   return taps;
 }
 
-/// As at_scale(), and packed where it was.
+/// Equals at_scale(), but keeps the image packed if it was.
 PackableImage held_at_scale(const PackableImage& image, double scale) {
   PackableImage result = scale == 1 ? image : PackableImage();
   if (scale == 1 && result.blur_when_read(taps_at_scale_one())) return result;

@@ -1,4 +1,4 @@
-/// One calibrated photograph, and the same with fewer pixels.
+/// A calibrated photograph, and reduction of its resolution.
 #pragma once
 
 #include <span>
@@ -11,27 +11,27 @@
 namespace transformesh {
 
 struct View {
-  std::string name;  ///< of the image file, without folder and extension
+  std::string name;  ///< name of the image file, without folder and extension
   PinholeCamera camera;
   PackableImage image;
-  PackableImage silhouette;  ///< of the image's size, or empty where there is none
+  PackableImage silhouette;  ///< has the size of the image; empty if unknown
 };
 
 std::vector<PinholeCamera> cameras_of(std::span<const View> views);
 
-/// The image with fewer pixels, for evolutions from coarse to fine (paper 5.3.1). Every pixel is
-/// the mean over its area in the given image, after a Gaussian of deviation 0.45 scale, in pixels
-/// of the given image, that keeps finer detail out; of 0.6 at scale 1, where it only tames noise.
-/// Beyond the border the outermost pixels continue; at the right and at the bottom, what does not
-/// fill a pixel is left out. Throws UsageError for a scale below 1 or so large that no pixel is
-/// left. O(pixels); deterministic.
+/// Shrinks an image for evolutions from coarse to fine (paper 5.3.1). Each pixel is the mean over
+/// its area in `image` after a Gaussian blur, which removes detail that is too fine. The standard
+/// deviation is 0.45 `scale`, in pixels of `image`. At scale 1 it is 0.6, which only reduces noise.
+/// Outside of the image, border pixels are repeated. Pixels on the right and at the bottom that do
+/// not fill a pixel of the result are dropped. Throws UsageError if `scale` is below 1 or no pixel
+/// would be left. O(pixels); deterministic.
 GrayImage at_scale(const GrayImage& image, double scale);
 
-/// Image, silhouette (which keeps its intensities at scale 1), and the camera of the smaller image:
-/// PinholeCamera::shrunk, so that the corners of the image stay where they are.
+/// Shrinks image, silhouette and camera. The camera is PinholeCamera::shrunk(), so that the corners
+/// of the image keep their directions. At scale 1 the silhouette does not change.
 View at_scale(const View& view, double scale);
 
-/// The part of a view that begins at (column, row), which must be inside, with its camera.
+/// Returns a rectangle of a view, with its camera. The rectangle must be inside of the view.
 View cropped(const View& view, int column, int row, int columns, int rows);
 
 }  // namespace transformesh

@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folders in which images of such names are; none where the folder holds the images itself.
+/// Returns the folders with images that the names of cameras begin with. Names without folder refer
+/// to `where`.
 std::vector<std::string> image_folders(const CameraList& cameras, const std::string& where) {
   std::set<std::string> folders;
   for (const CameraRecord& record : cameras.cameras) {
@@ -30,7 +31,7 @@ std::vector<std::string> image_folders(const CameraList& cameras, const std::str
   return {folders.begin(), folders.end()};
 }
 
-/// The folder, or that in which the pattern begins.
+/// Returns the folder, or the folder in which a pattern begins.
 std::string root_of(const std::string& where) {
   if (is_folder(where)) return where;
   const std::string start = where.substr(0, where.find_first_of("*?["));
@@ -68,7 +69,7 @@ NamedFiles names_of(const CameraList& cameras, const std::string& where) {
   return files;
 }
 
-/// The paths of `files` in the order of their partners among `names`.
+/// Returns the paths of `files` in the order of their partners in `names`.
 std::vector<std::string> ordered(const NamedFiles& names, const NamedFiles& files,
                                  bool names_must_agree) {
   std::vector<std::string> paths;
@@ -78,8 +79,8 @@ std::vector<std::string> ordered(const NamedFiles& names, const NamedFiles& file
   return paths;
 }
 
-/// Decodes all files, each by its index. Where several files are bad, the first of them is named,
-/// for any number of threads.
+/// Decodes all files; `decode` gets the index of each. If several files are bad, always reports the
+/// first one.
 template <typename Decode>
 void decode_all(const std::vector<std::string>& paths, const Decode& decode) {
   std::vector<std::exception_ptr> failures(paths.size());
@@ -97,7 +98,7 @@ void decode_all(const std::vector<std::string>& paths, const Decode& decode) {
   }
 }
 
-/// Of `count` files, of which this is the first.
+/// Returns "PATH", or "PATH and N further masks" for `count` files.
 std::string and_others(const std::string& path, std::size_t count) {
   return count == 1 ? path : path + " and " + counted(count - 1, "further mask");
 }
@@ -111,7 +112,7 @@ void note_mask_rule(const std::vector<std::string>& paths, const std::vector<Mas
       and_others(paths[static_cast<std::size_t>(first)], static_cast<std::size_t>(count)) + text);
 }
 
-/// Floats are quicker, as long as there is room for them.
+/// Packs the image if `count` such images would be large. Unpacked images are faster to read.
 void pack_one_of(std::size_t count, PackableImage& image) {
   constexpr double most_pixels = 8e6;
   if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();
@@ -167,7 +168,7 @@ struct SizedCamera {
   std::string path;  ///< of the image
 };
 
-/// Images of different sizes cannot have the same intrinsics.
+/// Throws if images of different sizes have the same intrinsics.
 void check_sizes(const std::vector<SizedCamera>& cameras) {
   for (const SizedCamera& camera : cameras) {
     const auto same_lens = std::find_if(
@@ -180,7 +181,7 @@ void check_sizes(const std::vector<SizedCamera>& cameras) {
   }
 }
 
-/// Those of the images at these paths.
+/// Sets the sizes of cameras to those of their images.
 void set_sizes(const std::vector<std::string>& paths, CameraList& cameras) {
   std::vector<SizedCamera> sized;
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -191,7 +192,7 @@ void set_sizes(const std::vector<std::string>& paths, CameraList& cameras) {
   check_sizes(sized);
 }
 
-/// What pinholes would have seen of it.
+/// Resamples image and silhouette as an ideal pinhole camera would have recorded them.
 void undistort(View& view, const CameraRecord& record) {
   const LensDistortion& distortion = record.distortion;
   if (distortion.is_none()) return;
@@ -212,8 +213,8 @@ std::vector<View> views_from(const ViewSources& sources) {
   std::vector<std::string> silhouettes;
   std::vector<View> views(list.cameras.size());
 
-  // Silhouettes pair with the images, if there are any, rather than with the cameras: files of
-  // matrices name no images, and then pair by their order.
+  // Silhouettes are paired with images rather than with cameras. Matrix files contain no names of
+  // images, so that silhouettes could then only be paired by order.
   NamedFiles leaders = names;
   if (!sources.images.empty()) {
     const NamedFiles files = image_files("image", sources.images, list);

@@ -1,4 +1,4 @@
-/// Calibrated photographs from files: cameras, images and silhouettes that belong together.
+/// Reads calibrated photographs: cameras, and the images and silhouettes that belong to them.
 #pragma once
 
 #include <functional>
@@ -11,33 +11,35 @@
 
 namespace transformesh {
 
-/// The views in the order of the cameras, with the images' names, else the silhouettes', else the
-/// cameras'.
+/// Reads views in the order of the cameras. A view has the name of its image, else of its
+/// silhouette, else of its camera.
 ///
-/// Images and silhouettes are those of the camera that has their name where the camera file names
-/// images (Middlebury, COLMAP); else see name_pairs.h. Throws InputError, naming the file, for what
-/// the readers and the pairing refuse, for images whose size is not that of their silhouette or not
-/// the one that the camera file says, for images of different sizes with the same intrinsics, and
-/// for a silhouette without a pixel inside. Of a folder of images, the folders are searched that
-/// the names of cameras begin with, as COLMAP's `left/0001.jpg`, where there are any. Files are
-/// decoded on all allowed threads; the result and the error do not depend on their number.
+/// If the camera file names images (Middlebury, COLMAP), images and silhouettes belong to the
+/// camera of the same name. Otherwise see name_pairs.h. Names of cameras may begin with folders,
+/// such as COLMAP's `left/0001.jpg`. Then images are searched in these subfolders.
+///
+/// Throws InputError, naming the file, if a file cannot be read or paired. Also throws if an image
+/// has another size than its silhouette or its camera, if images of different sizes have the same
+/// intrinsics, and if a silhouette has no pixel inside. Files are decoded in parallel; result and
+/// error do not depend on the number of threads.
 std::vector<View> views_from(const ViewSources& sources);
 
-/// Photographs in color, which are decoded one at a time when they are asked for.
+/// A color photograph, which is decoded on request.
 struct PictureView {
-  std::string name;  ///< as that of views_from
+  std::string name;  ///< as in views_from()
   PinholeCamera camera;
   int width = 0;
   int height = 0;
-  std::function<Image()> picture;  ///< without distortion; throws InputError as views_from does
+  /// Decodes the undistorted photograph; throws InputError as views_from() does.
+  std::function<Image()> picture;
 };
 
-/// Silhouettes do not matter. Throws as views_from does, except for errors that only the pixels
-/// show.
+/// Reads cameras and sizes of images; ignores silhouettes. Throws as views_from() does, except for
+/// errors that only occur while decoding pixels.
 std::vector<PictureView> picture_views_from(const ViewSources& sources);
 
-/// The same cameras with the sizes and file names of their images, for conversion. `where` names
-/// the camera file in messages. Throws as views_from does.
+/// Returns the cameras with the sizes and file names of their images, for conversion. `where` is
+/// the name of the camera file in messages. Throws as views_from() does.
 CameraList cameras_of_images(CameraList cameras, const std::string& where,
                              const std::string& images);
 

@@ -9,8 +9,9 @@
 namespace transformesh {
 namespace {
 
+// Smaller angles make windows more similar, larger ones determine depth better.
 constexpr double best_angle_deg = 15;
-/// Neighbors within it are near, whatever the best one's angle is.
+/// Neighbors within this angle are kept, whatever PairOptions::spread demands.
 constexpr double near_deg = 30;
 
 double badness(const ViewPair& pair) {

@@ -11,10 +11,10 @@ namespace transformesh {
 
 struct PhotoScene {
   std::vector<View> views;  ///< without silhouettes
-  /// signed distances from silhouettes; empty for views without silhouette
+  /// Signed distances from silhouettes; empty for views without silhouette.
   std::vector<PackableImage> distances;
   std::vector<ViewPair> pairs;
-  /// length of a pixel's side at the point at which the cameras look; input units
+  /// Length of a pixel's side at the point at which the cameras look; input units.
   double pixel = 0;
 };
 

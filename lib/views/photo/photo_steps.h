@@ -5,7 +5,6 @@
 /// this is typical if photographs are noisy. Movements in opposite directions cancel.
 /// Reference: Polyak, "Some methods of speeding up the convergence of iteration methods", USSR
 /// Computational Mathematics and Mathematical Physics 4(5), 1964.
-/// Computational Mathematics and Mathematical Physics 4(5), 1964.
 #pragma once
 
 #include "views/photo/photo_scene.h"

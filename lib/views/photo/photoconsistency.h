@@ -13,7 +13,6 @@
 /// O(views * faces + pairs * pixels) time. Memory: 46 bytes per visible pixel of one view and
 /// thread, and 72 bytes per face. Parallel over views; the result does not depend on the number of
 /// threads.
-/// each thread, and 72 a face. In parallel over views; the same bytes for any number of threads.
 #pragma once
 
 #include <span>
@@ -35,7 +34,7 @@ struct Photoconsistency {
   double loss = 0;         ///< the sum that is differentiated; equals `energy` if not robust
   double weight = 0;       ///< sum of rho
   std::size_t pixels = 0;  ///< number of compared pixels, over all pairs
-  /// number of pixels that show the surface, over all pairs, whether compared or not
+  /// Number of pixels that show the surface, over all pairs, whether compared or not.
   std::size_t visible = 0;
   std::vector<Vec3> gradient;  ///< derivative of the loss with respect to the position
   /// Half of the Gauss-Newton approximation of the second derivative, for movements along the

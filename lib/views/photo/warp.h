@@ -14,7 +14,7 @@ struct WarpedRow {
   float* is_seen = nullptr;    ///< 1 or 0
   float* reference = nullptr;  ///< intensity of the reference image minus `middle_intensity`
   float* other = nullptr;      ///< intensity of the other image minus `middle_intensity`
-  /// derivative of `other` with respect to the depth of the point in the reference view
+  /// Derivative of `other` with respect to the depth of the point in the reference view.
   float* slope = nullptr;
 };
 
@@ -50,7 +50,7 @@ class Warp {
   PixelBox part_;       ///< part of the other view that is in `other_`
   const GrayImage& other_;
   const VisibleDepths& depths_;
-  /// maps homogeneous pixels of the reference view to directions in those of the other
+  /// Maps homogeneous pixels of the reference view to directions in those of the other.
   Eigen::Matrix3d turn_;
   Vec3 shift_;     ///< center of the reference camera in homogeneous pixels of the other view
   double nearer_;  ///< a point is hidden if its depth times this is beyond the visible depth
