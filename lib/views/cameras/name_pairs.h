@@ -11,7 +11,7 @@ struct NamedFiles {
   std::string kind;                ///< singular noun, such as `image` or `silhouette`
   std::string where;               ///< the argument as the user wrote it
   std::vector<std::string> paths;  ///< paths, which are compared by their stems
-  /// Where each name was read, if names come from a file; else empty.
+  /// File and line of each name, if names come from a file; else empty.
   std::vector<std::string> places;
   std::string root = {};  ///< the folder to which all paths belong, if there is one
 };

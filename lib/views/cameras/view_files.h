@@ -18,15 +18,15 @@ namespace transformesh {
 /// camera of the same name. Otherwise see name_pairs.h. Names of cameras may begin with folders,
 /// such as COLMAP's `left/0001.jpg`. Then images are searched in these subfolders.
 ///
-/// Throws InputError, naming the file, if a file cannot be read or paired. Also throws if an image
-/// has another size than its silhouette or its camera, if images of different sizes have the same
-/// intrinsics, and if a silhouette has no pixel inside. Files are decoded in parallel; result and
+/// Throws InputError, naming the file, if a file cannot be read or paired, and if a silhouette has
+/// no pixel inside. Also throws if an image has another size than its silhouette or its camera, and
+/// if images of different sizes have the same intrinsics. Files are decoded in parallel; result and
 /// error do not depend on the number of threads.
 std::vector<View> views_from(const ViewSources& sources);
 
 /// A color photograph, which is decoded on request.
 struct PictureView {
-  std::string name;  ///< as in views_from()
+  std::string name;  ///< see views_from()
   PinholeCamera camera;
   int width = 0;
   int height = 0;

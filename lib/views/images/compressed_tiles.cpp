@@ -9,7 +9,7 @@ namespace {
 constexpr int side = 8;
 constexpr std::size_t area = std::size_t{side} * side;
 
-/// The words of a tile; beyond the image its last ones go on.
+/// The words of a tile. The last row and column of the image are repeated beyond it.
 using Square = std::array<int, area>;
 
 Square square_at(const Raster<std::uint16_t>& words, int left, int top) {
@@ -22,7 +22,7 @@ Square square_at(const Raster<std::uint16_t>& words, int left, int top) {
   return square;
 }
 
-/// In how many bits numbers from `least` to `most` fit that have a sign.
+/// Returns the number of bits of signed numbers from `least` to `most`: 0, 4, 8 or 16.
 std::uint16_t bits_of(int least, int most) {
   if (least == 0 && most == 0) return 0;
   if (least >= -8 && most < 8) return 4;
@@ -35,7 +35,7 @@ std::uint16_t word_at(const std::uint8_t* bytes, std::size_t i) {
 
 int byte_at(const std::uint8_t* bytes, std::size_t i) { return static_cast<std::int8_t>(bytes[i]); }
 
-/// The upper half of a byte comes with its sign.
+/// Sign-extends the 4-bit number at index `i`.
 int half_byte_at(const std::uint8_t* bytes, std::size_t i) {
   const int upper = i % 2 == 0 ? bytes[i / 2] << 4 : bytes[i / 2];
   return static_cast<std::int8_t>(upper & 0xf0) / 16;

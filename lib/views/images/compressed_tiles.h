@@ -1,5 +1,6 @@
-/// Lossless compression of 16-bit images that are smooth, such as those of distances: square tiles,
-/// each stored as the residuals of a plane in as few bits as they need.
+/// Lossless compression of smooth 16-bit images, such as distances. The image is divided into
+/// square tiles. Each tile is stored as a plane and the residuals from it, with as many bits as the
+/// residuals need.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +10,22 @@
 
 namespace transformesh {
 
-/// Half a byte to one a pixel where it is smooth, 2.2 bytes at most. O(pixels).
+/// Takes half a byte to one byte per pixel of smooth images, and at most 2.2 bytes. O(pixels).
 class CompressedTiles {
  public:
   CompressedTiles() = default;
   explicit CompressedTiles(const Raster<std::uint16_t>& words);
 
   bool empty() const { return tiles_.empty(); }
-  /// Bytes of memory.
+  /// Returns the memory in bytes.
   std::size_t size() const { return tiles_.size() * sizeof(Tile) + bytes_.size(); }
   std::uint16_t at(int x, int y) const;
-  /// All of them, row by row.
+  /// Writes all words, row by row.
   void copy_to(std::vector<std::uint16_t>& words) const;
 
  private:
-  /// Word (x, y) of a tile is start + x across + y down and, from `bytes` on, the rest in so many
-  /// bits; in 16 it is the word itself.
+  /// Word (x, y) of a tile is start + x across + y down plus a residual. Residuals begin at `bytes`
+  /// and have `bits` bits each. If `bits` is 16, the words themselves are stored.
   struct Tile {
     std::uint32_t bytes = 0;
     std::uint16_t start = 0;
@@ -35,7 +36,7 @@ class CompressedTiles {
   void add(const Raster<std::uint16_t>& words, int left, int top);
 
   int width_ = 0, height_ = 0;
-  int columns_ = 0;  ///< of tiles
+  int columns_ = 0;  ///< number of columns of tiles
   std::vector<Tile> tiles_;
   std::vector<std::uint8_t> bytes_;
 };

@@ -13,12 +13,12 @@
 namespace transformesh {
 namespace {
 
-/// Each scan goes through the whole image: a file of few bytes may ask for hours. Progressive
-/// images have ten or so.
+/// Limit on the number of scans. Each scan processes the whole image, so that a small file could
+/// take hours. Progressive images have about ten scans.
 constexpr int most_scans = 100;
 
 struct ErrorManager {
-  jpeg_error_mgr base{};  ///< comes first, because libjpeg knows only this part
+  jpeg_error_mgr base{};  ///< must be first: libjpeg accesses only this part
   std::jmp_buf escape{};
   std::array<char, JMSG_LENGTH_MAX> reason{};
 };
@@ -35,7 +35,8 @@ struct ErrorManager {
   std::longjmp(errors->escape, 1);
 }
 
-/// Warnings tell of damage that libjpeg would fill by a guess, except a few that are about labels.
+/// Treats warnings as errors, because libjpeg would replace damaged data by a guess. Ignores a few
+/// warnings about labels.
 void take_message(j_common_ptr jpeg, int intensity) {
   constexpr int warning = -1;
   if (intensity != warning) return;
@@ -61,7 +62,7 @@ void count_scans(j_common_ptr jpeg) {
   std::longjmp(errors->escape, 1);
 }
 
-/// Frees libjpeg's structures whatever happens.
+/// Owns libjpeg's structures.
 class Reader {
  public:
   explicit Reader(const Source& source) : source_(source) {
@@ -83,8 +84,8 @@ class Reader {
                    source_.bytes.size());
       jpeg_read_header(&jpeg_, TRUE);
     });
-    // Every block of 64 pixels takes at least a bit; where components are sampled unevenly, there
-    // is a block for 128 pixels.
+    // Every block of 64 pixels takes at least one bit. Subsampled components have one block per 128
+    // pixels.
     check_size(source_, jpeg_.image_width, jpeg_.image_height, std::uint64_t{8} * 128);
     if (jpeg_.num_components == 4)
       jpeg_.out_color_space = JCS_CMYK;
@@ -110,7 +111,8 @@ class Reader {
   }
 
  private:
-  /// libjpeg leaves by longjmp where it fails: no object with a destructor may be made in here.
+  /// Calls libjpeg and throws if it fails. libjpeg leaves `action` by longjmp, so that `action`
+  /// must not create objects with destructors.
   template <class Action>
   void demand(const Action& action) {
     if (setjmp(errors_.escape) != 0) refuse();
@@ -123,7 +125,7 @@ class Reader {
     source_.fail("not a complete JPEG image: " + std::string(errors_.reason.data()) + row);
   }
 
-  /// Inks are taken as inverted, which is how Adobe's programs write them.
+  /// Converts inverted CMYK, as Adobe's programs write it, to RGB.
   static void convert_from_cmyk(std::vector<JSAMPLE>& row) {
     for (auto pixel = row.begin(); pixel != row.end(); pixel += 4) {
       const int black = pixel[3];

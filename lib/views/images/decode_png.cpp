@@ -28,8 +28,8 @@ void take(png_structp png, png_bytep data, png_size_t size) {
 
 void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
-/// Whether libpng does what it is asked to. Where it fails it leaves by longjmp, so that no object
-/// with a destructor may be made in the action.
+/// Returns false if libpng fails in `action`. libpng leaves `action` by longjmp, so that `action`
+/// must not create objects with destructors.
 template <class Action>
 bool completes(png_structp png, const Action& action) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
@@ -42,12 +42,12 @@ void read_header(png_structp png, png_infop info) {
   png_set_packing(png);
   png_set_expand_gray_1_2_4_to_8(png);
   png_set_palette_to_rgb(png);
-  // What is transparent by color or palette gets a channel of its own, for masks.
+  // Convert transparent colors and palette entries to an alpha channel, for masks.
   png_set_tRNS_to_alpha(png);
   if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
 }
 
-/// Frees libpng's structures whatever happens.
+/// Owns libpng's structures.
 class Reader {
  public:
   explicit Reader(const Source& source)
@@ -69,7 +69,7 @@ class Reader {
     demand([this] { read_header(png_, info_); });
     const auto width = png_get_image_width(png_, info_);
     const auto height = png_get_image_height(png_, info_);
-    // Deflate makes at most 1032 bytes of one byte.
+    // Deflate expands one byte to at most 1032 bytes.
     const unsigned bits = png_get_channels(png_, info_) * png_get_bit_depth(png_, info_);
     check_size(source_, width, height, std::uint64_t{8} * 1032 / bits);
     demand([this] {
@@ -89,8 +89,8 @@ class Reader {
   void read(const SampleLayout& layout, IntensityRows& rows) {
     const auto height = static_cast<std::size_t>(layout.height);
     const std::size_t row_size = png_get_rowbytes(png_, info_);
-    // Interlaced images need room for all rows, none of which is complete before the last pass.
-    // They are not initialized, so that memory is touched only as far as libpng decodes.
+    // Interlaced images need memory for all rows, because no row is complete before the last pass.
+    // The memory is not initialized, so that pages are only touched as far as libpng decodes.
     // NOLINTNEXTLINE(*-avoid-c-arrays)
     const std::unique_ptr<png_byte[]> samples(
         new png_byte[passes_ == 1 ? row_size : height * row_size]);

@@ -7,7 +7,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Reads the whole numbers of the header, and of samples written as text, past blanks and comments.
+/// Reads integers of the header, and samples written as text. Skips blanks and comments.
 class Numbers {
  public:
   explicit Numbers(const Source& source) : source_(source), place_(source.begin() + 2) {}
@@ -38,7 +38,7 @@ class Numbers {
   const char* place_;
 };
 
-/// Reads the samples of one row, and refuses those above the maximum.
+/// Reads the samples of one row. Throws if a sample exceeds the maximum.
 class SampleReader {
  public:
   SampleReader(const Source& source, Numbers& numbers, unsigned maximum)
@@ -51,7 +51,7 @@ class SampleReader {
     }
   }
 
-  /// `place` is that of the row, whose bytes are there; the more significant byte comes first.
+  /// Reads a row of big-endian samples at `place`. All bytes of the row must exist.
   void read_binary(const char* place, std::vector<std::uint16_t>& row) const {
     for (std::uint16_t& sample : row) {
       const char* start = place;
@@ -76,9 +76,9 @@ class SampleReader {
   unsigned maximum_;
 };
 
-/// The place of the first binary sample. Fails unless all of them are there.
+/// Returns the place of the first binary sample. Throws if samples are missing.
 const char* start_of_samples(const Source& source, const char* place, std::size_t size) {
-  // One blank ends the header; what follows may look like blanks.
+  // Exactly one blank ends the header. Samples after it may have the values of blanks.
   const bool has_blank = place != source.end() && is_blank(*place);
   if (!has_blank) source.fail_at_byte(place, "a blank must follow the maximum");
   const auto available = static_cast<std::size_t>(source.end() - place) - 1;

@@ -14,7 +14,7 @@
 namespace transformesh {
 namespace {
 
-/// The bytes, which libtiff reads as a file.
+/// Bytes in memory that libtiff reads as a file.
 struct Input {
   std::string_view bytes;
   std::uint64_t place = 0;
@@ -53,11 +53,11 @@ int keep_failure(TIFF* /*tiff*/, void* input, const char* /*module*/, const char
   std::vsnprintf(text.data(), text.size(), format, values);
   std::string& failure = static_cast<Input*>(input)->failure;
   if (failure.empty()) failure = text.data();
-  return 1;  // tells libtiff to print nothing
+  return 1;  // libtiff prints nothing
 }
 
-/// Where a file is opened, warnings tell of labels that libtiff does not know; later, of damage
-/// that it fills by a guess.
+/// Handles warnings. When a file is opened, they concern labels that libtiff does not know. Later
+/// they concern damaged data that libtiff replaces by a guess.
 int keep_warning(TIFF* tiff, void* input, const char* module, const char* format, va_list values) {
   if (!static_cast<Input*>(input)->are_warnings_failures) return 1;
   return keep_failure(tiff, input, module, format, values);
@@ -79,7 +79,7 @@ Tiff open(Input& input) {
                                 nullptr, nullptr, options.get()));
 }
 
-/// Samples that are not initialized, so that memory is touched only as far as libtiff decodes.
+/// Returns uninitialized samples, so that pages are only touched as far as libtiff decodes.
 template <class Sample>  // NOLINTNEXTLINE(*-avoid-c-arrays)
 std::unique_ptr<Sample[]> samples(std::uint64_t count) {
   // NOLINTNEXTLINE(*-avoid-c-arrays)
@@ -97,7 +97,7 @@ class Reader {
     stride_ = field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
     photometric_ = field<std::uint16_t>(TIFFTAG_PHOTOMETRIC);
     is_tiled_ = TIFFIsTiled(tiff_.get()) != 0;
-    // No bound is known for compressed data, which show what they hold when they are decoded.
+    // Compressed data have no known limit; missing data are noticed during decoding.
     constexpr std::uint64_t any = std::numeric_limits<std::uint32_t>::max();
     const bool is_compressed = field<std::uint16_t>(TIFFTAG_COMPRESSION) != COMPRESSION_NONE;
     check_size(source, width_, height_, is_compressed ? any : 8);
@@ -155,14 +155,15 @@ class Reader {
       refuse_format(source_, "TIFF of channels that lie apart");
   }
 
-  /// Strips and rows of tiles are bands of so many rows.
+  /// Returns the number of rows of a strip or of a row of tiles.
   std::uint32_t rows_per_band() const {
     const auto rows = field<std::uint32_t>(is_tiled_ ? TIFFTAG_TILELENGTH : TIFFTAG_ROWSPERSTRIP);
     return std::clamp(rows, 1U, height_);
   }
 
-  /// Strips and tiles are decoded as a whole, so that their room is taken before they show what
-  /// they hold. No compression in use makes of a photograph as much as this.
+  /// Allocates a strip or tile, which libtiff decodes as a whole. Throws if the size is
+  /// implausible, because the file may lack the data. No compression in use reduces a photograph by
+  /// this factor.
   template <class Sample>
   std::unique_ptr<Sample[]> claimed_samples(std::uint64_t count) const {  // NOLINT(*-c-arrays)
     constexpr std::uint64_t always_fine = 1 << 24;

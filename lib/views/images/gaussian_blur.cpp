@@ -12,15 +12,15 @@
 namespace transformesh {
 namespace {
 
-/// The intensities of a row, with room for whole blocks.
+/// The intensities of a row, padded for whole blocks.
 using Row = std::vector<double>;
 
-/// So many pixels are summed at once, in registers.
+/// Number of pixels that are summed at once, in registers.
 constexpr std::size_t block = 16;
 
 Row make_row(int width) { return Row(static_cast<std::size_t>(width) + block); }
 
-/// The weights of an odd number of pixels around the one in question, as floats have them.
+/// Returns an odd number of weights, rounded to floats.
 std::vector<double> gaussian_weights(double deviation) {
   const auto reach = static_cast<int>(std::lrint(8 * deviation + 1)) / 2;
   std::vector<double> weights;
@@ -31,7 +31,7 @@ std::vector<double> gaussian_weights(double deviation) {
   return weights;
 }
 
-/// The pixel that stands for pixel i in a row of `count` that is mirrored at its ends.
+/// Returns the index of the pixel that replaces pixel `i` of a row that is mirrored at its ends.
 int mirrored(int i, int count) {
   if (count == 1) return 0;
   const int period = 2 * (count - 1);
@@ -40,8 +40,8 @@ int mirrored(int i, int count) {
 }
 
 /// Writes the sum over i of weights[i] * rows[i][x] for each x. Products are exact in double
-/// precision, so that each sum is rounded once, to a float: this is what fused multiply-adds of
-/// floats make, on machines without them too.
+/// precision, so that each sum is rounded once, to a float. The result equals that of fused
+/// multiply-adds of floats, also on machines without them.
 void weigh(const std::vector<double>& weights, const std::vector<const double*>& rows, int width,
            float* result) {
   for (std::size_t x = 0; x < static_cast<std::size_t>(width); x += block) {
@@ -75,7 +75,7 @@ GrayImage blur_rows(const GrayImage& image, const std::vector<double>& weights) 
   return result;
 }
 
-/// Rows at the same distance above and below are added before they are weighed.
+/// Adds rows at the same distance above and below before multiplication by their common weight.
 GrayImage blur_columns(const GrayImage& image, const std::vector<double>& weights) {
   GrayImage result(image.width, image.height);
   const std::vector<double> half(weights.begin() + static_cast<int>(weights.size() / 2),

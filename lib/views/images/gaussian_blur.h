@@ -5,8 +5,8 @@
 
 namespace transformesh {
 
-/// Returns the image filtered by a Gaussian with this `deviation` in pixels, > 0, that is cut off
-/// at four deviations. Beyond its border the image continues mirrored. O(pixels * deviation); the
+/// Returns the image filtered by a Gaussian with standard deviation `deviation` in pixels, > 0,
+/// truncated at four deviations. The image is mirrored at its border. O(pixels * deviation); the
 /// same bytes on every machine.
 GrayImage gaussian_blur(const GrayImage& image, double deviation);
 

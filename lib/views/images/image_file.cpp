@@ -19,7 +19,8 @@ bool is_pnm(std::string_view bytes) {
 struct Format {
   std::string_view start;
   const char* name;
-  void (*decode)(const Source& source, IntensityRows& rows) = nullptr;  ///< null: it is not read
+  /// Null if the format is not supported.
+  void (*decode)(const Source& source, IntensityRows& rows) = nullptr;
 };
 
 constexpr std::array formats{Format{"\x89PNG\r\n\x1a\n"sv, "PNG", decode_png},
@@ -38,7 +39,7 @@ constexpr Format pnm{"P", "PNM", decode_pnm};
 constexpr Format webp{"RIFF", "WebP"};
 constexpr Format heif{"", "HEIF"};
 
-/// Null where the bytes begin like no image.
+/// Returns null if no format matches the first bytes.
 const Format* format_of(std::string_view bytes) {
   if (is_pnm(bytes)) return &pnm;
   if (bytes.starts_with(webp.start) && bytes.substr(0, 12).ends_with("WEBP")) return &webp;

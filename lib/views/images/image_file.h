@@ -1,9 +1,9 @@
-/// Photographs and silhouettes from files, JPEG, PNG, TIFF and PNM (P2, P3, P5, P6), and as
-/// pictures that can be written (raster/png.h). The format is detected by the first bytes, not by
-/// the name.
+/// Reads photographs and silhouettes from JPEG, PNG, TIFF and PNM (P2, P3, P5, P6), and converts
+/// them to pictures that can be written (raster/png.h). The format is detected by the first bytes,
+/// not by the name.
 ///
-/// Pixels stay where the file has them: a camera is calibrated for those, so that a wish to show
-/// the photograph rotated (Exif) is ignored. Transparency counts in masks only.
+/// Exif orientation is ignored, because cameras are calibrated for pixels as stored in the file.
+/// Transparency is used for masks only.
 #pragma once
 
 #include <string>
@@ -14,24 +14,24 @@
 
 namespace transformesh {
 
-/// Whether the bytes begin like an image file, be it of a format that is not read.
+/// True if the bytes begin like an image file, even if the format is not supported.
 bool is_image(std::string_view bytes);
 
-/// Decodes a picture in color, 8 bits a channel, opaque. Throws as decode_photograph() does.
+/// Decodes a color picture: 8 bits per channel, opaque. Throws as decode_photograph() does.
 Image decode_picture(std::string_view bytes, const std::string& name);
 
-/// Width and height as its header has them, without a pixel. Throws as decode_photograph does, but
-/// for errors that only the pixels show.
+/// Decodes the header only. Returns an image with width and height, but without pixels. Throws as
+/// decode_photograph() does, except for errors that only occur while decoding pixels.
 GrayImage decode_size(std::string_view bytes, const std::string& name);
 
-/// Inside is what the intensities or the transparency show (mask.h). Throws as decode_photograph
+/// Decodes a mask by its intensities or its transparency (mask.h). Throws as decode_photograph()
 /// does.
 Mask decode_mask(std::string_view bytes, const std::string& name);
 
-/// The same without the rule that was applied.
+/// Equals decode_mask(), without the rule.
 GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
 
-/// Intensities from 0 to 255, rounded to whole ones and cut off beyond; opaque.
+/// Converts to an opaque gray picture. Intensities are rounded and clamped to [0, 255].
 Image picture_of(const GrayImage& image);
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-/// Intensities of an image between its pixels, with the derivatives of the interpolant itself.
+/// Interpolation of intensities between pixels, and the derivative of the interpolant.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,13 +13,13 @@ struct Sample {
   float slope = 0;  ///< derivative in the given direction
 };
 
-/// Besides the pixel of a place, its interpolation needs `margin` pixels to the left and above, and
-/// one more to the right and below.
+/// Besides the pixel itself, interpolation reads `margin` pixels to the left and above, and
+/// `margin` + 1 pixels to the right and below.
 template <Interpolation interpolation>
 inline constexpr int margin = interpolation == Interpolation::catmull_rom ? 1 : 0;
 
-/// The image at pixel (column, row) plus (s, t), both in [0, 1), and its derivative in direction
-/// (along_x, along_y).
+/// Evaluates the image at pixel (column, row) plus (s, t), both in [0, 1), and its derivative in
+/// direction (along_x, along_y).
 template <Interpolation interpolation>
 Sample sample(const GrayImage& image, int column, int row, float s, float t, float along_x,
               float along_y);
@@ -37,7 +37,8 @@ inline Sample sample<Interpolation::bilinear>(const GrayImage& image, int column
           along_x * (top_step + t * (bottom_step - top_step)) + along_y * down};
 }
 
-/// Weights of four neighbors in a row, as polynomials of the place t between the inner two.
+/// Weights of four consecutive pixels, as cubic polynomials of the position t between the inner
+/// two.
 /// Reference: Keys, "Cubic convolution interpolation for digital image processing", IEEE TASSP 29
 /// (1981), with a = -1/2, also known as Catmull-Rom.
 struct CubicWeights {

@@ -1,4 +1,4 @@
-/// Meaning of the intensities of a mask in a file.
+/// Interprets the intensities of mask files.
 #pragma once
 
 #include "transformesh/image.h"
@@ -6,10 +6,9 @@
 namespace transformesh {
 
 enum class MaskRule {
-  not_black,            ///< inside is what is not black, as of masks of few intensities
-  alpha,                ///< what is at least half opaque: transparency varies, so it is the mask
-  between_intensities,  ///< what is brighter than half-way from the darkest intensity to the
-                        ///< brightest
+  not_black,            ///< inside: pixels that are not black; for masks of few intensities
+  alpha,                ///< inside: pixels that are at least half opaque; if transparency varies
+  between_intensities,  ///< inside: pixels above the mean of the least and the largest intensity
 };
 
 struct Mask {
@@ -17,12 +16,13 @@ struct Mask {
   MaskRule rule = MaskRule::not_black;
 };
 
-/// Intensities are the largest of a pixel's channels, 0 to 255; `alpha` is of their size, or empty.
+/// Interprets a mask. `intensities` are the maxima of each pixel's channels, 0 to 255. `alpha` has
+/// the same size or is empty.
 ///
-/// Half-way is the rule where nearly all of what is not dark is bright, and black is not quite
-/// black: where there are several dark intensities beside 0, as noise and JPEG's ringing leave
-/// them, or no pixel of intensity 0 at all. Labels, and photographs cut out before black, are not
-/// like that.
+/// The rule `between_intensities` applies if nearly all pixels that are not dark are bright, and
+/// black is not exactly black. Black is inexact if no pixel has intensity 0, or if there are
+/// several dark intensities besides 0, as noise and JPEG artifacts produce. Neither is true of
+/// labels, and of photographs that are cut out in front of black.
 Mask mask_of(GrayImage intensities, const GrayImage& alpha);
 
 }  // namespace transformesh

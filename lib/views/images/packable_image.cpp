@@ -10,7 +10,7 @@ namespace {
 
 constexpr float intensities_per_unit = 256;
 constexpr float distances_per_unit = 64;
-constexpr float no_distance = 32768;  ///< the word that is distance 0
+constexpr float no_distance = 32768;  ///< the word of distance 0
 constexpr std::uint16_t last_word = 65535;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -18,7 +18,7 @@ std::uint16_t word_of(float value) {
   return static_cast<std::uint16_t>(std::clamp(value + 0.5F, 0.0F, 65535.0F));
 }
 
-/// The first and the last word stand for what is infinite.
+/// The first and the last word represent infinite distances.
 std::uint16_t word_of_distance(float distance) {
   if (std::isinf(distance)) return distance < 0 ? 0 : last_word;
   return word_of(std::clamp(no_distance + distances_per_unit * distance, 1.0F, 65534.0F));
@@ -104,7 +104,7 @@ bool PackableImage::blur_when_read(const ThreeTapBlur& taps) {
   return true;
 }
 
-// Intensities are rounded as those of words are.
+// Intensities are rounded like those of words, so that the result equals a packed blurred image.
 void PackableImage::read_blurred(int x, int y, int columns, int rows, float* out) const {
   blur_rectangle(bytes_, width, height, *blur_, {x, y}, columns, rows, out);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(columns) * rows;

@@ -1,11 +1,11 @@
-/// A gray image that can be packed while it is not used: floats, or at most 16 bits a pixel if many
-/// large images are held together. A reconstruction from 20 photographs of 1.9 megapixels takes
-/// 1.57 GB with packed images and 2.47 GB without, and 17 % more CPU time.
+/// A gray image that can be packed: floats, or at most 16 bits per pixel if many large images are
+/// stored. A reconstruction from 20 photographs of 1.9 megapixels takes 1.57 GB with packed images
+/// and 2.47 GB without, and 17 % more CPU time.
 ///
-/// Packed are intensities, of which those of masks take a bit, other ones of 8 bits a byte, and
-/// others are rounded to 1/256; distances to contours, rounded to 1/64 pixel and cut off at 511
-/// pixels but for those that are infinite; and depths, rounded up by at most a 65534th of their
-/// range. Both take about a byte (compressed_tiles.h).
+/// Intensities of masks take one bit, integers from 0 to 255 one byte; other intensities are
+/// rounded to 1/256 and take two bytes. Distances from contours are rounded to 1/64 pixel and
+/// clamped to 511 pixels, except if they are infinite. Depths are rounded up by at most a 65534th
+/// of their range. Distances and depths take about one byte (compressed_tiles.h).
 #pragma once
 
 #include <algorithm>
@@ -35,28 +35,28 @@ class PackableImage {
   bool is_packed() const {
     return !bits_.empty() || !bytes_.empty() || !words_.empty() || !tiles_.empty();
   }
-  /// Bytes of memory.
+  /// Returns the memory in bytes.
   std::size_t size() const;
 
   void pack(Kind kind = Kind::intensities);
-  /// Blurs an image of packed bytes whenever it is read, with the same result as a blurred image
-  /// that is packed. False, and nothing is done, where it is none.
+  /// Blurs an image of packed bytes whenever it is read. The result equals a blurred image that is
+  /// packed. Returns false, and does nothing, if the image is not of this kind.
   bool blur_when_read(const ThreeTapBlur& taps);
   GrayImage unpacked() const;
-  /// The image itself where it is not packed, else `room`, which it is unpacked to.
+  /// Returns the image itself if it is not packed; else unpacks it to `room` and returns that.
   const GrayImage& unpacked(GrayImage& room) const;
-  /// Part of it, which must be inside.
+  /// Returns a rectangle, which must be inside of the image.
   PackableImage cropped(int column, int row, int columns, int rows) const;
   void unpack_rectangle(int column, int row, int columns, int rows, GrayImage& part) const;
-  /// `count` pixels of a row, from (x, y) on.
+  /// Reads `count` pixels of a row, from (x, y) on.
   void read(int x, int y, int count, float* out) const;
 
   float at(int x, int y) const;
-  /// Only where it is not packed.
+  /// Requires that the image is not packed.
   float& at(int x, int y) { return floats_.at(x, y); }
-  /// The image itself, or, where it is packed in tiles, `room` with its words: quick to read.
+  /// Returns an image with fast access: itself, or its words in `room` if it is packed in tiles.
   const PackableImage& opened(PackableImage& room) const;
-  /// Of depths that are opened, the largest of four: (x, y), and to the right of it and below.
+  /// Returns the largest of the four depths from (x, y) to (x + 1, y + 1). Requires opened().
   float largest_of_four(int x, int y) const {
     const auto largest = [&](const auto& values) {
       const auto* const top = values.data() + index(x, y);
@@ -81,13 +81,13 @@ class PackableImage {
   }
 
   Kind kind_ = Kind::intensities;
-  GrayImage floats_;  ///< empty where it is packed
+  GrayImage floats_;  ///< empty if the image is packed
   std::vector<bool> bits_;
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint16_t> words_;
   std::optional<ThreeTapBlur> blur_;
-  CompressedTiles tiles_;  ///< of distances and depths
-  float offset_ = 0;       ///< of depths
+  CompressedTiles tiles_;  ///< words of distances and depths
+  float offset_ = 0;       ///< smallest depth; 0 if there is none
   float step_ = 0;
 };
 

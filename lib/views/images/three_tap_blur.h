@@ -1,5 +1,5 @@
-/// A separable blur with three weights, along rows and then along columns, as at_scale() does at
-/// scale 1. It is computed whenever an image of bytes is read: the blurred image is not stored.
+/// A separable blur with three weights, along rows and then along columns, as at_scale() uses at
+/// scale 1. It is computed whenever an image of bytes is read; the blurred image is not stored.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@ namespace transformesh {
 
 struct ThreeTapBlur {
   std::array<float, 3> inside{};
-  /// At the first and at the last pixel, of the two that are there.
+  /// Weights at the first and last pixel, for the two pixels that exist there.
   std::array<float, 2> first{}, last{};
 };
 
-/// Writes the part of the blurred image that begins at (column, row), `columns` wide, one row after
-/// the other; sums go from the lower to the higher pixel. The image is two pixels wide and high at
-/// least.
+/// Writes a rectangle of the blurred image, row by row. The rectangle begins at `start` (column,
+/// row). Sums run from lower to higher indices, for reproducible rounding. Width and height of the
+/// image must be at least 2.
 void blur_rectangle(const std::vector<std::uint8_t>& bytes, int width, int height,
                     const ThreeTapBlur& taps, const std::array<int, 2>& start, int columns,
                     int rows, float* out);
