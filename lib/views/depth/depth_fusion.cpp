@@ -12,15 +12,17 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t nodes_per_task = 1 << 14;
-/// Up to so many views, on the mean of a neighborhood, say nothing.
+/// A node is unobserved if at most this many views observe its neighborhood on average. Its value
+/// is then found by diffusion. Larger values diffuse into regions with few depths.
 constexpr float unheard = 0.5F;
 
-/// What a view says of places in space.
+/// One view's depth map with its projection: evidence about points in space.
 struct Witness {
   Projection projection;
   const GrayImage* depths;
 
-  /// How far before the depth seen the point is; nothing where no depth is known.
+  /// Returns the distance of a point from the visible surface, positive in front of it. Returns
+  /// nothing if the depth is not known there.
   std::optional<double> free_way(const Vec3& point) const {
     const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
     if (!(q.z() > 0)) return std::nullopt;
@@ -33,7 +35,7 @@ struct Witness {
   }
 };
 
-/// A sum of distances over views, cut off at 1, and how many views they are.
+/// Per node: sum of distances over views, truncated at 1, and number of these views.
 struct Votes {
   std::vector<float> sum;
   std::vector<float> count;
@@ -87,7 +89,7 @@ class Fusion {
   Votes votes_;
 };
 
-// In the hull, with that of the prior; -1, which is solid, where no view says anything.
+// Returns means inside the hull, with the prior; -1 (solid) elsewhere.
 std::vector<float> Fusion::means_of_votes() const {
   const auto prior = static_cast<float>(options_.prior);
   std::vector<float> means(hull_.values.size(), -1.0F);
@@ -96,7 +98,7 @@ std::vector<float> Fusion::means_of_votes() const {
   return means;
 }
 
-/// Of those that have six neighbors.
+/// Returns the unobserved nodes that have six neighbors.
 std::vector<std::size_t> Fusion::unseen_nodes() const {
   std::vector<std::size_t> nodes;
   for (std::size_t z = 1; z + 1 < hull_.nodes[2]; ++z)
@@ -106,7 +108,7 @@ std::vector<std::size_t> Fusion::unseen_nodes() const {
   return nodes;
 }
 
-// Each becomes the mean of its neighbors in the hull, again and again.
+// Repeatedly replaces the value of each unobserved node by the mean of its neighbors in the hull.
 void Fusion::continue_into_unseen(std::vector<float>& means) const {
   const std::vector<std::size_t> nodes = unseen_nodes();
   const std::array<std::size_t, 3> strides{1, hull_.nodes[0], hull_.nodes[0] * hull_.nodes[1]};
@@ -146,7 +148,7 @@ void Fusion::vote(std::size_t z) {
   }
 }
 
-// The mean over nodes inside the hull along an axis; what is outside says nothing.
+// Replaces each value inside the hull by the mean over nodes inside the hull along an axis.
 void Fusion::blur(std::vector<float>& values, int axis) const {
   std::vector<float> blurred(values.size(), 0);
   std::array<std::size_t, 3> strides{1, hull_.nodes[0], hull_.nodes[0] * hull_.nodes[1]};

@@ -11,10 +11,10 @@
 namespace transformesh {
 namespace {
 
-/// Views whose planes are swept before progress is reported again.
+/// Number of views whose planes are swept before progress is reported again.
 constexpr std::size_t views_at_once = 8;
 
-/// Whether the other view has the point at about its depth.
+/// True if the other view has about the same depth at the point.
 bool is_found(const Vec3& point, const Projection& projection, const DepthMap& map,
               double tolerance) {
   const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
@@ -50,7 +50,7 @@ GrayImage agreed(std::size_t view, std::span<const View> views, std::span<const 
   return depth;
 }
 
-/// Patches of depths that are connected within the tolerance.
+/// Patches of pixels that are connected if neighboring depths differ by less than the tolerance.
 class Islands {
  public:
   Islands(DepthMap& map, double tolerance)

@@ -1,9 +1,9 @@
-/// Depths of all views that agree with each other: first those of each view (plane_sweep.h), of
-/// which only those stay that the neighbors found as well, where they look at the same place, and
-/// of these only patches, as what agrees by chance is scattered.
-/// Reference: the consistency check of Merrell et al., "Real-time visibility-based fusion of depth
-/// maps", ICCV 2007; patches as the speckle filter of Hirschmueller, "Stereo processing by
-/// semiglobal matching and mutual information", PAMI 30(2), 2008.
+/// Computes depth maps of all views and keeps depths that are consistent. plane_sweep.h estimates
+/// the depths of each view. A depth stays if neighboring views have the same depth at that point.
+/// Then small patches are removed, because depths that agree by chance are scattered.
+/// References: the consistency check of Merrell et al., "Real-time visibility-based fusion of depth
+/// maps", ICCV 2007; the speckle filter of Hirschmueller, "Stereo processing by semiglobal matching
+/// and mutual information", PAMI 30(2), 2008.
 #pragma once
 
 #include <span>
@@ -18,13 +18,13 @@ namespace transformesh {
 
 struct DepthMapsOptions {
   PlaneSweepOptions sweep;
-  double tolerance = 1;           ///< planes by which views may differ; > 0
-  std::size_t least_views = 1;    ///< neighbors that must agree
-  std::size_t least_pixels = 20;  ///< of a patch whose pixels differ by less than the tolerance
+  double tolerance = 1;           ///< largest difference of depths that agree, in planes; > 0
+  std::size_t least_views = 1;    ///< number of neighbors that must agree
+  std::size_t least_pixels = 20;  ///< smallest patch that is kept
 };
 
-/// One map per view. `pairs` as choose_pairs has them; `hull` is negative inside. In parallel over
-/// views; the same for any number of threads.
+/// Returns one map per view. `pairs` are from choose_pairs(). `hull` is negative inside. Parallel
+/// over views; the result does not depend on the number of threads.
 std::vector<DepthMap> depth_maps(std::span<const View> views, std::span<const ViewPair> pairs,
                                  const ValueGrid& hull, const DepthMapsOptions& options = {},
                                  const Progress& progress = {});

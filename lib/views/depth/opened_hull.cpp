@@ -23,7 +23,7 @@ std::vector<View> shrunk(std::span<const View> views, double scale) {
   return result;
 }
 
-/// A hull, and what depths found at a scale leave of it.
+/// A hull, and the same hull opened by depths that were found at a scale.
 struct Opening {
   ValueGrid hull, opened;
   double scale;
@@ -31,7 +31,8 @@ struct Opening {
   double deep_share() const;
 };
 
-/// Of the nodes inside the hull, the share of those that are open and as deep as values say.
+/// Returns the fraction of the nodes inside the hull that are open and have its most negative
+/// value. Values of a hull are clamped at four cells.
 double Opening::deep_share() const {
   const float deepest = *std::min_element(hull.values.begin(), hull.values.end());
   std::size_t inside = 0;
@@ -64,7 +65,7 @@ Opening open_at(double size_px, std::span<const View> views, const OpenedHullOpt
   return opening;
 }
 
-/// Over the views, of the silhouettes with the mesh.
+/// Returns the agreement of the mesh with the silhouettes, averaged over the views.
 double mean_agreement(const Mesh& mesh, std::span<const View> views) {
   const std::vector<double> agreements = silhouette_agreements(mesh, views);
   return std::accumulate(agreements.begin(), agreements.end(), 0.0) /

@@ -1,5 +1,5 @@
-/// The visual hull, opened where photographs see into hollows that no silhouette shows: as deep as
-/// that steps from a hull (photo_step.h) would not get there.
+/// Opens the visual hull where photographs show hollows that no silhouette shows, and that are too
+/// deep for steps from the hull (photo_step.h) to reach.
 #pragma once
 
 #include <optional>
@@ -15,29 +15,31 @@
 namespace transformesh {
 
 struct OpenedHullOptions {
-  /// Photographs are made smaller, so that the longest side is as long: at first, and where that
-  /// shows hollows.
+  /// Photographs are shrunk so that the longest side of the object has this length: `trial_px` to
+  /// search for hollows, `size_px` if there are any. Larger sizes find smaller hollows but take
+  /// longer.
   double trial_px = 140, size_px = 250;
-  double cell_px = 1.5;  ///< of the grid, in pixels of these
-  /// [0, 1]: of the hull's volume, that must be open deeper than four cells.
+  double cell_px = 1.5;  ///< size of a grid cell, in pixels of the shrunk photographs
+  /// Least fraction of the hull's volume that must be open and deeper than four cells, in [0, 1].
   double least_share = 0.005;
-  /// [0, 1]: in silhouette_agreement, on average. Depths of photographs that do not belong to the
-  /// cameras take more than hollows away.
+  /// Largest decrease of the mean silhouette_agreement(), in [0, 1]. If photographs do not belong
+  /// to the cameras, depths remove more than hollows.
   double most_agreement_lost = 0.05;
   double keep = 1;  ///< HullOptions::keep
   PairOptions pairs;
-  DepthMapsOptions maps;  ///< the variance of the noise at full size, which shrinks with them
+  /// Noise_variance refers to full size; it is divided by the squared scale.
+  DepthMapsOptions maps;
   DepthFusionOptions fusion;
 };
 
 struct OpenedHull {
-  Mesh mesh;         ///< as HullResult::mesh
-  double scale = 1;  ///< of the photographs whose depths were fused
+  Mesh mesh;         ///< see HullResult::mesh
+  double scale = 1;  ///< scale of the photographs whose depths were fused
 };
 
-/// Nothing where no hollow is that deep, or silhouettes are lost. Every view has
-/// a photograph and a silhouette; throws as visual_hull() does. O(pixels at that size * planes *
-/// pairs); in parallel, the same for any number of threads.
+/// Returns nothing if no hollow is deep enough, or if silhouettes would change too much. Every view
+/// must have a photograph and a silhouette. Throws as visual_hull() does. O(pixels at `size_px` *
+/// planes * pairs). Parallel; the result does not depend on the number of threads.
 std::optional<OpenedHull> opened_hull(std::span<const View> views,
                                       const OpenedHullOptions& options = {},
                                       const Progress& progress = {});

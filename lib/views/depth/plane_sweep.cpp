@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most_planes = 400;
 
-/// What a view sees of the nodes inside the hull.
+/// Range of depths, and bounding rectangle in the image, of the nodes inside the hull.
 struct Extent {
   double near = std::numeric_limits<double>::infinity();
   double far = 0;
@@ -45,8 +45,8 @@ Extent extent_of(const ValueGrid& hull, const Projection& projection) {
   return extent;
 }
 
-/// A neighbor, by pixels of the reference view: the point at a depth on the ray of (x, y) is seen
-/// at depth * turn * (x, y, 1) + shift.
+/// A neighboring view, relative to the reference view. The point at `depth` on the ray of pixel (x,
+/// y) of the reference has homogeneous pixel depth * turn * (x, y, 1) + shift in the neighbor.
 struct Neighbor {
   GrayImage image;
   Eigen::Matrix3d turn;
@@ -109,17 +109,20 @@ class Sweep {
   PlaneSweepOptions options_;
   std::vector<Neighbor> neighbors_;
 
-  int left_ = 0, top_ = 0, columns_ = 0, rows_ = 0;  ///< of the hull's rectangle
-  int first_row_ = 0, end_row_ = 0;                  ///< of what is in it on the plane in question
+  int left_ = 0, top_ = 0, columns_ = 0, rows_ = 0;  ///< rectangle of the hull in the image
+  /// Part of the rectangle in which the current plane intersects the hull.
+  int first_row_ = 0, end_row_ = 0;
   int first_column_ = 0, end_column_ = 0;
   int planes_ = 0;
-  double nearest_ = 0, gap_ = 0;         ///< inverse depth of the first plane, and between planes
-  std::vector<std::uint8_t> is_inside_;  ///< the hull, on the plane in question
-  MatchingCosts costs_;                  ///< of the rectangle
-  MatchingCosts sums_;                   ///< along paths
+  /// Inverse depth of the first plane; distance between planes in inverse depth.
+  double nearest_ = 0, gap_ = 0;
+  /// Per pixel of the rectangle: whether the current plane is inside the hull.
+  std::vector<std::uint8_t> is_inside_;
+  MatchingCosts costs_;  ///< costs of the rectangle's pixels
+  MatchingCosts sums_;   ///< costs summed along paths
 };
 
-// As many planes as the neighbor needs in which the middle of the rectangle moves most.
+// The number of planes follows from the neighbor in which the center of the rectangle moves most.
 bool Sweep::find_planes() {
   const Extent extent = extent_of(hull_, view_.camera.projection());
   if (!extent.is_before_camera()) return false;
@@ -144,7 +147,8 @@ bool Sweep::find_planes() {
   return true;
 }
 
-// Finds which pixels of the plane are in the hull or at most a cell outside; false where none is.
+// Marks the pixels whose point on the plane is in the hull, or at most a cell outside. Returns
+// false if there is none.
 bool Sweep::mark_inside(double depth) {
   is_inside_.assign(size(), 0);
   first_row_ = rows_;
@@ -217,7 +221,7 @@ void Sweep::compare(const Neighbor& neighbor, double depth, float* best, float* 
       });
 }
 
-// With a single neighbor its correlation counts alone.
+// If there is only one neighbor, its correlation is the mean.
 void Sweep::score(int plane) {
   const double depth = depth_of(plane);
   if (!mark_inside(depth)) return;
@@ -233,7 +237,7 @@ void Sweep::score(int plane) {
   }
 }
 
-// Of the planes on which the pixel was compared.
+// Only planes on which the pixel was compared are candidates.
 float Sweep::best_depth(int x, int y) const {
   const std::span<const float> costs = costs_.at(x, y);
   const std::span<const float> sums = sums_.at(x, y);

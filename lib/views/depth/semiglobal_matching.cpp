@@ -31,7 +31,7 @@ class Paths {
     return x >= 0 && y >= 0 && x < costs_.columns && y < costs_.rows;
   }
 
-  /// Every path of that direction begins where the pixel before would be outside.
+  /// Follows all paths of a direction. A path begins where the previous pixel would be outside.
   void go(int dx, int dy) {
     for (int y = 0; y < costs_.rows; ++y)
       for (int x = 0; x < costs_.columns; ++x)
@@ -47,7 +47,8 @@ class Paths {
     }
   }
 
-  /// The path's costs up to this pixel, less the least ones before, which leaves their order.
+  /// Extends the path to this pixel. The least cost before it is subtracted, which keeps numbers
+  /// small and does not change the order of the planes.
   void enter(std::span<const float> costs, std::span<float> sums, bool begins) {
     constexpr float none = std::numeric_limits<float>::infinity();
     const std::size_t count = costs.size();
@@ -71,8 +72,8 @@ class Paths {
   SemiglobalOptions options_;
   MatchingCosts sums_;
   std::vector<bool> shows_;
-  std::vector<float> before_, now_;  ///< with a plane on either side that cannot be had
-  float least_ = 0;                  ///< of `before_`
+  std::vector<float> before_, now_;  ///< padded by a plane of infinite cost on both sides
+  float least_ = 0;                  ///< minimum of `before_`
 };
 
 }  // namespace

@@ -1,13 +1,13 @@
-/// Depths for which both the photographs and the neighboring pixels speak: matching costs of all
-/// planes, added up along paths.
+/// Semiglobal matching: regularizes matching costs by costs of neighboring pixels, summed along
+/// paths.
 /// Reference: Hirschmueller, "Stereo processing by semiglobal matching and mutual information",
 /// PAMI 30(2), 2008.
 ///
-/// Along a path from the border of the image to a pixel and plane, the cheapest choice of planes
-/// costs the sum of their matching costs, `near_step` wherever the next pixel has a neighboring
-/// plane, and `far_step` where it has another. The result is the sum over the paths from eight
-/// directions. So what a pixel alone leaves open, where there is gloss or little texture, those
-/// around it decide.
+/// A path leads from the border of the image to a pixel and plane. Its cost is the sum of the
+/// matching costs of its planes, plus `near_step` if the next pixel has a neighboring plane, and
+/// `far_step` if it has any other plane. The result of a pixel and plane is the sum over eight
+/// directions of the cheapest path. Hence pixels with ambiguous costs, on glossy surfaces or with
+/// little texture, follow the pixels around them.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@
 
 namespace transformesh {
 
-/// For each pixel of a rectangle, row by row, the costs of all planes, from 0 to 1; 1 where nothing
-/// was compared. A pixel with 1 for all planes shows nothing: paths end before it.
+/// Costs in [0, 1] of all planes for each pixel of a rectangle, row by row. Costs are 1 if nothing
+/// was compared. A pixel with cost 1 on all planes is empty and interrupts paths.
 struct MatchingCosts {
   int columns = 0, rows = 0, planes = 0;
   std::vector<float> values = {};
@@ -35,11 +35,12 @@ struct MatchingCosts {
 };
 
 struct SemiglobalOptions {
-  float near_step = 0.1F;  ///< >= 0
-  float far_step = 2;      ///< >= near_step
+  float near_step = 0.1F;  ///< cost of a step to an adjacent plane; >= 0
+  float far_step = 2;      ///< cost of a step to any other plane; >= near_step
 };
 
-/// O(pixels * planes) in time and memory; deterministic. Where a pixel shows nothing, 0.
+/// Returns the sums of path costs; 0 at empty pixels. O(pixels * planes) time and memory;
+/// deterministic.
 MatchingCosts semiglobal_costs(const MatchingCosts& costs, const SemiglobalOptions& options = {});
 
 }  // namespace transformesh

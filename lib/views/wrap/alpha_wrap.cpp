@@ -26,22 +26,23 @@ namespace {
 constexpr std::size_t points_per_task = 512;
 constexpr double offset_by_diagonal = 1.0 / 300;
 
-/// The range in which alpha is looked for, and the ratio of its steps, four of which halve it.
+/// Search range of alpha, as fractions of the diagonal, and the ratio of consecutive candidates:
+/// 2^(-1/4).
 constexpr double largest_alpha_by_diagonal = 1.0 / 5;
 constexpr double least_alpha_by_diagonal = 1.0 / 100;
 constexpr double alpha_ratio = 0.8408964152537145;
 
-/// A wrap has about so many faces for each square of alpha in its area, and takes a minute and a
-/// gigabyte for a million of them. Its area is at most twice that of a coarse wrap, whose inside it
-/// covers too where alpha gets in between the points, and at most that of balls around all points.
+/// A wrap has about this number of faces per alpha^2 of its area. A million faces take a minute and
+/// a gigabyte. The area is at most that of balls around all points. It is also at most twice that
+/// of a coarse wrap, because the wrap covers the inside too if alpha fits between the points.
 constexpr double faces_by_area = 1.3;
 constexpr double most_faces = 2e6;
 constexpr double coarse_alpha_by_size = 1.0 / 50;
 
-/// A wrap is hollow where it is thinner than this many offsets: a ball that got in between the
-/// points leaves hardly more than two.
+/// A wrap counts as hollow where it is thinner than this many offsets. If a ball passes between the
+/// points, it leaves a thickness of hardly more than two offsets.
 constexpr double hollow_by_offset = 4;
-constexpr double most_hollow = 0.05;
+constexpr double most_hollow = 0.05;  ///< limit of the hollow fraction of the area
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -85,7 +86,7 @@ double expected_faces(const Cloud& cloud, double alpha, double offset, double di
   return faces_of_unit_area * std::min(balls, 2 * surface_area(wrap(cloud, coarse, offset).mesh));
 }
 
-/// The length with two digits, rounded up.
+/// Rounds a length up to two digits.
 std::string rounded_up(double length) {
   const double power = std::floor(elementary::log10(length)) - 1;
   const double digits = std::ceil(length / elementary::pow(10, power));
@@ -93,7 +94,7 @@ std::string rounded_up(double length) {
                                  : digits * elementary::pow(10, power));
 }
 
-/// Throws UsageError for an alpha that is far too small.
+/// Throws UsageError if alpha would cause too many faces.
 void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal,
                 const ScaleNormalization& scale) {
   const double faces = expected_faces(cloud, alpha, offset, diagonal);
@@ -115,7 +116,7 @@ double least_distance(const Mesh& mesh, const Cloud& cloud) {
   return *std::ranges::min_element(distances);
 }
 
-/// The share of the wrap's area behind which it soon ends.
+/// Returns the fraction of the area behind which the wrap is thin (`hollow_by_offset`).
 double hollow_share(const Mesh& mesh, double offset) {
   const RayCastWinding winding(mesh);
   double hollow = 0;
@@ -131,7 +132,7 @@ double hollow_share(const Mesh& mesh, double offset) {
   return all > 0 ? hollow / all : 0;
 }
 
-/// Goes from large balls to small ones, and returns the wrap before the first hollow one.
+/// Decreases alpha, and returns the last wrap before the first hollow one.
 AlphaWrap tightest_wrap(const Cloud& cloud, double diagonal, double offset) {
   double alpha = largest_alpha_by_diagonal * diagonal;
   AlphaWrap best = wrap(cloud, alpha, offset);

@@ -14,7 +14,8 @@ constexpr std::size_t points_per_task = 512;
 constexpr std::size_t neighbors = 6;
 constexpr double jump = 4;  ///< see the table in the header
 constexpr double most_outliers = 1.0 / 20;
-/// Fewer points have none: of 40 on a scanned plane, one in seven scans would lose some.
+/// Smaller clouds have no outliers. For comparison, one in seven scans of 40 points on a plane
+/// would lose some.
 constexpr std::size_t least_points = 100;
 
 std::vector<double> distances_to_neighbors(const std::vector<Vec3>& points) {
@@ -29,7 +30,7 @@ std::vector<double> distances_to_neighbors(const std::vector<Vec3>& points) {
   return distances;
 }
 
-/// The least distance of an outlier; infinite if there is none.
+/// Returns the least neighbor distance of an outlier; infinite if there is none.
 double least_distance(std::vector<double> distances) {
   const auto most = static_cast<std::size_t>(most_outliers * static_cast<double>(distances.size()));
   std::ranges::sort(distances, std::ranges::greater());

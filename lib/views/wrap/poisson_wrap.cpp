@@ -26,16 +26,19 @@ using Function = CGAL::Poisson_reconstruction_function<Kernel>;
 using PointMap = CGAL::First_of_pair_property_map<Oriented>;
 using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
 
-/// The spacing of the points is the mean distance to so many neighbors.
+/// The spacing of the points is the mean distance to this many neighbors.
 constexpr unsigned neighbors = 6;
-/// A cell is as large as the spacing, but the diagonal of the points' box has so many of them.
+/// The size of a cell is the spacing, limited so that the diagonal of the bounding box has between
+/// `least_cells` and `most_cells` cells.
 constexpr double least_cells = 16;
 constexpr double most_cells = 160;
+/// Amplitude of random shifts, as a fraction of the spacing.
 constexpr double shaken_by_spacing = 0.03;
-constexpr double margin_by_diagonal = 0.1;
-constexpr float outside = 1;
+constexpr double margin_by_diagonal = 0.1;  ///< margin of the grid, as a fraction of the diagonal
+constexpr float outside = 1;                ///< value at nodes that are outside by definition
 
-/// The normals of equal points together stand at the first of them, and none at the others.
+/// Returns for each point the sum of the unit normals of all equal points if it is the first of
+/// them, else 0. A single normal keeps its length.
 std::vector<Vec3> sums_at_firsts(std::span<const Vec3> points, std::span<const Vec3> normals) {
   const std::vector<std::size_t> first = first_equals(points);
   std::vector<Vec3> sums(normals.begin(), normals.end());
@@ -95,8 +98,8 @@ float value_at(const Function& function, const ValueGrid& grid,
   return std::isfinite(value) ? static_cast<float>(value) : outside;
 }
 
-/// Whether the function rises along at least half of the normals, as it does along normals that
-/// point outwards.
+/// True if the function increases along at least half of the normals. It does if normals point
+/// outwards.
 bool rises_outwards(const Function& function, const std::vector<Oriented>& cloud, double step) {
   const auto rises = [&](const Oriented& oriented) {
     const auto& [point, normal] = oriented;
@@ -106,7 +109,7 @@ bool rises_outwards(const Function& function, const std::vector<Oriented>& cloud
   return 2 * static_cast<std::size_t>(rising) >= cloud.size();
 }
 
-/// The points, each moved at random by up to `reach` along each axis; the same in every run.
+/// Shifts each point randomly by up to `reach` along each axis; reproducible.
 std::vector<Oriented> shaken(std::vector<Oriented> cloud, double reach) {
   Random random(1);
   const auto way = [&] { return random.uniform(-reach, reach); };
@@ -117,16 +120,18 @@ std::vector<Oriented> shaken(std::vector<Oriented> cloud, double reach) {
   return cloud;
 }
 
-/// Null where CGAL finds no such function.
+/// Returns null if CGAL finds no function.
 std::unique_ptr<Function> function_of(const std::vector<Oriented>& cloud) {
   auto function = std::make_unique<Function>(cloud.begin(), cloud.end(), PointMap(), NormalMap());
   if (!function->compute_implicit_function()) return nullptr;
   return function;
 }
 
-/// The cells between points on one sphere have one circumcenter, at which CGAL's refinement of its
-/// triangulation ends before the space around is divided: the function is flat there, and what is
-/// inside a guess. Points that are shaken are on no sphere. Null where there is no function.
+/// Returns the Poisson function, computed from shifted points if necessary; null if there is none.
+///
+/// If points lie on a sphere, all Delaunay cells have the same circumcenter. CGAL's refinement of
+/// the triangulation then stops before the space around it is subdivided. The function is flat
+/// there, so that its sign is arbitrary. Shifted points do not lie on a sphere.
 std::unique_ptr<Function> rising_function(const std::vector<Oriented>& cloud, double spacing) {
   std::unique_ptr<Function> function = function_of(cloud);
   if (function == nullptr || rises_outwards(*function, cloud, spacing / 2)) return function;
@@ -135,7 +140,7 @@ std::unique_ptr<Function> rising_function(const std::vector<Oriented>& cloud, do
   throw GoalError("no surface has these normals: most point inwards, or they do not agree");
 }
 
-/// The function at the nodes of a grid around the points, with a margin for a surface that bulges.
+/// Samples the function on a grid around the points, with a margin for surfaces that bulge.
 ValueGrid sampled(const Function& function, const Box& box, double cell) {
   ValueGrid grid;
   grid.spacing = cell;
@@ -144,7 +149,8 @@ ValueGrid sampled(const Function& function, const Box& box, double cell) {
   const Vec3 size = box.max() + margin - grid.origin;
   for (int axis = 0; axis < 3; ++axis)
     grid.nodes[axis] = static_cast<std::size_t>(std::ceil(size[axis] / cell)) + 1;
-  // Nodes are visited in a row, because the function begins its search where the last one ended.
+  // Consecutive nodes are adjacent, because the function starts its search at the previous
+  // location.
   for (std::size_t z = 0; z < grid.nodes[2]; ++z)
     for (std::size_t y = 0; y < grid.nodes[1]; ++y)
       for (std::size_t x = 0; x < grid.nodes[0]; ++x)
@@ -152,7 +158,7 @@ ValueGrid sampled(const Function& function, const Box& box, double cell) {
   return grid;
 }
 
-/// Empty where CGAL finds no function.
+/// Returns an empty mesh if CGAL finds no function.
 Mesh unit_wrap(const std::vector<Oriented>& cloud) {
   Mesh points;
   points.positions = positions_of(cloud);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double least_size = 1e-290;
 constexpr double largest_size = 1e290;
-/// A detail is at least thousands of rounding errors, relative to the coordinates.
+/// Least ratio of a detail to the coordinates. A detail is then thousands of rounding errors large.
 constexpr double least_detail = 1e-12;
 
 Vec3 scaled(const Vec3& point, int exponent) {

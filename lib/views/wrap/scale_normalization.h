@@ -1,5 +1,5 @@
-/// Steps that both ways of wrapping points share: points are brought to about unit size, because
-/// squares and products would overflow or vanish elsewhere, and the result is checked. Internal to
+/// Steps that both ways of wrapping share: normalization of the points to about unit size, without
+/// which squares and products would overflow or underflow, and a check of the result. Internal to
 /// wrap.
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace transformesh {
 
-/// A power of two, so that nothing is rounded on the way there, and points of any scale give the
-/// same result.
+/// Scales by a power of two. Scaling is thus exact, and results do not depend on the scale of the
+/// points.
 class ScaleNormalization {
  public:
-  /// Brings this size to between 1 and 2. Throws InputError unless it is between 1e-290 and 1e290.
+  /// Maps `size` to [1, 2). Throws InputError unless `size` is between 1e-290 and 1e290.
   explicit ScaleNormalization(double size);
 
   double to_unit(double length) const;
@@ -26,18 +26,19 @@ class ScaleNormalization {
   int exponent_;
 };
 
-/// The diagonal of the points' bounding box; finite wherever a double can hold it.
+/// Returns the diagonal of the points' bounding box. Finite if a double can represent it.
 double diagonal_of(std::span<const Vec3> points);
 
-/// For each point the index of the first one that is equal, which is its own where there is none
-/// before. Heaps of equal points are too much for CGAL's trees. O(n log n).
+/// Returns for each point the index of the first point that is equal to it. Many equal points would
+/// be too slow in CGAL's trees. O(n log n).
 std::vector<std::size_t> first_equals(std::span<const Vec3> points);
 
-/// Throws InputError where a detail of that length is lost in the rounding of the points'
-/// coordinates, or of the largest length.
+/// Throws InputError if `detail` is lost in rounding, relative to the points' coordinates or to
+/// `largest`.
 void check_detail(std::span<const Vec3> points, double detail, double largest);
 
-/// Turns a mesh that is inside out. Throws GoalError unless it is a closed, oriented 2-manifold.
+/// Reverses the orientation of a mesh that is inside out. Throws GoalError unless it is a closed,
+/// oriented 2-manifold.
 void check_wrap(Mesh& mesh);
 
 }  // namespace transformesh
