@@ -7,12 +7,14 @@
 namespace transformesh {
 namespace {
 
-/// Of the best quality: views that are as good as this have a vote.
+/// Fraction of the best quality above which a view counts as good and has a vote.
 constexpr float voting_share = 0.6F;
-/// Intensities by which views differ that see the same.
+/// Usual difference of intensities between views of the same place. Larger values suppress fewer
+/// highlights; smaller ones also suppress views with other exposures.
 constexpr float usual_difference = 24;
 
-/// Codes are the leading bits of floats from 2^-16 to 2^16: eleven of the mantissa.
+/// Qualities are coded as the leading bits of floats from 2^-16 to 2^16, with eleven bits of the
+/// mantissa.
 constexpr float least_quality = 0x1p-16F;
 constexpr float largest_quality = 0x1.ffp15F;
 constexpr int bits_left_out = 12;
@@ -30,7 +32,8 @@ float quality_of(std::uint16_t code) {
   return std::bit_cast<float>(above + std::bit_cast<std::uint32_t>(least_quality));
 }
 
-// Of the first ones; the others are larger than any intensity.
+// Returns the median of the first `count` values. The other values must be larger than any
+// intensity.
 float median_of(std::array<float, 4> values, std::size_t count) {
   std::sort(values.begin(), values.end());
   return (values[(count - 1) / 2] + values[count / 2]) / 2;

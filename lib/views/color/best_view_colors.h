@@ -1,4 +1,4 @@
-/// The colors of the views that observe a place of a surface best, and their blend.
+/// Collects the colors of a place of a surface in the views that observe it best, and blends them.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,37 +9,38 @@
 
 namespace transformesh {
 
-/// Color and quality of a place in one view.
+/// Color and quality of a place of a surface in one view.
 struct ViewColor {
-  float quality = 0;  ///< pixels per usual pixel, foreshortened; 0: nothing is seen
+  /// Resolution relative to the usual pixel, foreshortened; 0 if the place is not visible.
+  float quality = 0;
   std::array<std::uint8_t, 3> color{};
 };
 
 /// Per-channel exposure correction: pixel values are multiplied by (r, g, b).
 using Gain = Eigen::Array3f;
 
-/// The four best. Their blend weighs qualities by the 16th power: nearly everywhere it is what the
-/// best view shows, and where another one takes over it goes smoothly from one to the other. Where
-/// three or more see the place about as well, those that differ from their median, as highlights
-/// and what is not part of the surface do, hardly count. 32 bytes.
+/// The four best view colors of a place. The blend weights them by the 16th power of their quality.
+/// It thus nearly equals the best view almost everywhere, and changes smoothly where another view
+/// becomes the best. If three or more views are good, views far from the median have hardly any
+/// weight, for example highlights and occluders. 32 bytes.
 class BestViewColors {
  public:
-  /// Ties are broken by insertion order; views beyond 65535 count as that one.
+  /// Ties are broken by insertion order. Indices of views above 65535 are stored as 65535.
   void add(const ViewColor& color, std::size_t view);
   bool is_seen() const { return best_[0].quality > 0; }
-  /// How many see the place nearly as well as the best one does: the first ones.
+  /// Returns the number of views whose quality is at least 0.6 times the best one. They come first.
   std::size_t count_good() const;
   std::size_t view(std::size_t i) const { return best_[i].view; }
   Eigen::Array3f intensities(std::size_t i) const;
 
-  /// Intensities from 0 to 255, with the gains of all views.
+  /// Returns intensities from 0 to 255, corrected by the gains of all views.
   Eigen::Array3f blend(std::span<const Gain> gains) const;
-  /// Mean difference of the good ones' intensities, with gains, from a color.
+  /// Returns the mean difference between `color` and the corrected intensities of the good views.
   float difference(const Eigen::Array3f& color, std::span<const Gain> gains) const;
 
  private:
   struct Held {
-    std::uint16_t quality = 0;  ///< coded, in the same order
+    std::uint16_t quality = 0;  ///< coded; codes have the order of the qualities
     std::uint16_t view = 0;
     std::array<std::uint8_t, 3> color{};
   };

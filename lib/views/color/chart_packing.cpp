@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Widths that are tried, by the side of a square of the boxes' area.
+/// Candidate widths, relative to the side of a square with the total area of the boxes.
 constexpr std::array widths{1.02, 1.1, 1.2, 1.35, 1.5};
 
 int up_to_multiple(int value) { return (value + 3) / 4 * 4; }

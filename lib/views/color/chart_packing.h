@@ -1,4 +1,4 @@
-/// Places boxes in a texture, on shelves: the highest first, from left to right.
+/// Packs boxes into a texture: sorted by decreasing height, on shelves from left to right.
 /// Reference: Coffman, Garey, Johnson & Tarjan, "Performance bounds for level-oriented
 /// two-dimensional packing algorithms", SIAM J. Computing 9(4), 1980.
 #pragma once
@@ -10,12 +10,12 @@
 namespace transformesh {
 
 struct Packing {
-  std::vector<Eigen::Vector2i> places;  ///< of each box its first column and row
-  int width = 0;                        ///< multiples of 4
+  std::vector<Eigen::Vector2i> places;  ///< first column and row of each box
+  int width = 0;                        ///< a multiple of 4, like `height`
   int height = 0;
 };
 
-/// Of some widths from as wide as high on the one with the smallest area. O(n log n),
+/// Packs the boxes for several widths and returns the packing of the smallest area. O(n log n),
 /// deterministic.
 Packing pack_boxes(std::span<const Eigen::Vector2i> sizes);
 

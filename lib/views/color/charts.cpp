@@ -16,12 +16,13 @@
 namespace transformesh {
 namespace {
 
-/// Cosine of the angle to the mean normal up to which a chart takes faces, and of that up to which
-/// it takes those that would be a chart of a few faces else.
+/// Least cosine between a face and the mean normal of its chart. The second limit applies to faces
+/// that would otherwise be in a chart of at most `few_faces` faces. Larger values distort less but
+/// make more charts.
 constexpr double usual_cosine = 0.5;
 constexpr double least_cosine = 0.2;
 constexpr std::size_t few_faces = 12;
-/// Turns that are tried, over a quarter.
+/// Number of candidate rotations in a right angle.
 constexpr int turns = 12;
 
 using Corners = std::array<Eigen::Vector2d, 3>;
@@ -36,7 +37,8 @@ class ChartGrower {
       normal_[f] = face_normal(mesh, static_cast<Index>(f));
   }
 
-  /// Charts of the faces that have none yet: their faces in the order in which they grew.
+  /// Returns charts of the given faces, which form no charts with other faces. The faces of a chart
+  /// are in the order of growth.
   std::vector<std::vector<Index>> grow(const std::vector<Index>& faces) {
     charts_.clear();
     axis_.clear();
@@ -87,7 +89,7 @@ class ChartGrower {
     axis_.push_back(axis);
   }
 
-  /// Gives the faces of charts of a few faces to the neighbors that they fit best.
+  /// Moves the faces of small charts to adjacent charts whose axis fits best.
   void merge_few() {
     for (std::size_t c = 0; c < charts_.size(); ++c) {
       if (charts_[c].size() > few_faces) continue;
@@ -138,7 +140,8 @@ std::vector<Corners> turned(std::vector<Corners> faces, double angle) {
   return faces;
 }
 
-/// Of some turns the one with the smallest box.
+/// Returns the faces rotated such that the area of the bounding box is smallest, and wider than
+/// high.
 std::vector<Corners> well_turned(const std::vector<Corners>& faces) {
   std::vector<Corners> best = faces;
   double least = HUGE_VAL;
@@ -171,7 +174,7 @@ Chart flattened(const Mesh& mesh, std::vector<Index> faces, const Vec3& axis) {
   return chart;
 }
 
-/// Takes out the faces that cover a texel which another one has, and returns them.
+/// Removes and returns the faces that cover a texel of another face in the chart.
 std::vector<Index> take_overlaps(Chart& chart, double texel) {
   std::vector<char> is_over(chart.faces.size(), 0);
   const auto width = static_cast<int>(chart.size.x() / texel) + 1;
@@ -207,7 +210,7 @@ std::vector<Chart> make_charts(const Mesh& mesh, double texel) {
   std::vector<Index> left(mesh.faces.size());
   std::iota(left.begin(), left.end(), Index{0});
   std::vector<Chart> charts;
-  // The first face of a chart overlaps none, so that fewer and fewer are left.
+  // The first face of a chart overlaps no other one, so that fewer faces are left in each round.
   while (!left.empty()) {
     std::vector<Index> over;
     for (std::vector<Index>& faces : grower.grow(left)) {

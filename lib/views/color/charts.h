@@ -1,9 +1,9 @@
-/// Cuts a surface into charts that lie flat: each is projected along its mean normal, so that
-/// lengths shrink by at most 2 but for few faces, and no two faces of one overlap by more than a
-/// texel does.
+/// Divides a surface into planar charts. Each chart is projected along its mean normal. Lengths
+/// shrink by a factor of at most 2, except for few faces. Faces of a chart do not overlap by more
+/// than a texel.
 ///
-/// Charts grow over edges of two faces from the first face that has none. O(n) but for sorting; no
-/// face is left out. Deterministic.
+/// Charts grow across edges of two faces, beginning at the first face without chart. Every face
+/// belongs to a chart. O(n) except for sorting; deterministic.
 #pragma once
 
 #include <vector>
@@ -14,13 +14,13 @@ namespace transformesh {
 
 struct Chart {
   std::vector<Index> faces;
-  /// Of each face the corners in the plane, in input units, in a frame in which the chart's box
-  /// begins at 0; turned so that the box is small, and wider than high.
+  /// Corners of each face in the plane, in input units. The lower corner of the bounding box is at
+  /// 0. The chart is rotated such that the box is small, and wider than high.
   std::vector<std::array<Eigen::Vector2d, 3>> corners;
   Eigen::Vector2d size = Eigen::Vector2d::Zero();
 };
 
-/// `texel`, > 0, is the length at which overlaps are looked for.
+/// `texel`, > 0, is the resolution at which overlaps are detected; input units.
 std::vector<Chart> make_charts(const Mesh& mesh, double texel);
 
 }  // namespace transformesh

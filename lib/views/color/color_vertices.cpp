@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t places_per_task = 1024;
 const Eigen::Array3f middle_gray = Eigen::Array3f::Constant(128);
 
-/// Pairs of neighbors, in the order of the edges.
+/// Returns pairs of adjacent vertices, in the order of the edges.
 std::vector<std::array<Index, 2>> neighbors(const Mesh& mesh) {
   const Edges edges(mesh);
   std::vector<std::array<Index, 2>> pairs;
@@ -30,7 +30,7 @@ std::vector<std::array<Index, 2>> neighbors(const Mesh& mesh) {
   return pairs;
 }
 
-/// Goes outwards from what is seen, a ring at a time.
+/// Assigns colors to unobserved vertices, ring by ring from the observed ones.
 void fill_unseen(const Mesh& mesh, std::vector<char>& is_known,
                  std::vector<Eigen::Array3f>& colors) {
   std::vector<std::array<Index, 2>> pairs = neighbors(mesh);

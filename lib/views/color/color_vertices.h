@@ -1,14 +1,14 @@
 /// Colors of vertices from calibrated photographs.
 ///
-/// Each vertex takes what the views show that see it best: not hidden by the surface itself, most
-/// squarely, from nearest by, and away from contours and borders (photograph_sampler.h). Exposures
-/// are evened out (exposure_compensation.h). Where the best view changes, colors blend; where three
-/// or more see a place well, the ones that disagree, as highlights do, do not count
-/// (best_view_colors.h). Detail finer than the edges is averaged. Vertices that no view sees take
-/// the colors of their neighbors.
+/// A vertex gets its color from the views that observe it best. These are not occluded, look along
+/// the normal, are close, and have no contour or border of the image nearby (photograph_sampler.h).
+/// Exposures are compensated (exposure_compensation.h). Colors are blended where the best view
+/// changes. If three or more views are good, those that disagree, such as highlights, do not count
+/// (best_view_colors.h). Detail finer than the edges is averaged. Vertices that are not visible in
+/// any view get the colors of their neighbors.
 ///
-/// The mesh need not be closed. Cost: O(views * (pixels + faces + vertices)); memory: one
-/// photograph at a time, 20 bytes a pixel. The same bytes for any number of threads.
+/// The mesh need not be closed. Cost: O(views * (pixels + faces + vertices)). Memory: one
+/// photograph at a time, 20 bytes per pixel. The result does not depend on the number of threads.
 #pragma once
 
 #include <span>
@@ -20,9 +20,9 @@
 
 namespace transformesh {
 
-/// Writes the columns red, green and blue, of bytes, in the place of any that are there. Throws
-/// InputError where the mesh is before no camera or no view sees any of it, and what
-/// PictureView::picture does.
+/// Writes the vertex columns red, green and blue, of bytes; existing ones are replaced. Throws
+/// InputError if the mesh is in front of no camera, or not visible in any view. Throws what
+/// PictureView::picture throws.
 ColorResult color_vertices(Mesh& mesh, std::span<const PictureView> views,
                            const Progress& progress = {});
 

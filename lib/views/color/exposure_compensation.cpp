@@ -7,12 +7,14 @@
 namespace transformesh {
 namespace {
 
+// These limits are choices. Intensities that are nearly black or white are unreliable, and a larger
+// difference than `most_different` is hardly a difference of exposure.
 constexpr double intensity_variance = 100;
 constexpr float least_intensity = 8, largest_intensity = 247;
-constexpr float most_different = 1.5F;  ///< times the other intensity
+constexpr float most_different = 1.5F;  ///< limit of the ratio of two comparable intensities
 constexpr double most_gain = 4;
 
-/// Sums of intensities over the places that two views see.
+/// Sums of intensities over the places that are visible in both of two views.
 struct Overlap {
   double first = 0, second = 0;
   double count = 0;
@@ -48,7 +50,7 @@ Overlaps overlaps_of(std::span<const BestViewColors> seen, int channel) {
 /// The normal equations of all gains of a channel.
 class Equations {
  public:
-  /// Each gain is 1 as if one place said so, for views that meet no other one.
+  /// Adds the equation gain = 1 with the weight of one place, for views that overlap no other view.
   explicit Equations(std::size_t views)
       : matrix_(static_cast<Eigen::Index>(views), static_cast<Eigen::Index>(views)),
         right_(Eigen::VectorXd::Ones(matrix_.rows())) {

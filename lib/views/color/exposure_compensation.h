@@ -1,12 +1,14 @@
-/// Evens out exposures: gains of photographs with which they show the same intensities where they
-/// see the same places of a surface. Reference: the gain compensation of Brown & Lowe, "Automatic
-/// panoramic image stitching using invariant features", IJCV 74(1), 2007, section 6; here for each
-/// color by itself, so that white balances are evened out as well.
+/// Exposure compensation: gains with which photographs show the same intensities at the same places
+/// of a surface.
+/// Reference: the gain compensation of Brown & Lowe, "Automatic panoramic image stitching using
+/// invariant features", IJCV 74(1), 2007, section 6. Unlike there, each color channel has its own
+/// gain, so that white balances are compensated as well.
 ///
-/// Minimized is the sum over all pairs of good glimpses of a place of (g1 a - g2 b)^2 / 100, with
-/// the mean intensities a and b of their views where both see something, and of (1 - g)^2 for each
-/// of them. Intensities that are nearly black or white, and those that differ by more than half, as
-/// highlights do, say nothing.
+/// The gains minimize a sum over all pairs of good views of a place (BestViewColors). A pair
+/// contributes (g1 a - g2 b)^2 / 100, where a and b are the mean intensities of the two views over
+/// all their common places. It also contributes (1 - g)^2 for both gains. Nearly black or white
+/// intensities are ignored. So are pairs whose intensities differ by more than half, such as
+/// highlights.
 #pragma once
 
 #include <span>
@@ -16,11 +18,11 @@
 
 namespace transformesh {
 
-/// For each view, from 1/4 to 4; 1 where nothing is known. O(places), and sparse equations with as
-/// many unknowns as there are views; deterministic.
+/// Returns the gains of each view, from 1/4 to 4; 1 if a view overlaps no other view. O(places),
+/// and a sparse linear system with one unknown per view. Deterministic.
 std::vector<Gain> compensate_exposure(std::span<const BestViewColors> seen, std::size_t views);
 
-/// The largest of all gains and of their inverses: 1 where exposures are the same.
+/// Returns the largest of all gains and their inverses; 1 if all exposures are equal.
 double largest_gain(std::span<const Gain> gains);
 
 }  // namespace transformesh

@@ -11,12 +11,13 @@ namespace transformesh {
 namespace {
 
 constexpr int rows_per_band = 16;
-/// Steps of depth, in sides of a pixel there, beyond which neighbors are of different parts of the
-/// surface, and at which a place is behind what a pixel shows.
+/// Differences of depth, in pixel sides at that depth. Neighboring pixels with a larger difference
+/// than `contour_step` belong to different parts of the surface. A place that is farther than
+/// `hidden_step` from the depth of its pixel is hidden.
 constexpr float contour_step = 8;
 constexpr double hidden_step = 6;
-constexpr double least_facing = 0.1;
-/// Pixels from a contour at which it does not matter any more.
+constexpr double least_facing = 0.1;  ///< least cosine between the normal and the viewing direction
+/// Distance from a contour, in pixels, from which on quality is full.
 constexpr int full_margin = 8;
 constexpr std::uint8_t most_margin = 64;
 
@@ -47,7 +48,8 @@ bool is_contour(const Raster<float>& depth, int x, int y, float focal) {
          std::abs(depth.at(x, y + 1) - here) > step;
 }
 
-/// Distances by steps to any of the eight neighbors: down through the image, and up again.
+/// Returns distances to the nearest contour, in steps to one of the eight neighbors. Sweeps down
+/// and up through the image.
 Raster<std::uint8_t> margins(const Raster<float>& depth, float focal) {
   Raster<std::uint8_t> margin(depth.width, depth.height, 0);
   parallel_for(static_cast<std::size_t>(depth.height), 16, [&](std::size_t first, std::size_t end) {
@@ -72,7 +74,8 @@ Raster<std::uint8_t> margins(const Raster<float>& depth, float focal) {
   return margin;
 }
 
-/// Pixels are means of four; what does not fill one is left out.
+/// Halves the size of an image. Each pixel is the mean of four; an odd last row or column is
+/// dropped.
 Image half_of(const Image& image) {
   Image half(image.width / 2, image.height / 2);
   parallel_for(static_cast<std::size_t>(half.height), 16, [&](std::size_t first, std::size_t end) {
@@ -94,7 +97,7 @@ Eigen::Array3f intensities_at(const Image& image, int x, int y) {
   return {static_cast<float>(pixel[0]), static_cast<float>(pixel[1]), static_cast<float>(pixel[2])};
 }
 
-/// Bilinear; beyond the outermost pixels' centers as these are.
+/// Interpolates bilinearly. Points beyond the outermost pixel centers get the color of the border.
 Eigen::Array3f interpolated(const Image& image, double x, double y) {
   x = std::clamp(x, 0.0, image.width - 1.0);
   y = std::clamp(y, 0.0, image.height - 1.0);
@@ -127,9 +130,8 @@ PhotographSampler::PhotographSampler(const Mesh& mesh, const PinholeCamera& came
   }
 }
 
-/// Interpolates between the two octaves of the pyramid whose pixels are next to the spacing, but
-/// not
-// wider than the margin.
+/// Interpolates between the two levels of the pyramid whose pixels are closest to `spacing`. Pixels
+/// are not larger than `margin`, so that colors from beyond a contour are not averaged.
 Eigen::Array3f PhotographSampler::color_at(double x, double y, double spacing, int margin) const {
   const double size = std::min(spacing, static_cast<double>(margin));
   std::size_t octave = 0;
@@ -158,7 +160,7 @@ ViewColor PhotographSampler::at(const Place& place) const {
   const double facing = place.normal.dot((center_ - place.point).normalized());
   if (!(facing > least_facing)) return {};
 
-  // Blends take the 16th power of it, so that they weigh by the square of the margin.
+  // Blends use the 16th power of the quality. The eighth root makes the weight the squared margin.
   const double share = std::min(1.0, static_cast<double>(margin) / full_margin);
   const double quality = facing * pixel_ / side * std::sqrt(std::sqrt(std::sqrt(share)));
   const Eigen::Array3f color = color_at(x, y, place.spacing / side, margin) + 0.5F;

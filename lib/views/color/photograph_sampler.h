@@ -1,7 +1,7 @@
-/// Samples a photograph at places of a surface: the color shown there and its quality. Reference:
-/// Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending: mapping dense photographic data
-/// set on high-resolution sampled 3D models", Computers & Graphics 32(4), 2008: quality falls to
-/// zero towards contours and borders, so that blends have no seams there.
+/// Samples a photograph at places of a surface: the color shown there and its quality.
+/// Reference: Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending: mapping dense
+/// photographic data set on high-resolution sampled 3D models", Computers & Graphics 32(4), 2008.
+/// Quality falls to zero towards contours and borders, so that blends have no seams there.
 #pragma once
 
 #include <vector>
@@ -17,17 +17,17 @@ namespace transformesh {
 struct Place {
   Vec3 point;
   Vec3 normal;         ///< of unit length
-  double spacing = 0;  ///< of the places: finer detail is averaged
+  double spacing = 0;  ///< distance between places; finer detail is averaged
 };
 
 class PhotographSampler {
  public:
-  /// `pixel` is the length of a pixel's side by which qualities are measured. 11 bytes a pixel.
+  /// `pixel` is the length of a pixel's side of quality 1. Takes 11 bytes per pixel.
   PhotographSampler(const Mesh& mesh, const PinholeCamera& camera, Image picture, double pixel);
 
-  /// Nothing where the surface hides the place, is seen from inside or too flatly along it, or
-  /// where its contour or the picture's border is so near that the pixel shows something else too.
-  /// Safe to call from several threads.
+  /// Returns quality 0 if the surface occludes the place, or if the place is observed from inside
+  /// or at a grazing angle. Also if a contour or the border of the picture is so close that the
+  /// pixel shows something else, too. Thread-safe.
   ViewColor at(const Place& place) const;
 
  private:
@@ -37,9 +37,9 @@ class PhotographSampler {
   Vec3 center_;
   double focal_;
   double pixel_;
-  std::vector<Image> pyramid_;   ///< each of half the size of the one before
-  Raster<float> depth_;          ///< 0: background
-  Raster<std::uint8_t> margin_;  ///< pixels to the nearest contour or border
+  std::vector<Image> pyramid_;   ///< each has half the size of the one before
+  Raster<float> depth_;          ///< 0 for background
+  Raster<std::uint8_t> margin_;  ///< number of pixels to the nearest contour or border
 };
 
 }  // namespace transformesh

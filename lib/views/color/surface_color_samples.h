@@ -1,5 +1,5 @@
-/// Color samples of many places of a surface, taken from one photograph after the other. Internal
-/// to color_vertices and texture_surface.
+/// Samples the colors of many places of a surface, from one photograph after the other. Internal to
+/// color_vertices and texture_surface.
 #pragma once
 
 #include <functional>
@@ -13,25 +13,27 @@
 
 namespace transformesh {
 
-/// Places of one kind, asked for by several threads, and what was seen at each.
+/// Places of one kind with their samples. `place` is called by several threads.
 struct ColorSamples {
   std::size_t count = 0;
   std::function<Place(std::size_t)> place;
-  std::vector<BestViewColors> seen;  ///< as many, once look() is done
+  std::vector<BestViewColors> seen;  ///< one per place, after sample_colors()
 };
 
-/// Throws InputError unless there is a view and the surface is before one.
+/// Returns the length of a pixel's side at the center of the mesh. Throws InputError unless the
+/// mesh is in front of at least one camera.
 double usual_pixel(const Mesh& mesh, std::span<const PictureView> views);
 
-/// The vertices, each for half of the length of its edges. Keeps a reference to the mesh.
+/// Returns samples at vertices, with half the mean edge length as spacing. Keeps a reference to the
+/// mesh.
 ColorSamples vertex_color_samples(const Mesh& mesh, std::span<const Vec3> normals);
 
-/// Fills `seen` of both.
+/// Fills `seen` of all `samples`.
 void sample_colors(const Mesh& mesh, std::span<const PictureView> views, double pixel,
                    std::span<ColorSamples* const> samples, const Progress& progress);
 
-/// The blends, with the gains of all views; what no view sees takes the mean of its neighbors that
-/// have a color, or middle gray where there is none.
+/// Returns blended colors, corrected by the gains of all views. An unobserved vertex gets the mean
+/// color of its neighbors that have one, or middle gray if there are none.
 std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const ColorSamples& samples,
                                           std::span<const Gain> gains, ColorResult& result);
 

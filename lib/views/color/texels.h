@@ -1,4 +1,4 @@
-/// The texels whose centers a triangle of a texture covers.
+/// Enumerates the texels whose centers are covered by a triangle of a texture.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,9 +8,9 @@
 
 namespace transformesh {
 
-/// Calls action(x, y, weights) for each texel of `width` x `height` whose center, at integers, is
-/// in the triangle by at least `inside`, as a share of each corner (barycentric weights); below 0
-/// it may be outside. Collapsed triangles have none.
+/// Calls action(x, y, weights) for each texel of a `width` x `height` texture whose center is in
+/// the triangle. Centers are at integers. All barycentric weights must be at least `inside`;
+/// negative values also accept centers slightly outside. Degenerate triangles have no texels.
 template <class Action>
 void for_texels(const std::array<Eigen::Vector2d, 3>& corners, double inside, int width, int height,
                 const Action& action) {

@@ -16,12 +16,12 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_shrinkings = 60;
+constexpr int most_shrinkings = 60;  ///< each enlarges texels by a tenth
 
-/// A texel's place on the surface.
+/// Location of a texel on the surface.
 struct Texel {
   Index face = no_index;
-  std::array<float, 2> weight{};  ///< of the face's corners 0 and 1
+  std::array<float, 2> weight{};  ///< barycentric weights of the face's corners 0 and 1
 
   template <class Values>
   auto mean_of(const Mesh& mesh, const Values& values) const {
@@ -49,7 +49,7 @@ void check(const AtlasOptions& options) {
     throw UsageError("charts of a texture are 1 to 64 texels apart from others");
 }
 
-/// Boxes have room for the texels that the chart's corners lie between.
+/// Returns boxes for all texels between which the corners of a chart lie, plus padding.
 std::vector<Eigen::Vector2i> boxes_of(const std::vector<Chart>& charts, double texel, int padding) {
   std::vector<Eigen::Vector2i> boxes;
   for (const Chart& chart : charts) {
@@ -65,7 +65,8 @@ bool could_fit(const std::vector<Chart>& charts, double texel, int most_size) {
 }
 
 Layout lay_out(const Mesh& mesh, double texel, const AtlasOptions& options) {
-  // Lengths that no picture could hold are none of a chart's either.
+  // A texture of `most_size` texels cannot resolve lengths below `least`. This limits the memory of
+  // the search for overlaps.
   const double least = diagonal_of(bounding_box(mesh)) / options.most_size;
   Layout layout{make_charts(mesh, std::max(texel, least / 4)), {}, texel};
   for (int i = 0; i < most_shrinkings; ++i, layout.texel *= 1.1) {
@@ -80,7 +81,7 @@ Layout lay_out(const Mesh& mesh, double texel, const AtlasOptions& options) {
                   {.counts = {static_cast<std::size_t>(options.most_size), layout.charts.size()}});
 }
 
-/// Corners in texels, of which the first one's center is at 0.
+/// Converts the corners of a face to texels. The center of the first texel is at 0.
 std::array<Eigen::Vector2d, 3> in_texture(const std::array<Eigen::Vector2d, 3>& corners,
                                           const Eigen::Vector2i& place, double texel, int padding) {
   std::array<Eigen::Vector2d, 3> result;
@@ -89,7 +90,7 @@ std::array<Eigen::Vector2d, 3> in_texture(const std::array<Eigen::Vector2d, 3>& 
   return result;
 }
 
-/// Calls action(face, corners in texels) chart by chart.
+/// Calls action(face, corners in texels), chart by chart.
 template <class Action>
 void for_faces(const Layout& layout, int padding, const Action& action) {
   for (std::size_t c = 0; c < layout.charts.size(); ++c) {
@@ -134,7 +135,7 @@ Pixel pixel_of(const Eigen::Array3f& color) {
           static_cast<std::uint8_t>(color[2] + 0.5F), 255};
 }
 
-/// Texels without alpha have no color yet. Each round gives one to those beside some that have.
+/// Texels with alpha 0 have no color yet. Each round colors those with a colored neighbor.
 void spread(Image& picture, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     const Image before = picture;
@@ -160,7 +161,7 @@ void spread(Image& picture, int rounds) {
   }
 }
 
-/// What is far from every chart gets the mean color.
+/// Sets the remaining texels, far from all charts, to the mean color.
 void fill_rest(Image& picture) {
   Eigen::Array3d sum = Eigen::Array3d::Zero();
   double count = 0;
@@ -196,7 +197,7 @@ Atlas texture_surface(Mesh& mesh, std::span<const PictureView> views, const Atla
   const Layout layout = lay_out(mesh, pixel, options);
   const Raster<Texel> texels = texels_of(layout, options.padding);
 
-  // Vertices have colors too, for what no view sees.
+  // Colors of vertices are used for texels that are not visible in any view.
   const std::vector<Vec3> normals = vertex_normals(mesh);
   ColorSamples at_vertices = vertex_color_samples(mesh, normals);
   ColorSamples at_texels = looks_at_texels(mesh, normals, texels, layout.texel);

@@ -1,12 +1,13 @@
-/// A texture of a surface from calibrated photographs: an atlas of flat charts (charts.h), whose
-/// texels are colored as vertices are (color_vertices.h).
+/// A texture of a surface from calibrated photographs: an atlas of planar charts (charts.h), whose
+/// texels are colored like vertices (color_vertices.h).
 ///
-/// Texels are as large as a pixel is where the mesh is, or larger where the atlas would be larger
-/// than it may be. Around each chart some texels repeat its border, so that nothing shines through
-/// between charts when the texture is made smaller. What no view sees has the vertices' colors.
+/// Texels have the size of a pixel at the mesh, or are larger if the atlas would exceed its limit.
+/// Charts are padded by texels that repeat their border, so that colors between charts do not bleed
+/// into reduced versions of the texture. Texels that are not visible in any view are interpolated
+/// from the colors of vertices.
 ///
-/// Cost: as color_vertices, for texels; memory 50 bytes a texel and 20 bytes a pixel of one
-/// photograph. The same bytes for any number of threads.
+/// Cost: as color_vertices, for texels. Memory: 50 bytes per texel and 20 bytes per pixel of one
+/// photograph. The result does not depend on the number of threads.
 #pragma once
 
 #include "transformesh/image.h"
@@ -15,10 +16,10 @@
 
 namespace transformesh {
 
-/// Writes the face column `texcoord`, lists of u and v, v upwards, of each corner, as floats; takes
-/// away red, green, blue and alpha of the vertices, by which viewers would darken the texture.
-/// Throws UsageError for options out of range, GoalError where no atlas of that size has room, and
-/// what color_vertices does.
+/// Writes the face column `texcoord`: lists of u and v of each corner as floats, v upwards. Removes
+/// red, green, blue and alpha of the vertices, because viewers would multiply the texture by them.
+/// Throws UsageError if options are out of range, GoalError if the charts do not fit into the
+/// largest atlas, and what color_vertices() throws.
 Atlas texture_surface(Mesh& mesh, std::span<const PictureView> views,
                       const AtlasOptions& options = {}, const Progress& progress = {});
 
