@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Of the agreement with silhouettes: as much as the edges of the initial mesh leave open.
+/// Tolerated decrease of the agreement with silhouettes: the uncertainty that the edges of the
+/// initial mesh leave.
 constexpr double agreement_lost = 0.005;
 constexpr double most_disagreement = 0.2;
 constexpr double most_doubtful = 0.03;

@@ -1,4 +1,4 @@
-/// Whether the end of a reconstruction is to be believed: converged is what has no fault.
+/// Decides whether a reconstruction has converged: it has if no fault is found.
 #pragma once
 
 #include <string>
@@ -8,22 +8,23 @@
 
 namespace transformesh {
 
-/// What the end of a reconstruction is judged by, beside its sweeps.
+/// Measures of the result by which convergence is decided, in addition to the sweeps.
 struct SurfaceEvidence {
   double first_agreement = 1;  ///< initial mesh and exact masks; mean over the views
-  double agreement = 1;        ///< of the result
+  double agreement = 1;        ///< result and exact masks; mean over the views
   SurfaceDoubt doubt;
 };
 
-/// What keeps the end of a reconstruction from being converged.
+/// Reasons why a reconstruction has not converged.
 struct ReconstructionFaults {
-  double lost_at = 0;  ///< scale after which less of the surface was compared than before; 0: none
-  double late_at = 0;  ///< scale at which the topology changed late; 0: none
-  bool is_at_rest = false;
+  double lost_at = 0;       ///< scale at which the compared part of the surface decreased; 0: none
+  double late_at = 0;       ///< fine scale at which the topology changed; 0: none
+  bool is_at_rest = false;  ///< true if the surface hardly moved in the last sweep
 
-  /// The first one, empty where there is none. Beside the above: the outline agrees with masks by
-  /// 0.005 less than that of the initial mesh, photographs disagree by more than 0.2 beyond their
-  /// noise or on more than 3 % of what is seen, or a thin place is doubtful.
+  /// Returns the first fault as a sentence, or "" if there is none. Further faults are the
+  /// following. The outline agrees with masks by 0.005 less than that of the initial mesh.
+  /// Photographs disagree by more than 0.2 beyond their noise, or on more than 3 % of the visible
+  /// surface. A thin place is doubtful.
   std::string in_words(const SurfaceEvidence& evidence) const;
   void remember(LoopState& loop_state) {
     loop_state("lost", lost_at)("late", late_at)("rest", is_at_rest);

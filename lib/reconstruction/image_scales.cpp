@@ -13,8 +13,10 @@
 namespace transformesh {
 namespace {
 
+// Width of photographs at the coarsest scale by default. Smaller photographs tolerate worse initial
+// meshes but lose thin parts.
 constexpr double coarsest_pixels = 28.5;
-/// Of a scale or an edge that is nearly the one wanted.
+/// Relative tolerance for a scale or an edge that nearly equals the wanted one.
 constexpr double tolerance = 0.999;
 
 double scale_after(int steps) { return elementary::exp2(steps / 2.0); }

@@ -1,5 +1,5 @@
-/// From coarse to fine (paper 5.3.1): how many times smaller photographs are while a surface moves
-/// towards them, and how long its edges are then.
+/// The schedule of a reconstruction from coarse to fine (paper 5.3.1): scales of photographs, and
+/// lengths of edges at these scales.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,24 @@ namespace transformesh {
 
 struct ScaleStep {
   double scale = 1;
-  double edge = 0;  ///< input units
+  double edge = 0;  ///< edge length; input units
 };
 
-/// Scales from the coarsest to 1 by the square root of 2, then at scale 1 shorter edges by the
-/// same. Both numbers are as short as in a CSV file (4 decimals, 9 digits), so that what a file
-/// records of a sweep is what was done. `pixel` is the length of a pixel's side at scale 1.
+/// Returns the scales from the coarsest to 1, which decrease by a factor of sqrt(2). Then follow
+/// steps at scale 1 whose edges decrease by that factor. Both numbers are rounded as in a CSV file
+/// (4 decimals, 9 digits), so that the file contains exactly the numbers that were used. `pixel` is
+/// the length of a pixel's side at scale 1.
 std::vector<ScaleStep> coarse_to_fine(const ScaleOptions& options, int image_width, double pixel);
 
-/// A multiple of an edge as remesh() gets it, with 9 digits likewise.
+/// Returns `factor` times `edge`, rounded to 9 digits as arguments of remesh() are.
 double edge_times(double factor, double edge);
 
-/// remesh() to edges about as long, rounded as written.
+/// Calls remesh() for edges of about this length, and rounds the result as written to a file.
 void remesh_to(Document& document, double edge, int iterations = 1,
                const Progress& progress = Progress());
 
-/// Makes edges about as long, where they are shorter. Doubles them again and again, which is much
-/// faster than going there at once. Throws as remesh() does.
+/// Coarsens the mesh if its edges are shorter than `edge`. Doubles the edge length repeatedly,
+/// which is much faster than coarsening in one step. Throws as remesh() does.
 void coarsen(Document& document, double edge, const Progress& progress = Progress());
 
 }  // namespace transformesh

@@ -36,7 +36,7 @@ void append(Mesh& mesh, const Mesh& other) {
     mesh.faces.push_back({a + offset, b + offset, c + offset});
 }
 
-// The exact intersection of both.
+// Replaces the mesh by its exact intersection with the hull.
 void clip(Document& document, const Mesh& hull, const std::string& name, const Progress& progress) {
   append(document.mesh, hull);
   document.style.coordinate = Scalar::float64;
@@ -50,8 +50,8 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
   round_as_written(document);
 }
 
-/// Cells of that size, or larger where there were very many: an initial mesh is made coarser
-/// anyway.
+/// Enlarges the edge length of cells until the box contains at most `most_cells`. The initial mesh
+/// is coarsened later anyway.
 double affordable(double edge, const Box& box) {
   constexpr double most_cells = 1 << 26;
   const Vec3 size = box.max() - box.min();
@@ -59,7 +59,7 @@ double affordable(double edge, const Box& box) {
   return edge;
 }
 
-/// A rectangle of an image, as far as it was seen.
+/// Bounding rectangle of points in an image.
 struct Rectangle {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL);
   Eigen::Vector2d high = Eigen::Vector2d::Constant(-HUGE_VAL);
@@ -76,7 +76,7 @@ void add_silhouette(const PackableImage& silhouette, Rectangle& rectangle) {
       if (silhouette.at(x, y) > contour_intensity) rectangle.add({x, y});
 }
 
-/// The part with the mesh and the silhouette, and some room for a surface that moves.
+/// Returns the rectangle around mesh and silhouette, enlarged by a margin for a surface that moves.
 View around(const Mesh& mesh, const View& view) {
   constexpr double margin_px = 32;
   constexpr double margin_share = 0.05;

@@ -1,6 +1,6 @@
-/// The initial mesh of a reconstruction (paper 5.3): the visual hull, or a given mesh that may be
-/// far off and have another topology. Of a given mesh only what is within the hull of exact masks
-/// is kept.
+/// Makes the initial mesh of a reconstruction (paper 5.3): the visual hull, or a given mesh. A
+/// given mesh may be inaccurate and have another topology than the object. It is clipped by the
+/// hull of exact masks.
 #pragma once
 
 #include <optional>
@@ -17,28 +17,28 @@
 
 namespace transformesh {
 
-/// Makes the document's mesh the one to begin with, clean and rounded as written. Views without
-/// masks get silhouettes where there is a threshold; then returns their hull, whose outlines are to
-/// take the place of masks. Edges of a hull are three `pixel` long. Throws as visual_hull() and
-/// clean() do, and GoalError where nothing of the mesh given is within the hull.
+/// Replaces the document's mesh by the initial mesh, cleaned and rounded as written to a file.
+/// Views without masks get silhouettes if there is a threshold; in this case returns the hull of
+/// the silhouettes, whose outlines then replace masks. Edges of a hull are 3 `pixel` long. Throws
+/// as visual_hull() and clean() do. Throws GoalError if the given mesh does not intersect the hull.
 std::optional<Mesh> make_initial_mesh(Document& document, std::vector<View>& views,
                                       const InitialMeshOptions& options, double pixel,
                                       const Progress& progress = Progress());
 
-/// The hull of the views' masks; or else of what is brighter than the threshold, which becomes the
-/// silhouettes of the views and must agree (check_views). `edge` is HullOptions::edge.
+/// Returns the hull of the views' masks. Views without masks first get silhouettes by the
+/// threshold, which must agree (check_views). `edge` is HullOptions::edge.
 Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
              std::optional<double> edge, const Progress& progress = Progress());
 
-/// What the mesh covers becomes the silhouette of each view. Throws InputError, with the name of
-/// the view, where that is nothing.
+/// Sets the silhouette of each view to that of the mesh. Throws InputError, with the name of the
+/// view, if a view does not show the mesh.
 void outline(std::vector<View>& views, const Mesh& mesh);
 
-/// The length of a pixel's side where the cameras look.
+/// Returns the length of a pixel's side at the point at which the cameras look.
 double pixel_size(const std::vector<View>& views);
 
-/// Leaves of views that are packed what is around the mesh and their silhouettes, and some room for
-/// a surface that moves: what is beyond is unknown from then on.
+/// Crops packed views to the mesh and their silhouettes, with a margin for a surface that moves.
+/// Pixels outside count as unknown afterwards.
 void crop_views(std::vector<View>& views, const Mesh& mesh);
 
 }  // namespace transformesh

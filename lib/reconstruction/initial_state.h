@@ -1,4 +1,5 @@
-/// What a reconstruction (paper 5.3) begins with, in its record: so a run that goes on has it too.
+/// The initial state of a reconstruction (paper 5.3). It is stored in the record, so that a resumed
+/// run has the same.
 #pragma once
 
 #include <optional>
@@ -13,9 +14,9 @@ namespace transformesh {
 
 struct InitialState {
   Document document;
-  std::optional<Mesh> outlined;  ///< the hull whose outlines take the place of masks
-  /// Of a hull that was opened: the scale of the photographs that did. Longer edges than those of
-  /// that scale would close hollows.
+  std::optional<Mesh> outlined;  ///< hull whose outlines replace masks
+  /// Scale of the photographs that opened the hull, if it was opened. Edges of coarser scales would
+  /// close hollows.
   std::optional<double> coarsest;
 };
 
@@ -24,13 +25,14 @@ struct InitialStateOptions {
   PairOptions pairs;
 };
 
-/// As make_initial_mesh(), and the hull is opened where that is wanted and photographs see into
-/// hollows (opened_hull.h). Of a document without a mesh given the comments count.
+/// Calls make_initial_mesh(). Then opens the hull if that is wanted and photographs show hollows
+/// (opened_hull.h). If the document has no mesh, its comments are kept.
 InitialState make_initial_state(const Document& document, std::vector<View>& views,
                                 const InitialStateOptions& options, Record& record,
                                 const Progress& progress = Progress());
 
-/// In the record of a run that goes on. Throws InputError where it is not there.
+/// Reads the initial state from the record of a resumed run. Throws InputError if the record has
+/// none.
 InitialState read_initial_state(const Record& record);
 
 }  // namespace transformesh

@@ -33,48 +33,51 @@
 namespace transformesh {
 namespace {
 
-/// How much stiffer a surface becomes that exploded, at a time and in all.
+/// Factor of the stiffness after an explosion of the surface, and its largest product.
 constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
-/// Of the views that are compared above scale 1.
+/// PairOptions::spread above scale 1.
 constexpr double near_spread = 1.5;
-/// Below it too much would be done once more. A little below 2, which scales are not exactly.
+/// Least scale at which the loop starts again after an explosion; at finer scales too much work
+/// would be repeated. Slightly below 2, because scales are rounded.
 constexpr double stiffer_scale = 1.99;
 
-/// The photographs, at the scale that was asked for last, and steps towards them.
+/// The photographs at the most recently requested scale, and steps towards them.
 class Photographs {
  public:
   Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
               const InitialState& initial_state);
 
-  /// The surface is so many times as stiff as the options say.
+  /// Takes the steps of a sweep. The stiffness of the options is multiplied by `stiffness`.
   PhotoStepsResult sweep(Mesh& mesh, double scale, double loss, double stiffness,
                          const Progress& progress);
-  /// One step in which nothing moves; of pairs in one order, or in both.
+  /// Measures the surface by a step without movement. Compares pairs of views in one order or in
+  /// both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
   SurfaceDoubt doubt(const Mesh& mesh, double scale, const Progress& progress);
-  /// With exact masks, the mean over the views; 1 without.
+  /// Returns the agreement with exact masks, averaged over the views; 1 without such masks.
   double agreement(const Mesh& mesh);
   int width() const { return width_; }
   double pixel() const { return pixel_size(views_); }
 
  private:
   const PhotoScene& at(double scale);
-  /// The steps of the options, with the window of the scale and the pull for its pairs.
+  /// Returns the options with the window radius of the scale and the silhouette weight for its
+  /// pairs.
   PhotoStepsOptions steps_at(double scale);
 
   std::vector<View>& views_;
   int width_;
   bool spends_views_;
   PairOptions pairs_;
-  /// Above scale 1, where the surface may be far off: from wide apart one would compare places that
-  /// the true one hides.
+  /// Pairs above scale 1, where the surface may be inaccurate. Distant views would compare places
+  /// that the true surface occludes.
   PairOptions near_pairs_;
   PhotoStepsOptions steps_;
   std::optional<double> pull_;
-  bool are_outlines_;  ///< of the hull
+  bool are_outlines_;  ///< whether silhouettes are outlines of the hull
   WindowRadii windows_;
-  double scale_ = 0;  ///< of the scene; 0: none
+  double scale_ = 0;  ///< scale of `scene_`; 0: none
   PhotoScene scene_;
 };
 
@@ -98,7 +101,7 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
 const PhotoScene& Photographs::at(double scale) {
   if (scale == scale_) return scene_;
   scene_ = PhotoScene();
-  // After scale 1 there is no other one.
+  // Scale 1 is the last one, so that views are not needed afterwards.
   const bool is_last = spends_views_ && scale == 1;
   const PairOptions& pairs = scale > 1 ? near_pairs_ : pairs_;
   scene_ = is_last ? take_photo_scene(views_, scale, pairs) : photo_scene(views_, scale, pairs);
@@ -137,7 +140,7 @@ SurfaceDoubt Photographs::doubt(const Mesh& mesh, double scale, const Progress& 
                        progress);
 }
 
-// By the distances to silhouettes at scale 1, which are there also where views were spent.
+// Uses distances from silhouettes at scale 1, because silhouettes may have been cleared.
 double Photographs::agreement(const Mesh& mesh) {
   const PhotoScene& scene = at(1);
   double sum = 0;
@@ -203,16 +206,16 @@ class ReconstructionLoop : public Loop {
   const ReconstructionOptions& options_;
   std::vector<ScaleStep> scale_steps_;
 
-  // Variables that are kept from sweep to sweep.
-  std::size_t first_ = 0;       ///< scale with which it began
-  std::size_t scale_step_ = 0;  ///< scale of the next sweep
+  // State that is kept from sweep to sweep.
+  std::size_t first_ = 0;       ///< index of the first scale
+  std::size_t scale_step_ = 0;  ///< index of the scale of the next sweep
   ScaleRule rule_;
   ReconstructionFaults faults_;
   double loss_ = 0;
-  double stiffness_ = 1;     ///< times that of the options
-  std::size_t handles_ = 0;  ///< that went
+  double stiffness_ = 1;     ///< factor of the stiffness in the options
+  std::size_t handles_ = 0;  ///< number of removed handles
 
-  Sweep sweep_;  ///< the last one
+  Sweep sweep_;  ///< the last sweep
   ReconstructionResult result_;
 };
 
@@ -222,7 +225,7 @@ void ReconstructionLoop::start(Document& document, const Progress& progress) {
   coarsen(document, scale_steps_[scale_step_].edge, progress);
 }
 
-// Where nothing was done yet but at the first scale, and nobody asked for that one.
+// True if all sweeps so far were at the first scale, and that scale was chosen by default.
 bool ReconstructionLoop::may_begin_finer() const {
   return !options_.scales.coarsest && scale_step_ == first_ &&
          scale_step_ + 1 < scale_steps_.size();
@@ -238,7 +241,7 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
   start(document, progress);
 }
 
-// Handles a sweep that made the surface explode.
+// Starts again with a stiffer surface if the last sweep made it explode. Returns true if so.
 bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
   if (!is_exploded(sweep_, connected_components(initial_.mesh).components.size())) return false;
   const std::string what = "the surface explodes at scale " + fixed(sweep_.scale_step.scale, 4);
@@ -255,7 +258,7 @@ bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& prog
   return true;
 }
 
-// Whether there were any; then the mesh is to be cleaned again.
+// Returns true if handles were removed. The mesh must then be cleaned again.
 bool ReconstructionLoop::drops_handles(Document& document, const Progress& progress) {
   if (options_.handles == 0) return false;
   const HandleOptions options{options_.handles * scale_steps_.back().edge,
@@ -327,8 +330,8 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
   if (!begin_robust()) begin_next_scale(document, progress);
 }
 
-// Some more sweeps of the last scale, once. Before, windows that disagree are needed, as they show
-// where the surface is still far off.
+// Adds robust sweeps at the last scale, once. Earlier, disagreeing windows are needed, because they
+// show where the surface is still inaccurate.
 bool ReconstructionLoop::begin_robust() {
   if (scale_step_ + 1 < scale_steps_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
   loss_ = robust_loss(options_.robust, rule_.dissimilarity());

@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t most_places = 10;  // named in a report
+constexpr std::size_t most_places = 10;  ///< number of places in a report
 
 std::string texts_of(const std::vector<DoubtfulPlace>& places) {
   std::string text;

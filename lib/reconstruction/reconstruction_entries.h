@@ -1,4 +1,4 @@
-/// Entries of reports about reconstructions and the check of views (entries.h).
+/// Report entries of reconstructions and of the check of views (entries.h).
 #pragma once
 
 #include "entries/entries.h"
@@ -8,11 +8,11 @@
 
 namespace transformesh {
 
-/// The doubtful places are one text: the largest ones, joined by semicolons.
+/// Doubtful places are one text: the largest places, separated by semicolons.
 Entries entries_of(const ReconstructionResult& result);
 Entries entries_of(const SequenceResult& result);
 
-/// For a check that left `views` views.
+/// Entries of a check after which `views` views are left.
 Entries entries_of(const ViewCheck& check, std::size_t views);
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-/// The loop of reconstruct.h with a record that the caller has opened.
+/// The loop of reconstruct.h, with a record that the caller has opened.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace transformesh {
 
-/// In the record's folder `start.ply` and `hull.ply` are kept as well.
+/// Reconstructs as described in reconstruct.h. Also stores `start.ply` and `hull.ply` in the
+/// record's folder.
 ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress = Progress());

@@ -27,7 +27,7 @@ std::string small_picture(const GrayImage& image) {
   return write_png(picture_of(scale > 1 ? at_scale(image, scale) : image));
 }
 
-/// As a camera file can hold it, and as no other camera of the list is called.
+/// Returns a name that camera files can store and that differs from all names in the list.
 std::string camera_name(const std::string& view, const CameraList& list) {
   std::string name = view.empty() ? "view" : view;
   std::ranges::replace_if(

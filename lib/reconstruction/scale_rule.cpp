@@ -9,10 +9,10 @@ constexpr double share_at_rest = 0.015;
 constexpr double improvement = 0.99;
 constexpr double least_coverage_kept = 0.9;
 constexpr double least_pixels_kept = 0.5;
-/// Of the vertices: fewer outside of silhouettes are none that come in.
+/// Fraction of the vertices. If fewer vertices are outside of silhouettes, none count as entering.
 constexpr double outside_share = 0.002;
 constexpr double entering_share = 0.9;
-/// A little below 2, which scales are not exactly.
+/// Slightly below 2, because scales are rounded.
 constexpr double late_scale = 1.99;
 
 double real(std::size_t count) { return static_cast<double>(count); }

@@ -1,5 +1,5 @@
-/// When a scale of coarse to fine is done (paper 5.3.1): plain values of its sweeps in, a verdict
-/// out. What it remembers of them is kept in the record of a run.
+/// Decides when a scale of a reconstruction is finished (paper 5.3.1), from measures of its sweeps.
+/// The state of the rule is stored in the record of a run.
 #pragma once
 
 #include <cstddef>
@@ -18,32 +18,35 @@ struct Sweep {
   PhotoStepsResult steps;
 };
 
-/// Below 2: where the topology should be found, and photographs show what is thin.
+/// True if the scale is below 2. The topology should be found by then, and photographs show thin
+/// parts.
 bool is_late_scale(double scale);
 
 struct SweepVerdict {
-  bool is_done = false;     ///< go on with the next scale
-  bool is_at_rest = false;  ///< hardly moves, and neither enters silhouettes nor changes topology
-  /// Since the scale began the share of pixels that are compared fell by a tenth, or their number
-  /// by half: a surface that photographs agree on because less of it is compared.
+  bool is_done = false;  ///< the next scale may begin
+  /// Vertices hardly move, none enters silhouettes, and the topology stays.
+  bool is_at_rest = false;
+  /// Since the scale began, the fraction of visible pixels that are compared fell by a tenth, or
+  /// their number fell by half. Photographs may then agree only because less of the surface is
+  /// compared.
   bool is_lost = false;
-  /// Components or holes came or went at a scale below 2: thin sheets and necks do, and photographs
-  /// hold none.
+  /// The number of components or holes changed at a scale below 2. This is typical of thin sheets
+  /// and necks that no photograph confirms.
   bool is_late = false;
 };
 
-/// When a scale of coarse to fine is done: where vertices move by less than 1.5 % of an edge or
-/// photographs agree by less than a hundredth better than after the sweep before, or after so many
-/// sweeps; but while vertices come in from outside of silhouettes or the topology changes, not
-/// before twice as many.
+/// Finishes a scale if vertices move by less than 1.5 % of an edge, or if the dissimilarity falls
+/// by less than a hundredth from one sweep to the next. Otherwise finishes it after `sweeps`
+/// sweeps. While vertices enter silhouettes from outside or the topology changes, only finishes it
+/// after twice as many.
 class ScaleRule {
  public:
   explicit ScaleRule(std::size_t sweeps = 4) : sweeps_(sweeps) {}
 
   SweepVerdict add(const Sweep& sweep);
-  /// A scale begins.
+  /// Prepares the rule for a new scale.
   void begin() { *this = ScaleRule(sweeps_); }
-  /// After the last sweep, with the six digits that the rule remembers.
+  /// Returns the dissimilarity after the last sweep, rounded to six digits as in the record.
   double dissimilarity() const { return before_.dissimilarity; }
 
   void remember(LoopState& loop_state);
@@ -57,8 +60,8 @@ class ScaleRule {
     Topology topology;
   };
   LastSweep before_;
-  double coverage_ = 0;  ///< that the scale began with
-  std::size_t pixels_ = 0;
+  double coverage_ = 0;     ///< coverage when the scale began
+  std::size_t pixels_ = 0;  ///< number of compared pixels when the scale began
 };
 
 }  // namespace transformesh

@@ -30,9 +30,9 @@ constexpr const char* from_before = "before";
 
 struct Surface {
   Document document;
-  std::string start;  ///< one of the three above
+  std::string start;  ///< one of `from_hull`, `from_given`, `from_before`
   ReconstructionResult result;
-  double agreement = 0;  ///< mean over the views
+  double agreement = 0;  ///< mean agreement with silhouettes over the views
   SurfaceQuality quality;
 
   bool is_tracked() const { return start == from_before; }
@@ -78,16 +78,16 @@ class SequenceLoop : public Loop {
   const std::function<std::vector<View>(const TimeStep&)>& views_of_;
   const SequenceOptions& options_;
 
-  // What is remembered from time step to time step.
+  // State that is kept from time step to time step.
   SequenceResult result_;
   SurfaceQuality reference_;
 
-  // The last time step.
+  // State of the last time step.
   std::string name_;
   std::vector<View> views_;
-  bool are_outlines_ = false;  ///< in the place of masks
+  bool are_outlines_ = false;  ///< whether silhouettes are outlines of a hull, not masks
   Surface surface_;
-  std::string fault_;  ///< of the surface that was tracked
+  std::string fault_;  ///< faults of the tracked surface
   double seconds_ = 0;
 };
 
@@ -95,7 +95,7 @@ std::string SequenceLoop::state_of(const std::string& start) const {
   return options_.states.empty() ? "" : options_.states + '/' + start;
 }
 
-// Nothing within a time step is left of another run.
+// Removes states within a time step that another run left behind.
 void SequenceLoop::start(Document& /*document*/, const Progress& /*progress*/) {
   for (const char* start : {from_hull, from_given, from_before}) remove_state(state_of(start));
 }
@@ -134,7 +134,7 @@ Surface SequenceLoop::made_from_hull(const Progress& progress) {
   return made(from_hull, std::move(document), progress);
 }
 
-// Nothing where the surface was lost altogether.
+// Returns nothing if the surface was lost.
 std::optional<Surface> SequenceLoop::tracked(const Document& before, const Progress& progress) {
   try {
     return made(from_before, before, progress);
@@ -196,7 +196,7 @@ void SequenceLoop::count() {
   result_.tracked += surface_.is_tracked() ? 1 : 0;
   result_.accepted += is_accepted() ? 1 : 0;
   if (surface_.is_tracked()) return;
-  // As the CSV file has it.
+  // Round as in the CSV file.
   const SurfaceQuality& quality = surface_.quality;
   reference_ = {read_back(fixed(quality.dissimilarity, 6)), read_back(fixed(quality.coverage, 4)),
                 read_back(fixed(quality.least_agreement, 4))};

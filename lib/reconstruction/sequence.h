@@ -1,10 +1,11 @@
-/// Reconstruction of a movie (paper 5.3.3): time steps one after the other, each from the surface
-/// before. It is made anew from its visual hull where the result is not as good as the last surface
-/// that was not tracked, and the better of both is taken (tracking_faults).
+/// Reconstructs a movie (paper 5.3.3), one time step after the other. Each time step begins with
+/// the previous surface. The result is compared with the last surface that was not tracked. If it
+/// is worse (tracking_faults), the surface is also reconstructed from its visual hull, and the
+/// better of both is used.
 ///
-/// Each time step is an iteration of the loop: recorded, resumed and limited as such, and the runs
-/// within it have states of their own. Throws what reconstruct() throws, with the number of the
-/// time step. Deterministic.
+/// Each time step is an iteration of the loop: it is recorded, resumed and limited like one.
+/// Reconstructions within a time step have states of their own. Throws what reconstruct() throws,
+/// with the number of the time step. Deterministic.
 #pragma once
 
 #include <functional>
@@ -19,25 +20,27 @@
 namespace transformesh {
 
 struct SequenceOptions {
-  /// `start` and the coarsest scale are those of surfaces that do not begin with the one before.
+  /// `initial` and the coarsest scale apply to surfaces that do not begin with the previous one.
   ReconstructionOptions reconstruction;
-  double track = 4;                        ///< the coarsest scale of those that do
-  std::vector<std::string> comments = {};  ///< of surfaces that begin with a hull
-  std::string folder;                      ///< for the surfaces, NAME.ply or NAME.off, or none
-  Format format = Format::ply_little;      ///< of these
-  std::string states = {};  ///< folder, the record's, for states within a time step; empty: none
+  double track = 4;  ///< coarsest scale of surfaces that begin with the previous one
+  std::vector<std::string> comments = {};  ///< comments of surfaces that begin with a hull
+  std::string folder;                      ///< for surfaces NAME.ply or NAME.off; empty: none
+  Format format = Format::ply_little;      ///< format of the surfaces
+  /// Folder for states within a time step, in that of the record; empty: none.
+  std::string states = {};
   std::function<void(const std::string& message)> on_step = {};
   std::function<void(const std::string& message)> on_note = {};
 };
 
 struct SequenceResult {
-  std::size_t time_steps = 0;  ///< that are done, those of earlier runs included
-  std::size_t tracked = 0;     ///< of these, with the surface before
-  std::size_t accepted = 0;    ///< as good as from a hull
+  std::size_t time_steps = 0;  ///< number of finished time steps, with those of earlier runs
+  std::size_t tracked = 0;     ///< number of time steps that use the previous surface
+  std::size_t accepted = 0;    ///< number of time steps as good as from a hull
 };
 
-/// `views_of` is asked for the views of each time step in turn. The document is the first start
-/// where one is given, and the last surface afterwards.
+/// Reconstructs all time steps. `views_of` returns the views of a time step; it is called once per
+/// step, in order. On input, the document is the given initial mesh, if any. On output, it is the
+/// last surface.
 SequenceResult reconstruct_sequence(
     Document& document, const std::vector<TimeStep>& time_steps,
     const std::function<std::vector<View>(const TimeStep& time_step)>& views_of,

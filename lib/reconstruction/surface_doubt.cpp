@@ -14,7 +14,7 @@ namespace {
 constexpr double doubtful = 0.5;
 constexpr double least_area_px = 25;
 constexpr double thin_px = 6;
-/// How often sums of windows spread to neighbors, so that no single window decides.
+/// Number of times that sums of windows spread to neighbors, so that no single window decides.
 constexpr int rings = 2;
 
 std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian) {
@@ -33,7 +33,7 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
   return areas;
 }
 
-/// Sets of vertices that hang together, among those that are doubtful.
+/// Connected sets of doubtful vertices.
 class Places {
  public:
   Places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vector<bool> is_doubtful)

@@ -1,4 +1,4 @@
-/// Whether a surface that was tracked through a movie is as good as one that was made anew.
+/// Compares a tracked surface of a movie with one that was reconstructed from its hull.
 #pragma once
 
 #include <string>
@@ -7,23 +7,24 @@
 
 namespace transformesh {
 
-/// How good the surface of a time step is.
+/// Quality of the surface of a time step.
 struct SurfaceQuality {
-  double dissimilarity = 3;  ///< no surface has more than 2: one that was lost has all faults
+  double dissimilarity = 3;  ///< at most 2 for any surface; a lost surface is worse
   double coverage = 0;
-  double least_agreement = 0;  ///< with a silhouette, over the views
+  double least_agreement = 0;  ///< least agreement with a silhouette, over the views
 
   void remember(LoopState& loop_state) {
     loop_state("dissimilarity", dissimilarity)("coverage", coverage)("agreement", least_agreement);
   }
 };
 
-/// What is worse than in the last surface that did not begin with the one before: `dissimilarity`
-/// by 1.3 times, `coverage` by a tenth, `silhouettes` by 0.03; joined by +.
+/// Returns the measures that are worse than in `reference`, the last surface that was not tracked,
+/// joined by +. A measure is worse if `dissimilarity` is above 1.3 times the reference, if
+/// `coverage` is lower by a tenth, or if the agreement (`silhouettes`) is lower by 0.03.
 std::string tracking_faults(const SurfaceQuality& surface, const SurfaceQuality& reference);
 
-/// Whether a surface made anew is better than the one that was tracked: fewer faults, or as many
-/// and less dissimilarity.
+/// True if the surface `anew`, reconstructed from its hull, is better than the tracked one: it has
+/// fewer faults, or as many and less dissimilarity.
 bool is_better(const SurfaceQuality& anew, const SurfaceQuality& tracked,
                const SurfaceQuality& reference);
 

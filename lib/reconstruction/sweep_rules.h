@@ -1,5 +1,5 @@
-/// What a reconstruction decides around a sweep (paper 5.3): plain values in, a choice or a verdict
-/// out.
+/// Decisions of a reconstruction before and after a sweep (paper 5.3), as functions of plain
+/// values.
 #pragma once
 
 #include <span>
@@ -10,22 +10,25 @@
 
 namespace transformesh {
 
-/// Whether even the nearest of the views with which one is compared is on average more than 40
-/// degrees apart. Pairs of the same first view stand together.
+/// True if the views are far apart: the angle between a view and the nearest of its pairs is above
+/// 40 degrees on average. Pairs of the same first view must be adjacent.
 bool is_wide(std::span<const ViewPair> pairs);
 
-/// Whether edges were too long, so that thin parts of the object are gone, and with them a
-/// twentieth of the pixels that are compared. An initial mesh that was only too large loses fewer.
+/// True if edges were too long, so that thin parts of the object were lost. The criterion is that a
+/// twentieth of the compared pixels was lost. An initial mesh that was merely too large loses
+/// fewer.
 bool is_torn(std::size_t initial_pixels, std::size_t pixels_now);
 
-/// Whether the surface flies apart in a sweep: more than 100 components, ten times those of the
-/// initial mesh; or three tenths of the vertices outside of silhouettes, more than when the sweep
-/// began; or less than three tenths of the pixels compared, half the share that it was. Such a
-/// surface never comes back.
+/// True if the surface disintegrates in a sweep. One of three criteria suffices. There are more
+/// than 100 components, and ten times those of the initial mesh. Or more than three tenths of the
+/// vertices are outside of silhouettes, and more than when the sweep began. Or less than three
+/// tenths of the pixels are compared, and less than half of the fraction when the sweep began. Such
+/// a surface never recovers.
 bool is_exploded(const Sweep& sweep, std::size_t initial_components);
 
-/// Disagreement at which windows pull by a quarter, at last: `factor` times the mean, which is
-/// the dissimilarity. 0: all pull alike.
+/// Returns CorrelationOptions::robust for the last sweeps: `factor` times the mean disagreement
+/// (`dissimilarity`). Windows that disagree by this value pull by a quarter. 0: all windows pull
+/// alike.
 double robust_loss(double factor, double dissimilarity);
 
 }  // namespace transformesh

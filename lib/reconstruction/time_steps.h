@@ -1,4 +1,4 @@
-/// The time steps of a movie, as a command line names them.
+/// The time steps of a movie, as given on a command line.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 namespace transformesh {
 
 struct TimeStep {
-  std::string text;  ///< what {} stands for: the line, or the path of the folder
-  std::string name;  ///< the last part of it
+  std::string text;  ///< replaces {}: the line, or the path of the folder
+  std::string name;  ///< the last component of `text`
 };
 
-/// The lines of a file that are not blank; or in natural order the folders in a folder, or what a
-/// quoted pattern matches. Throws InputError where there is none, UsageError where two of them have
-/// one name.
+/// Returns the lines of a file that are not blank, or the folders in a folder or matching a
+/// pattern, in natural order. Throws InputError if there is none. Throws UsageError if two of them
+/// have the same name.
 std::vector<TimeStep> time_steps(const std::string& where);
 
-/// A place, with {} replaced.
+/// Returns the path with each {} replaced by the text of the time step.
 std::string place_of(std::string where, const TimeStep& step);
 
 }  // namespace transformesh
