@@ -15,10 +15,11 @@ namespace transformesh {
 namespace {
 
 constexpr int directions = 128;
-constexpr double least_distance = 1e-5;  ///< of what blocks, as a share of the diagonal
+/// Least distance of occluders, as a fraction of the diagonal.
+constexpr double least_distance = 1e-5;
 constexpr std::size_t vertices_per_task = 256;
 
-/// Evenly spread over the sphere: heights in equal steps, turned by the golden angle.
+/// Returns one of evenly distributed directions: equidistant heights, rotated by the golden angle.
 Vec3 direction(int i) {
   const double height = 1 - (2.0 * i + 1) / directions;
   const double radius = std::sqrt(1 - height * height);
@@ -26,7 +27,8 @@ Vec3 direction(int i) {
   return {radius * elementary::cos(turn), radius * elementary::sin(turn), height};
 }
 
-/// Rays in one direction: the mesh is turned so that they go up, and a ray is a box without width.
+/// Casts parallel rays. The mesh is rotated so that rays point upwards. A ray is then a box of zero
+/// width.
 class ParallelRays {
  public:
   ParallelRays(const Mesh& mesh, const Vec3& upwards)
@@ -40,7 +42,7 @@ class ParallelRays {
     bvh_ = Bvh(boxes);
   }
 
-  /// Whether the ray from the vertex meets a face that is not one of its own.
+  /// True if the ray from the vertex meets a face that is not incident to the vertex.
   bool is_blocked(Index vertex, double least) const {
     FloatBox ray = frame_.box(turned_[vertex], turned_[vertex]);
     ray.max()[2] = std::numeric_limits<float>::infinity();
@@ -65,7 +67,7 @@ class ParallelRays {
     return points;
   }
 
-  /// How far above the point the face is; -1 where it is not.
+  /// Returns the height of the face above the point; -1 if the face is neither above nor below it.
   double height_above(const Face& face, const Vec3& point) const {
     const Vec3 a = turned_[face[0]] - point;
     const Vec3 b = turned_[face[1]] - point;

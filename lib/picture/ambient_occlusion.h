@@ -1,12 +1,16 @@
-/// Ambient occlusion: how much of the light from all around reaches the surface at each vertex.
+/// Ambient occlusion: the fraction of the ambient light that reaches the surface at each vertex.
+/// Reference: Zhukov, Iones & Kronin, "An ambient light illumination model", Rendering Techniques
+/// 1998.
 ///
-/// From each vertex rays go in 128 directions, the same on every run, spread evenly over the
-/// sphere; those on the outer side of the surface count by the cosine to the normal, the mean of
-/// the normals of the faces weighted by area. The share that meets no face is the openness: 1
-/// everywhere on convex bodies, 0 inside closed ones, 1 where there is no normal. Faces at the
-/// vertex itself, and what is nearer than 1e-5 of the box's diagonal, block nothing. Reference:
-/// Zhukov, Iones & Kronin, "An ambient light illumination model", Rendering Techniques 1998. Cost:
-/// a Bvh for each direction, O(vertices log faces) if few boxes overlap; parallel; the same for any
+/// From each vertex, rays are cast in 128 directions, which are evenly distributed over the sphere
+/// and the same in every run. Only directions on the outer side of the surface count, weighted by
+/// the cosine to the area-weighted vertex normal. The openness of a vertex is the weighted fraction
+/// of the rays that meet no face. It is 1 on convex bodies and 0 inside closed ones. It is 1 at
+/// vertices without normal. Faces at the vertex itself, and faces nearer than 1e-5 of the diagonal
+/// of the bounding box, do not count.
+///
+/// Cost: one Bvh per direction, O(vertices log faces) if few boxes overlap. Parallel; the result
+/// does not depend on the number of threads.
 /// number of threads.
 #pragma once
 
@@ -17,7 +21,7 @@
 
 namespace transformesh {
 
-/// Sets the vertex column of that name, of floats.
+/// Writes openness to the vertex column of this name, as floats.
 void set_openness(Mesh& mesh, const std::string& column, const Progress& progress = {});
 
 }  // namespace transformesh

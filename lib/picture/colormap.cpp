@@ -43,10 +43,10 @@ constexpr std::array<Stop, 11> blue_to_red{{{5, 48, 97},
                                             {178, 24, 43},
                                             {103, 0, 31}}};
 
-constexpr std::size_t intervals = 1020;  // a multiple of the steps of both tables
+constexpr std::size_t intervals = 1020;  // a multiple of the number of intervals in both tables
 const Color not_finite = color_of_srgb(0.5, 0.5, 0.5);
 
-/// The colors at evenly spaced places, as light.
+/// Returns linear colors at equidistant positions of the table.
 template <std::size_t Stops>
 std::vector<Color> make_table(const std::array<Stop, Stops>& stops) {
   std::vector<Color> table;
@@ -62,7 +62,7 @@ std::vector<Color> make_table(const std::array<Stop, Stops>& stops) {
   return table;
 }
 
-/// Where the value is between the ends: halved, so that no difference is beyond a number.
+/// Returns the relative position of a value between the ends. Values are halved to avoid overflow.
 double place_between(double low, double high, double value) {
   const double extent = high / 2 - low / 2;
   if (!(extent > 0)) return 0.5;
@@ -73,7 +73,7 @@ bool is_number_column(const Column* column) {
   return column != nullptr && !column->list_count_type;
 }
 
-/// The names of columns of numbers, for a message.
+/// Returns the names of number columns, for messages.
 std::string names_of(std::span<const Mesh* const> meshes, Columns Mesh::*columns) {
   std::vector<std::string> names;
   for (const Mesh* mesh : meshes)

@@ -1,8 +1,10 @@
-/// Numbers as colors: which color stands for a value, and which values a picture spans.
-/// One sign: viridis, from dark purple to yellow, even to the eye and to the color-blind (Smith &
-/// van der Walt, 2015, CC0; every 15th of its 256 colors). Both signs: blue over white at 0 to red,
-/// as far either way (Brewer, ColorBrewer 2.0, RdBu of 11 classes, reversed). Between the numbers
-/// of the tables sRGB is linear. Cost: a look-up. Deterministic.
+/// Maps numbers to colors.
+///
+/// Values of one sign: viridis, from dark purple to yellow, which is perceptually uniform, also for
+/// color-blind readers (Smith & van der Walt, 2015, CC0; every 15th of its 256 colors). Values of
+/// both signs: from blue through white at 0 to red, with equal ranges on both sides (Brewer,
+/// ColorBrewer 2.0, RdBu of 11 classes, reversed). Colors between those of the tables are
+/// interpolated linearly in sRGB. Cost: one look-up. Deterministic.
 #pragma once
 
 #include <optional>
@@ -19,18 +21,20 @@ struct ColorScale {
   double low = 0;
   double high = 1;  ///< >= low
 
-  /// Whether 0 is within, so that signs are distinguished.
+  /// True if 0 is inside the range. Signs are then distinguished.
   bool is_diverging() const { return low < 0 && high > 0; }
-  /// Values beyond the ends have the color of the end. Gray where the value is not finite.
+  /// Values outside the range get the color of the nearest end. Values that are not finite are
+  /// gray.
   Color at(double value) const;
 };
 
-/// A column of numbers (no lists) of the faces, else of the vertices; null where neither has it.
+/// Return a number column (no lists): of the faces, and of the vertices if the faces have none.
+/// Null if there is none.
 const Column* number_column_of_faces(const Mesh& mesh, const std::string& name);
 const Column* number_column_of_vertices(const Mesh& mesh, const std::string& name);
 
-/// From the least to the largest finite value that the column has in any of the meshes; 0 to 1
-/// where there is none. Throws UsageError where no mesh has the column, naming those that exist.
+/// Returns the range of the finite values of the column in all meshes; 0 to 1 if there are none.
+/// Throws UsageError, naming the existing columns, if no mesh has the column.
 ColorScale scale_of_column(std::span<const Mesh* const> meshes, const std::string& name);
 
 }  // namespace transformesh

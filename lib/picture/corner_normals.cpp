@@ -53,7 +53,7 @@ double corner_angle(const Mesh& mesh, const Face& face, std::size_t corner) {
 }  // namespace
 
 std::vector<CornerNormals> corner_normals(const Mesh& mesh, double crease_angle_deg) {
-  // Weighted normals are summed in the corner that stands for its set.
+  // Weighted normals are summed at the representative corner of each set.
   const std::vector<Vec3> normals = unit_normals(mesh);
   DisjointSets corners = smooth_corners(mesh, normals, crease_angle_deg);
   std::vector<Vec3> sums(3 * mesh.faces.size(), Vec3::Zero());

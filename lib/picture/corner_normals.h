@@ -1,8 +1,9 @@
-/// Unit normals for shading, one per corner of each face: smooth where the surface is, apart where
-/// it has a crease. Around a vertex, faces share a normal (the mean weighted by corner angle) when
-/// a chain of edges leads from one to the other across each of which the surface bends by at most
-/// the crease angle. Borders and edges of more than two faces are creases.
-/// Cost: O(n); deterministic. Faces without area have the normals of their neighbors, or zero.
+/// Unit normals for shading, one per corner of each face: smooth, except at creases.
+///
+/// Faces around a vertex share a normal if they are connected by edges at which the surface bends
+/// by at most the crease angle. That normal is the mean weighted by corner angles. Borders and
+/// edges of more than two faces are creases. Faces without area have the normals of their
+/// neighbors, or zero. Cost: O(n); deterministic.
 #pragma once
 
 #include <array>

@@ -13,11 +13,11 @@ namespace {
 constexpr int glyph_rows = 7;
 constexpr int glyph_columns = 5;
 constexpr int advance = glyph_columns + 1;
-constexpr int margin = 4;  ///< above and below the glyphs, and twice beside the bar
+constexpr int margin = 4;  ///< above and below the glyphs; twice as much at both ends of the bar
 constexpr int strip_rows = glyph_rows + 2 * margin;
 constexpr int least_width = 120;
 constexpr int least_height = 60;
-constexpr int pixels_per_dot = 300;  ///< of the shorter side
+constexpr int pixels_per_dot = 300;  ///< pixels of the shorter image side per dot of the font
 constexpr int digits = 4;
 
 struct Glyph {
@@ -25,7 +25,7 @@ struct Glyph {
   std::array<std::string_view, glyph_rows> rows;
 };
 
-/// All that numbers are written with.
+/// All characters in numbers.
 constexpr std::array<Glyph, 14> font{{
     {'0', {" ### ", "#   #", "#  ##", "# # #", "##  #", "#   #", " ### "}},
     {'1', {"  #  ", " ##  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "}},
@@ -66,7 +66,8 @@ void draw_text(std::string_view text, int x, int y, int dot, const Pixel& ink, I
   }
 }
 
-/// Dark on light, light on dark; what is behind a transparent picture is taken to be light.
+/// Returns dark ink on light backgrounds, and light ink on dark ones. Transparent backgrounds count
+/// as light.
 Pixel ink_on(const Background& background) {
   const float brightness = background.bottom.dot(Color(0.2126F, 0.7152F, 0.0722F));
   const bool is_dark = !background.is_transparent && brightness < 0.18F;
@@ -88,7 +89,7 @@ void draw_legend(const ColorScale& scale, const Background& background, Image& i
   const Pixel behind = background.is_transparent ? Pixel{0, 0, 0, 0} : pixel_of(background.bottom);
   fill(image, 0, top, image.width, rows, behind);
 
-  // The numbers, and a bar half as long as the picture is wide, or what they leave.
+  // The bar is half as wide as the picture, or narrower if the numbers need the space.
   const std::string low = significant(scale.low, digits);
   const std::string high = significant(scale.high, digits);
   const int room = advance * dot * static_cast<int>(std::max(low.size(), high.size()));

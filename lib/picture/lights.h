@@ -1,5 +1,5 @@
-/// A photographer's lights, which move with the eye: a key from the upper left, a fill from the
-/// right, a rim from behind, and sky and ground all around.
+/// Studio lighting that moves with the camera: a key light from the upper left, a fill light from
+/// the right, a rim light from behind, and ambient light from sky and ground.
 #pragma once
 
 #include "picture/linear_color.h"
@@ -9,19 +9,19 @@ namespace transformesh {
 
 class Lights {
  public:
-  /// For an eye at the camera's center; `upright` is the direction of the sky, of length 1.
+  /// `upright` is the unit vector towards the sky.
   Lights(const Camera& camera, const Vec3& upright);
 
-  /// The light that leaves a surface of that color towards the eye. The normal and the direction
-  /// to the eye have length 1; of the key light that share arrives.
+  /// Returns the light that a surface of this color reflects to the camera. `normal` and `to_eye`
+  /// are unit vectors. `key_share` is the fraction of the key light that reaches the surface.
   Color reflected(const Color& surface, const Eigen::Vector3f& normal,
                   const Eigen::Vector3f& to_eye, float key_share = 1) const;
-  /// Of length 1.
+  /// Returns the unit vector towards the key light.
   Vec3 towards_key() const { return lights_[0].direction.cast<double>().normalized(); }
 
  private:
   struct Light {
-    Eigen::Vector3f direction;  ///< towards it
+    Eigen::Vector3f direction;  ///< towards the light
     Color color;
   };
   std::array<Light, 3> lights_;

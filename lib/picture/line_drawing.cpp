@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t lines_per_task = 64;
 
-/// In the order in which they are drawn.
+/// Kinds of lines, in drawing order.
 enum Kind : std::size_t { edge, crease, outline, segment };
 constexpr std::size_t kinds = 4;
 struct Pen {
@@ -36,14 +36,14 @@ constexpr std::array<Pen, kinds> pens{{{"edges", "#000", "0.4"},
 struct Line {
   Vec3 from, to;
   Kind kind;
-  std::vector<Index> own;  ///< faces
+  std::vector<Index> own;  ///< incident faces, which do not hide the line
 };
 
-/// Hundredths of a pixel of the picture, whose corner is 0.
+/// Coordinates in hundredths of a pixel, relative to the corner of the picture.
 using Place = std::array<long, 2>;
 using Piece = std::array<Place, 2>;
 
-/// What an edge is, by the faces that meet at it.
+/// Classifies edges by their incident faces.
 class EdgeKinds {
  public:
   EdgeKinds(const Mesh& mesh, Vec3 eye, double crease_angle_deg)
@@ -101,7 +101,7 @@ Place place_of(const Panel& panel, const Line& line, double share) {
           hundredths(q.y() / q.z(), panel.y, panel.camera.height)};
 }
 
-/// The pieces that show of each line; those shorter than the digits are left out.
+/// Returns the visible pieces of each line. Pieces shorter than the output precision are dropped.
 std::vector<std::vector<Piece>> visible_pieces(const Panel& panel, const std::vector<Line>& lines) {
   const VisibleLines visible(*panel.mesh, panel.camera);
   std::vector<std::vector<Piece>> pieces(lines.size());
@@ -115,7 +115,7 @@ std::vector<std::vector<Piece>> visible_pieces(const Panel& panel, const std::ve
   return pieces;
 }
 
-/// Joins pieces to chains from end to end: at each end goes on the first piece not yet taken.
+/// Joins pieces into chains. Each end is extended by the first unused piece that begins there.
 class Chains {
  public:
   explicit Chains(const std::vector<Piece>& pieces) : pieces_(pieces), is_taken_(pieces.size()) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int steps = 4096;
 
-/// sRGB values of evenly spaced square roots of light, where the curve is nearly straight.
+/// Tabulates sRGB at equidistant square roots of light, because the curve is nearly linear there.
 std::array<float, steps + 1> make_bytes() {
   std::array<float, steps + 1> bytes{};
   for (int i = 0; i <= steps; ++i) {

@@ -1,4 +1,4 @@
-/// Colors as light: linear red, green and blue, 1 being white. Files and screens hold sRGB.
+/// Colors as linear red, green and blue, where 1 is white. Files and screens use sRGB.
 /// Reference for the curve: IEC 61966-2-1.
 #pragma once
 
@@ -9,17 +9,17 @@ namespace transformesh {
 
 using Color = Eigen::Vector3f;
 
-/// From an sRGB channel in [0, 1], and back. Values outside are clamped.
+/// Convert an sRGB channel in [0, 1] to linear light, and back. Values outside are clamped.
 float light_of_srgb(double channel);
 double srgb_of_light(float light);
 
 Color color_of_srgb(double red, double green, double blue);
-/// The nearest of the bytes 0 to 255.
+/// Returns the nearest sRGB value from 0 to 255.
 std::uint8_t srgb_byte(float light);
 
-/// What shows where the surface does not: one color from the top row to the bottom row.
+/// Background of a picture: a linear gradient from the top row to the bottom row.
 struct Background {
-  // a quiet light gray, #f7f7f7 to #d6d9de
+  // Light gray, #f7f7f7 to #d6d9de.
   Color top = color_of_srgb(0xf7 / 255.0, 0xf7 / 255.0, 0xf7 / 255.0);
   Color bottom = color_of_srgb(0xd6 / 255.0, 0xd9 / 255.0, 0xde / 255.0);
   bool is_transparent = false;

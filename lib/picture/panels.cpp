@@ -45,7 +45,8 @@ void check_size(const PictureOptions& options, int columns, int rows, int strip)
 
 int rows_of(int panels, int columns) { return (panels + columns - 1) / columns; }
 
-/// The columns that leave the shorter side of panels longest, and of those the fewest gaps.
+/// Returns the number of columns with the largest panels (by their shorter side); if there are
+/// several, the one with fewest empty panels.
 int largest_panels(int panels, int width, int height) {
   const auto quality = [&](int columns) {
     const int rows = rows_of(panels, columns);
@@ -65,7 +66,7 @@ int columns_of(std::size_t meshes, const PictureOptions& options, int strip) {
   return largest_panels(all, options.width, options.height - strip);
 }
 
-/// Of the panels in order.
+/// Returns panels in reading order, without meshes.
 std::vector<Panel> divide(std::size_t meshes, const PictureOptions& options, int strip) {
   const int all = static_cast<int>(meshes) * options.views;
   const int columns = columns_of(meshes, options, strip);
@@ -96,7 +97,7 @@ std::vector<Vec3> used_points(std::span<const Mesh* const> meshes) {
   return points;
 }
 
-/// The aim of each panel.
+/// Returns the aim of each panel.
 std::vector<Aim> find_aims(std::span<const Mesh* const> meshes, const std::vector<Panel>& panels,
                            const PictureOptions& options) {
   const bool is_turning = options.views > 1 || options.frames > 1;

@@ -1,4 +1,4 @@
-/// The panels of a picture: which mesh is in each, where, and seen by what camera.
+/// Lays out the panels of a picture, with the mesh and the camera of each.
 #pragma once
 
 #include <span>
@@ -10,14 +10,15 @@
 namespace transformesh {
 
 struct Panel {
-  int x = 0;  ///< pixels of the picture, from its upper left corner
+  int x = 0;  ///< upper left corner, in pixels of the picture
   int y = 0;
   const Mesh* mesh = nullptr;
-  Camera camera;  ///< as large as the panel
+  Camera camera;  ///< has the size of the panel
 };
 
-/// As draw_picture() says, and with its errors. Keeps references to the meshes. Their borders are
-/// the nearest whole pixels; the lowest rows of pixels, as many as `strip` says, are in none.
+/// Lays out panels as described at draw_picture(), and throws as it does. Keeps references to the
+/// meshes. Borders of panels are rounded to whole pixels. The lowest `strip` rows of pixels belong
+/// to no panel.
 std::vector<Panel> lay_out(std::span<const Mesh* const> meshes, const PictureOptions& options,
                            int strip);
 

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// What is before and after the first separator; nothing after where there is none.
+/// Splits the text at the first separator. The second part is empty if there is none.
 std::pair<std::string_view, std::string_view> halves(std::string_view text, char separator) {
   const std::size_t place = text.find(separator);
   if (place == std::string_view::npos) return {text, {}};

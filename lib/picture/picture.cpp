@@ -18,7 +18,7 @@ bool has_column(const Mesh& mesh, const std::string& name) {
   return mesh.face_columns.find(name) != nullptr || mesh.vertex_columns.find(name) != nullptr;
 }
 
-/// Of all meshes together, so that their colors compare.
+/// Returns one scale for all meshes, so that their colors are comparable.
 ColorScale find_scale(std::span<const Mesh* const> meshes, const PictureOptions& options) {
   const std::string& name = options.shade.color.by;
   if (options.range && name.empty())
@@ -39,7 +39,7 @@ double lowest(std::span<const Mesh* const> meshes, const Vec3& upright) {
   return height;
 }
 
-/// Where a mesh stands: like the view, the same for all meshes where their places compare.
+/// Returns the height on which a mesh stands. It is common to all meshes if they share one view.
 double floor_of(const Mesh* mesh, std::span<const Mesh* const> meshes,
                 const PictureOptions& options, const Vec3& upright) {
   if (options.around != nullptr) return lowest({&options.around, 1}, upright);
@@ -47,7 +47,7 @@ double floor_of(const Mesh* mesh, std::span<const Mesh* const> meshes,
   return lowest({&mesh, 1}, upright);
 }
 
-/// The options for one of the meshes, without what that one does not have.
+/// Returns the options for one mesh, without columns that the mesh does not have.
 ShadeOptions shading_of(const Mesh& mesh, const PictureOptions& options, bool can_highlight) {
   ShadeOptions shading = options.shade;
   shading.upright = eye_axes({0, 0, options.orbit.up, 1}).up;

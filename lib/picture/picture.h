@@ -1,4 +1,4 @@
-/// One picture of one or several meshes, side by side, each framed by itself.
+/// Draws one or several meshes side by side in one picture.
 #pragma once
 
 #include <optional>
@@ -11,35 +11,40 @@
 
 namespace transformesh {
 
-/// What fills a panel: its own mesh; as much as the largest mesh needs, so that sizes compare; or
-/// the box of all meshes, so that places compare too.
+/// What a panel frames: its own mesh; its own mesh at the scale of the largest one, so that sizes
+/// are comparable; or the bounding box of all meshes, so that positions are comparable.
 enum class Framing { each, scale, place };
 
 struct PictureOptions {
-  int width = 800;   ///< pixels of the whole picture, [1, 32768]
-  int height = 600;  ///< at most 2^26 pixels in all
-  Orbit orbit;       ///< orbit.up is also where the sky is
+  int width = 800;   ///< width of the whole picture in pixels, [1, 32768]
+  int height = 600;  ///< at most 2^26 pixels in total
+  Orbit orbit;       ///< `orbit.up` also points to the sky
   Framing framing = Framing::each;
-  /// Panels in a row; 0: all, but of several views one mesh in a row, or what makes the panels of a
-  /// single mesh largest.
+  /// Number of panels in a row; 0 chooses it. Then several meshes with one view each form one row,
+  /// several meshes with several views form one row per mesh, and panels of a single mesh are made
+  /// as large as possible.
   int columns = 0;
-  /// Panels of each mesh: from `orbit` on, the eye goes around it to its right, once in all.
+  /// Number of panels of each mesh. The camera starts at `orbit` and moves around the mesh to its
+  /// right, once in total.
   int views = 1;   ///< >= 1
-  int frames = 1;  ///< >= 1: of a movie in which it goes around once, this is number `frame`
+  int frames = 1;  ///< number of pictures in a movie in which the camera moves around once, >= 1
   int frame = 0;
-  const Mesh* around = nullptr;  ///< frames this mesh in every panel instead: a movie keeps still
-  ShadeOptions shade;  ///< of its scale, see `range`; the floor is set to where meshes end
-  /// The numbers at the ends of the colors where shade.color.by is set; without it those of the
+  /// Mesh to frame in every panel instead, so that movies are steady.
+  const Mesh* around = nullptr;
+  ShadeOptions shade;  ///< the color scale is set by `range`, the floor by the meshes
+  /// Values at the ends of the color scale if shade.color.by is set. Default: the range of the
   /// finite values of all meshes.
   std::optional<std::pair<double, double>> range;
 };
 
-/// Panels go from left to right, then down. Where the eye goes around, the middle of the box is
-/// what it looks at, and distances are the same for any number of views and frames. Throws
-/// InputError for a mesh without faces, UsageError for a size or range out of range, with less than
-/// a pixel for a panel, or a column to highlight or to color by that no mesh has; meshes without it
-/// are drawn as if none was asked for. Where colors stand for numbers, the legend takes the bottom
-/// of the picture. Deterministic for any number of threads.
+/// Draws the panels from left to right, then down. If the camera moves around, it looks at the
+/// center of the bounding box, and its distance does not depend on the number of views and frames.
+/// If colors represent numbers, a legend covers the bottom of the picture. A mesh without the
+/// column to highlight or to color by is drawn normally.
+///
+/// Throws InputError if a mesh has no faces. Throws UsageError if size or range are invalid, if a
+/// panel would have less than a pixel, and if no mesh has the column to highlight or to color by.
+/// Deterministic for any number of threads.
 Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& options = {},
                    const Progress& progress = {});
 

@@ -1,5 +1,5 @@
-/// Segments as faces, so that they are drawn as lines of one width and hidden by what is before
-/// them.
+/// Converts segments to faces, so that they are drawn as lines of constant width and are occluded
+/// by faces in front of them.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace transformesh {
 
-/// Appends two faces for each segment: a ribbon that is `width` pixels wide in the picture of the
-/// camera, and as much nearer to the eye, so that it shows on a surface in which it lies.
-/// Segments that reach behind the eye, or on which it looks end on, are left out. Columns stay as
-/// they are. Cost: O(segments).
+/// Appends two faces for each segment: a ribbon that is `width` pixels wide in the image of the
+/// camera. The ribbon is also moved towards the camera by this width, so that it is visible on a
+/// surface that contains the segment. Skips segments that reach behind the camera or project to a
+/// point. Columns do not change. Cost: O(segments).
 void add_ribbons(std::span<const std::pair<Vec3, Vec3>> segments, const Camera& camera,
                  double width, Mesh& mesh);
 

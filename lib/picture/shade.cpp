@@ -16,13 +16,13 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_samples = 1 << 17;     ///< held at once by a thread, but for one row of pixels
-constexpr int most_rows = 8;              ///< of pixels in a band, so that all threads have some
-constexpr double line_half_width = 0.45;  ///< in pixels; the face beyond the edge adds as much
+constexpr int most_samples = 1 << 17;  ///< limit per thread; one row of pixels may exceed it
+constexpr int most_rows = 8;  ///< limit of the pixel rows in a band, so that all threads have work
+constexpr double line_half_width = 0.45;  ///< in pixels; the adjacent face draws the other half
 constexpr float line_strength = 0.65F;
 constexpr double segment_width = 2;         ///< in pixels
-constexpr float light_in_the_dark = 0.15F;  ///< where nothing comes from around
-constexpr float floor_darkness = 0.45F;  ///< of the background, where nothing of the lamp is seen
+constexpr float light_in_the_dark = 0.15F;  ///< brightness at openness 0
+constexpr float floor_darkness = 0.45F;     ///< darkening of the background if the lamp is hidden
 const Color segment_color = color_of_srgb(0.85, 0.05, 0.45);
 const Color line_color = color_of_srgb(0.10, 0.12, 0.16);
 
@@ -46,7 +46,8 @@ class Shader {
 
   std::size_t bands() const { return seen_.bands(); }
 
-  /// Draws bands [first, last) with memory for the samples of one, from pixel (left, above) on.
+  /// Draws bands [first, last) of the image, whose upper left corner is at (left, above). Allocates
+  /// samples of one band only.
   void draw(std::size_t first, std::size_t last, Image& image, int left, int above) const {
     const int width = camera_.width / options_.samples;
     const int height = camera_.height / options_.samples;
@@ -62,7 +63,7 @@ class Shader {
   }
 
  private:
-  /// The mean of the samples of a pixel, in the band that begins at row `top`.
+  /// Returns the mean of the samples of a pixel, in the band that begins at row `top`.
   Pixel pixel(const FaceBuffer& samples, int x, int y, int top) const {
     const int n = options_.samples;
     Color sum = Color::Zero();
@@ -83,7 +84,7 @@ class Shader {
     return std::clamp(most_samples / (samples.width * options.samples), 1, most_rows);
   }
 
-  /// Nothing where there are no segments, which are the faces beyond those of the mesh.
+  /// Returns the mesh with faces for segments appended; an empty mesh if there are no segments.
   static Mesh with_segments(const Mesh& mesh, const Camera& samples, const ShadeOptions& options) {
     if (options.segments.empty()) return {};
     Mesh lined{mesh.positions, mesh.faces, {}, {}};
@@ -91,7 +92,7 @@ class Shader {
     return lined;
   }
 
-  /// Of what is behind, that share is dark.
+  /// Blends the samples with the background. The fraction `dark` of the background is darkened.
   Pixel blended(const Color& sum, int hits, int samples, int y, float dark) const {
     const Background& background = options_.background;
     if (background.is_transparent) {
@@ -110,7 +111,7 @@ class Shader {
     return {srgb_byte(color[0]), srgb_byte(color[1]), srgb_byte(color[2]), alpha};
   }
 
-  /// What a pixel knows of the key light on the face that its last sample has seen.
+  /// Fraction of the key light on the face of the last sample in a pixel.
   struct KeyLight {
     Index face = no_index;
     float share = 1;
@@ -136,7 +137,7 @@ class Shader {
     return lit + line_strength * (line_color - lit);
   }
 
-  /// Found once for each face in a pixel.
+  /// Computes the fraction once for consecutive samples of a face in a pixel.
   float key_share(const FacePixel& hit, bool is_front, KeyLight& key) const {
     if (!shadow_ || key.face == hit.face) return key.share;
     const Face& face = mesh_.faces[hit.face];
@@ -151,7 +152,7 @@ class Shader {
     return key.share;
   }
 
-  /// 0 where the pixel does not see the floor.
+  /// Returns 0 if the pixel does not show the floor.
   float darkness_of_floor(int x, int y) const {
     const double middle = (options_.samples - 1) / 2.0;
     const Vec3 ray = rays_ * Vec3(x * options_.samples + middle, y * options_.samples + middle, 1);
@@ -169,7 +170,7 @@ class Shader {
     return light_in_the_dark + (1 - light_in_the_dark) * open;
   }
 
-  /// Whether the sample is close to an edge of its face, as seen in the picture.
+  /// True if the sample is close to an edge of its face, measured in the image.
   bool is_on_line(const Face& face, int x, int y) const {
     const EdgeFunctions functions = edge_functions(camera_.project(mesh_.positions[face[0]]),
                                                    camera_.project(mesh_.positions[face[1]]),
@@ -189,8 +190,8 @@ class Shader {
   const Column* openness_;
   const std::vector<CornerNormals> normals_;
   const std::optional<SoftShadow> shadow_;
-  const Eigen::Matrix3d rays_;  ///< from pixels to directions away from the eye
-  const int rows_;              ///< of pixels in a band
+  const Eigen::Matrix3d rays_;  ///< from pixels to directions away from the camera
+  const int rows_;              ///< rows of pixels per band
   const Mesh lined_;
   const BandRasterizer seen_;
 };

@@ -1,4 +1,4 @@
-/// Light and color for what a camera sees.
+/// Shades the faces that a camera observes.
 #pragma once
 
 #include <optional>
@@ -17,27 +17,30 @@ namespace transformesh {
 struct ShadeOptions {
   SurfaceColorOptions color;
   Background background;
-  double crease_angle_deg = 40;  ///< [0, 180]: bends beyond it are shaded as edges; 0 is flat
-  /// Name of a vertex column as set_openness() makes it, which dims the light on front sides. None
-  /// where empty or where the mesh has none of that name.
+  double crease_angle_deg = 40;  ///< edges that bend more are creases; [0, 180]; 0: flat shading
+  /// Name of a vertex column written by set_openness(), which darkens front sides. Ignored if empty
+  /// or if the mesh has no such column.
   std::string openness;
-  /// The key light is a lamp of 8 degrees that faces keep off each other, and off a floor where one
-  /// is given, by its height along `upright`: what is seen of that is its shadow alone.
+  /// The key light is a disc of 8 degrees, and faces cast soft shadows on each other. If `floor` is
+  /// given, they also cast shadows on a floor at this height along `upright`. Only the shadow on
+  /// the floor is drawn.
   bool soft_shadow = false;
   std::optional<double> floor;
   bool draw_edges = false;                      ///< lines along the edges of faces, one pixel wide
-  std::vector<std::pair<Vec3, Vec3>> segments;  ///< drawn where no surface hides them
-  Vec3 upright = Vec3::UnitY();                 ///< where the sky is; length 1
-  int samples = 3;  ///< [1, 8] each way in a pixel, against jagged outlines
+  std::vector<std::pair<Vec3, Vec3>> segments;  ///< drawn if no surface occludes them
+  Vec3 upright = Vec3::UnitY();                 ///< unit vector towards the sky
+  int samples = 3;  ///< samples per pixel along each axis, against aliasing; [1, 8]
 };
 
-/// A picture of camera.width x camera.height pixels. A mesh without faces shows the background.
-/// Throws UsageError where the column to highlight is missing. Cost: O(faces + pixels * samples^2)
-/// time; 4 bytes a pixel, 200 a face, and 2 MB a thread for the samples of a few rows, or one row's
-/// where that is more; 55 MB for a soft shadow. Parallel; the same bytes for any number of threads.
+/// Returns a picture of camera.width x camera.height pixels. A mesh without faces yields the
+/// background. Throws UsageError if the column to highlight is missing. Time: O(faces + pixels *
+/// samples^2). Memory: 4 bytes per pixel, 200 per face, and 2 MB per thread for samples (more if
+/// one row needs more); 55 MB for a soft shadow. Parallel; the result does not depend on the number
+/// of threads.
 Image shade(const Mesh& mesh, const Camera& camera, const ShadeOptions& options = {});
 
-/// The same as a part of an image, which has room for it to the right of and below (left, above).
+/// Draws into a part of `image`, whose upper left corner is at (left, above). The image must be
+/// large enough.
 void shade(const Mesh& mesh, const Camera& camera, const ShadeOptions& options, int left, int above,
            Image& image);
 

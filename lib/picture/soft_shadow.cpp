@@ -16,10 +16,12 @@ namespace transformesh {
 namespace {
 
 constexpr int places = 48;
-constexpr int size = 512;                          ///< of the pictures of depth
-constexpr double distance = 500;                   ///< of the lamp, in radii of the mesh
-constexpr double tangent = 0.069926811943510415;   ///< of half the angle at which the disc is seen
-constexpr double least_lift = 0.5, most_lift = 2;  ///< off the surface, in pixels of these
+constexpr int size = 512;         ///< width and height of the depth images in pixels
+constexpr double distance = 500;  ///< distance of the lamp, in radii of the mesh
+/// Tangent of half the angle of the disc, 4 degrees.
+constexpr double tangent = 0.069926811943510415;
+/// Lift off the surface, in pixels of the depth images.
+constexpr double least_lift = 0.5, most_lift = 2;
 
 struct Ball {
   Vec3 middle = Vec3::Zero();
@@ -41,14 +43,15 @@ Ball ball_around(const Mesh& mesh) {
   return ball;
 }
 
-/// Evenly spread over the disc of radius 1: areas in equal steps, turned by the golden angle.
+/// Returns one of evenly distributed points on the unit disc: equal steps of area, rotated by the
+/// golden angle.
 Eigen::Vector2d place_on_disc(int i) {
   const double radius = std::sqrt((i + 0.5) / places);
   const double turn = 2 * std::numbers::pi * std::fmod(i / std::numbers::phi, 1.0);
   return {radius * elementary::cos(turn), radius * elementary::sin(turn)};
 }
 
-/// Sees the ball as large as the picture, but for a pixel at its border.
+/// Returns a camera whose image contains the ball, with one pixel to spare at the border.
 Camera camera_at(const Vec3& eye, const Ball& ball) {
   const Vec3 forward = (ball.middle - eye).normalized();
   const Vec3 right = forward.unitOrthogonal();
@@ -88,7 +91,7 @@ SoftShadow::SoftShadow(const Mesh& mesh, const Vec3& towards_lamp) : towards_lam
   }
 }
 
-/// Of the four pixels around it, by how near they are. What is beside the picture is not shaded.
+/// Interpolates the results of the depth tests of four pixels. Points outside of the image are lit.
 float SoftShadow::share_in_front(const Place& place, const Vec3& point) {
   const Vec3 seen = place.camera.project(point);
   const double x = seen.x() / seen.z(), y = seen.y() / seen.z();
@@ -118,7 +121,7 @@ Vec3 round_place(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& 
   const Vec3 point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
   Vec3 place = point;
   for (std::size_t i = 0; i < 3; ++i) {
-    // Up to the tangent plane at the corner.
+    // Distance below the tangent plane at the corner.
     const double below = std::max(0.0, (corners[i] - point).dot(normals[i]));
     place += weights[i] * below * normals[i];
   }

@@ -1,13 +1,14 @@
-/// The soft shadow of a mesh in the light of a lamp that is far away and seen from the mesh as a
-/// disc of 8 degrees: how much of the lamp a point sees past the faces.
+/// Soft shadows of a mesh in the light of a distant lamp, which appears from the mesh as a disc of
+/// 8 degrees.
+/// References: Williams, "Casting curved shadows on curved surfaces", SIGGRAPH 1978; Reeves,
+/// Salesin & Cook, "Rendering antialiased shadows with depth maps", SIGGRAPH 1987.
 ///
-/// The mesh is seen from 48 places on the lamp, the same ones on every run, in pictures of depth of
-/// 512x512; a point sees those places for which it is not behind a face there, by bilinear shares
-/// (percentage-closer filtering). Points are lifted off their surface by up to two pixels of these
-/// pictures, so that it does not shade itself: shadows in corners finer than 1/100 of the mesh's
-/// size are not seen. References: Williams, "Casting curved shadows on curved surfaces", SIGGRAPH
-/// 1978; Reeves, Salesin & Cook, "Rendering antialiased shadows with depth maps", SIGGRAPH 1987.
-/// Cost: 48 rasterizations and 55 MB; parallel; the same for any number of threads.
+/// Depth images of 512x512 pixels are rendered from 48 positions on the lamp, which are the same in
+/// every run. A position lights a point if no face is in front of the point in its depth image; the
+/// results of four pixels are interpolated (percentage-closer filtering). Points are lifted off the
+/// surface by up to two pixels of these images, so that the surface does not shadow itself. Hence
+/// shadows in corners finer than 1/100 of the size of the mesh are missing. Cost: 48 rasterizations
+/// and 55 MB. Parallel; the result does not depend on the number of threads.
 #pragma once
 
 #include <vector>
@@ -19,29 +20,30 @@ namespace transformesh {
 
 class SoftShadow {
  public:
-  /// The direction towards the middle of the lamp has length 1.
+  /// `towards_lamp` is the unit vector towards the center of the lamp.
   SoftShadow(const Mesh& mesh, const Vec3& towards_lamp);
 
-  /// 0 to 1, of a point on a surface with that normal, of length 1, on the side that is seen. A
-  /// point in the plane of a face that stands for a round surface is moved onto that beforehand
-  /// (round_place), else its neighbors would shade it where light grazes.
+  /// Returns the fraction of the lamp that lights a point, 0 to 1. `normal` is the unit normal of
+  /// the surface on the visible side. If a face approximates a round surface, move the point with
+  /// round_place() first. Otherwise adjacent faces would shadow it at grazing incidence.
   float share_seen(const Vec3& point, const Vec3& normal) const;
 
  private:
   struct Place {
     Camera camera;
-    Raster<float> depths;  ///< infinite where there is no face
+    Raster<float> depths;  ///< infinite at pixels without a face
   };
   static float share_in_front(const Place& place, const Vec3& point);
 
   Vec3 towards_lamp_;
-  double pixel_ = 0;  ///< its size at the mesh
+  double pixel_ = 0;  ///< size of a pixel at the mesh
   std::vector<Place> places_;
 };
 
-/// The point of a face, given by the weights of corners 0 and 1, on the smooth surface that corner
-/// normals, of length 1, suggest, or in the face where that would lie behind it. Reference: Hanika,
-/// "Hacking the shadow terminator", Ray Tracing Gems II, 2021.
+/// Moves a point of a face to the smooth surface that the corner normals suggest. The point stays
+/// in the face if the smooth surface would be behind it. `normals` have length 1; the point is
+/// given by the weights of corners 0 and 1.
+/// Reference: Hanika, "Hacking the shadow terminator", Ray Tracing Gems II, 2021.
 Vec3 round_place(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& normals,
                  double weight_0, double weight_1);
 

@@ -25,7 +25,7 @@ double full_intensity(Scalar type) {
   }
 }
 
-/// One color per row, or none at all where a channel is missing.
+/// Returns one color per row; empty if a channel is missing.
 std::vector<Color> colors_of(const Columns& columns, std::size_t rows) {
   const std::array<const Column*, 3> channels{columns.find("red"), columns.find("green"),
                                               columns.find("blue")};

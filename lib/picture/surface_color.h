@@ -1,4 +1,4 @@
-/// The color of the surface itself, before any light falls on it.
+/// Color of the surface before lighting.
 #pragma once
 
 #include <optional>
@@ -13,30 +13,30 @@
 namespace transformesh {
 
 struct SurfaceColorOptions {
-  /// Of every front side; without it the columns red, green and blue of the vertices, else of the
-  /// faces (integers up to 255, floats up to 1), else a light blue-gray.
+  /// Color of all front sides. Default: the columns red, green and blue of the vertices, else of
+  /// the faces (integers up to 255, floats up to 1), else a light blue-gray.
   std::optional<Color> front;
-  /// Name of a face column, else of a vertex column: where it is not zero the surface is orange.
-  /// None where empty.
+  /// Name of a face column, else of a vertex column. The surface is orange where the column is not
+  /// zero. Ignored if empty.
   std::string highlight;
-  /// Name of a column of numbers, of the faces, else of the vertices, that the surface is colored
-  /// by instead: interpolated, and gray where not finite. None where empty.
+  /// Name of a number column of the faces, else of the vertices, by which the surface is colored
+  /// instead. Values are interpolated; values that are not finite are gray. Ignored if empty.
   std::string by;
   ColorScale scale;
 };
 
 class SurfaceColor {
  public:
-  /// Keeps a reference to the mesh. Throws UsageError where a column named is missing.
+  /// Keeps a reference to the mesh. Throws UsageError if a named column is missing.
   SurfaceColor(const Mesh& mesh, const SurfaceColorOptions& options);
 
-  /// Back sides are tinted towards dark red, so that surfaces inside out stand out.
+  /// Back sides are tinted dark red, so that inverted surfaces are noticed.
   Color at(const FacePixel& pixel, bool is_front) const;
 
  private:
   const Mesh* mesh_;
   Color front_;
-  std::vector<Color> vertex_colors_;  ///< empty where the vertices have none
+  std::vector<Color> vertex_colors_;  ///< empty if the vertices have no colors
   std::vector<Color> face_colors_;
   const Column* face_highlight_ = nullptr;
   const Column* vertex_highlight_ = nullptr;

@@ -11,17 +11,19 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t items_per_task = 4096;
-constexpr double least_distance = 1e-6;     ///< of a hidden point from the face, as a share
-constexpr double least_determinant = 1e-9;  ///< of faces, as a share: what is on edge hides nothing
+/// Relative distance from which on a point is behind a face.
+constexpr double least_distance = 1e-6;
+constexpr double least_determinant = 1e-9;  ///< relative; faces observed edge-on hide nothing
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Places on a segment where linear functions are not negative.
+/// The part of a segment on which linear functions are not negative, in [0, 1].
 struct Interval {
   double from = 0;
   double to = 1;
 
   bool empty() const { return !(from < to); }
-  /// Of a function with these values at places 0 and 1.
+  /// Intersects with the part on which a function is not negative. The function has these values at
+  /// 0 and 1.
   void keep(double at_0, double at_1) {
     if (at_0 < 0 && at_1 < 0) to = from;
     if (at_0 < 0 && at_1 >= 0) from = std::max(from, at_0 / (at_0 - at_1));
@@ -29,7 +31,8 @@ struct Interval {
   }
 };
 
-/// The part that is in front of the eye and in the image, of a segment given by its projections.
+/// Returns the part of a segment in front of the camera and in the image. `a` and `b` are
+/// projections of its ends.
 Interval inside_image(const Vec3& a, const Vec3& b, int width, int height) {
   Interval inside;
   const double nearest = 1e-9 * std::max(std::abs(a.z()), std::abs(b.z()));
@@ -45,7 +48,8 @@ Vec3 image_of(const Vec3& projected) {
   return {projected.x() / projected.z(), projected.y() / projected.z(), projected.z()};
 }
 
-/// What a face covers; everything where it reaches behind the eye, nothing where it is all there.
+/// Returns the bounding box of the image of a face: everything if the face reaches behind the
+/// camera, nothing if it is entirely behind.
 FloatBox covered(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double nearest = std::min({a.z(), b.z(), c.z()});
   const double farthest = std::max({a.z(), b.z(), c.z()});
@@ -57,14 +61,14 @@ FloatBox covered(const Vec3& a, const Vec3& b, const Vec3& c) {
   return float_box(u.cwiseMin(v).cwiseMin(w), u.cwiseMax(v).cwiseMax(w));
 }
 
-/// Whether the face is seen well enough to hide anything.
+/// True if the face is observed well enough to hide anything.
 bool can_hide(const EdgeFunctions& face, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double size = face.edge[0].norm() * a.norm() + face.edge[1].norm() * b.norm() +
                       face.edge[2].norm() * c.norm();
   return face.depth_numerator > least_determinant * size;
 }
 
-/// The part of a segment, given by its projections, that the face hides.
+/// Returns the part of a segment that the face hides. `a` and `b` are projections of the ends.
 Interval hidden_by(const EdgeFunctions& face, const Vec3& a, const Vec3& b) {
   Interval hidden;
   double sum_a = 0;
@@ -81,7 +85,7 @@ Interval hidden_by(const EdgeFunctions& face, const Vec3& a, const Vec3& b) {
   return hidden;
 }
 
-/// What is left of the interval without the others.
+/// Subtracts `others` from `whole`.
 VisibleLines::Parts without(const Interval& whole, std::vector<Interval>& others) {
   std::sort(others.begin(), others.end(), [](const Interval& a, const Interval& b) {
     return std::pair(a.from, a.to) < std::pair(b.from, b.to);
@@ -123,7 +127,7 @@ VisibleLines::Parts VisibleLines::parts(const Vec3& from, const Vec3& to,
   const Interval inside = inside_image(a, b, camera_.width, camera_.height);
   if (inside.empty()) return {};
 
-  // Faces whose image is before that of the segment.
+  // Candidates are faces whose image overlaps the segment's and that are not entirely behind it.
   const Vec3 start = image_of(a + inside.from * (b - a));
   const Vec3 end = image_of(a + inside.to * (b - a));
   if (!start.allFinite() || !end.allFinite()) return {};

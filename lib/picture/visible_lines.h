@@ -1,12 +1,13 @@
-/// Which parts of lines an eye sees: hidden-line removal, exactly and not by pixels.
-///
-/// A face hides what lies in the cone from the eye through it, beyond its plane: for a segment that
-/// is where four linear functions are positive, one interval. Faces that are behind a point by less
-/// than 1e-6 of its distance do not hide it, so that lines on a surface show.
+/// Exact hidden-line removal: computes the visible parts of segments without rasterization.
 /// Reference: Appel, "The notion of quantitative invisibility and the machine rendering of solids",
-/// ACM National Conference 1967; here the faces before a line come from a Bvh of their images.
-/// Cost: O(faces) to build, O(log faces + boxes that overlap) a segment. Deterministic; safe to
-/// call from several threads at once.
+/// ACM National Conference 1967. Unlike there, a Bvh of projected faces yields the faces in front
+/// of a line.
+///
+/// A face hides the points behind its plane in the cone from the camera through the face. For a
+/// segment, these are the points where four linear functions are positive, which form one interval.
+/// A face does not hide points that are behind it by less than 1e-6 of its distance, so that lines
+/// on a surface are visible. Cost: O(faces) to build, O(log faces + overlapping boxes) per segment.
+/// Deterministic; thread-safe.
 #pragma once
 
 #include <span>
@@ -22,18 +23,18 @@ namespace transformesh {
 
 class VisibleLines {
  public:
-  /// Keeps a reference to neither. Faces of any orientation hide.
+  /// Keeps no reference to `mesh` or `camera`. Faces of both orientations hide segments.
   VisibleLines(const Mesh& mesh, const Camera& camera);
 
-  /// The parts of the segment inside the image that no face hides but for those in `own`, in which
-  /// it lies: places in [0, 1] from its start to its end, ascending and apart.
+  /// Returns the visible parts of a segment in the image, as ascending, disjoint intervals in [0,
+  /// 1] from its start to its end. The faces `own`, which contain the segment, do not hide it.
   using Parts = std::vector<std::pair<double, double>>;
   Parts parts(const Vec3& from, const Vec3& to, std::span<const Index> own = {}) const;
 
  private:
   Camera camera_;
   std::vector<EdgeFunctions> faces_;
-  Bvh bvh_;  ///< of pixels, and distances along the axis
+  Bvh bvh_;  ///< pixels and depths of the faces
 };
 
 }  // namespace transformesh
