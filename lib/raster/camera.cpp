@@ -11,11 +11,12 @@ namespace transformesh {
 namespace {
 
 constexpr double field_of_view_deg = 30;
-constexpr double filled_share = 0.92;  ///< of the image's width or height
+/// Fraction of the image's width or height that the points fill.
+constexpr double filled_share = 0.92;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// The axes of the front view.
+/// Returns the axes of the front view.
 EyeAxes front_axes(Axis up) {
   switch (up) {
     case Axis::x:
@@ -27,19 +28,20 @@ EyeAxes front_axes(Axis up) {
   }
 }
 
-/// Pixels per unit of x / depth, where there is no zoom.
+/// Returns pixels per unit of x / depth, without zoom.
 double focal_length(int width, int height) {
   return 0.5 * std::min(width, height) / elementary::tan(radians(field_of_view_deg / 2));
 }
 
-/// Along one direction of the image: the middle of the points, and how far back the eye must be.
+/// Result of fit() along one direction of the image: center of the points, and how far back the
+/// camera must be.
 struct Fit {
   double middle = 0;
   double eye_back = 0;
 };
 
-/// An eye at (m, b) sees point (u, d) inside where |u - m| * slope <= b - d. That bounds
-/// b + slope m and b - slope m from below; with both at their bounds b is least.
+/// A camera at (m, b) observes point (u, d) inside the image if |u - m| * slope <= b - d. This
+/// bounds b + slope m and b - slope m from below. The least b results if both are at their bounds.
 Fit fit(std::span<const Vec3> points, const Vec3& direction, const Vec3& back, double slope) {
   double plus = -HUGE_VAL;
   double minus = -HUGE_VAL;
@@ -69,7 +71,8 @@ Vec3 Camera::center() const {
 }
 
 Camera Camera::resampled(int factor) const {
-  // Pixel x becomes factor x + (factor - 1) / 2, so that the border, at -1/2, stays where it is.
+  // Pixel x becomes factor x + (factor - 1) / 2, so that the border of the image, at -1/2, is
+  // fixed.
   Camera camera{projection, width * factor, height * factor};
   for (int row = 0; row < 2; ++row)
     camera.projection.row(row) =
@@ -117,9 +120,10 @@ Aim turn_aim(std::span<const Vec3> points, const Orbit& orbit, int width, int he
   const Vec3 up = front_axes(orbit.up).up;
   const Vec3 middle = box_middle(points);
 
-  // At azimuth a, a point of height h and radius r is r sin a to the right of the middle,
-  // h cosine - r sine cos a above it, and r cosine cos a + h sine nearer. The distance must be more
-  // than that plus slope times right, up or down: each is largest at an angle known.
+  // At azimuth a, a point of height h and radius r is r sin a to the right of the center, h cosine
+  // - r sine cos a above it, and r cosine cos a + h sine nearer to the camera. The distance must
+  // exceed the latter plus slope times the offset to the right, up or down. Each sum has its
+  // maximum at a known azimuth.
   double distance = 0;
   for (const Vec3& point : points) {
     const double height_of = up.dot(point - middle);

@@ -8,10 +8,10 @@
 namespace transformesh {
 namespace {
 
-/// Products of three numbers and their squares then stay in the range of doubles.
+/// Up to this limit, products of three numbers and their squares do not overflow.
 constexpr double largest_number = 1e100;
-/// How large the skew and the principal point may be beside the focal lengths: with more, doubles
-/// cannot tell K R from a matrix without an inverse.
+/// Limit of the ratio of skew and principal point to the focal lengths. Above it, K R is singular
+/// in double precision.
 constexpr double most_oblique = 1e12;
 
 bool is_in_range(const Eigen::MatrixXd& numbers) {
@@ -67,7 +67,7 @@ void check_read_again(const CameraRecord& record, const PinholeCamera& again) {
 }
 
 void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who) {
-  // Files hold rounded numbers, some of three digits.
+  // Numbers in files are rounded, some to three digits.
   constexpr double rounding = 1e-3;
   const Eigen::Matrix3d product = rotation * rotation.transpose();
   if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= rounding)) {

@@ -1,4 +1,4 @@
-/// Cameras as camera files hold them: with the names, and perhaps the sizes, of their photographs.
+/// Cameras as in camera files: with names and possibly sizes of their photographs.
 #pragma once
 
 #include <string>
@@ -9,27 +9,29 @@
 
 namespace transformesh {
 
-/// A camera and what its file says of the photograph.
+/// A camera and the data of its photograph in a camera file.
 struct CameraRecord {
-  std::string name;   ///< the image's as written there; else the file's stem
-  std::string place;  ///< `dino_par.txt line 3`, for messages
+  std::string name;   ///< name of the image as written in the file; else the stem of the file
+  std::string place;  ///< file and line for messages, such as `dino_par.txt line 3`
   PinholeCamera camera;
-  int width = 0;  ///< of the image, or 0 where the file does not say
+  int width = 0;  ///< size of the image; 0 if the file does not contain it
   int height = 0;
-  LensDistortion distortion;  ///< of the photograph; the camera is the pinhole without it
-  bool is_centered = false;   ///< the principal point is the center of an image of unknown size
-  /// The intrinsics are in units of the larger side of an image of unknown size, with the principal
-  /// point counted from its center.
+  /// Distortion of the photograph; `camera` is the pinhole camera without it.
+  LensDistortion distortion;
+  /// If true, the principal point is the center of the image, whose size is unknown.
+  bool is_centered = false;
+  /// If true, intrinsics are in units of the larger side of the image, whose size is unknown, and
+  /// the principal point is relative to its center.
   bool is_relative = false;
 
-  /// Checks the image's size, and makes the intrinsics those of that size if that is still to be
-  /// done. Throws InputError where the file says another size; `image` names it there.
+  /// Sets the size of the image, and converts centered or relative intrinsics to pixels. Throws
+  /// InputError if the file contains another size; `image` is the name of the image in the message.
   void set_size(int columns, int rows, const std::string& image);
 };
 
 struct CameraList {
   std::vector<CameraRecord> cameras;
-  bool names_images = false;  ///< names are those of the images, which pair by them
+  bool names_images = false;  ///< if true, names are names of images, by which images are paired
 };
 
 }  // namespace transformesh

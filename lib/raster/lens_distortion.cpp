@@ -9,7 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Bilinear; a pixel beyond the border counts as the one beside it, half a pixel far.
+/// Interpolates bilinearly. Up to half a pixel beyond the border, border pixels are repeated;
+/// farther outside, the result is 0.
 float intensity_at(const GrayImage& image, const Eigen::Vector2d& place) {
   const double right = image.width - 1;
   const double bottom = image.height - 1;

@@ -1,7 +1,7 @@
-/// Camera files of the Middlebury multi-view datasets: the number of cameras, then a line
-/// `name k11 .. k33 r11 .. r33 t1 t2 t3` for each; `#` begins a comment. Reference: Seitz, Curless,
-/// Diebel, Scharstein & Szeliski, "A comparison and evaluation of multi-view stereo reconstruction
-/// algorithms", CVPR 2006.
+/// Camera files of the Middlebury multi-view datasets: the number of cameras, then one line `name
+/// k11 .. k33 r11 .. r33 t1 t2 t3` per camera. `#` begins a comment.
+/// Reference: Seitz, Curless, Diebel, Scharstein & Szeliski, "A comparison and evaluation of
+/// multi-view stereo reconstruction algorithms", CVPR 2006.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace transformesh {
 
-/// Throws InputError naming file and line for numbers that are missing or no camera's.
+/// Throws InputError, naming file and line, if numbers are missing or are not those of a camera.
 CameraList read_middlebury(const Source& source);
 
-/// Text that reads back as the same cameras. Throws InputError for names with blanks or `#`, and
-/// for cameras that the text cannot hold.
+/// Returns text that is read back as the same cameras. Throws InputError if a name contains blanks
+/// or `#`, and if the text cannot represent a camera.
 std::string write_middlebury(const CameraList& list);
 
 }  // namespace transformesh

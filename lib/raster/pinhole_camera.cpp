@@ -26,7 +26,7 @@ Projection PinholeCamera::projection() const {
 double PinholeCamera::focal_length() const { return (intrinsics(0, 0) + intrinsics(1, 1)) / 2; }
 
 PinholeCamera PinholeCamera::shrunk(double factor) const {
-  // Pixel 0 reaches from -1/2 to 1/2: it is the image's corner, at -1/2, that stays in its place.
+  // Pixel 0 extends from -1/2 to 1/2. Hence the corner of the image, at -1/2, is fixed.
   PinholeCamera camera = *this;
   camera.intrinsics.topRows<2>() /= factor;
   camera.intrinsics(0, 2) += 0.5 / factor - 0.5;
@@ -47,8 +47,8 @@ Vec3 viewed_point(std::span<const PinholeCamera> cameras) {
     mean += camera.center() / static_cast<double>(cameras.size());
   }
 
-  // The squared distance to an axis is a quadratic form that vanishes along the axis; their sum is
-  // least where its derivative is zero.
+  // The squared distance from an axis is a quadratic form that vanishes along the axis. The sum of
+  // these forms is minimal where its derivative is zero.
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Vec3 moment = Vec3::Zero();
   for (const PinholeCamera& camera : cameras) {
@@ -58,7 +58,7 @@ Vec3 viewed_point(std::span<const PinholeCamera> cameras) {
     moment += across * (camera.center() - mean);
   }
 
-  // Along directions that no axis determines, the point stays at the mean.
+  // Along directions that no axis determines, the result is the mean of the centers.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
   Vec3 offset = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {

@@ -27,12 +27,12 @@ void flush(png_structp) {}
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-/// Copies a row of pixels with their first channels only.
+/// Copies the first channels of a row of pixels.
 void pack(const Pixel* pixels, int width, std::size_t channels, png_byte* bytes) {
   for (int x = 0; x < width; ++x) bytes = std::copy_n(pixels[x].begin(), channels, bytes);
 }
 
-/// libpng leaves by longjmp: no object with a destructor may be made in here.
+/// libpng leaves this function by longjmp, so that it must not create objects with destructors.
 bool encode(png_structp png, png_infop info, const Image& image, png_byte* packed,
             std::size_t channels) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;

@@ -13,16 +13,16 @@ namespace {
 constexpr int usual_rows_per_band = 16;
 constexpr int columns_worth_narrowing = 8;
 constexpr std::size_t items_per_task = 4096;
-/// Whose bounds are known at a time.
+/// Number of faces whose bounds are stored at a time, to limit memory.
 constexpr std::size_t faces_at_once = std::size_t{1} << 16;
 
-/// A range of pixels from first to last, both included.
+/// A range of pixels; `last` is included.
 struct Range {
   int first = 0;
   int last = -1;
 };
 
-/// The pixels that a face may cover.
+/// Bounding box of the pixels that a face may cover.
 struct Bounds {
   Range columns;
   Range rows;
@@ -30,7 +30,7 @@ struct Bounds {
   bool is_empty() const { return columns.first > columns.last || rows.first > rows.last; }
 };
 
-/// What is known of a face before it is drawn.
+/// Values that depend on the face only, computed before its pixels are drawn.
 struct FaceSetup {
   EdgeFunctions functions;
   Bounds bounds;
@@ -42,7 +42,7 @@ Corners corners_of(const Face& face, const std::vector<Vec3>& projected) {
   return {projected[face[0]], projected[face[1]], projected[face[2]]};
 }
 
-/// The integers in [low, high] that are pixels of a row or column.
+/// Returns the integers in [low, high] that are pixels of a row or column.
 Range pixels_between(double low, double high, int size) {
   if (!(low <= high)) return {};
   low = std::max(low, 0.0);
@@ -51,7 +51,8 @@ Range pixels_between(double low, double high, int size) {
   return {static_cast<int>(std::ceil(low)), static_cast<int>(std::floor(high))};
 }
 
-/// The bounds of the image of a face; the whole image for one that reaches behind the eye.
+/// Returns the bounds of the image of a face; the whole image if the face reaches behind the
+/// camera.
 Bounds bounds_of(const Corners& corners, int width, int height) {
   Eigen::Array2d low(0, 0);
   Eigen::Array2d high(width - 1, height - 1);
@@ -67,8 +68,8 @@ Bounds bounds_of(const Corners& corners, int width, int height) {
   return {pixels_between(low.x(), high.x(), width), pixels_between(low.y(), high.y(), height)};
 }
 
-/// Which faces are drawn: where not both sides, those whose corners, projected, have a determinant
-/// of the given sign.
+/// Decides which faces are drawn. If only outsides are drawn, these are the faces whose projected
+/// corners have a determinant of `sign`.
 struct Drawn {
   bool is_both = true;
   double sign = 0;
@@ -82,7 +83,7 @@ struct Drawn {
   }
 };
 
-/// Of a face that is drawn.
+/// Sets up a face that is drawn.
 FaceSetup set_up(const Corners& corners, int width, int height) {
   FaceSetup setup;
   setup.functions = edge_functions(corners[0], corners[1], corners[2]);
@@ -96,7 +97,8 @@ void unite(Range& range, const Range& other) {
   range.last = std::max(range.last, other.last);
 }
 
-/// The columns of a row on which all edge functions can be positive, one too many on either side.
+/// Returns the columns of a row where all edge functions can be positive, with one more column on
+/// both sides.
 Range narrowed(Range columns, const std::array<double, 3>& slope,
                const std::array<double, 3>& start) {
   double low = columns.first;
@@ -160,8 +162,8 @@ BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_
   sort_faces(camera, sides);
 }
 
-// Sorts faces into the bands of rows that they touch, in face order. What else is known of them
-// would take several times the memory of the mesh: a face is set up again when it is drawn.
+// Sorts faces into the bands of rows that they touch, in face order. Faces are set up again when
+// they are drawn, because stored setups would take several times the memory of the mesh.
 void BandRasterizer::sort_faces(const Camera& camera, Sides sides) {
   faces_.resize(static_cast<std::size_t>((height_ + rows_per_band_ - 1) / rows_per_band_));
   const Drawn is_drawn(camera, sides);
@@ -201,8 +203,8 @@ void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {
 }
 
 FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides) {
-  // Each band is drawn by one thread, in face order; the last may end below the picture, where no
-  // face has rows.
+  // Each band is drawn by one thread, in face order. The last band may end below the picture, where
+  // no face has rows.
   FaceBuffer buffer(camera.width, camera.height);
   const BandRasterizer bands(mesh, camera, usual_rows_per_band, sides);
   parallel_for(bands.bands(), 1, [&](std::size_t first, std::size_t last) {

@@ -1,12 +1,13 @@
-/// Which face each pixel of a camera sees, at what depth, and where in the face.
+/// Rasterizes a mesh: the visible face of each pixel, its depth, and the position in the face.
 /// Reference: Olano & Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics
-/// Hardware 1997: faces that reach behind the eye need no clipping.
+/// Hardware 1997. Faces that reach behind the camera thus need no clipping.
 ///
-/// A pixel sees what its center sees. Faces that share an edge leave no gap between them; of faces
-/// at the same depth the lowest index is seen. Faces on edge to the eye, collapsed or behind it are
-/// not seen, and of a closed surface the backs need not be drawn. Depths are floats, weights are
-/// perspective-correct.
-/// Cost: O(faces + pixels covered), parallel over rows; deterministic for any number of threads.
+/// Visibility is decided at pixel centers. Faces with a common edge leave no gap between them. If
+/// faces have the same depth, the one with the lowest index is visible. Faces that are observed
+/// edge-on, degenerate or behind the camera are not visible. For closed surfaces, back faces need
+/// not be drawn. Depths are floats; weights are perspective-correct.
+///
+/// Cost: O(faces + covered pixels). Parallel over rows; deterministic for any number of threads.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@
 
 namespace transformesh {
 
-/// Pixels from the first to before the end; none where these are equal.
+/// A rectangle of pixels without its ends; empty if beginning and end are equal.
 struct PixelBox {
   int first_column = 0, end_column = 0;
   int first_row = 0, end_row = 0;
@@ -29,8 +30,9 @@ struct PixelBox {
 
 struct FacePixel {
   Index face = no_index;
-  float depth = 0;                ///< as the camera defines it
-  std::array<float, 2> weight{};  ///< of the face's corners 0 and 1; that of corner 2 is the rest
+  float depth = 0;  ///< as defined by the camera
+  /// Weights of the face's corners 0 and 1; the weight of corner 2 is the rest.
+  std::array<float, 2> weight{};
 };
 
 using FaceBuffer = Raster<FacePixel>;
@@ -39,8 +41,8 @@ enum class Sides { both, outside };
 
 FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both);
 
-/// The same a band of rows at a time, for pictures that are not held as a whole. 24 bytes a vertex
-/// and 4 a face that is seen.
+/// Rasterizes one band of rows at a time, for pictures that are not stored as a whole. Takes 24
+/// bytes per vertex and 4 per visible face.
 class BandRasterizer {
  public:
   /// Keeps a reference to the mesh.
@@ -51,10 +53,10 @@ class BandRasterizer {
   ~BandRasterizer() = default;
 
   std::size_t bands() const { return faces_.size(); }
-  /// Around all pixels that see a face, and maybe some more.
+  /// Returns a box around all pixels that show a face; the box may be slightly too large.
   const PixelBox& box() const { return box_; }
-  /// Draws rows_per_band rows, of which those below the picture stay empty, to `rows`, which is as
-  /// wide as the picture and holds nothing. Safe to call from several threads at once.
+  /// Draws `rows_per_band` rows to `rows`, which must be empty and as wide as the picture. Rows
+  /// below the picture stay empty. Thread-safe.
   void draw(std::size_t band, FacePixel* rows) const;
 
  private:
@@ -62,19 +64,20 @@ class BandRasterizer {
 
   const Mesh& mesh_;
   int width_, height_, rows_per_band_;
-  std::vector<Vec3> projected_;  ///< vertices
+  std::vector<Vec3> projected_;  ///< projected vertices
   PixelBox box_;
-  std::vector<std::vector<Index>> faces_;  ///< that touch each band, ascending
+  std::vector<std::vector<Index>> faces_;  ///< faces that touch each band, ascending
 };
 
-/// The linear functions of pixel (x, y, 1) that vanish on the image of the edge across from each
-/// corner and are positive on the face's side of it. Their sum is `depth_numerator` / depth, each
-/// one's share of the sum the corner's weight. All zero for a face that cannot be seen.
+/// Linear functions of pixel (x, y, 1). Each vanishes on the image of the edge opposite to a
+/// corner, and is positive on the face's side of the edge. The sum of the functions is
+/// `depth_numerator` / depth; the fraction of each one in the sum is the weight of the corner. All
+/// are zero for a face that cannot be visible.
 struct EdgeFunctions {
   std::array<Vec3, 3> edge{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   double depth_numerator = 0;
 };
-/// From the projections of the corners.
+/// Returns the functions of a face from the projections of its corners.
 EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace transformesh
