@@ -5,13 +5,12 @@
 /// From each vertex, rays are cast in 128 directions, which are evenly distributed over the sphere
 /// and the same in every run. Only directions on the outer side of the surface count, weighted by
 /// the cosine to the area-weighted vertex normal. The openness of a vertex is the weighted fraction
-/// of the rays that meet no face. It is 1 on convex bodies and 0 inside closed ones. It is 1 at
-/// vertices without normal. Faces at the vertex itself, and faces nearer than 1e-5 of the diagonal
-/// of the bounding box, do not count.
+/// of the rays that meet no face. The openness is 1 on convex bodies and at vertices without
+/// normal, and 0 inside closed bodies. Faces at the vertex itself, and faces nearer than 1e-5 of
+/// the diagonal of the bounding box, do not count.
 ///
 /// Cost: one Bvh per direction, O(vertices log faces) if few boxes overlap. Parallel; the result
 /// does not depend on the number of threads.
-/// number of threads.
 #pragma once
 
 #include <string>

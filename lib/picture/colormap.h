@@ -1,10 +1,10 @@
 /// Maps numbers to colors.
 ///
-/// Values of one sign: viridis, from dark purple to yellow, which is perceptually uniform, also for
-/// color-blind readers (Smith & van der Walt, 2015, CC0; every 15th of its 256 colors). Values of
-/// both signs: from blue through white at 0 to red, with equal ranges on both sides (Brewer,
-/// ColorBrewer 2.0, RdBu of 11 classes, reversed). Colors between those of the tables are
-/// interpolated linearly in sRGB. Cost: one look-up. Deterministic.
+/// Values of one sign use viridis, from dark purple to yellow. Viridis is perceptually uniform,
+/// also for color-blind readers (Smith & van der Walt, 2015, CC0). The table contains every 15th of
+/// its 256 colors. Values of both signs range from blue through white at 0 to red, with equal
+/// ranges on both sides (Brewer, ColorBrewer 2.0, RdBu of 11 classes, reversed). Colors between
+/// those of the tables are interpolated linearly in sRGB. Cost: one look-up. Deterministic.
 #pragma once
 
 #include <optional>

@@ -102,7 +102,7 @@ void draw_legend(const ColorScale& scale, const Background& background, Image& i
   draw_text(low, std::max(left - gap / 2 - low_width, 0), text_top, dot, ink, image);
   draw_text(high, left + length + gap / 2, text_top, dot, ink, image);
 
-  // Colors from the low end to the high one.
+  // The bar, from the low end to the high end of the scale.
   for (int i = 0; i < length; ++i) {
     const double share = length > 1 ? static_cast<double>(i) / (length - 1) : 0;
     const double value = (1 - share) * scale.low + share * scale.high;

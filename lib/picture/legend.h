@@ -1,5 +1,5 @@
-/// Draws the legend of a picture whose colors represent numbers: a strip at the bottom with a color
-/// bar and the numbers at its ends, in a built-in font.
+/// Draws the legend of a picture whose colors represent numbers. The legend is a strip at the
+/// bottom with a color bar and the numbers at its ends, in a built-in font.
 #pragma once
 
 #include "picture/colormap.h"

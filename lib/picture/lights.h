@@ -1,5 +1,5 @@
-/// Studio lighting that moves with the camera: a key light from the upper left, a fill light from
-/// the right, a rim light from behind, and ambient light from sky and ground.
+/// Studio lighting that moves with the camera. There are a key light from the upper left, a fill
+/// light from the right and a rim light from behind. Ambient light comes from sky and ground.
 #pragma once
 
 #include "picture/linear_color.h"

@@ -11,8 +11,9 @@
 
 namespace transformesh {
 
-/// What a panel frames: its own mesh; its own mesh at the scale of the largest one, so that sizes
-/// are comparable; or the bounding box of all meshes, so that positions are comparable.
+/// `each` fits each panel to its own mesh. `scale` gives all panels the scale of the largest mesh,
+/// so that sizes are comparable. `place` fits all panels to the bounding box of all meshes, so that
+/// positions are comparable.
 enum class Framing { each, scale, place };
 
 struct PictureOptions {
@@ -20,9 +21,9 @@ struct PictureOptions {
   int height = 600;  ///< at most 2^26 pixels in total
   Orbit orbit;       ///< `orbit.up` also points to the sky
   Framing framing = Framing::each;
-  /// Number of panels in a row; 0 chooses it. Then several meshes with one view each form one row,
-  /// several meshes with several views form one row per mesh, and panels of a single mesh are made
-  /// as large as possible.
+  /// Number of panels in a row. If it is 0 and `views` is 1, all panels form one row. If it is 0
+  /// and there are several views, each mesh has its own row. The views of a single mesh are laid
+  /// out such that panels are as large as possible.
   int columns = 0;
   /// Number of panels of each mesh. The camera starts at `orbit` and moves around the mesh to its
   /// right, once in total.
@@ -37,14 +38,14 @@ struct PictureOptions {
   std::optional<std::pair<double, double>> range;
 };
 
-/// Draws the panels from left to right, then down. If the camera moves around, it looks at the
-/// center of the bounding box, and its distance does not depend on the number of views and frames.
-/// If colors represent numbers, a legend covers the bottom of the picture. A mesh without the
-/// column to highlight or to color by is drawn normally.
+/// Draws the panels from left to right, then down. A camera that moves around looks at the center
+/// of the bounding box. Its distance does not depend on the number of views and frames. If colors
+/// represent numbers, a legend covers the bottom of the picture. A mesh without the column to
+/// highlight or to color by is drawn normally.
 ///
-/// Throws InputError if a mesh has no faces. Throws UsageError if size or range are invalid, if a
-/// panel would have less than a pixel, and if no mesh has the column to highlight or to color by.
-/// Deterministic for any number of threads.
+/// Throws InputError if a mesh has no faces. Throws UsageError if size or range are invalid, or if
+/// a panel would have less than a pixel. Also throws it if no mesh has the column to highlight or
+/// to color by. Deterministic for any number of threads.
 Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& options = {},
                    const Progress& progress = {});
 

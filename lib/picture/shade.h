@@ -34,9 +34,9 @@ struct ShadeOptions {
 
 /// Returns a picture of camera.width x camera.height pixels. A mesh without faces yields the
 /// background. Throws UsageError if the column to highlight is missing. Time: O(faces + pixels *
-/// samples^2). Memory: 4 bytes per pixel, 200 per face, and 2 MB per thread for samples (more if
-/// one row needs more); 55 MB for a soft shadow. Parallel; the result does not depend on the number
-/// of threads.
+/// samples^2). Memory: 4 bytes per pixel, 200 per face, and 55 MB for a soft shadow. Each thread
+/// takes 2 MB for samples, or more if one row needs more. Parallel; the result does not depend on
+/// the number of threads.
 Image shade(const Mesh& mesh, const Camera& camera, const ShadeOptions& options = {});
 
 /// Draws into a part of `image`, whose upper left corner is at (left, above). The image must be

@@ -4,7 +4,7 @@
 /// Salesin & Cook, "Rendering antialiased shadows with depth maps", SIGGRAPH 1987.
 ///
 /// Depth images of 512x512 pixels are rendered from 48 positions on the lamp, which are the same in
-/// every run. A position lights a point if no face is in front of the point in its depth image; the
+/// every run. A position lights a point if no face is in front of the point in its depth image. The
 /// results of four pixels are interpolated (percentage-closer filtering). Points are lifted off the
 /// surface by up to two pixels of these images, so that the surface does not shadow itself. Hence
 /// shadows in corners finer than 1/100 of the size of the mesh are missing. Cost: 48 rasterizations

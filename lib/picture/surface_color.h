@@ -14,7 +14,8 @@ namespace transformesh {
 
 struct SurfaceColorOptions {
   /// Color of all front sides. Default: the columns red, green and blue of the vertices, else of
-  /// the faces (integers up to 255, floats up to 1), else a light blue-gray.
+  /// the faces, else a light blue-gray. Columns of integers range up to 255, of uint16 up to 65535,
+  /// of floats up to 1.
   std::optional<Color> front;
   /// Name of a face column, else of a vertex column. The surface is orange where the column is not
   /// zero. Ignored if empty.

@@ -1,5 +1,5 @@
 /// A pinhole camera as a 3x4 projection P. With q = P (X, 1), the pixel is (q1 / q3, q2 / q3), x to
-/// the right and y down, with pixel centers at integers. q3 is the depth along the viewing axis. It
+/// the right and y down, with pixel centers at integers. The depth along the viewing axis is q3. It
 /// is in input units if the first three numbers of the third row have length 1.
 #pragma once
 
@@ -29,8 +29,8 @@ struct Camera {
 enum class Axis { x, y, z };
 
 /// Position of the camera on a sphere around its target. Angles are in degrees. At azimuth 0 and
-/// elevation 0 the camera is in front: at +z for up = y, at -y for up = z, at +z for up = x.
-/// Azimuth moves the camera to its right, elevation upwards.
+/// elevation 0 the camera is in front of the target. The front is +z for up = y, -y for up = z, and
+/// +z for up = x. Azimuth moves the camera to its right, elevation upwards.
 struct Orbit {
   double azimuth_deg = 30;
   double elevation_deg = 20;
@@ -55,8 +55,8 @@ struct Aim {
 /// all points are equal.
 Aim aim_at(std::span<const Vec3> points, const Orbit& orbit, int width, int height);
 
-/// Returns an aim at the center of the points' bounding box with which the points are inside the
-/// image, with the same margin, at any azimuth. The distance is the smallest possible one.
+/// Returns an aim at the center of the points' bounding box. The distance is the least one for
+/// which all points are inside the image at any azimuth, with the same margin.
 Aim turn_aim(std::span<const Vec3> points, const Orbit& orbit, int width, int height);
 
 /// Returns the camera. Zoom narrows the field of view.

@@ -20,8 +20,8 @@ struct CameraRecord {
   LensDistortion distortion;
   /// If true, the principal point is the center of the image, whose size is unknown.
   bool is_centered = false;
-  /// If true, intrinsics are in units of the larger side of the image, whose size is unknown, and
-  /// the principal point is relative to its center.
+  /// If true, intrinsics are in units of the larger side of the image, whose size is unknown. The
+  /// principal point is then relative to the center of the image.
   bool is_relative = false;
 
   /// Sets the size of the image, and converts centered or relative intrinsics to pixels. Throws

@@ -11,8 +11,8 @@
 namespace transformesh {
 
 struct LensDistortion {
-  /// Radial distortion scales the point (x, y) of the ray (x, y, 1), at distance r from the axis,
-  /// by (1 + k1 r^2 + k2 r^4 + k3 r^6) / (1 + k4 r^2 + k5 r^4 + k6 r^6).
+  /// Radial distortion scales the point (x, y) of the ray (x, y, 1), at distance r from the axis.
+  /// The factor is `(1 + k1 r^2 + k2 r^4 + k3 r^6) / (1 + k4 r^2 + k5 r^4 + k6 r^6)`.
   std::array<double, 6> radial{};
   /// Tangential distortion adds 2 p1 x y + p2 (r^2 + 2 x^2) to x, and p1 (r^2 + 2 y^2) + 2 p2 x y
   /// to y.

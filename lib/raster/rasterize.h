@@ -30,7 +30,7 @@ struct PixelBox {
 
 struct FacePixel {
   Index face = no_index;
-  float depth = 0;  ///< as defined by the camera
+  float depth = 0;  ///< depth as defined by Camera
   /// Weights of the face's corners 0 and 1; the weight of corner 2 is the rest.
   std::array<float, 2> weight{};
 };

@@ -75,7 +75,7 @@ class Photographs {
   PairOptions near_pairs_;
   PhotoStepsOptions steps_;
   std::optional<double> pull_;
-  bool are_outlines_;  ///< whether silhouettes are outlines of the hull
+  bool are_outlines_;  ///< true if silhouettes are outlines of the hull
   WindowRadii windows_;
   double scale_ = 0;  ///< scale of `scene_`; 0: none
   PhotoScene scene_;

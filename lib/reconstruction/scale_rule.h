@@ -35,10 +35,10 @@ struct SweepVerdict {
   bool is_late = false;
 };
 
-/// Finishes a scale if vertices move by less than 1.5 % of an edge, or if the dissimilarity falls
-/// by less than a hundredth from one sweep to the next. Otherwise finishes it after `sweeps`
-/// sweeps. While vertices enter silhouettes from outside or the topology changes, only finishes it
-/// after twice as many.
+/// Finishes a scale if vertices move by less than 1.5 % of an edge. Also finishes it if the
+/// dissimilarity falls by less than a hundredth from one sweep to the next. Otherwise finishes it
+/// after `sweeps` sweeps. While vertices enter silhouettes from outside or the topology changes,
+/// only finishes it after twice as many.
 class ScaleRule {
  public:
   explicit ScaleRule(std::size_t sweeps = 4) : sweeps_(sweeps) {}

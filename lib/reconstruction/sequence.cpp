@@ -85,7 +85,7 @@ class SequenceLoop : public Loop {
   // State of the last time step.
   std::string name_;
   std::vector<View> views_;
-  bool are_outlines_ = false;  ///< whether silhouettes are outlines of a hull, not masks
+  bool are_outlines_ = false;  ///< true if silhouettes are outlines of a hull instead of masks
   Surface surface_;
   std::string fault_;  ///< faults of the tracked surface
   double seconds_ = 0;

@@ -24,8 +24,8 @@ struct SequenceOptions {
   ReconstructionOptions reconstruction;
   double track = 4;  ///< coarsest scale of surfaces that begin with the previous one
   std::vector<std::string> comments = {};  ///< comments of surfaces that begin with a hull
-  std::string folder;                      ///< for surfaces NAME.ply or NAME.off; empty: none
-  Format format = Format::ply_little;      ///< format of the surfaces
+  std::string folder;                  ///< folder for surfaces NAME.ply or NAME.off; empty: none
+  Format format = Format::ply_little;  ///< format of the surfaces
   /// Folder for states within a time step, in that of the record; empty: none.
   std::string states = {};
   std::function<void(const std::string& message)> on_step = {};

@@ -19,8 +19,8 @@ struct SurfaceQuality {
 };
 
 /// Returns the measures that are worse than in `reference`, the last surface that was not tracked,
-/// joined by +. A measure is worse if `dissimilarity` is above 1.3 times the reference, if
-/// `coverage` is lower by a tenth, or if the agreement (`silhouettes`) is lower by 0.03.
+/// joined by +. `dissimilarity` is worse above 1.3 times the reference, `coverage` below nine
+/// tenths of it, and the agreement (`silhouettes`) if it is lower by more than 0.03.
 std::string tracking_faults(const SurfaceQuality& surface, const SurfaceQuality& reference);
 
 /// True if the surface `anew`, reconstructed from its hull, is better than the tracked one: it has

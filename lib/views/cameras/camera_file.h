@@ -16,8 +16,9 @@
 /// r^6), and from COLMAP's models SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV.
 ///
 /// All readers throw InputError, naming file and line, if a camera is not a pinhole with such
-/// distortion. They also throw if a number is missing, malformed, not finite or beyond 1e100, if a
-/// focal length is negligible compared with the principal point, and if counts disagree.
+/// distortion. They also throw if a number is missing, malformed, not finite or beyond 1e100, and
+/// if counts disagree. A focal length that is negligible compared with the principal point is an
+/// error, too.
 #pragma once
 
 #include <optional>
@@ -33,7 +34,7 @@ namespace transformesh {
 enum class CameraFormat {
   middlebury,
   colmap,
-  colmap_binary,  ///< for writing
+  colmap_binary,  ///< for writing only
   bundler,
   matrices,
   opencv,

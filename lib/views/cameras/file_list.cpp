@@ -96,7 +96,7 @@ bool is_natural_less(std::string_view first, std::string_view second) {
       second.remove_prefix(1);
     }
   }
-  // Only leading zeros differ, as in 1 and 01.
+  // Names that differ in leading zeros only, such as 1 and 01, are compared as text.
   if (first.empty() && second.empty()) return whole_first < whole_second;
   return first.empty();
 }

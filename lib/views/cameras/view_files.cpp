@@ -165,7 +165,7 @@ struct SizedCamera {
   Eigen::Matrix3d intrinsics;
   int width = 0;
   int height = 0;
-  std::string path;  ///< of the image
+  std::string path;  ///< path of the image
 };
 
 /// Throws if images of different sizes have the same intrinsics.

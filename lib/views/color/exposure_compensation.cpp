@@ -7,8 +7,8 @@
 namespace transformesh {
 namespace {
 
-// These limits are choices. Intensities that are nearly black or white are unreliable, and a larger
-// difference than `most_different` is hardly a difference of exposure.
+// Chosen limits. Intensities that are nearly black or white are unreliable, and a larger difference
+// than `most_different` is hardly a difference of exposure.
 constexpr double intensity_variance = 100;
 constexpr float least_intensity = 8, largest_intensity = 247;
 constexpr float most_different = 1.5F;  ///< limit of the ratio of two comparable intensities

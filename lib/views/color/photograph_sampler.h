@@ -16,7 +16,7 @@ namespace transformesh {
 
 struct Place {
   Vec3 point;
-  Vec3 normal;         ///< of unit length
+  Vec3 normal;         ///< unit normal
   double spacing = 0;  ///< distance between places; finer detail is averaged
 };
 

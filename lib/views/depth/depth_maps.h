@@ -1,9 +1,9 @@
 /// Computes depth maps of all views and keeps depths that are consistent. plane_sweep.h estimates
 /// the depths of each view. A depth stays if neighboring views have the same depth at that point.
 /// Then small patches are removed, because depths that agree by chance are scattered.
-/// References: the consistency check of Merrell et al., "Real-time visibility-based fusion of depth
-/// maps", ICCV 2007; the speckle filter of Hirschmueller, "Stereo processing by semiglobal matching
-/// and mutual information", PAMI 30(2), 2008.
+/// Reference for the consistency check: Merrell et al., "Real-time visibility-based fusion of depth
+/// maps", ICCV 2007. Reference for the patches, called speckle filter there: Hirschmueller, "Stereo
+/// processing by semiglobal matching and mutual information", PAMI 30(2), 2008.
 #pragma once
 
 #include <span>

@@ -237,7 +237,7 @@ void Sweep::score(int plane) {
   }
 }
 
-// Only planes on which the pixel was compared are candidates.
+// Candidates are the planes on which the pixel was compared.
 float Sweep::best_depth(int x, int y) const {
   const std::span<const float> costs = costs_.at(x, y);
   const std::span<const float> sums = sums_.at(x, y);

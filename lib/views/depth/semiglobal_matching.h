@@ -4,10 +4,10 @@
 /// PAMI 30(2), 2008.
 ///
 /// A path leads from the border of the image to a pixel and plane. Its cost is the sum of the
-/// matching costs of its planes, plus `near_step` if the next pixel has a neighboring plane, and
-/// `far_step` if it has any other plane. The result of a pixel and plane is the sum over eight
-/// directions of the cheapest path. Hence pixels with ambiguous costs, on glossy surfaces or with
-/// little texture, follow the pixels around them.
+/// matching costs of its planes and of the costs of its steps. A step costs nothing if both pixels
+/// have the same plane, `near_step` if they have adjacent planes, and `far_step` otherwise. The
+/// result of a pixel and plane is the sum over eight directions of the cheapest path. Hence pixels
+/// with ambiguous costs, on glossy surfaces or with little texture, follow the pixels around them.
 #pragma once
 
 #include <cstddef>

@@ -16,8 +16,8 @@
 namespace transformesh {
 namespace {
 
-// The four limits below trade time for the precision of the comparison; the time grows with the
-// square of the image side and the cube of the hull resolution.
+// Chosen resolution of the comparison. Time grows with the square of the image side and the cube of
+// the hull resolution.
 constexpr double largest_side_px = 320;  ///< photographs are shrunk to this size
 constexpr int hull_resolution = 48;      ///< cells along the longest side of the box
 constexpr double share_to_keep = 0.1;    ///< HullOptions::keep, against phantoms

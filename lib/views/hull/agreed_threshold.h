@@ -1,15 +1,15 @@
 /// Finds the intensity threshold at which the silhouettes of all photographs agree best.
 ///
 /// One photograph alone does not distinguish dark regions of the object from the background.
-/// Several photographs do. A threshold that is too high cuts parts off the object in some views,
-/// and the hull no longer fills the silhouettes of the other views. A threshold that is too low
+/// Several photographs do. If a threshold is too high, it cuts parts off the object in some views.
+/// The hull then no longer fills the silhouettes of the other views. If a threshold is too low, it
 /// adds background to some silhouettes, which the other views carve away from the hull.
 ///
 /// The candidates are the threshold that best divides the pixels of all photographs
 /// (dividing_threshold) and eight smaller ones, down to a quarter of it. The score of a candidate
 /// is the intersection over union of its silhouettes and those of their visual hull, averaged over
-/// the views. The result is the highest candidate whose score is within 0.001 of the best, because
-/// a higher threshold keeps contours away from the noise of the background.
+/// the views. The result is the highest candidate whose score is within 0.001 of the best. The
+/// reason is that a higher threshold keeps contours away from the noise of the background.
 #pragma once
 
 #include <span>

@@ -3,8 +3,8 @@
 /// Pixels of a silhouette are above 127.5 inside and below outside. The contour is the curve where
 /// the bilinearly interpolated intensity is 127.5. Masks of two intensities thus have the contour
 /// half-way between pixels; masks with antialiased edges have a more precise one. The border of an
-/// image is not part of the contour, even if the object extends beyond the image, because nothing
-/// is known outside the image.
+/// image is not part of the contour, even if the object extends beyond the image. The contour
+/// outside of the image is not known.
 #pragma once
 
 #include <limits>

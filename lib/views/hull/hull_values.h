@@ -11,11 +11,12 @@
 namespace transformesh {
 
 /// Returns the smallest axis-parallel box around all points that are in front of every camera and
-/// project into every silhouette's bounding rectangle, enlarged by one pixel. Solves a linear
-/// program exactly. A side of a rectangle at the border of its image is no constraint, because the
-/// object may continue beyond it. A view without silhouette only requires that the object is in
-/// front of its camera. Throws InputError if a silhouette has no pixel inside (names the view), if
-/// no point satisfies all constraints, and if the silhouettes do not bound the object on all sides.
+/// project into the bounding rectangle of every silhouette. Rectangles are enlarged by one pixel.
+/// Solves a linear program exactly. A side of a rectangle at the border of its image is no
+/// constraint, because the object may continue beyond it. A view without silhouette only requires
+/// that the object is in front of its camera. Throws InputError, naming the view, if a silhouette
+/// has no pixel inside. Also throws it if no point satisfies all constraints, and if the
+/// silhouettes do not bound the object on all sides.
 Box silhouette_box(std::span<const View> views);
 
 /// Equals visual_hull() of hull.h, for a list of views.

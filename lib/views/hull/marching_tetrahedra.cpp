@@ -13,8 +13,8 @@ namespace {
 /// give better shaped but less accurate faces.
 constexpr double least_share = 0.05;
 
-/// Identifies an edge of the grid: eight times its first node, plus bits 1, 2 and 4 for the axes x,
-/// y and z along which it extends.
+/// Identifies an edge of the grid: eight times its first node, plus 1, 2 and 4 if the edge extends
+/// along x, y and z.
 using EdgeKey = std::uint64_t;
 using KeyFace = std::array<EdgeKey, 3>;
 
@@ -85,7 +85,7 @@ class Cube {
   }
 
   /// Requires two corners of one Kuhn tetrahedron. The bits of one are a subset of the bits of the
-  /// other, so that the edge starts at corner `a & b` and extends along the axes `a ^ b`.
+  /// other. The edge thus starts at corner `a & b` and extends along the axes `a ^ b`.
   EdgeKey key(unsigned a, unsigned b) const { return node_[a & b] * 8 + (a ^ b); }
 
   std::array<std::size_t, 8> node_{};

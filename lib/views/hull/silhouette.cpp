@@ -29,8 +29,8 @@ GrayImage offset_silhouette(GrayImage distances, float offset) {
 /// Closes the silhouette: dilates and then erodes it by a disc. Erosion does not start at the
 /// border of the image, because the border is not part of the contour.
 GrayImage closed(const GrayImage& silhouette, float radius) {
-  // Only distances near `radius` matter. The distance transform needs the margin of four pixels,
-  // because distances pass through neighbors that may be farther from the contour.
+  // Distances far above `radius` are not needed. The margin of four pixels is for the distance
+  // transform, because distances pass through neighbors that may be farther from the contour.
   const float limit = radius + 4;
   const GrayImage wide = offset_silhouette(signed_distance(silhouette, limit), radius);
   GrayImage narrow = offset_silhouette(signed_distance(wide, limit), -radius);

@@ -1,5 +1,6 @@
-/// Bounds the visual hull by a box: six linear programs in three variables, with one constraint for
-/// each camera and for each side of a silhouette's bounding rectangle. Solved exactly by CGAL.
+/// Bounds the visual hull by a box. Each side of the box is the result of a linear program in three
+/// variables, which CGAL solves exactly. There is one constraint per camera, and one per side of a
+/// silhouette's bounding rectangle.
 #include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>

@@ -3,9 +3,9 @@
 /// The visual hull fills every silhouette if all views agree. In good sets of views the hull covers
 /// at least three quarters of each silhouette; one bad view carves the hull in all others. If a
 /// silhouette is covered less, common mistakes are tried, and the one after whose correction all
-/// views agree is reported. These are: a left-handed world, cameras that look along -z, inverted
-/// masks, silhouettes shifted by one against the cameras, two swapped cameras, and a few views that
-/// disagree with the rest.
+/// views agree is reported. These mistakes are a left-handed world, cameras that look along -z, and
+/// inverted masks. Further ones are silhouettes shifted by one against the cameras, two swapped
+/// cameras, and a few views that disagree with the rest.
 ///
 /// Consistent mistakes are not detected. For example, a shift by one on a regular turntable only
 /// rotates the object.
@@ -37,7 +37,7 @@ struct BadView {
 std::string in_words(const BadView& view);
 
 struct ViewCheck {
-  double least_agreement = 1;    ///< of the views that are left
+  double least_agreement = 1;    ///< least agreement of the remaining views
   std::vector<BadView> dropped;  ///< in input order
 };
 

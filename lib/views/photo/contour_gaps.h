@@ -16,9 +16,11 @@ namespace transformesh {
 
 /// Per vertex. Lengths are in input units.
 struct ContourGaps {
-  /// largest distance beyond the contour over all views; 0 if it is in no view beyond
+  /// Largest distance outside of a silhouette over all views; 0 if the vertex is inside all
+  /// silhouettes.
   std::vector<double> outside;
-  /// sum of the distances from the contour, over views in which it is an inner rim
+  /// Sum of the distances from the contour, over views in which the vertex is a rim inside the
+  /// silhouette.
   std::vector<double> inside;
   std::vector<Index> rims;  ///< number of views in the sum `inside`
 };

@@ -37,7 +37,7 @@ class RowRing {
   std::vector<float> values_;
 };
 
-/// out[x] is the sum of in[x - radius] to in[x + radius].
+/// Sets out[x] to the sum of in[x - radius] to in[x + radius].
 template <int radius>
 void sum_across(const float* __restrict in, float* __restrict out, int width) {
   for (int x = 0; x < width; ++x) {

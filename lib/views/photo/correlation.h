@@ -9,10 +9,10 @@
 /// pixels of whose window more than half is visible. Its derivative treats rho as constant. The
 /// derivative by an intensity of the second image sums over all windows with that pixel.
 ///
-/// If `robust`, s, is above 0, the sum of rho s e / (s + e) with e = 1 - cc is differentiated
-/// instead: the loss of Geman & McClure, "Statistical methods for tomographic image
-/// reconstruction", Bulletin of the ISI 52(4), 1987. It scales the derivative of a window by (s /
-/// (s + e))^2, so that windows that disagree have less influence. The gradient is exact. The
+/// Let s be `robust`, and e = 1 - cc. If s > 0, the sum of rho s e / (s + e) is differentiated
+/// instead. This is the loss of Geman & McClure, "Statistical methods for tomographic image
+/// reconstruction", Bulletin of the ISI 52(4), 1987. This loss scales the derivative of a window by
+/// (s / (s + e))^2, so that windows that disagree have less influence. The gradient is exact. The
 /// curvature treats these factors as constant, as in iteratively reweighted least squares.
 ///
 /// Images are processed row by row, in single precision, and should have a mean near 0. O(radius)
@@ -38,7 +38,7 @@ struct ComparedRow {
 struct CorrelationRow {
   const float* is_seen = nullptr;
   const float* gradient = nullptr;  ///< first derivative
-  /// half of the Gauss-Newton approximation of the second derivative; >= 0
+  /// Half of the Gauss-Newton approximation of the second derivative; >= 0.
   const float* curvature = nullptr;
 };
 

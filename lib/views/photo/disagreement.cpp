@@ -14,9 +14,9 @@
 namespace transformesh {
 namespace {
 
-/// Ratio of the variance of independent noise to the squared median of the magnitude of its mixed
-/// second difference. 0.1523 is the ratio of both variances after the blur of scale 1, and 0.6745
-/// is the median magnitude of a standard normal variable.
+/// Ratio of the variance of independent noise to the squared median magnitude of its mixed second
+/// difference. After the blur of scale 1, the ratio of both variances is 0.1523. The median
+/// magnitude of a standard normal variable is 0.6745.
 constexpr double variance_by_squared_median = 0.1523 / (0.6745 * 0.6745);
 
 /// Cap of the floor in WindowSums::excess(). If noise explains more, photographs have hardly
@@ -28,7 +28,8 @@ struct Window {
   float excess() const { return (energy - floor) / weight; }
 };
 
-/// For each pixel of the compared box, the two best windows over all pairs with one reference view.
+/// Stores the two best windows per pixel of the compared box, over all pairs with one reference
+/// view.
 class BestWindows {
  public:
   /// Clears all windows for a box of this size; keeps the allocated memory.

@@ -3,7 +3,7 @@
 /// Each pixel of a view is compared in windows (correlation.h) with the other views of its pairs.
 /// If there are three or more comparisons, the second best counts, else the best. The reason is
 /// that even on the true surface some views observe a point at a grazing angle or near an occluding
-/// contour; on a wrong surface no views agree. The dissimilarity of a vertex is the mean of 1 - cc
+/// contour. On a wrong surface, no views agree. The dissimilarity of a vertex is the mean of 1 - cc
 /// over the windows around it, weighted by rho and by the vertex's barycentric weight.
 ///
 /// The floor is the expected dissimilarity if photographs differed only by noise: the mean of

@@ -1,8 +1,8 @@
 /// Several consecutive steps towards photographs (photo_step.h) with the same faces.
 ///
-/// With momentum, each step except the last also repeats a fraction of the previous movement. Small
-/// steps in the same direction add up, so that the surface converges in a fraction of the steps;
-/// this is typical if photographs are noisy. Movements in opposite directions cancel.
+/// If `momentum` is above 0, each step except the last also repeats this fraction of the previous
+/// movement. Small steps in the same direction, which are typical of noisy photographs, add up; the
+/// surface then converges in fewer steps. Movements in opposite directions cancel.
 /// Reference: Polyak, "Some methods of speeding up the convergence of iteration methods", USSR
 /// Computational Mathematics and Mathematical Physics 4(5), 1964.
 #pragma once

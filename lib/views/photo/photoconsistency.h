@@ -1,10 +1,10 @@
 /// Photoconsistency of a surface, and its exact derivative with respect to every vertex (paper
 /// 5.3.1; Pons, Keriven & Faugeras, IJCV 72(2), 2007).
 ///
-/// For each pair of views, every pixel of the reference view is projected onto the surface and from
-/// there into the other view (warp.h). Both images are compared in windows (correlation.h). The
-/// energy is the sum of rho (1 - cc) over pixels and pairs. To compare meshes, use the mean
-/// dissimilarity energy / weight, because the number of pixels changes with the surface.
+/// Every pixel of the reference view of a pair is projected onto the surface and from there into
+/// the other view (warp.h). Both images are compared in windows (correlation.h). The energy is the
+/// sum of rho (1 - cc) over pixels and pairs. To compare meshes, use the mean dissimilarity energy
+/// / weight, because the number of pixels changes with the surface.
 ///
 /// The derivative treats visibility and rho as constant. It is thus exact for movements that change
 /// no contour and no border of an image. Only the second image of a pair is differentiated; pass

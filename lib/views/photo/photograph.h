@@ -20,7 +20,7 @@ struct PhotographOptions {
 
 struct Photograph {
   GrayImage image;  ///< integer intensities from 0 to 255; the background is black except for noise
-  GrayImage silhouette;  ///< 255 where at least half of the pixel shows the surface, else 0
+  GrayImage silhouette;  ///< 255 if at least half of the pixel shows the surface, else 0
 };
 
 /// Renders the surface with the texture but without shading, as a matte surface in diffuse light.

@@ -13,7 +13,8 @@ namespace transformesh {
 struct TextureOptions {
   int waves = 40;        ///< number of waves; [1, 10000]
   double finest = 0.03;  ///< shortest wavelength, in input units; > 0
-  /// longest wavelength, in input units; >= finest. Logarithms of wavelengths are uniform.
+  /// Longest wavelength, in input units; >= `finest`. Logarithms of wavelengths are uniformly
+  /// distributed.
   double coarsest = 0.3;
   std::uint64_t seed = 1;
 };
@@ -28,7 +29,7 @@ class SolidTexture {
 
  private:
   struct Wave {                     ///< radians per unit of length
-    Vec3 frequency = Vec3::Zero();  ///< radians a unit of length
+    Vec3 frequency = Vec3::Zero();  ///< radians per unit of length
     double phase = 0;
   };
   std::vector<Wave> waves_;

@@ -1,10 +1,13 @@
 /// Newton steps of a surface that resists bending.
 ///
-/// The energy is a sum over vertices, g d + h d^2 / 2 for a movement by d along the normal, plus
-/// that of a thin plate, stiffness / 2 |L x|^2. L is the uniform Laplacian: L x is the vector from
-/// a vertex to the mean of its neighbors (umbrella operator of Kobbelt, Campagna, Vorsatz & Seidel,
-/// "Interactive multi-resolution modeling on arbitrary meshes", SIGGRAPH 1998). Vertices with large
-/// h follow the data; where h is small, the plate continues the surface smoothly. Borders are free.
+/// The energy has two terms. The data term is the sum of g d + h d^2 / 2 over all vertices, where d
+/// is the movement along the normal. The plate term is stiffness / 2 |L x|^2. L is the uniform
+/// Laplacian: L x is the vector from a vertex to the mean of its neighbors.
+/// Reference: the umbrella operator of Kobbelt, Campagna, Vorsatz & Seidel, "Interactive
+/// multi-resolution modeling on arbitrary meshes", SIGGRAPH 1998.
+///
+/// Vertices with large h follow the data; vertices with small h continue the surface smoothly.
+/// Borders are free.
 #pragma once
 
 #include <span>

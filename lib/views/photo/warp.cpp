@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// Pixel and depth of a point in the other view, and derivatives of the pixel with respect to the
-/// depth of the point in the reference view.
+/// Pixel and depth of a point in the other view. `along_x` and `along_y` are derivatives of the
+/// pixel with respect to the depth of the point in the reference view.
 struct Landing {
   double x, y, depth;
   double along_x, along_y;

@@ -1,5 +1,6 @@
-/// Reprojection of one view into another: for each pixel of the reference view, the intensity of
-/// the other view at the same point of the surface (Pons, Keriven & Faugeras, IJCV 72, 2007).
+/// Reprojection: finds for each pixel of a reference view the intensity in another view at the same
+/// point of the surface.
+/// Reference: Pons, Keriven & Faugeras, IJCV 72, 2007.
 #pragma once
 
 #include "views/cameras/view.h"

@@ -1,5 +1,5 @@
-/// Steps that both ways of wrapping share: normalization of the points to about unit size, without
-/// which squares and products would overflow or underflow, and a check of the result. Internal to
+/// Steps that both ways of wrapping share. Points are normalized to about unit size, because
+/// otherwise squares and products would overflow or underflow. The result is checked. Internal to
 /// wrap.
 #pragma once
 
