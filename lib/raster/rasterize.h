@@ -19,7 +19,7 @@
 
 namespace transformesh {
 
-/// A rectangle of pixels without its ends; empty if beginning and end are equal.
+/// A rectangle of pixels. Ends are excluded; the rectangle is empty if an end equals its beginning.
 struct PixelBox {
   int first_column = 0, end_column = 0;
   int first_row = 0, end_row = 0;

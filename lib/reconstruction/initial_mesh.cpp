@@ -50,8 +50,8 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
   round_as_written(document);
 }
 
-/// Enlarges the edge length of cells until the box contains at most `most_cells`. The initial mesh
-/// is coarsened later anyway.
+/// Returns the edge length of cells, enlarged until the box contains at most `most_cells`. The
+/// initial mesh is coarsened later anyway.
 double affordable(double edge, const Box& box) {
   constexpr double most_cells = 1 << 26;
   const Vec3 size = box.max() - box.min();
@@ -76,7 +76,7 @@ void add_silhouette(const PackableImage& silhouette, Rectangle& rectangle) {
       if (silhouette.at(x, y) > contour_intensity) rectangle.add({x, y});
 }
 
-/// Returns the rectangle around mesh and silhouette, enlarged by a margin for a surface that moves.
+/// Returns the part of the view around mesh and silhouette, with a margin for a surface that moves.
 View around(const Mesh& mesh, const View& view) {
   constexpr double margin_px = 32;
   constexpr double margin_share = 0.05;

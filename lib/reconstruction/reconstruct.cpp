@@ -33,7 +33,8 @@
 namespace transformesh {
 namespace {
 
-/// Factor of the stiffness after an explosion of the surface, and its largest product.
+/// Factor by which the stiffness grows after each explosion of the surface, and the limit of the
+/// total factor.
 constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
 /// PairOptions::spread above scale 1.
@@ -70,8 +71,8 @@ class Photographs {
   int width_;
   bool spends_views_;
   PairOptions pairs_;
-  /// Pairs above scale 1, where the surface may be inaccurate. Distant views would compare places
-  /// that the true surface occludes.
+  /// Pairs above scale 1, where the surface may be inaccurate. Views that are far apart would
+  /// compare places that the true surface occludes.
   PairOptions near_pairs_;
   PhotoStepsOptions steps_;
   std::optional<double> pull_;
@@ -101,7 +102,7 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
 const PhotoScene& Photographs::at(double scale) {
   if (scale == scale_) return scene_;
   scene_ = PhotoScene();
-  // Scale 1 is the last one, so that views are not needed afterwards.
+  // No other scale follows scale 1, so that the views are not needed any more.
   const bool is_last = spends_views_ && scale == 1;
   const PairOptions& pairs = scale > 1 ? near_pairs_ : pairs_;
   scene_ = is_last ? take_photo_scene(views_, scale, pairs) : photo_scene(views_, scale, pairs);
@@ -241,7 +242,7 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
   start(document, progress);
 }
 
-// Starts again with a stiffer surface if the last sweep made it explode. Returns true if so.
+// Returns true if the last sweep made the surface explode, and starts again with a stiffer one.
 bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
   if (!is_exploded(sweep_, connected_components(initial_.mesh).components.size())) return false;
   const std::string what = "the surface explodes at scale " + fixed(sweep_.scale_step.scale, 4);
@@ -330,8 +331,9 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
   if (!begin_robust()) begin_next_scale(document, progress);
 }
 
-// Adds robust sweeps at the last scale, once. Earlier, disagreeing windows are needed, because they
-// show where the surface is still inaccurate.
+// Begins further sweeps with a robust loss, once, after the last scale. Returns true if there are
+// such sweeps. Earlier sweeps need the full weight of disagreeing windows, because these show where
+// the surface is inaccurate.
 bool ReconstructionLoop::begin_robust() {
   if (scale_step_ + 1 < scale_steps_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
   loss_ = robust_loss(options_.robust, rule_.dissimilarity());

@@ -35,7 +35,7 @@ struct SequenceOptions {
 struct SequenceResult {
   std::size_t time_steps = 0;  ///< number of finished time steps, with those of earlier runs
   std::size_t tracked = 0;     ///< number of time steps that use the previous surface
-  std::size_t accepted = 0;    ///< number of time steps as good as from a hull
+  std::size_t accepted = 0;    ///< number of time steps without tracking faults
 };
 
 /// Reconstructs all time steps. `views_of` returns the views of a time step; it is called once per

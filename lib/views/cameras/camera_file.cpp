@@ -40,7 +40,7 @@ std::optional<CameraFormat> format_of_program(std::string_view beginning) {
   return {};
 }
 
-/// Recognizes a format by its first row, if the number of numbers in the row is not enough.
+/// Recognizes a format by its first row, which contains words that are not numbers.
 std::optional<CameraFormat> format_of_words(TextRows rows) {
   if (colmap_section(rows) != ColmapSection::none) return CameraFormat::colmap;
   if (rows.peek() == "CONTOUR") return CameraFormat::matrices;
@@ -94,7 +94,7 @@ void check_undistorted(const CameraList& list, CameraFormat format) {
   }
 }
 
-/// Throws if the format is only read, or needs several files.
+/// Throws if the format is supported only for reading, or needs several files.
 void check_is_one_text(const CameraList& list, CameraFormat format) {
   const auto refuse = [](const char* program) {
     throw InputError(std::string(program) + "'s files are read, not written");

@@ -26,7 +26,7 @@ CameraList read_colmap(const Source& cameras, const Source& images);
 /// Reads cameras.bin and images.bin.
 CameraList read_colmap_binary(const Source& cameras, const Source& images);
 
-/// The COLMAP file in which a row can occur.
+/// The COLMAP text file to which a row belongs.
 enum class ColmapSection { none, cameras, images };
 ColmapSection colmap_section(TextRows rows);
 

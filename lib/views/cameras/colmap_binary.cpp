@@ -170,7 +170,7 @@ std::int32_t number_of_model(std::string_view name) {
   return static_cast<std::int32_t>(model - models.begin());
 }
 
-/// Returns the number of rows, followed by the output of `add` for the words of each row.
+/// Encodes the number of rows, followed by the bytes that `add` writes for each row.
 template <class Add>
 std::string binary_rows(const std::string& text, const Add& add) {
   const std::vector<std::string_view> rows = rows_of(text);

@@ -69,7 +69,8 @@ Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
   return sensor;
 }
 
-/// Converts the matrix of a camera, which maps camera coordinates to those of the chunk.
+/// Converts the transform of a camera, which maps camera coordinates to chunk coordinates, to a
+/// pose.
 PinholeCamera pose_of(const std::vector<double>& numbers, const std::string& who,
                       const Source& source) {
   if (numbers.size() != 16) source.fail("the transform of " + who + " has no 16 numbers");

@@ -12,7 +12,7 @@ namespace {
 
 constexpr TextRows::Rules rules{'#', false};
 
-/// Skew below this fraction of the focal length is rounding of numbers of 12 digits, and is set to
+/// Skew below this fraction of the focal length results from rounding to 12 digits, and is set to
 /// 0.
 constexpr double no_skew = 1e-11;
 

@@ -27,7 +27,7 @@ struct Lens {
 };
 
 /// Returns a record with intrinsics but without pose. The distortion is Brown's model with OpenCV's
-/// coefficients, except for k4, which is the factor of r^8.
+/// coefficients, except for k4, the factor of r^8, which must be 0.
 CameraRecord record_of(const Lens& lens, const std::string& who, const Source& source) {
   CameraRecord record;
   record.place = source.name;

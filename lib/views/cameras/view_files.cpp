@@ -18,8 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the folders with images that the names of cameras begin with. Names without folder refer
-/// to `where`.
+/// Returns the existing folders of images below `where`, according to the names of cameras.
 std::vector<std::string> image_folders(const CameraList& cameras, const std::string& where) {
   std::set<std::string> folders;
   for (const CameraRecord& record : cameras.cameras) {

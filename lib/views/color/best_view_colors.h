@@ -28,7 +28,8 @@ class BestViewColors {
   /// Ties are broken by insertion order. Indices of views above 65535 are stored as 65535.
   void add(const ViewColor& color, std::size_t view);
   bool is_seen() const { return best_[0].quality > 0; }
-  /// Returns the number of views whose quality is at least 0.6 times the best one. They come first.
+  /// Returns the number of views whose quality is at least 0.6 times the best one. These views come
+  /// first.
   std::size_t count_good() const;
   std::size_t view(std::size_t i) const { return best_[i].view; }
   Eigen::Array3f intensities(std::size_t i) const;

@@ -37,8 +37,7 @@ class ChartGrower {
       normal_[f] = face_normal(mesh, static_cast<Index>(f));
   }
 
-  /// Returns charts of the given faces, which form no charts with other faces. The faces of a chart
-  /// are in the order of growth.
+  /// Returns charts of the given faces only. The faces of a chart are in the order of growth.
   std::vector<std::vector<Index>> grow(const std::vector<Index>& faces) {
     charts_.clear();
     axis_.clear();
@@ -140,7 +139,7 @@ std::vector<Corners> turned(std::vector<Corners> faces, double angle) {
   return faces;
 }
 
-/// Returns the faces rotated such that the area of the bounding box is smallest, and wider than
+/// Returns the faces, rotated such that their bounding box has the smallest area and is wider than
 /// high.
 std::vector<Corners> well_turned(const std::vector<Corners>& faces) {
   std::vector<Corners> best = faces;
@@ -174,7 +173,7 @@ Chart flattened(const Mesh& mesh, std::vector<Index> faces, const Vec3& axis) {
   return chart;
 }
 
-/// Removes and returns the faces that cover a texel of another face in the chart.
+/// Removes and returns the faces that cover a texel of an earlier face in the chart.
 std::vector<Index> take_overlaps(Chart& chart, double texel) {
   std::vector<char> is_over(chart.faces.size(), 0);
   const auto width = static_cast<int>(chart.size.x() / texel) + 1;

@@ -7,8 +7,9 @@
 namespace transformesh {
 namespace {
 
-// Chosen limits. Intensities that are nearly black or white are unreliable, and a larger difference
-// than `most_different` is hardly a difference of exposure.
+// Chosen values. A larger `intensity_variance`, in squared intensities, keeps gains closer to 1.
+// Intensities that are nearly black or white are unreliable. A larger ratio than `most_different`
+// is hardly a difference of exposure.
 constexpr double intensity_variance = 100;
 constexpr float least_intensity = 8, largest_intensity = 247;
 constexpr float most_different = 1.5F;  ///< limit of the ratio of two comparable intensities

@@ -26,8 +26,8 @@ class PhotographSampler {
   PhotographSampler(const Mesh& mesh, const PinholeCamera& camera, Image picture, double pixel);
 
   /// Returns quality 0 if the surface occludes the place, or if the place is observed from inside
-  /// or at a grazing angle. Also if a contour or the border of the picture is so close that the
-  /// pixel shows something else, too. Thread-safe.
+  /// or at a grazing angle. The quality is also 0 if the pixel is on a contour or on the border of
+  /// the picture, and thus may show something else. Thread-safe.
   ViewColor at(const Place& place) const;
 
  private:

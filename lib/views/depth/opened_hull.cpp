@@ -31,8 +31,8 @@ struct Opening {
   double deep_share() const;
 };
 
-/// Returns the fraction of the nodes inside the hull that are open and have its most negative
-/// value. Values of a hull are clamped at four cells.
+/// Returns the fraction of the nodes inside the hull that are open and as deep as the deepest node.
+/// Values of a hull are clamped at four cells, so that all deeper nodes are equally deep.
 double Opening::deep_share() const {
   const float deepest = *std::min_element(hull.values.begin(), hull.values.end());
   std::size_t inside = 0;

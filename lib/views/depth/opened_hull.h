@@ -27,7 +27,8 @@ struct OpenedHullOptions {
   double most_agreement_lost = 0.05;
   double keep = 1;  ///< HullOptions::keep
   PairOptions pairs;
-  /// Noise_variance refers to full size; it is divided by the squared scale.
+  /// Options of the depth maps. The noise variance refers to full size; it is divided by the
+  /// squared scale.
   DepthMapsOptions maps;
   DepthFusionOptions fusion;
 };

@@ -6,10 +6,11 @@
 /// adds background to some silhouettes, which the other views carve away from the hull.
 ///
 /// The candidates are the threshold that best divides the pixels of all photographs
-/// (dividing_threshold) and eight smaller ones, down to a quarter of it. The score of a candidate
-/// is the intersection over union of its silhouettes and those of their visual hull, averaged over
-/// the views. The result is the highest candidate whose score is within 0.001 of the best. The
-/// reason is that a higher threshold keeps contours away from the noise of the background.
+/// (dividing_threshold) and eight smaller ones, down to a quarter of it. The visual hull of the
+/// candidate's silhouettes is projected into each view. The score of a candidate is the
+/// intersection over union of both silhouettes, averaged over the views. The result is the highest
+/// candidate whose score is within 0.001 of the best. The reason is that a higher threshold keeps
+/// contours away from the noise of the background.
 #pragma once
 
 #include <span>

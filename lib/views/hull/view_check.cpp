@@ -30,7 +30,8 @@ constexpr std::size_t least_views = 3;  ///< views are dropped only while more t
 /// Grid points along each side of the box in suspicions().
 constexpr int vote_points = 48;
 
-/// Returns the mean of each block of `side` x `side` pixels, which PinholeCamera::shrunk() matches.
+/// Returns the mean of each block of `side` x `side` pixels. The camera of the result is
+/// PinholeCamera::shrunk(side).
 GrayImage block_means(const GrayImage& image, int side) {
   GrayImage means(image.width / side, image.height / side);
   for (int y = 0; y < means.height; ++y) {
@@ -266,7 +267,8 @@ void Diagnosis::try_inverted() const {
     invert(view.silhouette);
     names.push_back(view.name);
   }
-  // If few masks could be inverted and bad views may be left out, they are left out instead.
+  // If at most a third of the masks may be inverted and the options allow it, run() leaves out
+  // these views instead.
   const bool is_dropped = options_.drops_bad_views && 3 * names.size() <= views.size();
   if (names.empty() || is_dropped || !agree(views)) return;
   const bool are_all = names.size() == views.size();

@@ -1,6 +1,6 @@
 /// Reads photographs and silhouettes from JPEG, PNG, TIFF and PNM (P2, P3, P5, P6), and converts
-/// them to pictures that can be written (raster/png.h). The format is detected by the first bytes,
-/// not by the name.
+/// them to pictures for write_png() (image.h). The format is detected by the first bytes, not by
+/// the name.
 ///
 /// Exif orientation is ignored, because cameras are calibrated for pixels as stored in the file.
 /// Transparency is used for masks only.

@@ -6,11 +6,10 @@
 namespace transformesh {
 namespace {
 
-/// Masks whose intensities span less than this are labels, not black and white.
-// The three limits below are chosen: they separate noisy black and white from labels, and from
-// photographs that are cut out in front of black.
-constexpr float least_range = 64;
-/// Black is noisy from this number of dark intensities on.
+// Chosen limits. They separate noisy black and white from labels, and from photographs that are cut
+// out in front of black.
+constexpr float least_range = 64;  ///< least range of intensities; labels usually span less
+/// Number of dark intensities from which on black counts as noisy.
 constexpr std::size_t few_dark_intensities = 3;
 /// Limit of the fraction of gray pixels among pixels that are not dark.
 constexpr double most_between = 0.2;

@@ -43,7 +43,7 @@ std::vector<double> damped_curvature(const Photoconsistency& measured, double da
   return result;
 }
 
-/// Returns the median curvature of the visible vertices. At least one vertex must be visible.
+/// Returns the median curvature of the compared vertices. There must be at least one.
 double usual_curvature(const Photoconsistency& measured, std::span<const double> curvature) {
   std::vector<double> seen;
   for (std::size_t v = 0; v < curvature.size(); ++v) {

@@ -35,7 +35,7 @@ class Momentum {
  private:
   double share_, alpha_;
   std::vector<Vec3> before_;
-  std::vector<Vec3> ways_;  ///< previous movements with their momentum; empty before the first step
+  std::vector<Vec3> ways_;  ///< movements of the previous step, with momentum; empty at first
 };
 
 // The sum is clamped like a single step.

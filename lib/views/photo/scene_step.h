@@ -2,9 +2,9 @@
 /// their normals.
 ///
 /// `gauss_newton` minimizes a quadratic model: the energy of the photographs, the bending energy of
-/// a thin plate (thin_plate.h) and quadratic attraction to silhouettes. The photographs' part is
-/// damped by `damping`, in compared pixels per squared pixel. The step is independent of units,
-/// contrast and scale.
+/// a thin plate (thin_plate.h) and quadratic attraction to silhouettes. `damping` is added to the
+/// curvature of the first term, in compared pixels per squared pixel. The step is independent of
+/// units, contrast and scale.
 ///
 /// `gradient` is the paper's step: vertices move by -`time_step` times the gradient of the energy
 /// per unit of area. That gradient is in length^-3. Hence `time_step` is in length^4 and depends on

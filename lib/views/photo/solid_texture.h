@@ -28,7 +28,7 @@ class SolidTexture {
   float intensity_at(const Vec3& point) const;
 
  private:
-  struct Wave {                     ///< radians per unit of length
+  struct Wave {
     Vec3 frequency = Vec3::Zero();  ///< radians per unit of length
     double phase = 0;
   };

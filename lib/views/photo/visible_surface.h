@@ -7,7 +7,8 @@
 
 namespace transformesh {
 
-/// Images cover `box`, the part of the view that shows the surface. Values are 0 at other pixels.
+/// Images cover `box`, the part of the view that shows the surface. Depths and facings are 0 at
+/// pixels that are not compared.
 struct VisibleSurface {
   PixelBox box;
   FaceBuffer faces;

@@ -34,7 +34,8 @@ constexpr double alpha_ratio = 0.8408964152537145;
 
 /// A wrap has about this number of faces per alpha^2 of its area. A million faces take a minute and
 /// a gigabyte. The area is at most that of balls around all points. It is also at most twice that
-/// of a coarse wrap, because the wrap covers the inside too if alpha fits between the points.
+/// of a coarse wrap: if balls of radius alpha fit between the points, the wrap covers the inside,
+/// too.
 constexpr double faces_by_area = 1.3;
 constexpr double most_faces = 2e6;
 constexpr double coarse_alpha_by_size = 1.0 / 50;
