@@ -14,7 +14,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int directions = 128;
+constexpr int directions = 128;  ///< more directions reduce noise and take proportionally more time
 /// Least distance of occluders, as a fraction of the diagonal.
 constexpr double least_distance = 1e-5;
 constexpr std::size_t vertices_per_task = 256;

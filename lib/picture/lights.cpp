@@ -8,9 +8,10 @@
 namespace transformesh {
 namespace {
 
+// Linear colors of the ambient light from above and below.
 const Color sky(0.26F, 0.29F, 0.34F);
 const Color ground(0.10F, 0.09F, 0.08F);
-constexpr float gloss = 0.14F;
+constexpr float gloss = 0.14F;  ///< weight of specular reflections
 
 float sharpened(float x) {
   for (int i = 0; i < 5; ++i) x *= x;

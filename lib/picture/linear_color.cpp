@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int steps = 4096;
+constexpr int steps = 4096;  ///< entries of the table of srgb_byte()
 
 /// Tabulates sRGB at equidistant square roots of light, because the curve is nearly linear there.
 std::array<float, steps + 1> make_bytes() {

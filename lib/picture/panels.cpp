@@ -97,7 +97,6 @@ std::vector<Vec3> used_points(std::span<const Mesh* const> meshes) {
   return points;
 }
 
-/// Returns the aim of each panel.
 std::vector<Aim> find_aims(std::span<const Mesh* const> meshes, const std::vector<Panel>& panels,
                            const PictureOptions& options) {
   const bool is_turning = options.views > 1 || options.frames > 1;

@@ -137,7 +137,8 @@ class Shader {
     return lit + line_strength * (line_color - lit);
   }
 
-  /// Computes the fraction once for consecutive samples of a face in a pixel.
+  /// Returns the fraction of the key light that reaches the face. Computed once for consecutive
+  /// samples of a face in a pixel.
   float key_share(const FacePixel& hit, bool is_front, KeyLight& key) const {
     if (!shadow_ || key.face == hit.face) return key.share;
     const Face& face = mesh_.faces[hit.face];

@@ -15,6 +15,7 @@
 namespace transformesh {
 namespace {
 
+/// Positions on the lamp; more make smoother shadows and take more time.
 constexpr int places = 48;
 constexpr int size = 512;         ///< width and height of the depth images in pixels
 constexpr double distance = 500;  ///< distance of the lamp, in radii of the mesh

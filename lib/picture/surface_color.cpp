@@ -40,7 +40,6 @@ std::vector<Color> colors_of(const Columns& columns, std::size_t rows) {
   return colors;
 }
 
-/// Interpolates values at the corners of a face to a pixel.
 template <typename Value, typename Lookup>
 Value interpolated(const Face& face, const FacePixel& pixel, const Lookup& lookup) {
   const float rest = 1 - pixel.weight[0] - pixel.weight[1];

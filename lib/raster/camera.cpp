@@ -10,13 +10,12 @@
 namespace transformesh {
 namespace {
 
-constexpr double field_of_view_deg = 30;
+constexpr double field_of_view_deg = 30;  ///< along the shorter side of the image
 /// Fraction of the image's width or height that the points fill.
 constexpr double filled_share = 0.92;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// Returns the axes of the front view.
 EyeAxes front_axes(Axis up) {
   switch (up) {
     case Axis::x:

@@ -11,7 +11,7 @@ namespace transformesh {
 namespace {
 
 constexpr int usual_rows_per_band = 16;
-constexpr int columns_worth_narrowing = 8;
+constexpr int columns_worth_narrowing = 8;  ///< narrower bounds are not worth narrowed()
 constexpr std::size_t items_per_task = 4096;
 /// Number of faces whose bounds are stored at a time, to limit memory.
 constexpr std::size_t faces_at_once = std::size_t{1} << 16;
@@ -83,7 +83,6 @@ struct Drawn {
   }
 };
 
-/// Sets up a face that is drawn.
 FaceSetup set_up(const Corners& corners, int width, int height) {
   FaceSetup setup;
   setup.functions = edge_functions(corners[0], corners[1], corners[2]);

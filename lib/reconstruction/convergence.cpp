@@ -11,8 +11,10 @@ namespace {
 /// Tolerated decrease of the agreement with silhouettes: the uncertainty that the edges of the
 /// initial mesh leave.
 constexpr double agreement_lost = 0.005;
+/// Between true surfaces, on which dissimilarity exceeds the floor by up to 0.09, and wrong ones,
+/// on which it exceeds the floor by 0.5 (disagreement.h).
 constexpr double most_disagreement = 0.2;
-constexpr double most_doubtful = 0.03;
+constexpr double most_doubtful = 0.03;  ///< a choice that tolerates small unconfirmed places
 
 std::string in_words_of(const SurfaceDoubt& doubt) {
   if (doubt.disagreement > most_disagreement)

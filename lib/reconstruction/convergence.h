@@ -21,10 +21,10 @@ struct ReconstructionFaults {
   double late_at = 0;       ///< fine scale at which the topology changed; 0: none
   bool is_at_rest = false;  ///< true if the surface hardly moved in the last sweep
 
-  /// Returns the first fault as a sentence, or "" if there is none. Besides the members above, the
-  /// evidence may contain a fault: the outline agrees with masks by 0.005 less than that of the
-  /// initial mesh; photographs disagree by more than 0.2 beyond their noise, or on more than 3 % of
-  /// the visible surface; or a thin place is doubtful.
+  /// Returns the first fault as a sentence, or "" if there is none. Besides the members above,
+  /// three measures are faults. The outline agrees with masks by 0.005 less than that of the
+  /// initial mesh. Photographs disagree by more than 0.2 beyond their noise, or on more than 3 % of
+  /// the visible surface. A thin place is doubtful.
   std::string in_words(const SurfaceEvidence& evidence) const;
   void remember(LoopState& loop_state) {
     loop_state("lost", lost_at)("late", late_at)("rest", is_at_rest);

@@ -78,6 +78,7 @@ void add_silhouette(const PackableImage& silhouette, Rectangle& rectangle) {
 
 /// Returns the part of the view around mesh and silhouette, with a margin for a surface that moves.
 View around(const Mesh& mesh, const View& view) {
+  // A larger margin leaves more room for the surface but takes more memory.
   constexpr double margin_px = 32;
   constexpr double margin_share = 0.05;
   Rectangle rectangle;

@@ -15,8 +15,8 @@ namespace transformesh {
 struct InitialState {
   Document document;
   std::optional<Mesh> outlined;  ///< hull whose outlines replace masks
-  /// Scale of the photographs that opened the hull, if it was opened. Edges of coarser scales would
-  /// close hollows.
+  /// Scale of the photographs that opened the hull, if it was opened. Longer edges, as at coarser
+  /// scales, would close hollows.
   std::optional<double> coarsest;
 };
 

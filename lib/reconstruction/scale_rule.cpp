@@ -5,12 +5,14 @@
 namespace transformesh {
 namespace {
 
+// Limits of ScaleRule and SweepVerdict. Stricter limits of rest take more sweeps per scale.
 constexpr double share_at_rest = 0.015;
 constexpr double improvement = 0.99;
 constexpr double least_coverage_kept = 0.9;
 constexpr double least_pixels_kept = 0.5;
 /// Fraction of the vertices. If fewer vertices are outside of silhouettes, none count as entering.
 constexpr double outside_share = 0.002;
+/// Vertices are entering if their number fell below this fraction since the last sweep.
 constexpr double entering_share = 0.9;
 /// Slightly below 2, because scales are rounded.
 constexpr double late_scale = 1.99;

@@ -11,6 +11,7 @@
 namespace transformesh {
 namespace {
 
+// Limits of a doubtful place (see the header).
 constexpr double doubtful = 0.5;
 constexpr double least_area_px = 25;
 constexpr double thin_px = 6;

@@ -34,7 +34,7 @@ namespace transformesh {
 enum class CameraFormat {
   middlebury,
   colmap,
-  colmap_binary,  ///< for writing only
+  colmap_binary,  ///< format for writing only
   bundler,
   matrices,
   opencv,
@@ -56,7 +56,7 @@ CameraList parse_cameras(std::string_view bytes, const std::string& name,
 /// they must have the same format.
 CameraList cameras_from(const std::string& where);
 
-/// One of several files of a format.
+/// A camera file to be written.
 struct CameraText {
   std::string name;
   std::string text;

@@ -16,7 +16,8 @@ namespace {
 /// Width of the film to which focal lengths refer.
 constexpr double film_width_mm = 36;
 
-/// Lens parameters of both formats. Unit: the image's larger side, except for `focal_mm`.
+/// Lens parameters, in the table and in XMP files. Unit: the image's larger side, except for
+/// `focal_mm`.
 struct Lens {
   double focal_mm = 0;
   double aspect = 1;

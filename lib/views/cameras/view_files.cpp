@@ -113,7 +113,7 @@ void note_mask_rule(const std::vector<std::string>& paths, const std::vector<Mas
 
 /// Packs the image if `count` such images would be large. Unpacked images are faster to read.
 void pack_one_of(std::size_t count, PackableImage& image) {
-  constexpr double most_pixels = 8e6;
+  constexpr double most_pixels = 8e6;  ///< 32 MB of floats
   if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();
 }
 

@@ -1,11 +1,12 @@
 /// Colors of vertices from calibrated photographs.
 ///
 /// A vertex gets its color from the views that observe it best. In these views the vertex is not
-/// occluded, is observed along its normal and from nearby, and is not close to contours or borders
-/// of the image (photograph_sampler.h). Exposures are compensated (exposure_compensation.h). Colors
-/// are blended where the best view changes. If three or more views are good, those that disagree,
-/// such as highlights, do not count (best_view_colors.h). Detail finer than the edges is averaged.
-/// Vertices that are not visible in any view get the colors of their neighbors.
+/// occluded and is observed from nearby and along its normal. It is not close to contours or
+/// borders of the image (photograph_sampler.h). Exposures are compensated
+/// (exposure_compensation.h). Colors are blended where the best view changes. If three or more
+/// views are good, those that disagree, such as highlights, do not count (best_view_colors.h).
+/// Detail finer than the edges is averaged. Vertices that are not visible in any view get the
+/// colors of their neighbors.
 ///
 /// The mesh need not be closed. Cost: O(views * (pixels + faces + vertices)). Memory: one
 /// photograph at a time, 20 bytes per pixel. The result does not depend on the number of threads.

@@ -19,7 +19,7 @@ constexpr double hidden_step = 6;
 constexpr double least_facing = 0.1;  ///< least cosine between the normal and the viewing direction
 /// Distance from a contour, in pixels, from which on quality is full.
 constexpr int full_margin = 8;
-constexpr std::uint8_t most_margin = 64;
+constexpr std::uint8_t most_margin = 64;  ///< limit of distances from contours
 
 Raster<float> depths(const Mesh& mesh, const Camera& camera) {
   const BandRasterizer bands(mesh, camera, rows_per_band);

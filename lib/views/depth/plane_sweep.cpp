@@ -16,7 +16,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_planes = 400;
+constexpr int most_planes = 400;  ///< limits time and memory per view
 
 /// Range of depths, and bounding rectangle in the image, of the nodes inside the hull.
 struct Extent {

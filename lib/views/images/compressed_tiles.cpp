@@ -6,7 +6,8 @@
 namespace transformesh {
 namespace {
 
-constexpr int side = 8;
+constexpr int side =
+    8;  ///< side of a tile; larger tiles need fewer planes but more bits per residual
 constexpr std::size_t area = std::size_t{side} * side;
 
 /// The words of a tile. The last row and column of the image are repeated beyond it.

@@ -161,9 +161,9 @@ class Reader {
     return std::clamp(rows, 1U, height_);
   }
 
-  /// Allocates a strip or tile, which libtiff decodes as a whole. Throws if the size is
-  /// implausible, because the file may lack the data. No compression in use reduces a photograph by
-  /// this factor.
+  /// Allocates a strip or tile, which libtiff decodes as a whole. Memory is thus allocated before
+  /// missing data are noticed. Throws if the size is implausible for the size of the file. No
+  /// compression in use reduces a photograph by a factor of 2^16.
   template <class Sample>
   std::unique_ptr<Sample[]> claimed_samples(std::uint64_t count) const {  // NOLINT(*-c-arrays)
     constexpr std::uint64_t always_fine = 1 << 24;

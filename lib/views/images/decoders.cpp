@@ -21,6 +21,7 @@ void append(const Sample* pixel, const SampleLayout& layout, const Value& value,
 }  // namespace
 
 bool IntensityRows::start(const SampleLayout& layout) {
+  /// Pixels that are allocated at once; larger images grow while rows are decoded.
   constexpr std::size_t most_at_once = 1 << 24;
   layout_ = layout;
   image_.width = layout.width;

@@ -8,9 +8,9 @@
 namespace transformesh {
 namespace {
 
-constexpr float intensities_per_unit = 256;
-constexpr float distances_per_unit = 64;
-constexpr float no_distance = 32768;  ///< the word of distance 0
+constexpr float intensities_per_unit = 256;  ///< words per unit of intensity
+constexpr float distances_per_unit = 64;     ///< words per pixel of distance
+constexpr float no_distance = 32768;         ///< the word of distance 0
 constexpr std::uint16_t last_word = 65535;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -104,7 +104,7 @@ bool PackableImage::blur_when_read(const ThreeTapBlur& taps) {
   return true;
 }
 
-// Intensities are rounded like those of words, so that the result equals a packed blurred image.
+// Rounds intensities to 1/256 as pack() does, so that the result equals a packed blurred image.
 void PackableImage::read_blurred(int x, int y, int columns, int rows, float* out) const {
   blur_rectangle(bytes_, width, height, *blur_, {x, y}, columns, rows, out);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(columns) * rows;

@@ -29,7 +29,7 @@ Landing land(double a, double b, double c, double depth, const Vec3& shift) {
 /// Returns the pixels that interpolation between visible pixels reads. Returns the whole image if
 /// it is not packed.
 PixelBox part_of(const PackableImage& image, const PixelBox& seen) {
-  constexpr int around = 2;
+  constexpr int around = 2;  ///< pixels that cubic interpolation reads beyond visible ones
   if (!image.is_packed()) return {0, image.width, 0, image.height};
   return {std::max(seen.first_column - around, 0), std::min(seen.end_column + around, image.width),
           std::max(seen.first_row - around, 0), std::min(seen.end_row + around, image.height)};

@@ -24,7 +24,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t points_per_task = 512;
-constexpr double offset_by_diagonal = 1.0 / 300;
+constexpr double offset_by_diagonal = 1.0 / 300;  ///< default of AlphaWrapOptions::offset
 
 /// Search range of alpha, as fractions of the diagonal, and the ratio of consecutive candidates:
 /// 2^(-1/4).
@@ -38,6 +38,7 @@ constexpr double alpha_ratio = 0.8408964152537145;
 /// too.
 constexpr double faces_by_area = 1.3;
 constexpr double most_faces = 2e6;
+/// Alpha of the coarse wrap that estimates the area.
 constexpr double coarse_alpha_by_size = 1.0 / 50;
 
 /// A wrap counts as hollow where it is thinner than this many offsets. If a ball passes between the

@@ -16,6 +16,7 @@
 namespace transformesh {
 namespace {
 
+// Sizes outside of this range come close to the limits of doubles.
 constexpr double least_size = 1e-290;
 constexpr double largest_size = 1e290;
 /// Least ratio of a detail to the coordinates. A detail is then thousands of rounding errors large.
