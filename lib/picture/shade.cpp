@@ -191,7 +191,7 @@ class Shader {
   const Column* openness_;
   const std::vector<CornerNormals> normals_;
   const std::optional<SoftShadow> shadow_;
-  const Eigen::Matrix3d rays_;  ///< from pixels to directions away from the camera
+  const Eigen::Matrix3d rays_;  ///< maps pixels to directions away from the camera
   const int rows_;              ///< rows of pixels per band
   const Mesh lined_;
   const BandRasterizer seen_;

@@ -10,8 +10,8 @@ namespace transformesh {
 
 /// Measures of the result by which convergence is decided, in addition to the sweeps.
 struct SurfaceEvidence {
-  double first_agreement = 1;  ///< initial mesh and exact masks; mean over the views
-  double agreement = 1;        ///< result and exact masks; mean over the views
+  double first_agreement = 1;  ///< overlap of initial mesh and exact masks; mean over the views
+  double agreement = 1;        ///< overlap of result and exact masks; mean over the views
   SurfaceDoubt doubt;
 };
 

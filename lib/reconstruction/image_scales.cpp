@@ -16,7 +16,7 @@ namespace {
 // Width of photographs at the coarsest scale by default. Smaller photographs tolerate worse initial
 // meshes but lose thin parts.
 constexpr double coarsest_pixels = 28.5;
-/// Relative tolerance for a scale or an edge that nearly equals the wanted one.
+/// Relative tolerance for a scale or an edge that nearly equals the requested one.
 constexpr double tolerance = 0.999;
 
 double scale_after(int steps) { return elementary::exp2(steps / 2.0); }

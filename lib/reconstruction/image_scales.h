@@ -17,9 +17,9 @@ struct ScaleStep {
 };
 
 /// Returns the scales from the coarsest to 1, which decrease by a factor of sqrt(2). Then follow
-/// steps at scale 1 whose edges decrease by that factor. Both numbers are rounded as in a CSV file
-/// (4 decimals, 9 digits), so that the file contains exactly the numbers that were used. `pixel` is
-/// the length of a pixel's side at scale 1.
+/// steps at scale 1 whose edges decrease by that factor. Scales are rounded to 4 decimals and edges
+/// to 9 digits, as in a CSV file, so that the file contains exactly the numbers that were used.
+/// `pixel` is the length of a pixel's side at scale 1.
 std::vector<ScaleStep> coarse_to_fine(const ScaleOptions& options, int image_width, double pixel);
 
 /// Returns `factor` times `edge`, rounded to 9 digits as arguments of remesh() are.

@@ -25,8 +25,8 @@ struct InitialStateOptions {
   PairOptions pairs;
 };
 
-/// Calls make_initial_mesh(). Then opens the hull if that is wanted and photographs show hollows
-/// (opened_hull.h). If no mesh is given, only the comments of `document` are used.
+/// Calls make_initial_mesh(). Then opens the hull if `opens_hollows` is true and photographs show
+/// hollows (opened_hull.h). If no mesh is given, only the comments of `document` are used.
 InitialState make_initial_state(const Document& document, std::vector<View>& views,
                                 const InitialStateOptions& options, Record& record,
                                 const Progress& progress = Progress());

@@ -61,7 +61,8 @@ void check_names(const CameraList& list) {
   }
 }
 
-// Every format stores the name in a line of its own or in a line with numbers.
+// Names must not contain line breaks or outer blanks, because every format stores the name in a
+// line of its own or in a line with numbers.
 void check_written_name(const CameraRecord& record) {
   const std::string& name = record.name;
   const bool is_padded = name.empty() || name.starts_with(' ') || name.ends_with(' ');

@@ -32,9 +32,9 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
   return result;
 }
 
-/// True if a pixel next to (x, y) shows background and a point at `depth` can border on it. The
-/// point cannot if the surface around (x, y) is nearer to the camera by more than
-/// `pixels_of_curvature`: another part of the surface then borders on the background.
+/// True if a pixel next to (x, y) shows background and a point at `depth` can border on it. Returns
+/// false if the surface around (x, y) is nearer to the camera than the point by more than
+/// `pixels_of_curvature`. Another part of the surface then borders on the background.
 bool borders_on_background(const VisibleDepths& depths, const PackableImage& image, double x,
                            double y, double depth, double pixel) {
   const int column = static_cast<int>(std::lround(x));
