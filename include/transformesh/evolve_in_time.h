@@ -2,8 +2,8 @@
 /// span of time. Then clean() removes self-intersections and remesh() keeps the surface sampled.
 ///
 /// The velocity is evaluated at the stages of the integrator on the same connectivity. A step that
-/// changes the number of components or the genus is repeated with half the span until the span is
-/// at most `event_tolerance`: the time of the change is known to that tolerance.
+/// changes the number of components or the genus is repeated with half the span, until the span is
+/// at most `event_tolerance`.
 /// Guarantees of the result: iteration.h. The source is cleaned first, and the result once more.
 /// Throws what the stages throw, with the number of the iteration; GoalError if the span becomes
 /// too short to reach the end. The mesh is then that of the last good iteration. Deterministic if

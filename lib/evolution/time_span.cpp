@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/elementary/exponential.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
 
@@ -31,7 +32,7 @@ double allowed_factor(const TrialStep& trial, const TimeOptions& options) {
   const double error = trial.integrated.error;
   if (options.tolerance > 0 && error > options.tolerance) {
     const double power = 1.0 / error_order(options.integrator);
-    factor = std::min(factor, safety * std::pow(options.tolerance / error, power));
+    factor = std::min(factor, safety * elementary::pow(options.tolerance / error, power));
   }
   return factor;
 }

@@ -1,4 +1,6 @@
 /// The loops: evolutions with any velocity, morphs.
+#include <limits>
+
 #include "advice.h"
 #include "arguments.h"
 #include "call.h"
@@ -83,6 +85,47 @@ MeshPointer evolve_mesh(const PythonMesh& mesh, const py::function& velocity,
   return mesh_of(std::move(document), report);
 }
 
+// --- evolve_in_time ------------------------------------------------------------------------------
+
+/// A Python function of the mesh of a stage and of its time, which returns (n, 3) velocities.
+Motion motion_of(const py::function& function) {
+  return {[function](const Mesh& now, const Moment& moment, const Progress&) {
+    const py::gil_scoped_acquire locked;
+    Document document;
+    document.mesh = now;
+    return vectors_of(py::array::ensure(function(mesh_of(std::move(document)), moment.time)),
+                      "the velocities");
+  }};
+}
+
+MeshPointer evolve_mesh_in_time(const PythonMesh& mesh, const py::function& velocity, double time,
+                                const std::optional<double>& time_step,
+                                const std::string& integrator, double max_move,
+                                const std::optional<PythonLength>& tolerance,
+                                const std::optional<double>& event_tolerance, bool keep_volume,
+                                const PythonLength& min_edge, const PythonLength& max_edge,
+                                const SmoothingChoice& smooth, bool outermost,
+                                const py::object& on_iteration, const py::object& progress) {
+  Document document = beginning(mesh);
+  TimeOptions time_options{time, time_step.value_or(0)};
+  time_options.integrator =
+      std::array{Integrator::euler, Integrator::midpoint,
+                 Integrator::rk4}[choice("integrator", integrator, {"euler", "midpoint", "rk4"})];
+  time_options.max_move = max_move;
+  time_options.tolerance = Lengths(document)(tolerance, 0);
+  time_options.event_tolerance = event_tolerance.value_or(-1);
+  time_options.keep_volume = keep_volume;
+  EvolveOptions options{iteration_of(min_edge, max_edge, smooth, document), {}};
+  options.iteration.outermost = outermost;
+  const Motion motion = motion_of(velocity);
+  const LoopOptions loop = loop_of(std::numeric_limits<std::size_t>::max(), on_iteration);
+  const TimeResult result = without_lock(progress, [&](const Progress& to) {
+    Record record;
+    return evolve_in_time(document, motion, time_options, options, loop, record, to);
+  });
+  return mesh_of(std::move(document), entries_of(result));
+}
+
 // --- morph ---------------------------------------------------------------------------------------
 
 std::optional<MorphDistance> distance_of(const std::string& name) {
@@ -146,6 +189,18 @@ void bind_evolutions(py::module_& module) {
       "it: a warning, and `clamped_iterations` and `clamped_share` of the report, state where "
       "that is less. `smooth` 0.1 shrinks what is curved; 'none' and 'tangential' keep the "
       "volume. See tm-evolve(1).");
+  module.def(
+      "evolve_in_time", &evolve_mesh_in_time, arg("mesh"), arg("velocity"), arg("time"),
+      py::kw_only(), arg("time_step") = none, arg("integrator") = "midpoint",
+      arg("max_move") = TimeOptions().max_move, arg("tolerance") = none,
+      arg("event_tolerance") = none, arg("keep_volume") = false, arg("min_edge") = shortest,
+      arg("max_edge") = longest, arg("smooth") = "none", arg("outermost") = true,
+      arg("on_iteration") = none, arg("progress") = none,
+      "Evolves a surface from time 0 to `time` along `velocity(mesh, time)`, an array (n, 3). In a "
+      "step all vertices move by the same span of time: `time_step`, or as long as no vertex moves "
+      "farther than `max_move` of its own edges and, if `tolerance` is given, the local error is "
+      "at "
+      "most that length. See TIME in tm-evolve(1).");
   module.def("morph", &morph_mesh, arg("source"), arg("target"), py::kw_only(),
              arg("iterations") = LoopOptions().iterations, arg("alpha") = DisplaceOptions().alpha,
              arg("time_step") = MorphStepOptions().displace.time_step, arg("distance") = "auto",

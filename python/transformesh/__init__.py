@@ -25,6 +25,7 @@ from ._transformesh import (
     decimate,
     displace,
     evolve,
+    evolve_in_time,
     fill,
     handles,
     hull,

@@ -255,6 +255,24 @@ def evolve(
     on_iteration: Optional[Callable[[str], object]] = None,
     progress: Progress = None,
 ) -> Mesh: ...
+def evolve_in_time(
+    mesh: Mesh,
+    velocity: Callable[[Mesh, float], ArrayLike],
+    time: float,
+    *,
+    time_step: Optional[float] = None,
+    integrator: Literal["euler", "midpoint", "rk4"] = "midpoint",
+    max_move: float = 0.5,
+    tolerance: Optional[Length] = None,
+    event_tolerance: Optional[float] = None,
+    keep_volume: bool = False,
+    min_edge: Length = "0.7x",
+    max_edge: Length = "1.5x",
+    smooth: Smoothing = "none",
+    outermost: bool = True,
+    on_iteration: Optional[Callable[[str], object]] = None,
+    progress: Progress = None,
+) -> Mesh: ...
 def morph(
     source: Mesh,
     target: Mesh,

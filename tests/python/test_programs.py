@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import sys
 import threading
 import time
 import warnings
@@ -488,6 +489,42 @@ def test_evolve(tmp_path):
     program = tm.parse(run("tm-evolve", *words, "--step", step, stdin=ball))
     assert len(result.faces) == len(program.faces)
     assert np.allclose(result.positions, program.positions, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({}, []),
+        ({"integrator": "rk4", "max_move": 1.5}, ["--integrator", "rk4", "--max-move", 1.5]),
+        ({"time_step": 0.07, "integrator": "euler"}, ["--time-step", 0.07, "--integrator", "euler"]),
+        ({"tolerance": 1e-4, "keep_volume": True}, ["--tolerance", 1e-4, "--keep-volume"]),
+    ],
+)
+def test_evolve_in_time(options, words, tmp_path):
+    ball = shape("sphere", "--faces", 500, "--center", "1,0,0", "--double")
+
+    def turn(mesh, time):
+        x, y, z = mesh.positions.T
+        return (1 + time) * np.stack([-y, x, 0 * z], axis=1)
+
+    answer = r"""
+import sys, numpy as np
+source, sink = sys.stdin.buffer, sys.stdout.buffer
+sink.write(b"ready\n"); sink.flush()
+while line := source.readline():
+    _, size, time, span, stage = line.split()
+    head, body = source.read(int(size)).split(b"end_header\n", 1)
+    count = int(head.split(b"element vertex ")[1].split()[0])
+    x, y, z = np.frombuffer(body, "<f8", 3 * count).reshape(-1, 3).T
+    v = (1 + float(time)) * np.stack([-y, x, 0 * z], axis=1)
+    sink.write(b"velocities %d\n" % count + v.tobytes()); sink.flush()
+"""
+    script = tmp_path / "answer.py"
+    script.write_text(answer)
+    result = tm.evolve_in_time(tm.parse(ball), turn, 0.3, **options)
+    words = [*words, "--time", 0.3, "--persistent", "--velocity", f"{sys.executable} {script}"]
+    assert same(result, "tm-evolve", *words, stdin=ball)
+    assert result.report["time"] == 0.3
 
 
 def test_compare_info_and_certify(crossing, tmp_path):

@@ -111,7 +111,7 @@ END
   persistent 'echo ready; read -r line; echo wrong'
   assert_failure_with 3 "answered 'wrong' instead of 'velocities' and the number of vertices"
   persistent 'echo ready; read -r line; echo velocities 7; head -c 168 /dev/zero'
-  assert_failure_with 3 "returned 7 vectors for 502 vertices"
+  assert_failure_with 3 "returned 7 vectors for 492 vertices"
   persistent 'echo ready; read -r line; exit 0'
   assert_failure_with 4 "ended before all velocities were computed"
 }
