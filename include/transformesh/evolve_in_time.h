@@ -32,15 +32,18 @@ struct TimeOptions {
   /// Restores by a motion along the normals the volume that cleaning and remeshing change. It is
   /// spread in proportion to how far vertices moved.
   bool keep_volume = false;
+  std::string bodies = {};  ///< face column that numbers bodies which may not meet; empty: none
+  double gap = 0;           ///< least distance of two bodies; input units; > 0 with `bodies`
 };
 
 struct TimeResult {
-  double time = 0;           ///< at the end of this run
-  EvolveResult evolution;    ///< `is_done`: the end of time or the rule was reached
-  double volume = 0;         ///< volume of the result, in cubic input units
-  double volume_drift = 0;   ///< sum of what cleaning and remeshing changed and was not restored
-  double max_move = 0;       ///< largest movement in a step, in mean lengths of a vertex's edges
-  std::size_t repeated = 0;  ///< steps repeated with a shorter span, with those of earlier runs
+  double time = 0;            ///< at the end of this run
+  EvolveResult evolution;     ///< `is_done`: the end of time or the rule was reached
+  double volume = 0;          ///< volume of the result, in cubic input units
+  double volume_drift = 0;    ///< sum of what cleaning and remeshing changed and was not restored
+  double max_move = 0;        ///< largest movement in a step, in mean lengths of a vertex's edges
+  std::size_t held_back = 0;  ///< largest number of vertices in a step that other bodies held back
+  std::size_t repeated = 0;   ///< steps repeated with a shorter span, with those of earlier runs
 };
 
 /// A run that continues replaces the document by its state. `options.iteration.remesh` smooths by

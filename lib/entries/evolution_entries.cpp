@@ -71,6 +71,7 @@ Entries entries_of(const TimeResult& result) {
                    {"volume", result.volume},
                    {"volume_drift", result.volume_drift},
                    {"max_move", result.max_move},
+                   {"held_back", result.held_back},
                    {"repeated_steps", result.repeated}});
   return entries;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "evolution/bodies.h"
 #include "evolution/end_rule.h"
 #include "evolution/integration.h"
 #include "evolution/loop/csv_row.h"
@@ -12,6 +13,7 @@
 #include "evolution/loop/loop.h"
 #include "evolution/loop/record.h"
 #include "evolution/loop/stages.h"
+#include "evolution/loop/stopwatch.h"
 #include "evolution/recorded_loops.h"
 #include "evolution/time_span.h"
 #include "evolution/volume_keeper.h"
@@ -37,6 +39,10 @@ void check(const TimeOptions& options) {
   if (!(options.span >= 0) || !std::isfinite(options.span))
     throw UsageError("the span of a step must be a positive number, or 0");
   if (!(options.max_move > 0)) throw UsageError("the largest movement must be positive");
+  if (!options.bodies.empty() && !(options.gap > 0))
+    throw UsageError("bodies that may not meet need a gap, a positive length");
+  if (!options.bodies.empty() && options.keep_volume)
+    throw UsageError("volumes cannot be kept where bodies hold each other back");
   if (options.tolerance > 0 && options.integrator == Integrator::euler)
     throw UsageError(
         "Euler's method has no embedded method that estimates the error: use midpoint "
@@ -49,24 +55,6 @@ TimeOptions completed(TimeOptions options) {
   return options;
 }
 
-/// Moves vertices; rounding, cleaning and remeshing are the iteration's.
-DisplaceResult moved(Mesh& mesh, const std::vector<Vec3>& displacements, double mean_edge) {
-  DisplaceResult result;
-  result.mean_edge = mean_edge;
-  double squares = 0;
-  for (std::size_t v = 0; v < displacements.size(); ++v) {
-    const double length = displacements[v].norm();
-    mesh.positions[v] += displacements[v];
-    result.moved += length > 0 ? 1 : 0;
-    result.max_displacement = std::max(result.max_displacement, length);
-    squares += length * length;
-  }
-  if (!displacements.empty())
-    result.rms_displacement = std::sqrt(squares / static_cast<double>(displacements.size()));
-  if (result.moved > 0) result.new_normals = refresh_normals(mesh);
-  return result;
-}
-
 class TimeLoop : public Loop {
  public:
   TimeLoop(const Motion& motion, const TimeOptions& time, IterationOptions iteration,
@@ -74,7 +62,7 @@ class TimeLoop : public Loop {
       : motion_(motion), options_(time), iteration_(std::move(iteration)), end_rule_(until) {}
 
   void start(Document& document, const Progress& progress) override {
-    topology_ = clean_in_place(document, progress, iteration_.outermost).topology;
+    topology_ = clean_all(document, progress);
     is_closed_ = check_manifold(document.mesh).is_closed();
     if (options_.keep_volume && !is_closed_)
       throw InputError("only a closed mesh has a volume to keep");
@@ -83,6 +71,7 @@ class TimeLoop : public Loop {
   }
 
   void advance(Document& document, std::size_t /*iteration*/, const Progress& progress) override {
+    Stopwatch watch;
     const HalfedgeLengths edges = halfedge_lengths(document.mesh);
     const Document before = document;
     const Integration integration(motion_, before.mesh, time_, options_.integrator, progress);
@@ -101,9 +90,15 @@ class TimeLoop : public Loop {
     }
     if (options_.keep_volume) drift_ += keeper_.restore(document, iteration_, progress);
     accept(document.mesh, step, remaining);
+    // The velocities, and the steps that were repeated, count as the motion.
+    last_.seconds = watch.lap();
+    last_.seconds_step = last_.seconds - last_.seconds_clean - last_.seconds_remesh;
   }
 
   bool is_done() const override { return is_done_; }
+  void finish(Document& document, const Progress& progress) override {
+    clean_all(document, progress);
+  }
 
   void remember(LoopState& loop_state) override {
     end_rule_.remember(loop_state);
@@ -111,7 +106,8 @@ class TimeLoop : public Loop {
         "event_end", event_end_);
     loop_state("components", topology_.components)("genus", topology_.genus);
     loop_state("closed", is_closed_)("drift", drift_)("repeated", repeated_);
-    loop_state("max_move", max_move_)("pairs", last_.pairs)("was_cleaned", last_.was_cleaned);
+    loop_state("max_move", max_move_)("held_back", held_back_)("pairs", last_.pairs)(
+        "was_cleaned", last_.was_cleaned);
   }
 
   void measure(CsvRow& row) const override {
@@ -133,6 +129,7 @@ class TimeLoop : public Loop {
     result.volume = volume(document.mesh);
     result.volume_drift = drift_;
     result.max_move = max_move_;
+    result.held_back = held_back_;
     result.repeated = repeated_;
     return result;
   }
@@ -150,12 +147,26 @@ class TimeLoop : public Loop {
     return is_limited && usual_span_ > 0 ? span_growth * usual_span_ : infinite;
   }
 
+  BodyContact contact() const { return {options_.bodies, options_.gap}; }
+
+  Topology clean_all(Document& document, const Progress& progress) {
+    if (!options_.bodies.empty())
+      return clean_bodies(document, contact(), iteration_.outermost, progress);
+    return clean_in_place(document, progress, iteration_.outermost).topology;
+  }
+
   void iterate_along(Document& document, const TrialStep& step, double mean_edge,
                      const Progress& progress) {
     iteration_.expects_changes = last_.was_cleaned;
+    if (!options_.bodies.empty()) {
+      last_ =
+          iterate_bodies(document, step.integrated.displacements, contact(), iteration_, progress);
+      last_.displaced.mean_edge = mean_edge;
+      return;
+    }
     const auto move = [&](Mesh& mesh, const Progress&) {
       const std::vector<Vec3>& displacements = step.integrated.displacements;
-      const DisplaceResult result = moved(mesh, displacements, mean_edge);
+      const DisplaceResult result = move_vertices(mesh, displacements, mean_edge);
       if (options_.keep_volume) keeper_.begin(mesh, displacements);
       return result;
     };
@@ -167,6 +178,7 @@ class TimeLoop : public Loop {
     time_ = is_end ? options_.end : time_ + step.span;
     span_ = step.span;
     max_move_ = std::max(max_move_, step.max_move);
+    held_back_ = std::max(held_back_, last_.displaced.held_back);
     topology_ = last_.topology;
     is_done_ = is_end || mesh.faces.empty() || end_rule_.add(last_);
     measure_surface(mesh);
@@ -187,7 +199,7 @@ class TimeLoop : public Loop {
   double time_ = 0, event_end_ = 0;
   double span_ = 0, usual_span_ = 0;  ///< span of the last step; the same without events
   double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
-  std::size_t repeated_ = 0;
+  std::size_t repeated_ = 0, held_back_ = 0;
   bool is_closed_ = false, is_done_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "evolution/integration.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -87,5 +88,22 @@ Integrated Integration::over(double span) const {
 }
 
 int error_order(Integrator integrator) { return integrator == Integrator::rk4 ? 3 : 2; }
+
+DisplaceResult move_vertices(Mesh& mesh, const std::vector<Vec3>& displacements, double mean_edge) {
+  DisplaceResult result;
+  result.mean_edge = mean_edge;
+  double squares = 0;
+  for (std::size_t v = 0; v < displacements.size(); ++v) {
+    const double length = displacements[v].norm();
+    mesh.positions[v] += displacements[v];
+    result.moved += length > 0 ? 1 : 0;
+    result.max_displacement = std::max(result.max_displacement, length);
+    squares += length * length;
+  }
+  if (!displacements.empty())
+    result.rms_displacement = std::sqrt(squares / static_cast<double>(displacements.size()));
+  if (result.moved > 0) result.new_normals = refresh_normals(mesh);
+  return result;
+}
 
 }  // namespace transformesh

@@ -49,4 +49,8 @@ class Integration {
 /// midpoint, 3 for rk4.
 int error_order(Integrator integrator);
 
+/// Moves the vertices and computes normals again. Rounding, cleaning and remeshing are left to the
+/// iteration. `mean_edge` is that of the mesh before, for the result.
+DisplaceResult move_vertices(Mesh& mesh, const std::vector<Vec3>& displacements, double mean_edge);
+
 }  // namespace transformesh

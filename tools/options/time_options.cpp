@@ -71,12 +71,15 @@ void declare_time(Program& program, TimeChoices& choices) {
                  "(default -1: a thousandth of --time)");
   options.flag("keep-volume", &choices.options.keep_volume,
                "restore the volume that cleaning and remeshing change");
+  options.text("bodies", &choices.options.bodies, "COLUMN",
+               "face property that numbers bodies, which move and change apart and never meet");
+  options.length("gap", &choices.gap, "with --bodies: least distance of two bodies");
 }
 
 std::initializer_list<const char*> time_option_names() {
   static constexpr std::initializer_list<const char*> names{
-      "velocity",  "persistent",      "integrator", "max-move",
-      "tolerance", "event-tolerance", "keep-volume"};
+      "velocity",        "persistent",  "integrator", "max-move", "tolerance",
+      "event-tolerance", "keep-volume", "bodies",     "gap"};
   return names;
 }
 
@@ -100,6 +103,7 @@ TimeOptions time_options_of(const TimeChoices& choices, Run& run) {
   }
   if (choices.integrator != "midpoint")
     options.integrator = choices.integrator == "rk4" ? Integrator::rk4 : Integrator::euler;
+  options.gap = run.length(choices.gap);
   if (choices.tolerance) options.tolerance = run.length(*choices.tolerance);
   return options;
 }

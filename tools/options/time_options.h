@@ -19,6 +19,7 @@ struct TimeChoices {
   std::string integrator = "midpoint";
   TimeOptions options;
   std::optional<Length> tolerance;
+  Length gap{0.05, Length::Unit::reference_edge};
 };
 
 void declare_time(Program& program, TimeChoices& choices);
