@@ -20,6 +20,7 @@
 #include "transformesh/evolve.h"
 #include "transformesh/evolve_in_time.h"
 #include "transformesh/fill.h"
+#include "transformesh/flow.h"
 #include "transformesh/handles.h"
 #include "transformesh/intersect.h"
 #include "transformesh/iteration.h"

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <set>
 
+#include "io/streams/file_list.h"
 #include "transformesh/errors.h"
-#include "views/cameras/file_list.h"
 
 namespace transformesh {
 namespace {

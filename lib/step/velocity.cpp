@@ -5,9 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "mesh/edges.h"
+#include "mesh/cotangent_laplacian.h"
 #include "mesh/touching_borders.h"
-#include "mesh/triangle.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 
@@ -15,37 +14,6 @@ namespace transformesh {
 namespace {
 
 constexpr std::array<const char*, 3> velocity_names{"vx", "vy", "vz"};
-
-/// The cotangent of the angle across from the halfedge, in its face.
-double opposite_cotangent(const Mesh& mesh, Index halfedge) {
-  const Vec3& apex = mesh.positions[halfedge_source(mesh, previous_halfedge(halfedge))];
-  return clamped_cotangent(mesh.positions[halfedge_source(mesh, halfedge)] - apex,
-                           mesh.positions[halfedge_target(mesh, halfedge)] - apex);
-}
-
-/// How much of a face belongs to each corner: the part nearest to it, or, where the face is obtuse,
-/// half of it to the obtuse corner and a quarter to each other.
-Vec3 corner_areas(const Mesh& mesh, Index face) {
-  Vec3 squares;     // of the lengths of the edges from corner i
-  Vec3 cotangents;  // of the angles across from them
-  for (int i = 0; i < 3; ++i) {
-    const Index halfedge = 3 * face + static_cast<Index>(i);
-    squares[i] = (mesh.positions[halfedge_target(mesh, halfedge)] -
-                  mesh.positions[halfedge_source(mesh, halfedge)])
-                     .squaredNorm();
-    cotangents[i] = opposite_cotangent(mesh, halfedge);
-  }
-  Vec3 shares;
-  const double area = face_area(mesh, face);
-  for (int i = 0; i < 3; ++i) {
-    const int before = (i + 2) % 3;
-    const bool is_obtuse_here = cotangents[(i + 1) % 3] < 0;
-    shares[i] = cotangents.minCoeff() < 0
-                    ? area / (is_obtuse_here ? 2 : 4)
-                    : (squares[i] * cotangents[i] + squares[before] * cotangents[before]) / 8;
-  }
-  return shares;
-}
 
 // The names of all vertex columns, for a message.
 std::string present_names(const Mesh& mesh) {
@@ -121,32 +89,20 @@ std::vector<Vec3> normal_velocities(const Mesh& mesh, double speed) {
 }
 
 std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed) {
+  const CotangentLaplacian laplacian = cotangent_laplacian(mesh);
   std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
-  std::vector<double> areas(mesh.positions.size(), 0);
-  std::vector<bool> is_border(mesh.positions.size(), false);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const Vec3 shares = corner_areas(mesh, static_cast<Index>(f));
-    for (int i = 0; i < 3; ++i) areas[mesh.faces[f][i]] += shares[i];
-  }
-
   // Every edge pulls its ends together.
-  const Edges edges(mesh);
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
-    const auto halfedges = edges.halfedges(edge);
-    const Index from = halfedge_source(mesh, halfedges[0]);
-    const Index to = halfedge_target(mesh, halfedges[0]);
-    if (halfedges.size() == 1) is_border[from] = is_border[to] = true;
-    double weight = 0;
-    for (const Index halfedge : halfedges) weight += opposite_cotangent(mesh, halfedge);
-    const Vec3 pull = std::max(weight, 0.0) * (mesh.positions[to] - mesh.positions[from]);
+  for (const auto& [from, to, weight] : laplacian.edges) {
+    const Vec3 pull = weight * (mesh.positions[to] - mesh.positions[from]);
     sums[from] += pull;
     sums[to] -= pull;
   }
 
   // The sum is 4 H times the area, and points inwards where the surface is convex.
   for (std::size_t v = 0; v < sums.size(); ++v) {
-    const bool has_curvature = areas[v] > 0 && !is_border[v];
-    sums[v] = has_curvature ? Vec3(speed / (4 * areas[v]) * sums[v]) : Vec3::Zero();
+    const double area = laplacian.areas[v];
+    const bool has_curvature = area > 0 && laplacian.is_border[v] == 0;
+    sums[v] = has_curvature ? Vec3(speed / (4 * area) * sums[v]) : Vec3::Zero();
   }
   return sums;
 }

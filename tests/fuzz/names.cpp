@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "fuzz/fuzz.h"
+#include "io/streams/file_list.h"
 #include "transformesh/errors.h"
-#include "views/cameras/file_list.h"
 #include "views/cameras/name_pairs.h"
 
 using namespace transformesh;

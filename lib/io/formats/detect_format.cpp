@@ -13,6 +13,7 @@
 #include "io/formats/point_text.h"
 #include "io/formats/text_rows.h"
 #include "io/formats/vtk.h"
+#include "io/formats/vtk_xml.h"
 #include "io/formats/vtp.h"
 #include "io/streams/expand.h"
 #include "io/streams/zip_archive.h"

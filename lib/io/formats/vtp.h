@@ -11,9 +11,6 @@
 
 namespace transformesh {
 
-/// True if the bytes are XML whose first element is of VTK.
-bool is_vtk_xml(std::string_view bytes);
-
 /// See read_mesh and write_mesh.
 ReadResult read_vtp(const Source& source);
 WriteResult write_vtp(const Document& document);

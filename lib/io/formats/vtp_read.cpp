@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
 #include "io/formats/column_groups.h"
+#include "io/formats/vtk_xml.h"
 #include "io/formats/vtp.h"
 #include "io/formats/vtp_arrays.h"
-#include "io/formats/xml_elements.h"
 #include "support/counted.h"
 
 namespace transformesh {
@@ -13,40 +12,17 @@ namespace {
 
 using Node = pugi::xml_node;
 
-/// The XML of a file, and the data appended to it, which is no XML.
-struct VtpParts {
-  std::string xml;
-  std::string_view appended;
-  bool is_appended_text = false;
-};
-
-/// Appended data starts behind an underscore in its element.
-VtpParts parts_of(const Source& source) {
-  const std::string_view bytes = source.bytes;
-  const std::size_t start = bytes.find("<AppendedData");
-  if (start == std::string_view::npos) return {std::string(bytes), {}, false};
-  const std::size_t end = bytes.find('>', start);
-  const std::size_t mark = end == std::string_view::npos ? end : bytes.find('_', end);
-  if (mark == std::string_view::npos)
-    source.fail_at_byte(source.begin() + start, "the appended data of VTP does not start with '_'");
-  const bool is_text = bytes.substr(start, end - start).find("base64") != std::string_view::npos;
-  std::string_view appended = bytes.substr(mark + 1);
-  if (is_text) appended = appended.substr(0, appended.find('<'));
-  return {std::string(bytes.substr(0, start)) + "</VTKFile>", appended, is_text};
-}
-
 class VtpReader {
  public:
-  explicit VtpReader(const Source& source)
-      : source_(source), budget_(source), parts_(parts_of(source)) {}
+  explicit VtpReader(const Source& source) : source_(source), budget_(source) {}
 
   ReadResult read() {
-    const pugi::xml_document document = parse_xml({parts_.xml, source_.name});
-    const Node root = document.child("VTKFile");
+    const VtkXml xml = parse_vtk_xml(source_);
+    const Node root = xml.root();
     const std::string_view type = root.attribute("type").value();
     if (type != "PolyData")
       source_.fail("VTK data of the kind " + quoted(type) + " is no surface: PolyData is read");
-    set_encoding(root);
+    encoding_ = xml.encoding(source_);
     ReadResult result;
     result.document.style.format = Format::vtp;
     std::size_t pieces = 0;
@@ -58,19 +34,6 @@ class VtpReader {
   }
 
  private:
-  void set_encoding(const Node& root) {
-    encoding_.is_big_endian = std::string_view(root.attribute("byte_order").value()) == "BigEndian";
-    encoding_.has_wide_headers =
-        std::string_view(root.attribute("header_type").value()) == "UInt64";
-    const std::string_view compressor = root.attribute("compressor").value();
-    encoding_.is_compressed = !compressor.empty();
-    if (encoding_.is_compressed && compressor != "vtkZLibDataCompressor")
-      source_.fail("the data is compressed by " + quoted(compressor) +
-                   ", which is not read: vtkZLibDataCompressor is");
-    encoding_.appended = parts_.appended;
-    encoding_.is_appended_text = parts_.is_appended_text;
-  }
-
   static void add(ReadResult part, std::size_t number, ReadResult& all) {
     all.notes.insert(all.notes.end(), part.notes.begin(), part.notes.end());
     if (number == 0) {
@@ -129,18 +92,10 @@ class VtpReader {
 
   const Source& source_;
   mutable ExpansionBudget budget_;
-  VtpParts parts_;
   VtpEncoding encoding_;
 };
 
 }  // namespace
-
-bool is_vtk_xml(std::string_view bytes) {
-  constexpr std::size_t searched = 1024;  // an XML declaration and comments may come first
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && bytes[first] == '<' &&
-         bytes.substr(0, searched).find("<VTKFile") != std::string_view::npos;
-}
 
 ReadResult read_vtp(const Source& source) { return VtpReader(source).read(); }
 

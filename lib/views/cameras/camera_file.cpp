@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <set>
 
+#include "io/streams/file_list.h"
 #include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
-#include "views/cameras/file_list.h"
 
 namespace transformesh {
 namespace {

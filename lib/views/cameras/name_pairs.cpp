@@ -7,10 +7,10 @@
 #include <optional>
 #include <set>
 
+#include "io/streams/file_list.h"
 #include "io/streams/source.h"
 #include "support/counted.h"
 #include "transformesh/errors.h"
-#include "views/cameras/file_list.h"
 
 namespace transformesh {
 namespace {

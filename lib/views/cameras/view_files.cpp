@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <set>
 
+#include "io/streams/file_list.h"
 #include "support/counted.h"
 #include "support/parallel.h"
 #include "transformesh/errors.h"
-#include "views/cameras/file_list.h"
 #include "views/cameras/name_pairs.h"
 #include "views/cameras/view.h"
 #include "views/images/image_file.h"

@@ -1,4 +1,4 @@
-#include "views/cameras/file_list.h"
+#include "io/streams/file_list.h"
 
 #include <doctest/doctest.h>
 

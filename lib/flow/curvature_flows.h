@@ -1,0 +1,31 @@
+/// Flows whose velocity follows from the curvature of the surface, with semi-implicit steps that
+/// are stable for any span. H is the sum of the principal curvatures, N the normal.
+///
+///   mean-curvature              -H N; a sphere has r(t)^2 = r(0)^2 - 4 t
+///   volume-preserving-curvature (mean of H - H) N, for each component
+///   surface-diffusion           (Laplacian of H) N, which keeps the volume of each component
+///
+/// Borders stay where they are. References: Desbrun, Meyer, Schroeder & Barr, "Implicit fairing of
+/// irregular meshes using diffusion and curvature flow", SIGGRAPH 1999 (the step of mean-curvature
+/// flow); Huisken, "The volume preserving mean curvature flow", Journal fuer die reine und
+/// angewandte Mathematik 382, 1987; Baensch, Morin & Nochetto, "A finite element method for surface
+/// diffusion: the parametric case", Journal of Computational Physics 203, 2005 (curvature and
+/// velocity as separate unknowns).
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "transformesh/flow.h"
+
+namespace transformesh {
+
+/// Receives the number of border vertices held fast.
+using FixedCounter = std::function<void(std::size_t)>;
+
+/// Returns the flow of this name, whose velocity has the factor `speed`; without functions if there
+/// is none. Evaluations throw InputError for coincident borders, and for open meshes whose volume
+/// would have to be kept; GoalError if the equations have no solution in double precision.
+Motion curvature_flow(std::string_view name, double speed, const FixedCounter& fixed);
+
+}  // namespace transformesh

@@ -1,0 +1,21 @@
+/// Motion along the normals by a speed: growth where the speed is positive, erosion where it is
+/// negative (Huygens' principle).
+///
+/// A vertex moves such that the planes of its faces move by the speed. The exception is a convex
+/// place that grows, or a concave one that recedes: there the surface at a distance is round, and
+/// the vertex moves by the speed itself along its normal.
+/// References: Jiao, "Face offsetting: a unified approach for explicit moving interfaces", Journal
+/// of Computational Physics 220, 2007; Sethian, "Level Set Methods and Fast Marching Methods",
+/// Cambridge University Press 1999, chapter 2 (Huygens' principle and the entropy condition).
+#pragma once
+
+#include <span>
+
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+/// Returns the velocities for one speed per vertex. Throws InputError for coincident borders.
+std::vector<Vec3> huygens_velocities(const Mesh& mesh, std::span<const double> speeds);
+
+}  // namespace transformesh

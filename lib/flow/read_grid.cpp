@@ -1,0 +1,32 @@
+#include <cmath>
+
+#include "flow/grid_files.h"
+#include "io/formats/vtk_xml.h"
+#include "transformesh/flow.h"
+
+namespace transformesh {
+namespace {
+
+void check_values(const Source& source, const FlowGrid& grid) {
+  for (std::size_t i = 0; i < grid.values.size(); ++i)
+    if (!std::isfinite(grid.values[i]))
+      source.fail("a value of node " + std::to_string(i / grid.components) +
+                  " of the grid is not a finite number");
+  if (!grid.origin.allFinite() || !grid.spacing.allFinite() || !(grid.spacing.minCoeff() > 0))
+    source.fail("the spacing of the grid is to be above 0 along each axis");
+}
+
+}  // namespace
+
+FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::size_t components) {
+  const Source source{bytes, name};
+  if (bytes.empty()) source.fail("the file of the grid is empty");
+  if (!is_nrrd(bytes) && !is_vtk_xml(bytes))
+    source.fail("a grid is VTK ImageData (.vti) or NRRD, and this is neither");
+  FlowGrid grid =
+      is_nrrd(bytes) ? read_nrrd_grid(source, components) : read_vti_grid(source, components);
+  check_values(source, grid);
+  return grid;
+}
+
+}  // namespace transformesh

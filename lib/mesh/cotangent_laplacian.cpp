@@ -1,0 +1,67 @@
+#include "mesh/cotangent_laplacian.h"
+
+#include <algorithm>
+
+#include "mesh/edges.h"
+#include "mesh/triangle.h"
+#include "transformesh/measure.h"
+
+namespace transformesh {
+namespace {
+
+/// The cotangent of the angle across from the halfedge, in its face.
+double opposite_cotangent(const Mesh& mesh, Index halfedge) {
+  const Vec3& apex = mesh.positions[halfedge_source(mesh, previous_halfedge(halfedge))];
+  return clamped_cotangent(mesh.positions[halfedge_source(mesh, halfedge)] - apex,
+                           mesh.positions[halfedge_target(mesh, halfedge)] - apex);
+}
+
+/// How much of a face belongs to each corner: the part nearest to it, or, where the face is obtuse,
+/// half of it to the obtuse corner and a quarter to each other.
+Vec3 corner_areas(const Mesh& mesh, Index face) {
+  Vec3 squares;     // of the lengths of the edges from corner i
+  Vec3 cotangents;  // of the angles across from them
+  for (int i = 0; i < 3; ++i) {
+    const Index halfedge = 3 * face + static_cast<Index>(i);
+    squares[i] = (mesh.positions[halfedge_target(mesh, halfedge)] -
+                  mesh.positions[halfedge_source(mesh, halfedge)])
+                     .squaredNorm();
+    cotangents[i] = opposite_cotangent(mesh, halfedge);
+  }
+  Vec3 shares;
+  const double area = face_area(mesh, face);
+  for (int i = 0; i < 3; ++i) {
+    const int before = (i + 2) % 3;
+    const bool is_obtuse_here = cotangents[(i + 1) % 3] < 0;
+    shares[i] = cotangents.minCoeff() < 0
+                    ? area / (is_obtuse_here ? 2 : 4)
+                    : (squares[i] * cotangents[i] + squares[before] * cotangents[before]) / 8;
+  }
+  return shares;
+}
+
+}  // namespace
+
+CotangentLaplacian cotangent_laplacian(const Mesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  CotangentLaplacian result{{}, std::vector<double>(count, 0), std::vector<char>(count, 0)};
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Vec3 shares = corner_areas(mesh, static_cast<Index>(f));
+    for (int i = 0; i < 3; ++i) result.areas[mesh.faces[f][i]] += shares[i];
+  }
+
+  const Edges edges(mesh);
+  result.edges.reserve(edges.size());
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    const auto halfedges = edges.halfedges(edge);
+    const Index from = halfedge_source(mesh, halfedges[0]);
+    const Index to = halfedge_target(mesh, halfedges[0]);
+    if (halfedges.size() == 1) result.is_border[from] = result.is_border[to] = 1;
+    double weight = 0;
+    for (const Index halfedge : halfedges) weight += opposite_cotangent(mesh, halfedge);
+    result.edges.push_back({from, to, std::max(weight, 0.0)});
+  }
+  return result;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,93 @@
+#include "options/flow_options.h"
+
+#include <algorithm>
+
+#include "io/streams/file_list.h"
+#include "support/counted.h"
+
+namespace transformesh::tool {
+namespace {
+
+std::optional<Vec3> vector_of(const std::vector<double>& numbers) {
+  if (numbers.empty()) return std::nullopt;
+  return Vec3(numbers[0], numbers[1], numbers[2]);
+}
+
+/// Grids of speeds have one value per node, those of velocities three.
+std::vector<FlowGrid> grids_of(const FlowChoices& choices, const std::string& name, Run& run) {
+  std::vector<FlowGrid> grids;
+  if (choices.grid.empty()) return grids;
+  for (const std::string& file : files_at(choices.grid)) {
+    run.progress()("read grids");
+    grids.push_back(read_flow_grid(run.in().read_bytes(file), file, name == "normal" ? 1 : 3));
+    if (choices.grid_step > 0)
+      grids.back().time = choices.grid_step * static_cast<double>(grids.size() - 1);
+  }
+  return grids;
+}
+
+std::string line_of(const FlowKind& kind, std::size_t width) {
+  std::string line = kind.name + std::string(width - kind.name.size(), ' ') + "  " + kind.summary;
+  for (const std::string& parameter : kind.parameters)
+    line += (parameter == kind.parameters.front() ? "; --" : " --") + parameter;
+  return line + '\n';
+}
+
+}  // namespace
+
+void declare_flow(OptionSet& options, FlowChoices& choices) {
+  options.number("speed", &choices.speed, -1e300, 1e300, "factor of the velocity");
+  options.number("period", &choices.period, 0, 1e300,
+                 "time of a turn (rotation), or time after which particles are back at their "
+                 "start (default 0: rotation 1, vortex 8, deformation 3)");
+  options.numbers("center", &choices.center, "X,Y,Z",
+                  "fixed point of rotation, shear and expansion (default 0.5,0.5,0.5)");
+  options.numbers("direction", &choices.direction, "X,Y,Z",
+                  "axis of rotation (default 0,0,1), or direction of translation (default 1,0,0)");
+  options.text("column", &choices.column, "COLUMN",
+               "vertex property that multiplies the speed of normal");
+  options.text("grid", &choices.grid, "WHERE",
+               "files of VTK ImageData or NRRD: velocities of grid, or speeds of normal");
+  options.number("grid-step", &choices.grid_step, 0, 1e300,
+                 "time from a file of --grid to the next (default 0: files state their times)");
+}
+
+std::vector<std::string> flow_names() {
+  std::vector<std::string> names;
+  for (const FlowKind& kind : flow_kinds()) names.push_back(kind.name);
+  return names;
+}
+
+std::string flow_list() {
+  std::size_t width = 0;
+  for (const FlowKind& kind : flow_kinds()) width = std::max(width, kind.name.size());
+  std::string text;
+  for (const FlowKind& kind : flow_kinds()) text += line_of(kind, width);
+  return text;
+}
+
+Flow flow_of(const std::string& name, const FlowChoices& choices, Run& run) {
+  if (choices.grid_step > 0 && choices.grid.empty())
+    throw UsageError("--grid-step needs --grid WHERE");
+  FlowOptions options;
+  options.speed = choices.speed;
+  if (choices.period > 0) options.period = choices.period;
+  options.center = vector_of(choices.center);
+  options.direction = vector_of(choices.direction);
+  if (!choices.column.empty()) options.column = choices.column;
+  options.grids = grids_of(choices, name, run);
+  return make_flow(name, std::move(options));
+}
+
+void note_flow(const Flow& flow, Run& run) {
+  const FlowCounts& counts = *flow.counts;
+  run.report("outside", counts.outside);
+  run.report("fixed", counts.fixed);
+  if (counts.outside > 0)
+    run.note(counted(counts.outside, "vertex") +
+             " outside of the grid took the value of its nearest point");
+  if (counts.is_time_outside)
+    run.note("a time before the first grid or after the last one took the values of that grid");
+}
+
+}  // namespace transformesh::tool

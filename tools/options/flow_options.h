@@ -1,0 +1,35 @@
+/// Options that choose a flow (flow.h) and set its parameters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frame/run.h"
+#include "transformesh/flow.h"
+
+namespace transformesh::tool {
+
+/// Values as they are written.
+struct FlowChoices {
+  double speed = 1;
+  double period = 0;  ///< 0: the flow's own
+  std::vector<double> center, direction;
+  std::string column;
+  std::string grid;      ///< WHERE
+  double grid_step = 0;  ///< 0: the files state their times
+};
+
+/// Declares --speed, --period, --center, --direction, --column, --grid and --grid-step.
+void declare_flow(OptionSet& options, FlowChoices& choices);
+
+std::vector<std::string> flow_names();
+/// Returns a line per flow: its name, its motion and its options.
+std::string flow_list();
+
+/// Returns the flow of this name. Throws UsageError for options that the flow does not have.
+Flow flow_of(const std::string& name, const FlowChoices& choices, Run& run);
+
+/// Notes and reports what the evaluations of the flow met.
+void note_flow(const Flow& flow, Run& run);
+
+}  // namespace transformesh::tool
