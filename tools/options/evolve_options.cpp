@@ -30,8 +30,8 @@ void refuse(const Program& program, std::initializer_list<const char*> names,
 void check_step(const EvolveChoices& choices, const Program& program) {
   if (choices.step.empty()) {
     throw UsageError(
-        "the motion is missing: give --step COMMAND, or --time T with --velocity "
-        "COMMAND");
+        "the motion is missing: give --step COMMAND, or --time T with --flow "
+        "NAME or --velocity COMMAND");
   }
   refuse(program, time_option_names(), " needs --time T, the end of an evolution in time");
 }
@@ -60,7 +60,7 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
 
 void check_evolve(const EvolveChoices& choices, const Program& program) {
   if (!choices.is_in_time()) return check_step(choices, program);
-  refuse(program, {"step"}, " has no time: with --time, give --velocity COMMAND");
+  refuse(program, {"step"}, " has no time: with --time, give --flow NAME or --velocity COMMAND");
   refuse(program, {"alpha"},
          " would move vertices by different spans of time: with --time, --max-move limits the step "
          "of all vertices");

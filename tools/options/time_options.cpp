@@ -51,6 +51,8 @@ void declare_time(Program& program, TimeChoices& choices) {
   options.number("time", &choices.end, 0, 1e300,
                  "evolve from time 0 to this: all vertices move by the same span of time in a step "
                  "(default 0: --step, without a time)");
+  options.choice("flow", &choices.flow, flow_names(), "flow of tm-flow that moves the vertices");
+  declare_flow(options, choices.flow_options);
   options.text("velocity", &choices.velocity, "COMMAND",
                "filter that gets the mesh of a stage and writes its velocities vx vy vz; TM_TIME, "
                "TM_TIME_STEP and TM_STAGE hold the time, the span of the step and the stage");
@@ -78,14 +80,17 @@ void declare_time(Program& program, TimeChoices& choices) {
 
 std::initializer_list<const char*> time_option_names() {
   static constexpr std::initializer_list<const char*> names{
-      "velocity",        "persistent",  "integrator", "max-move", "tolerance",
-      "event-tolerance", "keep-volume", "bodies",     "gap"};
+      "flow",        "speed",      "period",     "center",   "direction", "column",
+      "grid",        "grid-step",
+
+      "velocity",    "persistent", "integrator", "max-move", "tolerance", "event-tolerance",
+      "keep-volume", "bodies",     "gap"};
   return names;
 }
 
 void check_time(const TimeChoices& choices) {
-  if (choices.velocity.empty())
-    throw UsageError("the motion is missing: with --time, give --velocity COMMAND");
+  if (choices.velocity.empty() == choices.flow.empty())
+    throw UsageError("with --time, give either --flow NAME or --velocity COMMAND");
 }
 
 double time_factor(const TimeChoices& choices) {
@@ -108,9 +113,10 @@ TimeOptions time_options_of(const TimeChoices& choices, Run& run) {
   return options;
 }
 
-Motion motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration) {
-  if (choices.persistent) return {velocity_from(choices.velocity)};
-  return {velocity_through(choices.velocity, iteration)};
+Flow motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration) {
+  if (!choices.flow.empty()) return flow_of(choices.flow, choices.flow_options);
+  if (choices.persistent) return {{velocity_from(choices.velocity)}, nullptr};
+  return {{velocity_through(choices.velocity, iteration)}, nullptr};
 }
 
 void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {

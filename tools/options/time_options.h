@@ -6,6 +6,7 @@
 #include <string>
 
 #include "frame/run.h"
+#include "options/flow_options.h"
 #include "transformesh/evolve_in_time.h"
 
 namespace transformesh::tool {
@@ -13,7 +14,8 @@ namespace transformesh::tool {
 /// Values as they are written.
 struct TimeChoices {
   double end = 0;  ///< 0: the evolution has no time
-  std::string velocity;
+  std::string velocity, flow;
+  FlowChoices flow_options;
   bool persistent = false;
   std::string span;
   std::string integrator = "midpoint";
@@ -27,7 +29,7 @@ void declare_time(Program& program, TimeChoices& choices);
 /// Names of the options that need --time.
 std::initializer_list<const char*> time_option_names();
 
-/// Throws UsageError if no motion is named.
+/// Throws UsageError unless one motion is named.
 void check_time(const TimeChoices& choices);
 
 /// Returns the factor that --time-step means without --time. Throws UsageError for `auto`.
@@ -36,9 +38,9 @@ double time_factor(const TimeChoices& choices);
 /// Resolves lengths for the mesh of the run. Throws UsageError for a span that is no number.
 TimeOptions time_options_of(const TimeChoices& choices, Run& run);
 
-/// Returns the motion that the choices name. `iteration` returns the number of the iteration,
-/// which commands find in TM_ITERATION.
-Motion motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration);
+/// Returns the motion that the choices name; only a flow counts. `iteration` returns the number of
+/// the iteration, which commands find in TM_ITERATION.
+Flow motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration);
 
 /// Notes steps of a given span that moved vertices far, and the volume that was not kept.
 void note_time(const TimeResult& result, const TimeChoices& choices, Run& run);

@@ -53,13 +53,15 @@ EvolveResult evolve_by_steps(const tool::EvolveChoices& choices, Document& docum
 EvolveResult evolve_by_time(const tool::EvolveChoices& choices, Document& document, Record& record,
                             tool::Run& run) {
   const EvolveOptions options = evolution_of(choices, run);
-  const Motion motion = motion_of(choices.time, [&] { return record.iteration() + 1; });
+  const Flow flow = motion_of(choices.time, [&] { return record.iteration() + 1; });
   LoopOptions loop = tool::loop_of(choices.loop, run);
   if (!run.program().options.find("iterations")->is_given) loop.iterations = SIZE_MAX;
-  const TimeResult result = evolve_in_time(document, motion, time_options_of(choices.time, run),
-                                           options, loop, record, run.progress());
+  const TimeResult result =
+      evolve_in_time(document, flow.motion, time_options_of(choices.time, run), options, loop,
+                     record, run.progress());
   run.report(entries_of(result));
   note_time(result, choices.time, run);
+  if (flow.counts) note_flow(flow, run);
   return result.evolution;
 }
 
