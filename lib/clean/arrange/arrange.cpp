@@ -12,12 +12,13 @@
 namespace transformesh {
 namespace {
 
-// Coplanar faces are cut within a triangle twelve times their size, which must not overflow.
+// A plane is triangulated inside a scaffold triangle whose corners reach 12 times the extent of the
+// coplanar faces. With this limit, the coordinates of the scaffold do not overflow.
 constexpr double largest_coordinate = 1e306;
 constexpr std::size_t planes_per_task = 4;
 
-// Reserves room for all pieces and for their sources without copies: to move them takes longer than
-// to add them.
+// Reserves room for all pieces, and for all sources except copies. Reallocation takes longer than
+// adding the entries.
 void reserve_pieces(const WeldedMesh& welded, const std::vector<PlaneCut>& cuts,
                     Arrangement& result) {
   std::size_t pieces = welded.faces.size(), sources = pieces;
@@ -39,7 +40,7 @@ void add_whole_pieces(const WeldedMesh& welded, const Planes& planes,
   result.whole_pieces = result.pieces.size();
 }
 
-// The faces that have the three points of another one, as sources in its place.
+// Lists the copies of each face (faces with the same three points), to add them as sources.
 class Copies {
  public:
   explicit Copies(const WeldedMesh& welded)
@@ -52,7 +53,8 @@ class Copies {
     }
   }
 
-  /// Adds the copies of the sources from `begin` on, and keeps them in the order of the faces.
+  /// Adds the copies of the sources at `begin` and after; sorts the sources from `begin` on by
+  /// face.
   void add(std::vector<PieceSource>& sources, std::size_t begin) const {
     const std::size_t end = sources.size();
     for (std::size_t s = begin; s < end; ++s) {
@@ -74,10 +76,11 @@ class Copies {
   }
 
   const WeldedMesh& welded_;
-  std::vector<Index> next_;  ///< the next copy of each face
+  std::vector<Index> next_;  ///< the next copy of each face, or no_index
 };
 
-// An open piece has the open ones of the faces that lie upon each other, any other the closed ones.
+// Adds the sources of a facet: only open faces for an open piece, only closed faces for a closed
+// one.
 void add_sources(const PlaneCut& cut, std::size_t facet, const Copies& copies, bool is_open,
                  Arrangement& result) {
   const std::size_t first = result.sources.size();
@@ -105,7 +108,7 @@ void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, const Co
     for (const PieceSource& source : result.sources_of(piece)) {
       piece.multiplicity += source.reversed ? -1 : 1;
     }
-    // A piece is oriented as most of its sources are.
+    // Orient the piece like the majority of its sources.
     if (piece.multiplicity < 0) {
       piece.multiplicity = -piece.multiplicity;
       reverse_piece(result, piece);

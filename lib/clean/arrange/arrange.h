@@ -1,7 +1,9 @@
-/// The exact arrangement of a mesh with itself (paper 3.2.3): every face that takes part in an
-/// intersection is cut along all others, so that pieces meet only in equal corners and equal edges.
-/// Faces that take no part stay whole. Coplanar faces that meet are cut together, and where they
-/// overlap they share one piece. The faces that cover a piece are its sources.
+/// Exact arrangement of a mesh with itself (paper 3.2.3). Each face that takes part in an
+/// intersection is cut along all faces that it meets. Afterwards pieces meet only in equal corners
+/// and equal edges. Faces that take part in no intersection stay whole. Coplanar faces that meet
+/// are cut together, and share one piece where they overlap. The sources of a piece are the faces
+/// that cover it. Planes are cut independently of each other; `cut_plane.h` has the cost of one
+/// plane.
 #pragma once
 
 #include <memory>
@@ -16,19 +18,22 @@
 namespace transformesh {
 
 struct Piece {
-  Face corners;        ///< arrangement points
-  Index first_source;  ///< its sources are [first_source, first_source + source_count)
+  Face corners;        ///< indices of arrangement points
+  Index first_source;  ///< index into `Arrangement::sources` of its first source
   std::uint32_t source_count;
-  std::int32_t multiplicity;  ///< sources less reversed sources: by how much w grows from front to
-                              ///< back; never negative, and 0 where the sources cancel out
-  bool is_open = false;       ///< its sources are faces of open components; else they are closed
-  std::int32_t front = 0;     ///< the winding number of the closed part in front, if it is known
+  std::int32_t multiplicity;  ///< Number of sources minus number of reversed sources. The winding
+                              ///< number grows by this amount from front to back. Never negative; 0
+                              ///< if the sources cancel out.
+  bool is_open = false;       ///< true if all sources belong to open components; false if none does
+  /// Winding number of the closed part in front of the piece. Set by arrange_exterior(): for whole
+  /// pieces, and for all pieces if the mesh has open components.
+  std::int32_t front = 0;
 };
 
 struct Arrangement {
   std::shared_ptr<const WeldedMesh> welded;
-  std::vector<ExactPoint> cut_points;  ///< point i is cut_points[i - welded->points.size()]
-  std::vector<Piece> pieces;           ///< whole faces in their order, then those of cut faces
+  std::vector<ExactPoint> cut_points;  ///< point `i` is `cut_points[i - welded->points.size()]`
+  std::vector<Piece> pieces;           ///< whole faces in mesh order, then the pieces of cut faces
   std::vector<PieceSource> sources;
   std::size_t whole_pieces = 0;
 
@@ -36,7 +41,7 @@ struct Arrangement {
   ExactPoint point(Index i) const {
     return i < welded->points.size() ? geometry().given(i) : cut_points[i - welded->points.size()];
   }
-  /// In doubles, within one unit in the last place.
+  /// Returns the position of a point in doubles, within one unit in the last place.
   Vec3 position(Index i) const {
     return i < welded->points.size() ? welded->points[i]
                                      : geometry().position(cut_points[i - welded->points.size()]);
@@ -47,20 +52,22 @@ struct Arrangement {
   }
 };
 
-/// Turns a piece of the arrangement around.
+/// Reverses the orientation of a piece; updates the `reversed` flags of its sources.
 void reverse_piece(Arrangement& arrangement, Piece& piece);
 
-/// `meetings` are those of the intersecting pairs of welded faces, sorted, without those of copies,
-/// which are cut as one: the work does not grow with their number, but for the sources. Throws as
-/// refuse_overflow does. Parallel; deterministic for any number of threads.
+/// Arranges the welded faces along `meetings`, the sorted meetings of all intersecting pairs.
+/// Copies of a face have no meetings and are cut with the first copy. Hence copies add to the
+/// number of sources, but not to the cutting work. Throws what refuse_overflow() throws. Parallel;
+/// deterministic for any number of threads.
 Arrangement arrange(const std::shared_ptr<const WeldedMesh>& welded,
                     const std::vector<Meeting>& meetings, const Progress& progress);
 
-/// The arrangement of planes that are cut. Whole faces may be left out.
+/// Joins the cut planes and the whole faces to one arrangement. Whole faces with a nonzero
+/// `is_left_out` entry are omitted.
 Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Planes& planes,
                       const std::vector<PlaneCut>& cuts, const std::vector<char>& is_left_out = {});
 
-/// Throws InputError where a coordinate is beyond 1e306.
+/// Throws InputError if the absolute value of a coordinate exceeds 1e306.
 void refuse_overflow(const WeldedMesh& welded);
 
 }  // namespace transformesh

@@ -9,12 +9,12 @@
 namespace transformesh {
 namespace {
 
-// What a constraint lies on: an edge in the plane, or the plane of a face that crosses it.
+// Origin of a constraint: an edge of a coplanar face, or a face that intersects the plane.
 struct Line {
   bool is_edge;
-  Index a;                        ///< the start of the edge, or the face that crosses
-  Index b;                        ///< the end of the edge
-  WindingJump jump{no_index, 0};  ///< of a face that crosses
+  Index a;                        ///< start of the edge, or the intersecting face
+  Index b;                        ///< end of the edge
+  WindingJump jump{no_index, 0};  ///< winding jump across an intersecting face
 };
 
 struct Segment {
@@ -55,17 +55,18 @@ class PlaneCutter : public PlaneFacets {
 
   const WeldedMesh& welded_;
   const Plane& plane_;
-  const WindingJumps* jumps_;  ///< where they matter
+  const WindingJumps* jumps_;  ///< null unless pieces are chosen by winding numbers
   ExactGeometry geometry_;
   PlaneProjection projection_;
-  std::vector<Line> lines_;  ///< of the three edges of each face, then of each meeting
+  /// Three lines for the edges of each face, then one line for each meeting.
+  std::vector<Line> lines_;
   std::vector<Segment> segments_;
-  std::vector<std::array<Index, 3>> corners_;  ///< of each face
-  std::vector<char> is_reversed_;              ///< per face: as against the first one
+  std::vector<std::array<Index, 3>> corners_;  ///< triangulation points of the corners of each face
+  std::vector<char> is_reversed_;  ///< per face: 1 if oriented opposite to the first face
   PlanarTriangulation triangulation_;
   DefinitionTable known_points_;
-  std::vector<Index> border_stamp_;  ///< per edge: k + 1 of the last face k that it bounds, or 0
-  std::vector<Cover> covers_;        ///< of each facet
+  std::vector<Index> border_stamp_;  ///< per edge: k + 1 for the last face k that it bounds, or 0
+  std::vector<Cover> covers_;        ///< faces that cover each facet
   std::array<Index, 3> corner_facets_{};
 };
 
@@ -135,7 +136,7 @@ bool PlaneCutter::insert_only_face() {
   return true;
 }
 
-// The line of a simplex of a face in this plane, where that is an edge; else no_index.
+// Returns the line of a face simplex in this plane if the simplex is an edge, otherwise no_index.
 Index PlaneCutter::edge_line(Index face, FaceSimplex simplex) const {
   if (simplex < 3 || simplex == interior) return no_index;
   const auto& faces = plane_.faces;
@@ -178,7 +179,7 @@ void PlaneCutter::insert_meeting(const Meeting& meeting) {
                            triangulation_.point(ends[0]), triangulation_.point(ends[1]));
 }
 
-// Names the k-th face as a source of all facets that its border encloses.
+// Adds face `k` as a source to all facets inside its boundary.
 void PlaneCutter::flood(std::size_t k) {
   const std::array<Index, 3>& corner = corners_[k];
   const auto& facets = triangulation_.facets();
@@ -187,7 +188,7 @@ void PlaneCutter::flood(std::size_t k) {
   std::vector<Index> stack;
   for (std::size_t i = 0; i < 3; ++i) {
     const Index from = corner[i], to = corner[(i + 1) % 3];
-    // The chain is oriented so that the face lies on its left.
+    // Orient the chain of edges such that the face is on its left.
     const auto line = static_cast<Index>(3 * k + i);
     for (const Index edge : reversed ? triangulation_.chain(to, from, {line, false})
                                      : triangulation_.chain(from, to, {line, true})) {
@@ -244,7 +245,8 @@ int PlaneCutter::jump(Index facet, Index i) const {
   return sum;
 }
 
-// Where there are several faces, another one may meet two of them in the same segment.
+// A plane with several faces may contain the same segment of an intersecting face more than once;
+// each face counts once.
 int PlaneCutter::step_of_faces(Index facet, Index i) const {
   std::vector<WindingJump> jumps;
   triangulation_.for_each_line(facet, i, [&](const auto& on) {
@@ -276,7 +278,8 @@ std::vector<char> PlaneCutter::all_covered() const {
   return chosen;
 }
 
-// Chosen facets are made well shaped first, which keeps their sources.
+// Makes the chosen facets Delaunay before collecting them. Flips do not cross constraints, so the
+// sources stay valid.
 PlaneCut PlaneCutter::collect(const std::vector<char>& chosen) {
   triangulation_.improve(chosen);
   auto [points, facets, numbers] = triangulation_.collect(chosen);

@@ -1,5 +1,5 @@
-/// Numbers points by their definitions: a hash table by open addressing, which is searched in full
-/// while it is small.
+/// Hash table that maps definitions of points to numbers, with open addressing. Tables of fewer
+/// than 24 entries are searched linearly.
 #pragma once
 
 #include <bit>
@@ -11,7 +11,7 @@ namespace transformesh {
 
 class DefinitionTable {
  public:
-  /// The number that was filed with an equal definition, or no_index.
+  /// Returns the number that was inserted with an equal definition, or no_index.
   Index find(const PointDefinition& definition) const {
     if (slots_.empty()) {
       for (const Entry& entry : entries_)
@@ -22,7 +22,7 @@ class DefinitionTable {
     return entry == no_index ? no_index : entries_[entry].number;
   }
 
-  /// Of a definition that is not there yet.
+  /// Inserts a definition. An equal definition must not be in the table.
   void insert(const PointDefinition& definition, Index number) {
     entries_.push_back({definition, number});
     if (entries_.size() < few) return;
@@ -37,7 +37,7 @@ class DefinitionTable {
   };
   static constexpr std::size_t few = 24;
 
-  /// That of an equal definition, or the empty one where it belongs.
+  /// Returns the slot of an equal definition, or the empty slot in which to insert the definition.
   std::size_t slot_of(const PointDefinition& definition) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = PointDefinitionHash()(definition) & mask;
@@ -52,7 +52,7 @@ class DefinitionTable {
   }
 
   std::vector<Entry> entries_;
-  std::vector<Index> slots_;  ///< numbers of entries; a power of two of them
+  std::vector<Index> slots_;  ///< indices into `entries_`, or no_index; the size is a power of two
 };
 
 }  // namespace transformesh

@@ -12,7 +12,8 @@
 namespace transformesh {
 namespace {
 
-// The corners of a triangle far around the box; they lie in the plane as nearly as doubles allow.
+// Returns the corners of a triangle around the box, at 8 to 12 times its extent. The corners lie in
+// the plane up to rounding to doubles.
 std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec3& low,
                              const Vec3& high) {
   const Vec3 middle = low + (high - low) / 2;
@@ -48,7 +49,8 @@ PlanarTriangulation::PlanarTriangulation(const ExactGeometry& geometry, const Tr
 }
 
 bool PlanarTriangulation::begin_with_triangle(const std::array<ExactPoint, 3>& corners) {
-  // The scaffold is the triangle reversed in its middle, enlarged: a corner lies across every edge.
+  // The scaffold is the triangle mirrored at its center and enlarged, so that each edge faces one
+  // scaffold corner.
   const Vec3 middle = corners[0].center / 3 + corners[1].center / 3 + corners[2].center / 3;
   const std::vector<ExactPoint> old_points = points_;
   constexpr double enlarged = 6;
@@ -80,7 +82,8 @@ bool PlanarTriangulation::begin_with_triangle(const std::array<ExactPoint, 3>& c
   return true;
 }
 
-// Where arithmetic in doubles leaves it open, points may be known to lie on one line.
+// Returns the exact orientation of three points. If the floating-point filter fails, known common
+// lines avoid exact arithmetic.
 int PlanarTriangulation::orientation(Index a, Index b, Index c) const {
   const int sign = ExactGeometry::quick_orient2d(points_[a], points_[b], points_[c], projection_);
   if (sign != 0) return sign;
@@ -88,7 +91,7 @@ int PlanarTriangulation::orientation(Index a, Index b, Index c) const {
   return geometry_.orient2d(points_[a], points_[b], points_[c], projection_);
 }
 
-// The orientation of a point and a segment, both ends of which are on the line.
+// Returns the orientation of a segment and a point. Both ends of the segment must lie on its line.
 int PlanarTriangulation::side_of(const Segment& s, Index point) const {
   const int sign =
       ExactGeometry::quick_orient2d(points_[s.from], points_[s.to], points_[point], projection_);
@@ -110,7 +113,7 @@ bool PlanarTriangulation::share_line(std::span<const Index> a, std::span<const I
   });
 }
 
-// Whether `through` lies on the same side of `from` as `to`, the three being collinear.
+// True if `through` is on the same side of `from` as `to`. The three points must be collinear.
 bool PlanarTriangulation::is_ahead(Index from, Index through, Index to) const {
   for (const int coordinate : {projection_.u, projection_.v}) {
     const int sign = geometry_.compare_coordinate(points_[to], points_[from], coordinate);
@@ -133,8 +136,8 @@ void PlanarTriangulation::add_line(Index point, Index line) {
   if (at == lines.end() || *at != line) lines.insert(at, line);
 }
 
-// Walks towards the point. A walk may circle where the triangulation is not Delaunay; then all
-// facets are tried.
+// Walks through facets towards the point. A walk may run in a circle if the triangulation is not
+// Delaunay; after 3 n + 10 steps all n facets are tested instead.
 PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& point,
                                                           std::span<const Index> lines) const {
   const auto side_of = [&](Index a, Index b) {
@@ -185,13 +188,14 @@ Index PlanarTriangulation::insert(const ExactPoint& point, std::span<const Index
     }
     legalize(index);
   } else if (point.definition.kind == ExactPoint::Kind::given) {
-    points_[index] = point;  // a vertex of the mesh is named as such in every plane
+    // Prefer the definition as a mesh vertex, which is the same in all planes.
+    points_[index] = point;
   }
   for (const Index line : lines) add_line(index, line);
   return index;
 }
 
-// Writes a facet, and makes its neighbors and points refer to it.
+// Writes a facet, and updates the references of its neighbors and points to it.
 void PlanarTriangulation::set_facet(Index facet, const std::array<Index, 3>& v,
                                     const std::array<Index, 3>& next,
                                     const std::array<Index, 3>& line) {
@@ -222,7 +226,7 @@ void PlanarTriangulation::split_facet(Index facet, Index p) {
             {old.line[2], none, none});
 }
 
-// Cuts both facets at the edge in two. Edges of the scaffold are never split.
+// Splits both facets at an edge. The edge must not be an edge of the scaffold.
 void PlanarTriangulation::split_edge(Index edge, Index p) {
   const Index f = edge / 3, i = edge % 3;
   const Index back = opposite(edge);
@@ -235,7 +239,7 @@ void PlanarTriangulation::split_edge(Index edge, Index p) {
   const Index g2 = f2 + 1;
   facets_.resize(facets_.size() + 2, left);
   const Index none = no_index;
-  // The left facet a b c becomes a p c and p b c, the right one b a d becomes p a d and b p d.
+  // The left facet a b c becomes a p c and p b c; the right facet b a d becomes p a d and b p d.
   facets_[f] = {{a, p, c},
                 {g, f2, left.next[previous_corner(i)]},
                 {line, none, left.line[previous_corner(i)]}};
@@ -248,7 +252,7 @@ void PlanarTriangulation::split_edge(Index edge, Index p) {
             {line_back, none, right.line[previous_corner(k)]});
   set_facet(f, facets_[f].v, facets_[f].next, facets_[f].line);
   set_facet(g, facets_[g].v, facets_[g].next, facets_[g].line);
-  // Lines through both ends pass through all points between.
+  // A line through both ends of the edge also contains the new point.
   const Lines of_a = lines_[a];
   std::set_intersection(of_a.begin(), of_a.end(), lines_[b].begin(), lines_[b].end(),
                         std::back_inserter(lines_[p]));
@@ -269,8 +273,8 @@ Index PlanarTriangulation::target(Index edge) const {
   return facets_[edge / 3].v[next_corner(edge % 3)];
 }
 
-// The first edge that leaves the point and is accepted, in order around the point; no_index where
-// there is none. The point is no corner of the scaffold.
+// Returns the first accepted edge that leaves the point, in order around the point, or no_index.
+// The point must not be a corner of the scaffold.
 template <class Accept>
 Index PlanarTriangulation::find_edge_from(Index point, const Accept& accept) const {
   const Index start = facet_of_[point];
@@ -284,7 +288,7 @@ Index PlanarTriangulation::find_edge_from(Index point, const Accept& accept) con
   return no_index;
 }
 
-// Replaces the edge by the other diagonal of its two facets, and returns that.
+// Replaces the edge by the other diagonal of its two facets; returns the new diagonal.
 Index PlanarTriangulation::flip(Index edge) {
   const Index back = opposite(edge);
   const Index f = edge / 3, i = edge % 3, g = back / 3, k = back % 3;
@@ -313,7 +317,8 @@ bool PlanarTriangulation::is_convex(Index edge) const {
   return orientation(a, d, c) > 0 && orientation(b, c, d) > 0;
 }
 
-// If ties are to be broken, the diagonal at the point with the least defining vertices stays.
+// True if the edge is unconstrained and the other diagonal is better. If `breaks_ties` is set, the
+// exact test decides, and ties go to the diagonal at the point with the least defining vertices.
 bool PlanarTriangulation::wants_flip(Index edge, bool breaks_ties) const {
   const Facet& facet = facets_[edge / 3];
   if (facet.line[edge % 3] != no_index || facet.next[edge % 3] == no_index) return false;
@@ -333,8 +338,8 @@ bool PlanarTriangulation::wants_flip(Index edge, bool breaks_ties) const {
   return is_convex(edge);
 }
 
-// Flips edges around a new point until its star is Delaunay. The number of flips is bounded,
-// because inexact angles may ask for a flip and for its reverse.
+// Flips edges around a new point until its star is Delaunay. The test uses floating point and may
+// ask for a flip and for its reverse; therefore the number of flips is limited.
 void PlanarTriangulation::legalize(Index p) {
   std::vector<Index> stack;
   const auto push_star = [&](Index facet) {
@@ -378,7 +383,7 @@ void PlanarTriangulation::improve(const std::vector<char>& marked) {
   }
 }
 
-// The edge from one point to another; no_index where there is none.
+// Returns the edge between two points, or no_index.
 Index PlanarTriangulation::edge_between(Index from, Index to) const {
   if (from < scaffold_points) return opposite(edge_between(to, from));
   return find_edge_from(from, [&](Index edge) { return target(edge) == to; });
@@ -399,7 +404,7 @@ void PlanarTriangulation::constrain(Index from, Index to, Index line) {
   while (from != to) from = step_along({from, to, line});
 }
 
-// Constrains the segment from its start to the next point on it, which is returned.
+// Constrains the part of the segment from its start to the next point on it. Returns that point.
 Index PlanarTriangulation::step_along(const Segment& s) {
   bool is_along = false;
   const Index edge = find_edge_from(s.from, [&](Index e) {
@@ -414,9 +419,9 @@ Index PlanarTriangulation::step_along(const Segment& s) {
   return target(edge);
 }
 
-// Follows the segment from its start across the edge to the next point on the segment, and makes
-// that stretch an edge. A constrained edge on the way is split where the segment crosses it, which
-// makes such a point.
+// Follows the segment from its start across `edge` to the next point on the segment, and makes this
+// part an edge. If the segment crosses a constrained edge first, that edge is split at the
+// intersection, which is then the next point. Returns the next point.
 Index PlanarTriangulation::march(Index edge, const Segment& s) {
   std::vector<std::array<Index, 2>> crossed;
   Index end = no_index;
@@ -434,7 +439,8 @@ Index PlanarTriangulation::march(Index edge, const Segment& s) {
     const Index apex = facets_[back / 3].v[previous_corner(back % 3)];
     const int side = apex == s.to ? 0 : side_of(s, apex);
     if (side == 0) end = apex;
-    // Where the apex is on the left, the segment leaves the facet on the right of the apex.
+    // If the apex is to the left of the segment, the segment leaves the facet to the right of the
+    // apex.
     edge = side > 0 ? next_edge(back) : previous_edge(back);
   }
   clear_way(std::move(crossed), {s.from, end, s.line});
@@ -442,8 +448,8 @@ Index PlanarTriangulation::march(Index edge, const Segment& s) {
   return end;
 }
 
-// Flips the crossed edges until none crosses the segment, which then is an edge (Sloan 1993). An
-// edge that cannot be flipped yet waits until others are.
+// Flips crossed edges until no edge crosses the segment; then the segment is an edge (Sloan 1993).
+// Edges of non-convex quadrilaterals return to the end of the queue.
 void PlanarTriangulation::clear_way(std::vector<std::array<Index, 2>> crossed, const Segment& s) {
   std::deque<std::array<Index, 2>> queue(crossed.begin(), crossed.end());
   while (!queue.empty()) {

@@ -1,9 +1,13 @@
-/// A constrained triangulation of exact points in one plane, inside a large scaffold triangle (the
-/// constrained 2D Delaunay triangulation of paper 3.2.3). Constraints may cross each other and pass
-/// through points: crossings become points, supplied by the caller from the definitions of both
-/// lines. Every decision is exact.
-/// Reference for constraints by flips: Sloan, "A fast algorithm for generating constrained Delaunay
-/// triangulations", Computers & Structures 1993.
+/// Constrained triangulation of exact points in one plane, inside a large scaffold triangle (the
+/// constrained 2D Delaunay triangulation of paper 3.2.3). Constraints may intersect each other and
+/// pass through points. An intersection of two constraints becomes a point, which the caller
+/// computes from the definitions of both lines. All orientation tests are exact.
+///
+/// Constraints are inserted by edge flips as in Sloan, "A fast algorithm for generating constrained
+/// Delaunay triangulations", Computers & Structures 1993. Unlike Sloan's algorithm, this one splits
+/// constraints that intersect.
+///
+/// Cost: in the worst case, O(k) per inserted point if the triangulation has k facets.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -19,44 +23,46 @@ class PlanarTriangulation {
  public:
   struct Facet {
     std::array<Index, 3> v;     ///< points, counter-clockwise in the projection
-    std::array<Index, 3> next;  ///< the facet across the edge from v[i] to v[i + 1]
-    std::array<Index, 3> line;  ///< the constraints on that edge as a list, or no_index
+    std::array<Index, 3> next;  ///< facet across the edge from v[i] to v[i + 1], or no_index
+    std::array<Index, 3> line;  ///< list of the constraints on that edge, or no_index
   };
-  /// A constraint on an edge: `is_along` if the edge has the direction in which it was constrained.
+  /// A constraint on an edge. `is_along` is true if the edge has the direction of the constraint.
   struct OnEdge {
     Index line;
     bool is_along;
     bool operator==(const OnEdge&) const = default;
   };
-  /// The point where two constraint lines cross.
+  /// Computes the intersection of two constraint lines.
   using Crossing = std::function<ExactPoint(Index first_line, Index second_line)>;
 
-  /// `plane` spans the plane; [low, high] contains all points that will come.
+  /// `plane` is a triangle in the plane. The box [low, high] must contain all points.
   PlanarTriangulation(const ExactGeometry& geometry, const Triangle& plane, const Vec3& low,
                       const Vec3& high, Crossing crossing);
 
-  /// Inserts the triangle of the plane, the whole of what is cut, before anything else: its corners
-  /// become the points 3, 4 and 5, and its edges the lines 0, 1 and 2. Returns whether that was
-  /// simple; if not, nothing was done.
+  /// Starts with the triangle of the plane if that triangle is all that is cut. Must be called
+  /// before anything is inserted. The corners become points 3, 4 and 5; the edges become lines 0, 1
+  /// and 2. Returns false and changes nothing if the scaffold around the triangle cannot be
+  /// represented in doubles.
   bool begin_with_triangle(const std::array<ExactPoint, 3>& corners);
-  /// Returns the index of the point, or of an equal one that is there. It is known to be on the
-  /// given lines.
+  /// Inserts a point that lies on the given lines. Returns its index, or the index of an equal
+  /// point.
   Index insert(const ExactPoint& point, std::span<const Index> lines);
   Index insert(const ExactPoint& point, std::initializer_list<Index> lines) {
     return insert(point, std::span<const Index>(lines.begin(), lines.size()));
   }
-  /// Adds lines on which a point is known to be.
+  /// Records further lines on which a point lies.
   void add_lines(Index point, std::span<const Index> lines) {
     for (const Index line : lines) add_line(point, line);
   }
-  /// Makes the segment a chain of constrained edges. Both ends are on the line.
+  /// Makes the segment a chain of constrained edges. Both end points must lie on the line.
   void constrain(Index from, Index to, Index line);
-  /// Flips diagonals that no constraint holds until they are Delaunay; of two that are equally good
-  /// the one at the point with the least defining vertices stays. So the result depends neither on
-  /// what else was inserted nor on the order of the faces. Constraints bound what is marked per
-  /// facet, if anything is; the rest is left as it is.
+  /// Flips unconstrained edges until the triangulation is constrained Delaunay. If both diagonals
+  /// are equally good, the diagonal at the point with the least defining vertices stays. Hence the
+  /// result depends neither on other insertions nor on the order of the faces. If `marked` is not
+  /// empty, only edges of marked facets are flipped; constraints must separate marked from unmarked
+  /// facets.
   void improve(const std::vector<char>& marked = {});
-  /// The constraints on an edge of a facet.
+  /// Calls `visit` for each constraint on an edge of a facet.
   template <class Visit>
   void for_each_line(Index facet, Index i, const Visit& visit) const {
     bool is_along = true;
@@ -65,22 +71,24 @@ class PlanarTriangulation {
       visit(OnEdge{lists_[at / 2].line, is_along});
     }
   }
-  /// The edges (facet * 3 + i) from one point along a constraint, or against it, to another.
+  /// Returns the edges (3 * facet + i) from one point to another along a constraint, or against its
+  /// direction.
   std::vector<Index> chain(Index from, Index to, OnEdge along) const;
-  /// The marked facets in the order of their points' definitions, and by these.
+  /// The marked facets, sorted by the definitions of their points.
   struct Collection {
-    std::vector<ExactPoint> points;  ///< in the order in which the facets name them
-    std::vector<Face> facets;        ///< each begins with the least
-    std::vector<Index> numbers;      ///< in facets()
+    std::vector<ExactPoint> points;  ///< in the order in which the facets refer to them
+    std::vector<Face> facets;        ///< each starts with its least corner
+    std::vector<Index> numbers;      ///< index of each facet in facets()
   };
   Collection collect(const std::vector<char>& marked) const;
 
   const std::vector<Facet>& facets() const { return facets_; }
   const ExactPoint& point(Index i) const { return points_[i]; }
   std::size_t point_count() const { return points_.size(); }
-  /// Where an edge starts.
+  /// Returns the first point of an edge (3 * facet + i).
   Index source(Index edge) const { return facets_[edge / 3].v[edge % 3]; }
-  static constexpr Index scaffold_points = 3;  ///< the first points are the scaffold
+  /// Number of leading points that are corners of the scaffold.
+  static constexpr Index scaffold_points = 3;
 
  private:
   using Lines = boost::container::small_vector<Index, 4>;
@@ -89,14 +97,15 @@ class PlanarTriangulation {
   };
   struct Location {
     Index facet;
-    std::array<int, 3> side;  ///< of each edge on which the point is; two zeros: at a corner
+    std::array<int, 3> side;  ///< orientation of the point with each edge: 0 if it is on the edge;
+                              ///< two zeros if it is a corner
   };
-  /// A list of the constraints on an edge. Lists are shared by the parts of an edge that was split.
-  /// The number of list i is 2 i along the edge, and 2 i + 1 from its other side.
+  /// Linked list of the constraints on an edge. The parts of a split edge share one list. List `i`
+  /// has the number 2 i for the edge direction and 2 i + 1 for the opposite direction.
   struct ListOnEdge {
     Index line;
-    Index rest;    ///< a list, or no_index
-    Index oldest;  ///< the line that was there first
+    Index rest;    ///< number of the next list, or no_index
+    Index oldest;  ///< the line that was added to the list first
   };
 
   int orientation(Index a, Index b, Index c) const;
@@ -133,8 +142,8 @@ class PlanarTriangulation {
   PlaneProjection projection_;
   Crossing crossing_;
   std::vector<ExactPoint> points_;
-  std::vector<Lines> lines_;     ///< through each point, ascending
-  std::vector<Index> facet_of_;  ///< some facet at each point
+  std::vector<Lines> lines_;     ///< lines through each point, ascending
+  std::vector<Index> facet_of_;  ///< one facet at each point
   std::vector<Facet> facets_;
   std::vector<ListOnEdge> lists_;
 };

@@ -7,8 +7,8 @@
 namespace transformesh {
 namespace {
 
-/// Files items by bucket: `for_each` calls its argument with every bucket and item, the same each
-/// time.
+/// Groups items by bucket (counting sort). `for_each` must call its argument with each bucket and
+/// item, in the same order at both calls.
 template <class Item, class ForEach>
 void file(std::size_t buckets, const ForEach& for_each, std::vector<Index>& offsets,
           std::vector<Item>& items) {
@@ -29,7 +29,8 @@ Planes::Planes(const WeldedMesh& welded, const std::vector<Meeting>& meetings)
   file_meetings();
 }
 
-// The first face of a plane is the root of its set, so planes come in the order of their faces.
+// The root of each set is its least face; hence planes are numbered in the order of their first
+// faces.
 void Planes::number_planes(const WeldedMesh& welded) {
   DisjointSets sets(welded.faces.size());
   std::vector<char> is_cut(welded.faces.size(), 0);

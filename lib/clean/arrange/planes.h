@@ -1,5 +1,5 @@
-/// The planes in which faces that meet are cut: coplanar faces that meet are cut together (paper
-/// 3.2.3). Cost: O(n + k) for k pairs. Exact; deterministic.
+/// Groups faces that meet and are coplanar; each group is cut together in one plane (paper 3.2.3).
+/// Cost: close to O(n + k) for n faces and k pairs. Exact; deterministic.
 #pragma once
 
 #include <span>
@@ -9,26 +9,26 @@
 
 namespace transformesh {
 
-/// Faces that are cut together, usually a single one.
+/// Faces that are cut together, usually a single face.
 struct Plane {
-  std::span<const Index> faces;              ///< ascending; of copies only the first
-  std::span<const Meeting* const> meetings;  ///< of these with faces in other planes
+  std::span<const Index> faces;              ///< ascending; only the first copy of each face
+  std::span<const Meeting* const> meetings;  ///< meetings of these faces with faces in other planes
 };
 
 class Planes {
  public:
-  /// Keeps a reference to the meetings.
+  /// Keeps a reference to `meetings`.
   Planes(const WeldedMesh& welded, const std::vector<Meeting>& meetings);
   Planes(const WeldedMesh& welded, std::vector<Meeting>&& meetings) = delete;
 
-  /// In the order of their first faces.
+  /// Returns the number of planes. Planes are sorted by their first faces.
   std::size_t size() const { return face_offsets_.size() - 1; }
   Plane operator[](std::size_t plane) const {
     return {{faces_.data() + face_offsets_[plane], faces_.data() + face_offsets_[plane + 1]},
             {meetings_.data() + meeting_offsets_[plane],
              meetings_.data() + meeting_offsets_[plane + 1]}};
   }
-  /// The plane of a face; no_index for one that is whole.
+  /// Returns the plane of a face, or no_index if the face stays whole.
   Index plane_of(Index face) const { return plane_of_[face]; }
   bool is_whole(Index face) const { return plane_of_[face] == no_index; }
 

@@ -39,8 +39,8 @@ class Refiner {
     face_rows_.push_back(mesh_face);
   }
 
-  // The vertex of a piece's corner. A corner of the face itself keeps its own vertex, though others
-  // may be at the same position.
+  // Returns the vertex at a corner of a piece. A corner of the face itself keeps the vertex of that
+  // face, even if other vertices have the same position.
   Index vertex(Index point, Index mesh_face) {
     const WeldedMesh& welded = *arrangement_.welded;
     if (point < welded.points.size()) {
@@ -68,7 +68,7 @@ class Refiner {
 
   const Mesh& mesh_;
   const Arrangement& arrangement_;
-  std::vector<Index> new_vertex_;  ///< per cut point
+  std::vector<Index> new_vertex_;  ///< vertex of each cut point, or no_index
   std::vector<Index> face_rows_;
   Mesh result_;
 };

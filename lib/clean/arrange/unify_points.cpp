@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Different definitions and their points, numbered as they come.
+/// Distinct definitions with their points, numbered in order of appearance.
 class DefinedPoints {
  public:
   Index number(const ExactPoint& point) {
@@ -25,7 +25,7 @@ class DefinedPoints {
   std::vector<const ExactPoint*> points_;
 };
 
-/// For every point the first one that is equal.
+/// Returns for each point the index of the first point that is equal to it.
 std::vector<Index> find_equal_points(const WeldedMesh& welded,
                                      const std::vector<const ExactPoint*>& points) {
   const ExactGeometry geometry(welded.points, welded.faces);

@@ -1,4 +1,4 @@
-/// One number for the equal points of all planes: those of the mesh keep theirs, and new ones
+/// Assigns one number to equal points of all planes. Mesh points keep their numbers. New points
 /// follow in the order in which the planes list them. Cost: O(k log k) for k points. Exact;
 /// deterministic.
 #pragma once
@@ -10,8 +10,8 @@
 namespace transformesh {
 
 struct UnifiedPoints {
-  std::vector<std::vector<Index>> ids;  ///< per plane and point of it
-  std::vector<ExactPoint> cut_points;   ///< the new ones
+  std::vector<std::vector<Index>> ids;  ///< per plane: the number of each of its points
+  std::vector<ExactPoint> cut_points;   ///< new points, in the order of their numbers
 };
 
 UnifiedPoints unify_points(const WeldedMesh& welded, const std::vector<PlaneCut>& cuts);

@@ -13,7 +13,8 @@ bool has_same_direction(const Face& face, const Face& copy) {
   return copy[(at + 1) % 3] == face[1];
 }
 
-// The sign of a coordinate that differs between two points: that of the second less the first.
+// Returns the sign of `to` minus `from` in one coordinate in which the points differ, or 0. Stores
+// the index of that coordinate.
 int direction(const ExactGeometry& geometry, const ExactPoint& from, const ExactPoint& to,
               int& coordinate) {
   (to.center - from.center).cwiseAbs().maxCoeff(&coordinate);
@@ -50,8 +51,8 @@ void WindingJumps::count_copies() {
   if (count_once) multiplicities_.clear();
 }
 
-// With the normals n of the plane and m of the other face, n x m is parallel to the segment, and
-// what lies left of it is behind the other face.
+// With the normals n of the plane and m of the other face, n x m is parallel to the segment. Points
+// to the left of n x m are behind the other face.
 WindingJump WindingJumps::over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
                                        const ExactPoint& from, const ExactPoint& to) const {
   const Contacts& contacts = meeting.contacts;

@@ -1,6 +1,6 @@
-/// Changes of the winding number w across faces, seen from the front of a plane. There w is
-/// constant except where a face meets the plane from the front (paper 3.2.2). Faces of open
-/// components change nothing: w is the winding number of the closed part. Exact; deterministic.
+/// Changes of the winding number w in front of a plane. In front of a plane, w is constant except
+/// across segments at which other faces meet the plane from the front (paper 3.2.2). Faces of open
+/// components do not change w: w is the winding number of the closed part. Exact; deterministic.
 #pragma once
 
 #include <vector>
@@ -10,31 +10,31 @@
 
 namespace transformesh {
 
-/// A face, and by how much w in front of a plane grows from left to right of a segment in which the
-/// face meets the plane.
+/// The change of w in front of a plane, from left to right of the segment in which a face meets the
+/// plane.
 struct WindingJump {
-  Index face;  ///< of copies the first
+  Index face;  ///< the first of its copies
   int jump;
 };
 
 class WindingJumps {
  public:
-  /// Keeps references.
+  /// Keeps references to both arguments.
   WindingJumps(const WeldedMesh& welded, const Planes& planes);
 
-  /// How many closed copies of a face there are, less those that are reversed.
+  /// Number of closed copies of a face minus the number of reversed ones.
   int multiplicity(Index face) const { return multiplicities_.empty() ? 1 : multiplicities_[face]; }
-  /// Whether one of its copies is open.
+  /// True if a copy of the face is open.
   bool has_open_copy(Index face) const {
     return !has_open_copy_.empty() && has_open_copy_[face] != 0;
   }
 
-  /// Over the common segment of two faces, seen from the front of one of them (from its back, if
-  /// that is `reversed`). [from, to] is the segment.
+  /// Returns the jump across [from, to], the common segment of two faces. The jump is that in front
+  /// of the first or second face, as `seen_from_first` selects; behind that face if `reversed`.
   WindingJump over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
                            const ExactPoint& from, const ExactPoint& to) const;
-  /// Over edge i of a face in a plane, along the face, the steps of all faces at that edge that
-  /// rise to the front of the plane, which is given by a face.
+  /// Appends the jumps across edge `i` of `face`, in the direction of that edge. `plane` is a face
+  /// in the plane. Only faces at the edge that are in front of the plane contribute.
   void over_edge(Index face, Index i, Index plane, std::vector<WindingJump>& jumps) const;
 
  private:
@@ -44,7 +44,7 @@ class WindingJumps {
 
   std::vector<int> multiplicities_;  ///< per first copy; empty if each face counts once
   std::vector<char> has_open_copy_;  ///< per first copy; empty if all faces are closed
-  std::vector<Index> edge_of_;       ///< per halfedge
+  std::vector<Index> edge_of_;       ///< edge of each halfedge
 };
 
 }  // namespace transformesh
