@@ -11,13 +11,16 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t few_faces = 20000;  ///< are all searched at once
+/// Meshes with at most this number of faces are searched without sampling. This is a choice: below
+/// it, a full search is fast.
+constexpr std::size_t few_faces = 20000;
 constexpr std::size_t sampled_faces = 1024;
 constexpr std::size_t things_per_task = 8192;
 constexpr unsigned cells_per_axis = 128;
-constexpr std::size_t many_cells = 64;  ///< a face in more is large, and may touch any other
+/// A face in more cells is large, and counts as near every sample.
+constexpr std::size_t many_cells = 64;
 
-/// Cells that are marked.
+/// Set of marked grid cells, one bit each.
 class MarkedCells {
  public:
   explicit MarkedCells(const CornerCells& cells)
@@ -45,15 +48,16 @@ class MarkedCells {
   std::vector<std::uint64_t> words_;
 };
 
-// By multiples of the golden section, which are spread evenly however many there are.
+// Returns the i-th sample. Multiples of the golden section modulo 1 are spread evenly for any
+// number of samples.
 Index sampled_face(std::size_t i, std::size_t faces) {
-  constexpr std::uint64_t golden_section = 0x9e3779b97f4a7c15ULL;  // of 2^64
+  constexpr std::uint64_t golden_section = 0x9e3779b97f4a7c15ULL;  // times 2^64, as a fraction
   const auto share = static_cast<double>(i * golden_section) * 0x1p-64;
   return static_cast<Index>(
       std::min(share * static_cast<double>(faces), static_cast<double>(faces - 1)));
 }
 
-// The sampled faces and all that may touch one of them.
+// Returns the sampled faces, and all faces that share a grid cell with a sampled face.
 std::vector<Index> faces_near_samples(const Mesh& mesh, const CornerCells& cells) {
   MarkedCells marked(cells);
   for (std::size_t i = 0; i < sampled_faces; ++i) {
@@ -77,7 +81,7 @@ bool samples_intersect(const Mesh& mesh) {
   const CornerCells cells(mesh.positions, cells_per_axis);
   if (!cells.is_usable()) return false;
   const std::vector<Index> faces = faces_near_samples(mesh, cells);
-  // Where most are near, all may as well be searched.
+  // A second search of this size would not save time.
   if (faces.size() > mesh.faces.size() / 4) return false;
   return !find_intersections(mesh_of_faces(mesh, faces)).empty();
 }

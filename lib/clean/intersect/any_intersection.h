@@ -1,9 +1,9 @@
-/// Whether a mesh has self-intersections at all, by the definition of intersect.h: a search that
-/// ends with the first one it meets. Some faces, spread over the mesh, are searched with all that
-/// may touch them; where these do not meet, everything is searched. So the answer is exact, and yes
-/// is quick if some faces in a thousand intersect.
-/// Cost: O(n), mostly a look at each vertex and each face, where the first search finds something;
-/// else as find_intersections and a third more. Parallel; deterministic.
+/// Tests whether a mesh has self-intersections, as intersect.h defines them; stops at the first
+/// self-intersection found. The search first takes 1024 sampled faces with all faces near them. If
+/// these do not intersect, all faces are searched, so the answer is exact. The sample usually
+/// suffices if some faces in a thousand intersect. Cost: O(n), mostly one visit of each vertex and
+/// face, if the sample intersects. Otherwise the cost is that of find_intersections() plus a third.
+/// Parallel; deterministic.
 #pragma once
 
 #include "transformesh/control.h"

@@ -7,11 +7,11 @@ namespace {
 
 constexpr FaceSimplex outside = 255;
 
-// One of the two faces together with what is known about it relative to the other.
+// One of the two faces, with the relations of its corners to the other face.
 struct Side {
   std::array<const Vec3*, 3> p{};
-  std::array<int, 3> sign{};    ///< the side of the other face's plane on which each corner lies
-  std::array<int, 3> shared{};  ///< the corner of the other face that is this point, or -1
+  std::array<int, 3> sign{};    ///< side of the other face's plane on which each corner is
+  std::array<int, 3> shared{};  ///< index of the equal corner of the other face, or -1
 };
 
 Side make_side(const WeldedMesh& welded, Index face) {
@@ -28,7 +28,7 @@ Side make_side(const Triangle& triangle) {
   return side;
 }
 
-// Corners are shared where their point indices, or their coordinates, are equal.
+// Matches corners by point index or by coordinates. Returns the number of shared corners.
 template <class Corners>
 int match_shared_corners(const Corners& f, const Corners& g, Side& a, Side& b) {
   int count = 0;
@@ -45,8 +45,8 @@ int match_shared_corners(const Corners& f, const Corners& g, Side& a, Side& b) {
 
 OrientedPlane plane_of(const Side& side) { return {*side.p[0], *side.p[1], *side.p[2]}; }
 
-// Whether all corners but shared ones lie on the same side of the plane, as far as the filter
-// tells; keeps the signs that it told on the way.
+// Returns true if the floating-point filter proves that all corners that are not shared are on one
+// side of the plane. Stores the signs that the filter computed.
 bool lies_on_one_side(Side& a, const OrientedPlane& plane) {
   int common = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -58,13 +58,13 @@ bool lies_on_one_side(Side& a, const OrientedPlane& plane) {
   return true;
 }
 
-// Those that the filter has not told.
+// Computes the signs that the filter left undecided, by the exact predicate.
 void complete_signs(Side& a, const OrientedPlane& plane) {
   for (std::size_t i = 0; i < 3; ++i)
     if (a.shared[i] < 0 && a.sign[i] == 0) a.sign[i] = plane.side_of(*a.p[i]);
 }
 
-// Whether the face has points in the other's plane beyond shared corners.
+// True if the face meets the plane of the other face outside shared corners.
 bool reaches_plane(const Side& a) {
   bool above = false;
   bool below = false;
@@ -76,7 +76,8 @@ bool reaches_plane(const Side& a) {
   return above && below;
 }
 
-// The simplex of a triangle in which a point lies, given by which side of each edge it is on.
+// Returns the simplex of a triangle that contains a point, given the side of each edge on which the
+// point is.
 template <class SideOfEdge>
 FaceSimplex simplex_by_sides(const SideOfEdge& side_of_edge) {
   std::array<int, 3> side{};
@@ -96,15 +97,15 @@ FaceSimplex simplex_by_sides(const SideOfEdge& side_of_edge) {
   return interior;
 }
 
-// The simplex of b through which the edge from corner i of a passes; that edge crosses the plane of
-// b.
+// Returns the simplex of `b` that the edge from corner `i` of `a` intersects. The ends of the edge
+// must be on different sides of the plane of `b`.
 FaceSimplex simplex_at_edge(const Side& a, std::size_t i, const Side& b) {
   return simplex_by_sides([&](std::size_t k) {
     return orient3d(*a.p[i], *a.p[(i + 1) % 3], *b.p[k], *b.p[(k + 1) % 3]);
   });
 }
 
-// The simplex of b in which a point of its plane lies.
+// Returns the simplex of `b` that contains a point in the plane of `b`.
 FaceSimplex simplex_at_point(const Vec3& point, const Side& b, PlaneProjection projection) {
   return simplex_by_sides(
       [&](std::size_t k) { return orient2d(*b.p[k], *b.p[(k + 1) % 3], point, projection); });
@@ -118,8 +119,8 @@ void add(Contacts& result, FaceSimplex first, FaceSimplex second) {
   if (result.count < 4) result.contacts[static_cast<std::size_t>(result.count++)] = {first, second};
 }
 
-// Adds the contacts of the corners and edges of a with b. `swapped` tells that a is the second
-// face.
+// Adds the contacts of the corners and edges of `a` with `b`. `swapped` is true if `a` is the
+// second face.
 void add_contacts(const Side& a, const Side& b, bool swapped, Contacts& result) {
   const auto record = [&](FaceSimplex on_a, FaceSimplex on_b) {
     if (on_b == outside) return;
@@ -170,15 +171,15 @@ bool coplanar_faces_meet(const Side& a, const Side& b, int shared) {
   return false;
 }
 
-// The edge at a simplex of a face, the smaller point first.
+// Returns the edge of a simplex of a face, with the smaller point index first.
 std::array<Index, 2> edge_at(const WeldedMesh& welded, Index face, FaceSimplex simplex) {
   const Index u = welded.faces[face][simplex - 3U];
   const Index v = welded.faces[face][(simplex - 2U) % 3];
   return {std::min(u, v), std::max(u, v)};
 }
 
-// In doubles: boxes in floats overlap more often, much more where coordinates are of very different
-// magnitudes.
+// Compares boxes in doubles. Boxes in floats overlap more often, in particular if the magnitudes of
+// the coordinates differ strongly.
 bool boxes_overlap(const Side& a, const Side& b) {
   for (int i = 0; i < 3; ++i) {
     const double a0 = (*a.p[0])[i], a1 = (*a.p[1])[i], a2 = (*a.p[2])[i];
@@ -193,7 +194,7 @@ Contacts contacts_of(Side& a, Side& b, int shared) {
   Contacts result;
   if (shared == 0 && !boxes_overlap(a, b)) return result;
 
-  // Most pairs of neighbors and most pairs whose boxes overlap are decided here.
+  // The filter decides most pairs of neighbors and most pairs whose boxes overlap.
   const OrientedPlane plane_b = plane_of(b);
   if (shared < 3 && lies_on_one_side(a, plane_b)) return result;
   const OrientedPlane plane_a = plane_of(a);
@@ -208,7 +209,8 @@ Contacts contacts_of(Side& a, Side& b, int shared) {
   complete_signs(b, plane_a);
   if (!reaches_plane(b)) return result;
 
-  // The common segment ends where an edge or a corner of one meets the other.
+  // The ends of the common segment are contacts of an edge or a corner of one face with the other
+  // face.
   add_contacts(a, b, false, result);
   add_contacts(b, a, true, result);
   if (!result.meet) return result;

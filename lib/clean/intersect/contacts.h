@@ -1,7 +1,8 @@
-/// Classifies where two faces meet by their vertices, edges and interiors: the exact
-/// triangle-triangle test behind detection and arrangement (paper 3.1). Reference for the sign
-/// tests: Guigue & Devillers, "Fast and robust triangle-triangle overlap test using orientation
-/// predicates", JGT 2003; here every contact is classified, so that touching counts.
+/// Exact triangle-triangle intersection test (paper 3.1), used by detection and arrangement.
+/// Classifies each contact of two faces by the vertices, edges and interiors that meet. The sign
+/// tests follow Guigue & Devillers, "Fast and robust triangle-triangle overlap test using
+/// orientation predicates", JGT 2003. Unlike their test, this one classifies every contact, and
+/// touching counts as an intersection. Cost: O(1).
 #pragma once
 
 #include <array>
@@ -11,49 +12,52 @@
 
 namespace transformesh {
 
-/// One of the seven open simplices of a face: 0, 1 and 2 are its corners, 3, 4 and 5 the edges that
-/// start there, and 6 is its interior.
+/// One of the seven open simplices of a face: 0, 1 and 2 are the corners, 3, 4 and 5 are the edges
+/// that start at these corners, and 6 is the interior.
 using FaceSimplex = std::uint8_t;
 inline constexpr FaceSimplex interior = 6;
 
-/// A common point of two faces: the simplex of each in which it lies.
+/// A common point of two faces, given by the simplex of each face that contains the point.
 struct Contact {
   FaceSimplex first;
   FaceSimplex second;
 };
 
 struct Contacts {
-  bool coplanar = false;  ///< the faces lie in one plane and meet beyond shared corners and edges
-  bool meet = false;      ///< they meet anywhere but in shared corners and edges
-  /// The ends of the common segment of faces in different planes (or its only point), shared
-  /// corners included. One end never takes two entries: equal points lie in equal simplices.
+  bool coplanar = false;  ///< the faces are coplanar and meet outside shared corners and edges
+  bool meet = false;      ///< the faces meet outside shared corners and edges
+  /// The ends of the common segment of two non-coplanar faces, or their only common point. Shared
+  /// corners are included. Entries are distinct points, because equal points are in equal
+  /// simplices.
   std::array<Contact, 4> contacts{};
   int count = 0;
-  /// On which side of the other's plane each corner lies, +1 in front; of faces in different planes
-  /// that meet.
+  /// Side of each corner relative to the plane of the other face: +1 in front, -1 behind, 0 in the
+  /// plane. Set only if non-coplanar faces meet.
   std::array<std::int8_t, 3> first_sides{}, second_sides{};
 };
 
-/// Two faces that meet, and where.
+/// Two faces that meet, with their contacts.
 struct Meeting {
   Index first;
   Index second;
   Contacts contacts;
 };
 
-/// Exact. Faces that share a corner share the point index.
+/// Classifies the contacts of two welded faces. Corners are shared if their point indices are
+/// equal. Exact.
 Contacts find_contacts(const WeldedMesh& welded, Index first, Index second);
 
-/// Returns whether two triangles meet anywhere but in corners and edges that they share. Corners
-/// with equal coordinates are shared. Exact; false if one of the triangles has no area.
+/// Returns true if two triangles meet outside shared corners and edges. Corners are shared if their
+/// coordinates are equal. Exact; returns false if one of the triangles has no area.
 bool triangles_meet(const Triangle& first, const Triangle& second);
 
-/// What defines the point of a contact: a given point, an edge and a face, or two edges. It is the
-/// same from whichever faces it is seen.
+/// Returns the definition of a contact point: a given point, an edge and a face, or two edges. A
+/// contact of two edges or of an edge and a face has the same definition for either order of the
+/// two faces.
 PointDefinition contact_definition(const WeldedMesh& welded, Index first, Index second,
                                    Contact contact);
 
-/// The exact point of a contact.
+/// Returns the exact point of a contact.
 ExactPoint contact_point(const WeldedMesh& welded, const ExactGeometry& geometry, Index first,
                          Index second, Contact contact);
 

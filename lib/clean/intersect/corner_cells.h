@@ -1,5 +1,5 @@
-/// The cells of a grid of cubes over a mesh in which its faces may be: two faces that have a point
-/// in common have a cell in common.
+/// Uniform grid of cubic cells over a mesh. Maps each face to the range of cells that its bounding
+/// box covers. Two faces with a common point share a cell.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@
 
 namespace transformesh {
 
-/// The cells around a face: those from low to high.
+/// The cells from `low` to `high`, both included.
 struct CellRange {
-  using Cell = std::array<std::uint8_t, 4>;  ///< the last is not used
+  using Cell = std::array<std::uint8_t, 4>;  ///< the fourth byte is padding
   Cell low, high;
   std::size_t size() const {
     std::size_t size = 1;
@@ -27,7 +27,8 @@ struct CellRange {
 
 class CornerCells {
  public:
-  /// A grid of so many cells, up to 256, along the longest side.
+  /// Covers the points by a grid with `per_axis` cells, at most 256, along the longest side of
+  /// their bounding box.
   CornerCells(std::span<const Vec3> points, unsigned per_axis)
       : per_axis_(per_axis), cells_(points.size()) {
     constexpr std::size_t points_per_task = 8192;
@@ -48,7 +49,7 @@ class CornerCells {
     });
   }
 
-  /// Not where the mesh has no extent, or more than numbers hold.
+  /// False if the mesh has no extent, or if the extent overflows.
   bool is_usable() const { return is_usable_; }
 
   CellRange around(const Face& face) const {
@@ -61,9 +62,9 @@ class CornerCells {
     return range;
   }
 
-  /// How many numbers for cells there are, which visit(cell) of for_each takes.
+  /// Number of cells; cell indices are less than this.
   std::size_t count() const { return std::size_t{per_axis_} * per_axis_ * per_axis_; }
-  /// Calls visit(cell) for the cells of a range until it returns false.
+  /// Calls visit(cell) for the cell indices of a range until `visit` returns false.
   template <class Visit>
   void for_each(const CellRange& range, const Visit& visit) const {
     for (std::size_t x = range.low[0]; x <= range.high[0]; ++x)

@@ -6,8 +6,9 @@
 namespace transformesh {
 namespace {
 
-// Per wanted point, the ways that all its faces look; none where it has an edge without two faces
-// that traverse it in opposite directions.
+// Returns for each wanted point the axis directions in which all its faces have positive projected
+// area. Returns no direction if an edge of the point does not have exactly two faces with opposite
+// halfedges.
 std::vector<AxisDirections> find_common_directions(const WeldedMesh& welded,
                                                    std::span<const char> is_wanted) {
   std::vector<AxisDirections> common(welded.points.size());
@@ -26,9 +27,9 @@ std::vector<AxisDirections> find_common_directions(const WeldedMesh& welded,
 
 }  // namespace
 
-// Seen along a way that all faces look, every edge opposite to the point leaves it on its left. So
-// these edges, which are closed polygons, go around it as often as they cross the ray to its right,
-// upwards.
+// In the projection along a common direction, the point is to the left of each opposite edge. These
+// edges form closed polygons around the point. The number of times that they cross the ray to the
+// right of the point upwards is the number of turns.
 std::vector<char> find_embedded_stars(const WeldedMesh& welded, std::span<const char> is_wanted) {
   const std::vector<AxisDirections> directions = find_common_directions(welded, is_wanted);
   std::vector<char> turns(welded.points.size(), 0);

@@ -1,9 +1,13 @@
-/// Vertices whose faces meet nowhere but in corners and edges that they share, detected by
-/// projection along an axis: where all faces around a vertex look the same way, each edge there has
-/// two of them, and they go around once, their projections only touch. Of a smooth mesh these are
-/// all vertices, so that no pair of neighbors needs to be tested. Reference: the condition on a
-/// star in Volino & Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized
-/// surface animations using geometrical shape regularity", Computer Graphics Forum 13(3), 1994.
+/// Detects vertices whose faces meet only in shared corners and edges, by projection along a
+/// coordinate axis. The star of a vertex is embedded if three conditions hold. All its faces have
+/// projections of the same orientation. Each of its edges has two faces. The projected faces go
+/// around the vertex once. Typically this holds for all vertices of a smooth mesh, and no pair of
+/// neighbors needs to be tested.
+///
+/// Reference: the condition on a star in Volino & Magnenat-Thalmann, "Efficient self-collision
+/// detection on smoothly discretized surface animations using geometrical shape regularity",
+/// Computer Graphics Forum 13(3), 1994. Here the directions of projection are the six axis
+/// directions only.
 #pragma once
 
 #include <span>
@@ -13,14 +17,14 @@
 
 namespace transformesh {
 
-/// Per point; what is marked is certain, what is not may be embedded all the same. O(n); parallel;
-/// deterministic.
+/// Returns 1 for each point whose star is certainly embedded. Other stars may be embedded, too.
+/// O(n) time; deterministic.
 std::vector<char> find_embedded_stars(const WeldedMesh& welded);
-/// Of those that are wanted.
+/// Restricts the test to points with a nonzero `is_wanted` entry.
 std::vector<char> find_embedded_stars(const WeldedMesh& welded, std::span<const char> is_wanted);
 
-/// Whether two faces share a vertex with such a star, and so meet in nothing but what they share.
-/// Without branches, as chance decides.
+/// True if two faces share a vertex with an embedded star. Such faces meet only in shared corners
+/// and edges. The code has no branches because the outcome is unpredictable.
 inline bool share_embedded_star(const Face& f, const Face& g,
                                 const std::vector<char>& is_embedded) {
   unsigned result = 0;

@@ -5,7 +5,8 @@
 namespace transformesh {
 namespace {
 
-/// Above the error of the area of a projected triangle, relative to its two products.
+/// Relative to the sum of the absolute values of two products. Exceeds the rounding error of the
+/// area of a projected triangle.
 constexpr double area_error = 1e-15;
 constexpr double underflow_guard = 1e-280;
 constexpr double least_squared_cosine = 0.25;

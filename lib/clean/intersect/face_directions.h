@@ -1,5 +1,5 @@
-/// The ways that a face looks along the axes, which tell where faces cannot meet (embedded_stars.h,
-/// intersection_free_regions.h).
+/// Axis directions in which a face has positive projected area. They prove that faces cannot meet
+/// (embedded_stars.h, intersection_free_regions.h).
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace transformesh {
 
-/// Bit 2 * axis for up that axis, the bit above for down.
+/// Bit 2 * axis is the positive direction of that axis, bit 2 * axis + 1 the negative direction.
 using AxisDirections = std::uint8_t;
 inline constexpr AxisDirections all_axis_directions = 0x3f;
 
 struct FaceDirections {
-  AxisDirections looks = 0;  ///< the projection along the axis has an area of that sign for certain
-  AxisDirections leans = 0;  ///< of these, those within 60 degrees of the normal, or nearly so
+  AxisDirections looks = 0;  ///< directions in which the projected area is positive for certain
+  AxisDirections leans = 0;  ///< subset of `looks` within about 60 degrees of the normal
 };
 
 FaceDirections directions_of_face(const Vec3& a, const Vec3& b, const Vec3& c);

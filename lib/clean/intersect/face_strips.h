@@ -1,10 +1,12 @@
-/// Strips of long thin faces: the space between two parallel planes that stand on the face, one of
-/// them on its longest edge. Two faces are apart if all corners of one are on one side of the strip
-/// of the other. The boxes of long thin faces that lie side by side across the axes overlap, but
-/// their strips do not. The test of two strips takes a tenth of the time of find_contacts()
-/// (contacts.h), which has to be exact where faces lie in nearly one plane. Reference: Gottschalk,
-/// Lin & Manocha, "OBBTree: a hierarchical structure for rapid interference detection", SIGGRAPH
-/// 1996, for separating axes.
+/// Separating strips of long thin faces. A strip is the space between two parallel planes
+/// perpendicular to the face, one of them through its longest edge. Two faces are disjoint if all
+/// corners of one face are on one side of the strip of the other. The boxes of parallel long thin
+/// faces that are oblique to the axes overlap, but their strips do not. Testing two strips takes a
+/// tenth of the time of find_contacts() (contacts.h), which needs exact arithmetic for nearly
+/// coplanar faces.
+///
+/// Reference for separating axes: Gottschalk, Lin & Manocha, "OBBTree: a hierarchical structure for
+/// rapid interference detection", SIGGRAPH 1996. Here one axis per face is tested.
 #pragma once
 
 #include <span>
@@ -16,16 +18,17 @@ namespace transformesh {
 
 class FaceStrips {
  public:
-  /// Makes the strips of those faces that are long and thin. O(n); parallel; deterministic.
+  /// Computes the strips of all long thin faces in the list. O(n); parallel; deterministic.
   FaceStrips(const WeldedMesh& welded, std::span<const Index> faces);
 
-  /// Whether the strip of one face, by its place in the list, shows that they are apart.
+  /// True if the strip of one face proves that the faces are disjoint. The arguments are positions
+  /// in the list of faces.
   bool are_apart(std::size_t first, std::size_t second) const {
     return is_beside(first, second) || is_beside(second, first);
   }
 
  private:
-  /// The computed values of direction * p are in [low, high] for all points p of the face. Both
+  /// For all points p of the face, the computed value of direction * p is in [low, high]. Both
   /// bounds include the rounding errors of such values for any point of the mesh.
   struct Strip {
     Vec3 direction;
@@ -36,7 +39,8 @@ class FaceStrips {
 
   const WeldedMesh& welded_;
   std::span<const Index> faces_;
-  std::vector<Index> place_of_;  ///< in strips_, per face of the list; no_index if it is not thin
+  /// Index into `strips_` per face of the list; no_index if the face is not thin.
+  std::vector<Index> place_of_;
   std::vector<Strip> strips_;
 };
 

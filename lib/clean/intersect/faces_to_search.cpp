@@ -7,10 +7,12 @@
 namespace transformesh {
 namespace {
 
-/// There are about as many cells as faces, and large faces may take up so many times that.
+/// The grid has about as many cells as faces. Large faces together may be entered into at most this
+/// multiple of the number of faces; otherwise no face is left out. This is a choice that bounds
+/// time.
 constexpr std::size_t most_cells_per_face = 16;
 constexpr unsigned most_cells_per_axis = 253;
-constexpr Index several = no_index - 1;  ///< regions
+constexpr Index several = no_index - 1;  ///< marks a cell with faces of several regions or of none
 
 std::vector<Index> first_copies(const WeldedMesh& welded) {
   std::vector<Index> firsts;
@@ -27,7 +29,7 @@ unsigned cells_per_axis(std::size_t cells) {
   return side;
 }
 
-/// Whether a face is in two cells at most along each axis.
+/// True if a face covers at most two cells along each axis.
 bool is_usual(const CellRange& range) {
   unsigned most = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -35,8 +37,8 @@ bool is_usual(const CellRange& range) {
   return most <= 1;
 }
 
-/// The regions of faces in the cells of a grid. A usual face is entered into its lowest cell only:
-/// where two have a cell in common, these are the same or next to each other.
+/// The regions of faces per grid cell. A usual face is entered into its lowest cell only. If two
+/// usual faces share a cell, their lowest cells are equal or adjacent.
 class RegionGrid {
  public:
   explicit RegionGrid(unsigned per_axis)
@@ -60,7 +62,7 @@ class RegionGrid {
         for (std::size_t z = range.low[2]; z <= range.high[2]; ++z) enter(cell(x, y, z), several);
   }
 
-  /// Marks the cells in which, or next to which, there are faces of several regions.
+  /// Marks the cells that have faces of several regions in the cell itself or in an adjacent cell.
   std::vector<char> find_crowded() const {
     std::vector<char> is_crowded(region_at_.size(), 0);
     for (const Index cell : occupied_) {
@@ -76,7 +78,7 @@ class RegionGrid {
   }
 
  private:
-  Index side_;  ///< with a margin
+  Index side_;  ///< cells per axis, including a margin of one cell at each end
   std::vector<Index> region_at_;
   std::vector<Index> occupied_;
 };
@@ -92,7 +94,7 @@ std::vector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<cons
   if (!cells.is_usable()) return faces;
 
   RegionGrid grid(per_axis);
-  std::vector<Index> cell_of(faces.size(), no_index);  // of usual ones
+  std::vector<Index> cell_of(faces.size(), no_index);  // lowest cell; no_index for large faces
   std::size_t cells_left = most_cells_per_face * faces.size();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const CellRange range = cells.around(welded.faces[faces[i]]);

@@ -1,4 +1,4 @@
-/// Finds the faces that may meet others at all, by the cells of a grid.
+/// Selects the faces that may intersect others, by a uniform grid.
 #pragma once
 
 #include <span>
@@ -8,9 +8,10 @@
 
 namespace transformesh {
 
-/// Of equal faces the first, but for those that are far from any face of another region,
-/// or of none (intersection_free_regions.h): these meet nothing. Where most have no region, all of
-/// them. Ascending. O(n); deterministic.
+/// Returns the first copy of each face, in ascending order, without faces that cannot intersect
+/// others. A face of an intersection-free region (intersection_free_regions.h) is left out if no
+/// other region and no face without region is near. If more than half of the faces have no region,
+/// no face is left out. O(n); deterministic.
 std::vector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> regions);
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-/// Finds the pairs of faces of a welded mesh that intersect, with their contacts (contacts.h).
+/// Finds all pairs of intersecting faces of a welded mesh, with their contacts (contacts.h).
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@ namespace transformesh {
 struct Meeting;
 struct WeldedMesh;
 
-/// Finds what find_intersections() of intersect.h finds. The first of several equal faces stands
-/// for its copies: pairs of copies are not listed.
+/// Finds the pairs that find_intersections() of intersect.h finds. The first of several copies
+/// stands for all copies; pairs of copies are not listed.
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress);
 
-/// Returns the number of pairs of faces if every copy counts.
+/// Returns the number of intersecting pairs of faces, with each copy counted separately.
 std::size_t count_pairs(const WeldedMesh& welded, const std::vector<Meeting>& meetings);
 
 }  // namespace transformesh

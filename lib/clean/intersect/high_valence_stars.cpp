@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t faces_per_task = 1024;
 
-/// Whether `to` lies in the same direction from the center as `from`, of points on one line.
+/// True if `to` is in the same direction from the center as `from`. The three points must be
+/// collinear.
 bool is_same_side(const Vec3& center, const Vec3& from, const Vec3& to,
                   PlaneProjection projection) {
   const int axis = from[projection.u] != center[projection.u] ? projection.u : projection.v;
@@ -73,7 +74,7 @@ void HighValenceStars::add(Index center, Index halfedge) {
   }
 }
 
-/// Whether the angle from one point around the center to another is less than pi.
+/// True if the angle around the center from one point to the other is less than pi.
 bool HighValenceStars::is_ahead(const Star& star, Index from, Index to) const {
   const Vec3 &a = welded_->points[from], &b = welded_->points[to];
   const Vec3& center = welded_->points[star.center];
@@ -81,8 +82,8 @@ bool HighValenceStars::is_ahead(const Star& star, Index from, Index to) const {
   return sign > 0 || (sign == 0 && is_same_side(center, a, b, star.projection));
 }
 
-/// The sector that holds the point, of two that touch it the second. The point must not be
-/// projected to the center.
+/// Returns the sector that contains the point. If two sectors touch the point, the second one is
+/// returned. The projections of the point and the center must differ.
 std::size_t HighValenceStars::sector(const Star& star, Index point) const {
   const bool is_late = !is_ahead(star, star.rim[0], point);
   std::size_t first = 0, last = star.rim.size();
@@ -96,8 +97,9 @@ std::size_t HighValenceStars::sector(const Star& star, Index point) const {
   return first;
 }
 
-/// The sectors in which the face may meet the star: those that its projection touches. All of them
-/// if it touches the center, other than by one corner, which is above or below the center.
+/// Returns the sectors that the projection of the face touches. Returns all sectors if the
+/// projection touches the center, unless it does so only at a corner directly above or below the
+/// center.
 HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& face) const {
   const Range all{0, star.faces.size()};
   const Vec3& center = welded_->points[star.center];
@@ -107,13 +109,13 @@ HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& 
     return welded_->points[p][u] != center[u] || welded_->points[p][v] != center[v];
   });
   if (end - corners.begin() < 2) return all;
-  // From the first corner no other is behind, and from the last none is ahead.
+  // `from` has no other corner behind, and `to` has none ahead.
   Index from = no_index, to = no_index;
   for (const auto* i = corners.begin(); i != end; ++i) {
     bool has_behind = false, has_ahead = false;
     for (const auto* k = corners.begin(); k != end; ++k) {
       const bool is_one_way = is_ahead(star, *i, *k), is_other_way = is_ahead(star, *k, *i);
-      if (!is_one_way && !is_other_way) return all;  // opposite
+      if (!is_one_way && !is_other_way) return all;  // opposite sides of the center
       has_behind |= !is_one_way;
       has_ahead |= !is_other_way;
     }
@@ -121,8 +123,8 @@ HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& 
     if (!has_ahead) to = *i;
   }
   if (from == no_index || to == no_index) return all;
-  // A corner on the border of two sectors touches both, so the sector before the first counts, too,
-  // unless it is the last one.
+  // A corner on the boundary of two sectors touches both. Therefore the range starts one sector
+  // earlier, unless it already contains all sectors.
   const std::size_t count = all.count;
   const std::size_t first = sector(star, from);
   const std::size_t steps = (sector(star, to) + count - first) % count;
@@ -140,7 +142,7 @@ void HighValenceStars::add_pairs(Index number, Index face, std::vector<Bvh::Pair
 }
 
 std::vector<Bvh::Pair> HighValenceStars::find_pairs(std::span<const Index> others) const {
-  std::vector<Bvh::Pair> near;  // a star and a face
+  std::vector<Bvh::Pair> near;  // pairs of a star and a face near it
   std::vector<FloatBox> boxes;
   for (const Index f : others) boxes.push_back(boxes_[f]);
   const Bvh bvh(boxes);

@@ -1,8 +1,8 @@
-/// The faces around vertices of high valence, as a pie. The boxes of n thin faces around a vertex
-/// overlap those of n others in O(n^2) pairs, however they are ordered in a tree. But seen along
-/// the axis of an embedded star (embedded_stars.h) its faces are sectors in order around the
-/// vertex. So binary search finds the sectors that another face spans, and only these may meet it.
-/// Cost: O(n) to find the stars; O(log n + sectors) for each face near a star. Deterministic.
+/// Candidate pairs at vertices of high valence. The boxes of n thin faces around a vertex overlap
+/// each other in O(n^2) pairs, independent of the tree that stores them. However, in the projection
+/// along the axis of an embedded star (embedded_stars.h), the faces are sectors in order around the
+/// vertex. Binary search finds the sectors that another face spans, and only these may meet the
+/// face. Cost: O(n) to find the stars; O(log n + sectors) for each face near a star. Deterministic.
 #pragma once
 
 #include <span>
@@ -15,20 +15,22 @@ namespace transformesh {
 
 class HighValenceStars {
  public:
-  /// Points that are corners of so many faces that they have simplex links (simplex_links.h).
+  /// Returns 1 for each point whose valence is so high that it has a simplex link
+  /// (simplex_links.h). Empty if there are no links.
   static std::vector<char> crowded_points(const WeldedMesh& welded, const SimplexLinks& links);
 
   HighValenceStars() = default;
-  /// The stars of the points that are marked both as embedded and as crowded. A face around several
-  /// of them belongs to the lowest.
+  /// Builds the stars of the points that are marked both as embedded and as crowded. A face around
+  /// several such points belongs to the star of the lowest one.
   HighValenceStars(const WeldedMesh& welded, std::span<const char> is_embedded,
                    std::span<const char> is_crowded);
 
   bool empty() const { return stars_.empty(); }
   bool has(Index face) const { return !empty() && star_of_[face] != no_index; }
 
-  /// All pairs of a face of a star and a face, among `others` or of another star, that may meet.
-  /// Each pair once, the lower face first, in no particular order. `others` are faces of no star.
+  /// Returns all pairs that may meet, of a face of a star and either a face in `others` or a face
+  /// of another star. Each pair occurs once, with the lower face first; the order of pairs is
+  /// unspecified. Faces in `others` must not belong to a star.
   std::vector<Bvh::Pair> find_pairs(std::span<const Index> others) const;
 
  private:
@@ -37,11 +39,11 @@ class HighValenceStars {
     Index center;
     PlaneProjection projection;
     std::vector<Index> faces;
-    std::vector<Index> rim;     ///< Per face, its corner that comes first.
-    std::vector<char> is_late;  ///< Per face: the angle from rim[0] is pi or more.
+    std::vector<Index> rim;     ///< per face: its first corner after the center
+    std::vector<char> is_late;  ///< per face: 1 if the angle from rim[0] is pi or more
     FloatBox box;
   };
-  /// Sectors from `first` on, modulo their number.
+  /// `count` sectors from `first` on, modulo the number of sectors
   struct Range {
     std::size_t first;
     std::size_t count;
@@ -54,7 +56,7 @@ class HighValenceStars {
   void add_pairs(Index star, Index face, std::vector<Bvh::Pair>& pairs) const;
 
   const WeldedMesh* welded_ = nullptr;
-  std::vector<Index> star_of_;   ///< per face; no_index for none; empty without stars
+  std::vector<Index> star_of_;   ///< per face, or no_index; empty if there are no stars
   std::vector<FloatBox> boxes_;  ///< per face
   std::vector<Star> stars_;
 };

@@ -18,14 +18,15 @@ namespace {
 
 constexpr std::size_t faces_per_task = 4096;
 
-// The welded face of each mesh face; no_index where it has no area.
+// Returns the welded face of each mesh face, or no_index if the mesh face has no area.
 std::vector<Index> welded_faces(const WeldedMesh& welded, std::size_t mesh_faces) {
   std::vector<Index> result(mesh_faces, no_index);
   for (Index f = 0; f < welded.faces.size(); ++f) result[welded.face_of[f]] = f;
   return result;
 }
 
-// Rounding keeps the order of numbers: so each point is rounded once, not with all its faces.
+// Rounding is monotonic, so the box of a face can be merged from boxes of its points, each rounded
+// once.
 std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> faces) {
   std::vector<FloatBox> around(welded.points.size());
   parallel_for(around.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
@@ -49,14 +50,14 @@ bool has_copies(const WeldedMesh& welded) {
   return false;
 }
 
-// The copies of each face that is the first of its kind, ascending, itself among them.
+// Returns for each first copy the list of all its copies, including itself, ascending.
 std::vector<std::vector<Index>> list_copies(const WeldedMesh& welded) {
   std::vector<std::vector<Index>> copies(welded.faces.size());
   for (Index f = 0; f < welded.faces.size(); ++f) copies[welded.first_copy[f]].push_back(f);
   return copies;
 }
 
-// The pairs of which only first copies were named.
+// Expands pairs of first copies to all pairs of copies, and adds the pairs of copies of one face.
 std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<FacePair> pairs) {
   if (!has_copies(welded)) return pairs;
   const auto copies = list_copies(welded);
@@ -86,7 +87,8 @@ std::vector<Index> regions_of(std::span<const Index> faces, std::span<const Inde
   return result;
 }
 
-// Those of the pairs whose faces share no embedded star. There are no branches, as chance decides.
+// Lists the pairs whose faces share no embedded star. The loop has no branches because the outcome
+// is unpredictable.
 void list_others(const WeldedMesh& welded, std::span<const Index> faces,
                  const std::vector<char>& is_embedded, std::span<const Bvh::Pair> pairs,
                  std::vector<Bvh::Pair>& others) {
@@ -104,7 +106,7 @@ void list_others(const WeldedMesh& welded, std::span<const Index> faces,
 
 namespace {
 
-// Adds the meetings among the pairs, which share no embedded star.
+// Appends the meetings of the pairs that intersect.
 void add_meetings(const WeldedMesh& welded, std::span<const FacePair> pairs,
                   std::vector<Meeting>& meetings) {
   for (const auto& [f, g] : pairs) {
@@ -113,7 +115,7 @@ void add_meetings(const WeldedMesh& welded, std::span<const FacePair> pairs,
   }
 }
 
-// The meetings of faces of crowded stars.
+// Finds the meetings of the faces of high-valence stars.
 std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded,
                                                 const HighValenceStars& stars,
                                                 const std::vector<Index>& others,
@@ -137,7 +139,7 @@ std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded,
 
 namespace {
 
-// The meetings of pairs of boxes that share no embedded star.
+// Finds the meetings of all pairs with overlapping boxes, except pairs that share an embedded star.
 std::vector<std::vector<Meeting>> box_meetings(const WeldedMesh& welded, const Bvh& bvh,
                                                std::span<const Index> faces,
                                                const std::vector<char>& is_embedded) {
@@ -206,7 +208,7 @@ std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progr
   for (const Meeting& meeting : find_meetings(welded, progress))
     pairs.emplace_back(meeting.first, meeting.second);
   pairs = pairs_of_copies(welded, std::move(pairs));
-  // Welded faces are in the order of the mesh, so the pairs stay sorted.
+  // Welded faces are in mesh order, so the pairs stay sorted.
   for (auto& [f, g] : pairs) {
     f = welded.face_of[f];
     g = welded.face_of[g];

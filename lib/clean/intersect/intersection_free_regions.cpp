@@ -7,8 +7,9 @@
 namespace transformesh {
 namespace {
 
-/// Faces at most. The larger the regions, the fewer neighbors are in different ones; but their
-/// outlines cross more easily, and where they do, smaller ones are tried.
+/// Largest number of faces of a region. Larger regions have fewer neighbors in other regions, but
+/// their outlines intersect themselves more often. If a large region fails, regions of the smaller
+/// size are tried.
 constexpr std::size_t large_region = 65536;
 constexpr std::size_t small_region = 1024;
 
@@ -44,7 +45,8 @@ class RegionFinder {
     faces_.push_back(face);
   }
 
-  // A face that the region reaches at a corner only would make a hole, and is not taken.
+  // Adds the face at `halfedge` to the region. A face that the region already touches at the
+  // opposite corner only would create a hole, and is skipped.
   void try_to_take(Index halfedge) {
     const Index face = halfedge / 3;
     if (region_of_[face] != no_index || (directions_[face].leans & direction_) == 0) return;
@@ -66,7 +68,7 @@ class RegionFinder {
       if (region != no_index && !is_region_[region]) region = no_index;
   }
 
-  // From face to face, so that regions become round.
+  // Adds faces in breadth-first order, which makes regions round.
   void grow(Index seed, std::size_t most_faces) {
     faces_.clear();
     direction_ = static_cast<AxisDirections>(std::bit_floor(directions_[seed].leans));
@@ -94,8 +96,8 @@ class RegionFinder {
   std::span<const FaceDirections> directions_;
   std::vector<Index> region_of_;
   std::vector<char> is_seam_;
-  std::vector<Index> reached_by_;  ///< per point the last region that has
-  std::vector<Index> faces_;       ///< number of the region that grows
+  std::vector<Index> reached_by_;  ///< per point: the last region with a face there
+  std::vector<Index> faces_;       ///< faces of the region that grows
   AxisDirections direction_ = 0;
   std::vector<char> is_region_;
   bool has_failed_ = false;

@@ -1,9 +1,13 @@
-/// Regions: parts of a mesh in which no two faces meet beyond what they share, told without looking
-/// at pairs. A region is a disk of faces that all look one way along an axis, and whose outline,
-/// seen along it, is simple. So many faces lie over each other as the outline goes around a point,
-/// which is once; and where two touched from beside each other, their outlines would. Reference:
-/// Volino & Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized surface
-/// animations using geometrical shape regularity", Computer Graphics Forum 13(3), 1994.
+/// Finds intersection-free regions: parts of a mesh in which no two faces meet outside shared
+/// corners and edges. No pairs of faces are tested. A region is a disk of faces that all have
+/// positive projected area in one axis direction, and whose projected outline is a simple polygon.
+/// The number of faces above a point is the number of turns of the outline around the point, which
+/// is one. Two parts that touch sideways would have outlines that touch.
+///
+/// Reference: Volino & Magnenat-Thalmann, "Efficient self-collision detection on smoothly
+/// discretized surface animations using geometrical shape regularity", Computer Graphics Forum
+/// 13(3), 1994. Here regions are grown greedily instead of taken from a hierarchy, and directions
+/// are the axes.
 #pragma once
 
 #include <vector>
@@ -13,11 +17,11 @@
 namespace transformesh {
 
 struct IntersectionFreeRegions {
-  std::vector<Index> of_face;  ///< no_index where there is none
-  std::vector<char> is_seam;   ///< per point: not all faces around it are in one region
+  std::vector<Index> of_face;  ///< region of each face, or no_index
+  std::vector<char> is_seam;   ///< per point: 1 unless all faces around it are in one region
 };
 
-/// O(n); deterministic.
+/// Finds the regions. O(n log n) time for sorting outlines, usually O(n); deterministic.
 IntersectionFreeRegions find_intersection_free_regions(const WeldedMesh& welded);
 
 }  // namespace transformesh

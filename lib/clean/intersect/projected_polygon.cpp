@@ -6,12 +6,13 @@
 namespace transformesh {
 namespace {
 
-/// Of the sweep, for each edge on average.
+/// Largest number of steps of the sweep per edge, on average. A choice: a higher limit accepts more
+/// crowded outlines and takes longer.
 constexpr std::size_t most_steps = 64;
 
 }  // namespace
 
-// The longer side of the box is swept.
+// The sweep is along the longer side of the bounding box.
 void ProjectedPolygon::measure() {
   Vec3 low = points_[edges_[0].from], high = low;
   for (const Edge& edge : edges_) {
@@ -28,13 +29,13 @@ void ProjectedPolygon::measure() {
   }
 }
 
-// Of three points on one line.
+// True if c is on the far side of b from a. The three points must be collinear.
 bool ProjectedPolygon::goes_on(const Vec3& a, const Vec3& b, const Vec3& c) const {
   const int axis = a[projection_.u] != b[projection_.u] ? projection_.u : projection_.v;
   return (a[axis] < b[axis]) == (b[axis] < c[axis]);
 }
 
-// Segments that are apart, and not on one line, are so beside the line of one of them.
+// Disjoint segments that are not collinear are separated by the line of one of them.
 bool ProjectedPolygon::are_apart(const Edge& e, const Edge& f) const {
   const Vec3 &a = points_[e.from], &b = points_[e.to], &c = points_[f.from], &d = points_[f.to];
   const auto side = [&](const Vec3& from, const Vec3& to, const Vec3& point) {

@@ -1,4 +1,5 @@
-/// A closed polygon in space, projected along an axis, and a test whether the projection is simple.
+/// A closed polygon in space and its projection along an axis, with a test whether the projection
+/// is simple.
 #pragma once
 
 #include <span>
@@ -16,16 +17,16 @@ class ProjectedPolygon {
   void add(Index from, Index to) { edges_.push_back({from, to, 0, 0, 0, 0}); }
   std::size_t size() const { return edges_.size(); }
 
-  /// Whether the edges, which go around once and none of which is projected to a point, have
-  /// nothing in common but the ends at which one follows the other. What is told simple is so for
-  /// certain; where very many edges are beside each other, none may be told. O(n log n).
+  /// True if the projected polygon is simple: edges have only the common end of consecutive edges
+  /// in common. The edges must form one cycle, and none may be projected to a point. True is
+  /// certain; false is also returned if the sweep exceeds its limit of steps. Cost: O(n log n).
   bool is_simple(PlaneProjection projection);
 
  private:
   struct Edge {
     Index from, to;
-    double low, high;    ///< along the axis that is swept
-    double bottom, top;  ///< along the other one
+    double low, high;    ///< range along the sweep axis
+    double bottom, top;  ///< range along the other axis
   };
 
   void measure();
@@ -35,7 +36,7 @@ class ProjectedPolygon {
   std::span<const Vec3> points_;
   PlaneProjection projection_;
   std::vector<Edge> edges_;
-  std::vector<Edge> open_;  ///< those that the sweep has reached and not yet passed
+  std::vector<Edge> open_;  ///< edges that overlap the current position of the sweep
 };
 
 }  // namespace transformesh

@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// Rounding of coordinates whose spacing is shorter than this fraction of the mean edge is not
-/// searched for intersections.
+/// Rounding is not checked if the mean edge length is at least this multiple of the coordinate
+/// spacing. A choice: a higher value checks finer meshes, which takes a search each.
 constexpr double spacings_per_edge = 1000;
 
 }  // namespace
@@ -24,7 +24,7 @@ std::size_t count_rounding_intersections(const Mesh& rounded, const std::vector<
   for (const auto& [f, g] : pairs) meets[f] = meets[g] = true;
   Mesh exact{before, rounded.faces, {}, {}};
   exact = select_faces(exact, meets);
-  std::vector<Index> face_of;  // number in `rounded` of each face of `exact`
+  std::vector<Index> face_of;  // index in `rounded` of each face of `exact`
   for (Index f = 0; f < rounded.faces.size(); ++f)
     if (meets[f]) face_of.push_back(f);
   std::vector<FacePair> known;

@@ -37,8 +37,8 @@ std::uint64_t hash(const Face& face) {
   return h;
 }
 
-/// Tells hashes that occur once from those that may occur twice, by bits that stay in the cache: so
-/// few things need to be looked up in a table.
+/// Distinguishes hashes that occur once from hashes that may occur more often. The bits fit into
+/// the cache, so only few items need a lookup in a table.
 class SingleHashes {
  public:
   explicit SingleHashes(std::size_t count)
@@ -63,12 +63,14 @@ class SingleHashes {
   std::vector<std::uint64_t> once_, twice_;
 };
 
-/// The first of equal things: a hash table with open addressing, whose slots hold their numbers.
+/// Finds the first of equal items: a hash table with open addressing, whose slots hold item
+/// numbers.
 class FirstOfEqual {
  public:
   explicit FirstOfEqual(std::size_t count) : slots_(std::bit_ceil(2 * count + 1), no_index) {}
 
-  /// The number of the first that is equal to `thing`, which has this number if it is the first.
+  /// Returns the number of the first item that is equal to `thing`. Inserts `thing` if there is
+  /// none.
   template <class IsEqual>
   Index find(std::uint64_t hash, Index thing, const IsEqual& is_equal) {
     std::size_t slot = (hash >> 20) & (slots_.size() - 1);
@@ -82,7 +84,7 @@ class FirstOfEqual {
   std::vector<Index> slots_;
 };
 
-// Marks the points that may have equals.
+// Marks the points that may have duplicates.
 std::vector<char> find_repeated(const std::vector<Vec3>& points) {
   std::vector<std::uint64_t> hash_of(points.size());
   parallel_for(points.size(), things_per_task, [&](std::size_t first, std::size_t last) {
@@ -96,7 +98,8 @@ std::vector<char> find_repeated(const std::vector<Vec3>& points) {
   return is_repeated;
 }
 
-// The first vertex in the place of each; most are detected by their hash alone.
+// Returns for each vertex the first vertex at the same position. The hash alone decides for most
+// vertices.
 std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions, bool& has_repeats) {
   const std::vector<char> is_repeated = find_repeated(positions);
   FirstOfEqual vertices(std::count(is_repeated.begin(), is_repeated.end(), 1));
@@ -132,8 +135,8 @@ void number_points(const Mesh& mesh, WeldedMesh& welded) {
     welded.points[p] = positions[welded.vertex_of[p]] + Vec3::Zero();
 }
 
-// Finds what is opposite, and marks the faces that may have copies: these share every edge with the
-// same opposite corner. Where an edge has more than two faces, all of them are marked.
+// Computes `opposites`, and marks the faces that may have copies. Copies share each edge, with the
+// same opposite corner. All faces at an edge of more than two faces are marked.
 std::vector<char> find_opposites(WeldedMesh& welded) {
   std::vector<char> is_repeated(welded.faces.size(), 0);
   welded.opposites.assign(3 * welded.faces.size(), no_index);
@@ -168,7 +171,7 @@ void find_copies(WeldedMesh& welded) {
   }
 }
 
-// A face that looks any way for certain has an area.
+// A face with positive projected area in some direction is certainly not degenerate.
 bool is_degenerate(const WeldedMesh& welded, const Face& face, FaceDirections directions) {
   return directions.looks == 0 &&
          (is_collapsed(face) ||

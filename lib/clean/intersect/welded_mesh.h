@@ -1,5 +1,5 @@
-/// A mesh as geometry sees it: equal positions are one point, whatever their indices, and faces
-/// without area are left out. What touched such a face still meets, in equal or touching edges.
+/// Welded mesh: vertices with equal positions are one point, and faces without area are left out.
+/// Faces that touched a face without area still meet, in equal or touching edges.
 #pragma once
 
 #include <vector>
@@ -13,20 +13,21 @@
 namespace transformesh {
 
 struct WeldedMesh {
-  std::vector<Vec3> points;                ///< all different
-  std::vector<Index> vertex_of;            ///< the first mesh vertex at each point
-  std::vector<Index> point_of;             ///< the point of each mesh vertex
-  std::vector<Face> faces;                 ///< corners as points; none is degenerate
-  std::vector<Index> face_of;              ///< the mesh face of each face; ascending
-  std::vector<FaceDirections> directions;  ///< that each face looks
-  std::vector<Index> first_copy;  ///< per face: the first with the same three points, in any order
-  Edges edges;                    ///< of the faces
-  /// Per halfedge, the one in the opposite direction along its edge if that has no others; else
-  /// no_index.
+  std::vector<Vec3> points;                ///< all distinct
+  std::vector<Index> vertex_of;            ///< first mesh vertex at each point
+  std::vector<Index> point_of;             ///< point of each mesh vertex
+  std::vector<Face> faces;                 ///< corners are indices of points; no face is degenerate
+  std::vector<Index> face_of;              ///< mesh face of each face; ascending
+  std::vector<FaceDirections> directions;  ///< axis directions per face
+  /// Per face: the first face with the same three points, in any order.
+  std::vector<Index> first_copy;
+  Edges edges;
+  /// Per halfedge: the halfedge in the opposite direction, if the edge has no other halfedges;
+  /// otherwise no_index.
   std::vector<Index> opposites;
-  BoxFrame frame;  ///< of the points
-  /// Per face its open component (clean/open/open_components.h), no_index in the closed part. Empty
-  /// if all faces are closed.
+  BoxFrame frame;  ///< for boxes in floats
+  /// Per face its open component (clean/open/open_components.h), or no_index in the closed part.
+  /// Empty if all faces are closed.
   std::vector<Index> open_component{};
 
   bool is_open(Index face) const {
@@ -39,12 +40,11 @@ struct WeldedMesh {
   }
 };
 
-/// Points come in the order of their first vertex, faces in that of the mesh. O(n); exact;
+/// Welds a mesh. Points are in the order of their first vertices, faces in mesh order. O(n); exact;
 /// deterministic.
 WeldedMesh weld(const Mesh& mesh);
 
-/// Finds the edges of the faces, what is opposite, and the first copy of each, as `weld` does.
-/// O(n).
+/// Computes `edges`, `opposites` and `first_copy` from `faces`. O(n).
 void index_faces(WeldedMesh& welded);
 
 }  // namespace transformesh
