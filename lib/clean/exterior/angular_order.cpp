@@ -5,24 +5,26 @@
 namespace transformesh {
 namespace {
 
-// A face at an edge. The direction into the face and the normal of the face (reversed where it goes
-// backward) enclose the same right angle for all faces, so the normals can be sorted instead.
+// A face at an edge. Its normal, reversed for backward halfedges, is perpendicular to its direction
+// from the edge, in the same rotation for all faces. Hence the normals are sorted instead of the
+// directions.
 struct Spoke {
-  Index face;  ///< of which it is a part
+  Index face;  ///< face that contains the piece
   Triangle triangle;
   bool is_forward;
   Index halfedge;
-  int sign;      ///< -1 where the normal to sort by is that of the triangle reversed, else 1
-  int half = 0;  ///< 0 in the first spoke's direction, 1 before the opposite one, 2 there, 3 after
+  int sign;  ///< -1 if the normal of `triangle` has to be reversed, else 1
+  /// 0: in the direction of the first spoke; 2: opposite; 1 and 3: the half-planes between.
+  int half = 0;
 };
 
-// A coordinate that changes along the edge, and the sign of its change.
+// A coordinate that differs between the ends of the edge, and the sign of the difference.
 struct Axis {
   int coordinate;
   int direction;
 };
 
-// The sign of the sine of the angle from one spoke to the other.
+// Returns the sign of the sine of the angle from one spoke to the other.
 int sine_sign(const Spoke& a, const Spoke& b, Axis axis) {
   if (a.face == b.face) return 0;
   return normals_cross(a.triangle, b.triangle, axis.coordinate) * a.sign * b.sign * axis.direction;

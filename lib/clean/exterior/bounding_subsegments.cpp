@@ -21,7 +21,7 @@ class BoundingSubsegments {
         crossings_(geometry, in),
         left_(in.segments.size(), unknown) {}
 
-  // Each returns false where crossings alone do not tell the parts.
+  // Each function returns false if the face has to be cut in full.
   bool join_ends();
   bool find_crossings() { return crossings_.find(); }
   bool find_windings();
@@ -48,12 +48,13 @@ class BoundingSubsegments {
   const SegmentsInFace& in_;
   const std::vector<KnownWinding>& known_;
   SegmentCrossings crossings_;
-  std::vector<std::array<Index, 2>> at_point_;  ///< the segments that end at a point
-  std::vector<int> left_;                       ///< per segment: w in front, left of its start
+  /// The two segments that end at each point, or no_index.
+  std::vector<std::array<Index, 2>> at_point_;
+  std::vector<int> left_;  ///< per segment: w in front of the face, to the left of its start
   std::vector<Index> stack_;
 };
 
-// Segments make curves that end at the edges and corners of the face only.
+// Joins segments to curves. True if these end only at edges and corners of the face.
 bool BoundingSubsegments::join_ends() {
   at_point_.assign(in_.points.size(), {no_index, no_index});
   for (Index s = 0; s < in_.segments.size(); ++s) {
@@ -78,7 +79,7 @@ bool BoundingSubsegments::find_windings() {
   return std::find(left_.begin(), left_.end(), unknown) == left_.end();
 }
 
-// w left of the segment's start, from a corner or the point inside at which it is known.
+// Returns w to the left of the start of a segment, starting from a known value in the face.
 std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
   const Index start = segment(s).from, edge = in_.edge_of[start];
   const Index partner = partner_at(start, s);
@@ -94,8 +95,8 @@ std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
   return std::nullopt;
 }
 
-// w where one arrives at a point of an edge along that from its corner: over the segments that end
-// between the two.
+// Returns w at a point of an edge, starting from a known value at a corner of that edge. Adds the
+// jumps of the segments that end between the two.
 std::optional<int> BoundingSubsegments::winding_at_edge(Index p, const KnownWinding& known) const {
   const ExactPoint& from = known.at;
   const auto distance = [&](int axis) {
@@ -117,7 +118,8 @@ std::optional<int> BoundingSubsegments::winding_at_edge(Index p, const KnownWind
   return w;
 }
 
-// w where the straight way from where it is known arrives at a point.
+// Returns w at a point, starting from a known value. Adds the jumps of the segments that the
+// straight line between the two crosses.
 std::optional<int> BoundingSubsegments::winding_at(Index p, const KnownWinding& known) const {
   const ExactPoint &from = known.at, &to = point(p);
   const Eigen::AlignedBox2d box = crossings_.box_of(from, to);
@@ -136,8 +138,9 @@ std::optional<int> BoundingSubsegments::winding_at(Index p, const KnownWinding& 
   return w;
 }
 
-// Whether one sees the left of the segment, near its start, from a point, where another one ends as
-// well: between the two, counter-clockwise.
+// True if the straight line from `seen_from` arrives to the left of segment `s` at its start. If a
+// partner segment ends at the same point, the left is the sector from `s` counter-clockwise to the
+// partner.
 bool BoundingSubsegments::is_on_left(Index s, Index partner, const ExactPoint& seen_from) const {
   const bool is_left = side(s, seen_from) > 0;
   if (partner == no_index) return is_left;
@@ -150,7 +153,7 @@ bool BoundingSubsegments::is_on_left(Index s, Index partner, const ExactPoint& s
   return turn > 0 ? is_left && !is_left_of_partner : is_left || !is_left_of_partner;
 }
 
-// Along the curve of the seed, and over to those that it crosses.
+// Propagates w along the curve of the seed, and to the curves that it crosses.
 bool BoundingSubsegments::spread(Index seed, int w) {
   if (!visit(seed, w)) return false;
   while (!stack_.empty()) {
@@ -167,7 +170,8 @@ bool BoundingSubsegments::spread(Index seed, int w) {
   return true;
 }
 
-// To the segment that ends where this one does, given w left of this one there.
+// Propagates w to the segment that shares the point `p` with `s`. `left` is w to the left of `s` at
+// `p`.
 bool BoundingSubsegments::continue_at(Index p, Index s, int left) {
   const Index next = partner_at(p, s);
   if (next == no_index) return true;
@@ -179,7 +183,7 @@ bool BoundingSubsegments::continue_at(Index p, Index s, int left) {
   return visit(next, there);
 }
 
-// To the segment that is crossed: around the crossing w is known from this one.
+// Propagates w to the other segment of a crossing.
 bool BoundingSubsegments::spread_over(const Crossing& crossing) {
   const Index s = crossing.segment, other = crossing.other;
   const auto there = crossings_.of(other);
@@ -188,9 +192,10 @@ bool BoundingSubsegments::spread_over(const Crossing& crossing) {
   const std::optional<int> here = crossings_.change_before(crossing),
                            beyond = crossings_.change_before(*back);
   if (!here || !beyond) return false;
-  int w = left_[s] + *here;                         // left of s, where that comes from
-  if (crossing.side < 0) w -= segment(other).jump;  // left of both
-  if (back->side < 0) w += segment(s).jump;         // left of the other, where that comes from
+  int w = left_[s] + *here;  // left of s, on the side of `other` at which s starts
+  if (crossing.side < 0) w -= segment(other).jump;  // left of both segments
+  // Left of `other`, on the side of s at which `other` starts.
+  if (back->side < 0) w += segment(s).jump;
   return visit(other, w - *beyond);
 }
 
@@ -201,7 +206,7 @@ bool BoundingSubsegments::visit(Index s, int left) {
   return true;
 }
 
-// Whether w in front may be `front` somewhere beside the segment.
+// True if w in front of the face may equal `front` next to some part of the segment.
 bool BoundingSubsegments::may_reach(Index s, int front) const {
   int least = left_[s], most = left_[s];
   for (const Crossing& crossing : crossings_.of(s)) {
@@ -212,7 +217,8 @@ bool BoundingSubsegments::may_reach(Index s, int front) const {
   return least <= front && front <= most;
 }
 
-// What is exterior has that number in front of it.
+// Lists the parts with w = `front` on exactly one side. This is the value of w in front of the
+// exterior.
 bool BoundingSubsegments::find_subsegments(int front, std::vector<Subsegment>& parts) {
   for (Index s = 0; s < in_.segments.size(); ++s) {
     if (!may_reach(s, front)) continue;

@@ -1,8 +1,8 @@
-/// Which parts of the segments in a face bound what is exterior of it (paper 3.2.2): where w in
-/// front of the face is known at one point, it is known everywhere, as every segment changes it by
-/// a step. The other parts, usually most, need not become edges. Exact; deterministic. Cost: O(s
-/// log s + p log p) for s segments of which p pairs have boxes that overlap, and O(s) for each of
-/// their curves that no other crosses.
+/// Finds the parts of the segments in a face that bound its exterior (paper 3.2.2). The winding
+/// number w in front of the face changes by a known jump across each segment. Hence one known value
+/// determines w everywhere in the face. The other parts of the segments, usually most, do not
+/// become edges. Exact; deterministic. Cost: O(s log s + p log p) for s segments of which p pairs
+/// have overlapping boxes, plus O(s) for each curve of segments without crossings.
 #pragma once
 
 #include <optional>
@@ -12,24 +12,24 @@
 
 namespace transformesh {
 
-/// A point of the face at which w in front is known; it is on no segment.
+/// A point of the face that is on no segment, and at which w in front of the face is known.
 struct KnownWinding {
   ExactPoint at;
   int w;
-  Index corner;  ///< that it is, or no_index for one inside the face
+  Index corner;  ///< corner of the face at the point, or no_index if the point is inside the face
 };
 
-/// The part of a segment between two points: those where other segments cross it, or its own ends
-/// where they are no_index.
+/// The part of a segment between two crossings. `from` and `to` are the crossing segments, or
+/// no_index for the ends of the segment itself.
 struct Subsegment {
   Index segment;
   Index from, to;
-  bool is_left;  ///< whether what is exterior is on its left
+  bool is_left;  ///< true if the exterior is on its left
 };
 
-/// The parts that have w < winding level in front and w >= winding level behind the face on just
-/// one side, in the order of the segments. Nothing if crossings alone do not decide that: where
-/// segments touch, or three meet in one point, or no winding number is known.
+/// Returns the parts with w < winding level in front and w >= winding level behind the face on
+/// exactly one side, in the order of the segments. Returns nothing if the face has to be cut in
+/// full: segments touch, three segments meet in one point, or no winding number is known.
 std::optional<std::vector<Subsegment>> find_bounding_subsegments(
     const ExactGeometry& geometry, const SegmentsInFace& in, const std::vector<KnownWinding>& known,
     int winding_level);

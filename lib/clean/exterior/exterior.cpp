@@ -18,7 +18,7 @@ Problem nothing_enclosed(bool has_area) {
               "sheet whose border is filled flat"};
 }
 
-// Whether each component of a mesh lies within others: whether w > 0 in front of its first face.
+// Returns 1 for each component that is inside others, i.e. if w > 0 in front of its first face.
 std::vector<char> find_enclosed(const Mesh& mesh, const Components& components) {
   const WeldedMesh welded = weld(mesh);
   const ExactGeometry geometry(welded.points, welded.faces);
@@ -76,7 +76,7 @@ std::size_t drop_enclosed_components(Mesh& mesh) {
   return drop_enclosed_components(mesh, connected_components(mesh));
 }
 
-// Nothing lies inside a clean mesh but cavities and what floats in them.
+// Inside a clean mesh there are only cavities and components within these cavities.
 std::size_t drop_enclosed_components(Mesh& mesh, const Components& components) {
   std::vector<char> is_cavity;
   for (const Component& c : components.components) {

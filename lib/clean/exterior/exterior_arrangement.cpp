@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t planes_per_task = 4;
 constexpr int unknown = std::numeric_limits<int>::min();
 
-/// Whether the boundary of the region runs between two sides of a surface.
+/// True if exactly one of both sides has a winding number below the level.
 bool parts(int front, int behind, int winding_level) {
   return (front < winding_level) != (behind < winding_level);
 }
@@ -27,10 +27,11 @@ class FacetChooser {
       : windings_(windings), ray_(ray), winding_level_(winding_level) {}
 
   std::vector<char> choose(const PlaneFacets& facets, Index first_face);
-  /// Describes facets of the last plane.
+  /// Returns the classification of facets of the last plane.
   std::vector<OpenFacet> describe(const std::vector<Index>& facets) const;
   bool is_chosen(Index facet) const { return is_chosen_[facet] != 0; }
-  bool has_surface() const { return has_surface_; }  ///< a facet of any plane counts
+  /// True if any plane has a facet with a surface.
+  bool has_surface() const { return has_surface_; }
   std::size_t rays() const { return rays_; }
 
  private:
@@ -40,7 +41,7 @@ class FacetChooser {
   const RegionGrowingWinding& windings_;
   const RayCastFrontWinding& ray_;
   int winding_level_;
-  std::vector<int> front_;       ///< per facet
+  std::vector<int> front_;       ///< w in front of each facet
   std::vector<char> is_chosen_;  ///< per facet
   std::vector<OpenFacet> open_;  ///< per facet
   std::vector<Index> stack_;
@@ -134,12 +135,13 @@ class ExteriorArranger {
   Planes planes_;
   WindingJumps jumps_;
   RegionGrowingWinding windings_;
-  std::vector<char> is_visible_;  ///< per plane: it is cut
+  std::vector<char> is_visible_;  ///< per plane: 1 if it is cut
   RayCastFrontWinding ray_;
   std::atomic<std::size_t> rays_;
   std::atomic<bool> has_surface_ = false;
-  std::vector<PlaneCut> cuts_;             ///< per plane
-  std::vector<std::vector<char>> chosen_;  ///< per facet of each cut, if everything is arranged
+  std::vector<PlaneCut> cuts_;  ///< per plane
+  /// Per plane and facet of its cut, if everything is arranged.
+  std::vector<std::vector<char>> chosen_;
 };
 
 std::vector<char> ExteriorArranger::find_visible_planes() const {
@@ -152,7 +154,7 @@ std::vector<char> ExteriorArranger::find_visible_planes() const {
   return is_visible;
 }
 
-// Hidden planes have a single face, which counts once.
+// A hidden plane has a single face of multiplicity 1; hence it has a surface.
 bool ExteriorArranger::has_hidden_planes() const {
   return std::find(is_visible_.begin(), is_visible_.end(), 0) != is_visible_.end();
 }

@@ -1,14 +1,15 @@
-/// Region growing (paper 3.2): the pieces of the closed part of a mesh that bound the region of
-/// points p with w(p) >= winding level, and no others. What is obviously hidden is not even cut, a
-/// face that others merely cross is cut only along what bounds its exterior (exterior_cut.h), and
-/// of other planes only the exterior facets become pieces. w in front is carried over a plane from
-/// a corner at which it is known (region_growing_winding.h), or from a ray.
+/// Region growing (paper 3.2): finds the pieces of the closed part of a mesh that bound the region
+/// of points p with w(p) >= winding level. Faces that are certainly hidden are not cut. A face that
+/// others merely cross is cut only along the boundary of its exterior (exterior_cut.h). In other
+/// planes, only exterior facets become pieces. The winding number w in front of a plane is
+/// propagated from a corner at which w is known (region_growing_winding.h), or from a ray.
 ///
-/// Open components (open/open_components.h) do not change w. They are cut along all that they meet,
-/// and each piece of them in front of which w < winding level stays.
+/// Open components (open/open_components.h) do not change w. They are cut along all faces that they
+/// meet. Their pieces with w < winding level in front are kept.
 ///
-/// Exact; parallel; deterministic for any number of threads; throws as `arrange` does. Of a part of
-/// a mesh, only complete faces become pieces, and these are those of the whole mesh.
+/// Exact; parallel; deterministic for any number of threads. Throws what arrange() throws. In a
+/// part of a mesh, only complete faces become pieces; these pieces are those of the whole mesh.
+/// Departure from the paper: winding numbers are found for all faces before any face is cut.
 #pragma once
 
 #include "clean/arrange/arrange.h"
@@ -20,18 +21,18 @@ namespace transformesh {
 struct ExteriorArrangement {
   Arrangement arrangement;
   std::vector<char> kept;       ///< per piece
-  std::size_t whole_faces = 0;  ///< that take no part in any intersection, kept or not
+  std::size_t whole_faces = 0;  ///< faces that take part in no intersection, kept or not
   std::size_t rays = 0;
-  bool has_surface = false;  ///< faces that lie upon each other do not all cancel out
+  bool has_surface = false;  ///< false if all coincident faces cancel out
 };
 
 struct ExteriorArrangementOptions {
   int winding_level = 1;
-  bool arranges_everything = false;      ///< hidden pieces become pieces too, which are not kept
-  const Surroundings* around = nullptr;  ///< of a part of a closed mesh
+  bool arranges_everything = false;      ///< also return hidden pieces, which are not kept
+  const Surroundings* around = nullptr;  ///< set for a part of a closed mesh, null for a whole mesh
 };
 
-/// `meetings` as for `arrange`.
+/// `meetings` must fulfill the preconditions of arrange().
 ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
                                      const std::vector<Meeting>& meetings,
                                      const ExteriorArrangementOptions& options,

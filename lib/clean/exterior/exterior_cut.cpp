@@ -10,14 +10,14 @@ namespace transformesh {
 namespace {
 
 constexpr Index first_corner = PlanarTriangulation::scaffold_points;
-constexpr Index edges = 3;  ///< the first lines; those of segments follow
+constexpr Index edges = 3;  ///< lines 0 to 2 are the edges; the segments follow
 
 bool is_edge(FaceSimplex simplex) { return simplex >= edges && simplex != interior; }
 bool is_corner(FaceSimplex simplex) { return simplex < edges; }
 
 }  // namespace
 
-/// One face, and the segments in it.
+/// One face and the segments in it.
 class ExteriorCutter::FaceCut {
  public:
   FaceCut(const ExteriorCutter& cutter, const Plane& plane)
@@ -25,9 +25,9 @@ class ExteriorCutter::FaceCut {
     for (const Index v : cutter.welded_.faces[face_]) corners_.push_back(geometry_.given(v));
   }
 
-  /// Returns whether all faces merely cross this one.
+  /// Collects the segments. Returns false if a face does more than cross this one.
   bool gather(const Plane& plane);
-  /// Returns whether w is known anywhere.
+  /// Finds points with known w. Returns false if there are none.
   bool find_known(std::size_t& rays);
   std::optional<PlaneCut> cut();
 
@@ -43,8 +43,8 @@ class ExteriorCutter::FaceCut {
   std::vector<ExactPoint> corners_;
   SegmentsInFace in_;
   std::vector<KnownWinding> known_;
-  DefinitionTable ends_;      ///< numbers of points
-  DefinitionTable inserted_;  ///< numbers in the triangulation
+  DefinitionTable ends_;      ///< maps definitions to indices in `in_.points`
+  DefinitionTable inserted_;  ///< maps definitions to points of the triangulation
 };
 
 Index ExteriorCutter::FaceCut::number_of(const PointDefinition& definition, Index edge) {
@@ -57,8 +57,8 @@ Index ExteriorCutter::FaceCut::number_of(const PointDefinition& definition, Inde
   return number;
 }
 
-// Faces cross where each end of their common segment is inside one of the two, on an edge of the
-// other; one end may be a corner of both.
+// Adds the common segment with another face. Returns true if the faces merely cross: each end of
+// the segment is on an edge of one face and inside the other. One end may be a common corner.
 bool ExteriorCutter::FaceCut::add_segment(const Meeting& meeting) {
   const bool is_first = meeting.first == face_;
   const Index other = is_first ? meeting.second : meeting.first;
@@ -94,7 +94,7 @@ bool ExteriorCutter::FaceCut::gather(const Plane& plane) {
                      [&](const Meeting* meeting) { return add_segment(*meeting); });
 }
 
-// At corners, or by a ray from the middle.
+// Takes w from the corners of the face, or else from a ray at its centroid.
 bool ExteriorCutter::FaceCut::find_known(std::size_t& rays) {
   for (Index i = 0; i < 3; ++i) {
     const std::optional<int> w = cutter_.windings_.at(face_, i);
@@ -108,7 +108,8 @@ bool ExteriorCutter::FaceCut::find_known(std::size_t& rays) {
   return w.has_value();
 }
 
-// Inserts the end of a part: where another segment crosses that, or its own end.
+// Inserts an end of a part of segment `s`: the intersection with segment `crossed`, or the
+// segment's own end if `crossed` is no_index.
 Index ExteriorCutter::FaceCut::insert_end(PlanarTriangulation& triangulation, Index s,
                                           Index crossed, Index own) {
   if (crossed != no_index) return insert_crossing(triangulation, s, crossed);
@@ -139,8 +140,8 @@ Index ExteriorCutter::FaceCut::insert_crossing(PlanarTriangulation& triangulatio
 
 namespace {
 
-/// Marks the facets inside the face that are exterior: whatever is across a part is the opposite of
-/// what is on this side. `exterior_edge` has an exterior facet on its left.
+/// Marks the exterior facets of the face. Crossing a bounding part switches between exterior and
+/// hidden. `exterior_edge` must have an exterior facet on its left.
 std::vector<char> find_exterior(const PlanarTriangulation& triangulation, Index exterior_edge) {
   constexpr char unknown = 2;
   const auto& facets = triangulation.facets();
@@ -171,7 +172,7 @@ std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
   if (!parts) return std::nullopt;
   if (parts->empty()) return PlaneCut{{}, {}, {0}, {}, {}};
 
-  // Only these are constraints.
+  // Only the bounding parts become constraints.
   const Triangle t = cutter_.welded_.triangle(face_);
   PlanarTriangulation triangulation(geometry_, t, t[0].cwiseMin(t[1]).cwiseMin(t[2]),
                                     t[0].cwiseMax(t[1]).cwiseMax(t[2]),

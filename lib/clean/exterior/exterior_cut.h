@@ -1,6 +1,6 @@
-/// Cuts faces along what bounds their exterior, and along nothing else (paper 3.2.2): of a face
-/// that many others cross, usually little is exterior, and all else need not be triangulated.
-/// Exact; deterministic.
+/// Cuts a face along the boundary of its exterior only (paper 3.2.2). If many faces cross a face,
+/// usually only a small part of it is exterior; the remainder is not triangulated. Exact;
+/// deterministic. Cost: that of bounding_subsegments.h, and of triangulating the bounding parts.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ namespace transformesh {
 
 class ExteriorCutter {
  public:
-  /// Keeps references. What is exterior has w < winding level in front and w >= winding level
-  /// behind it.
+  /// Keeps references to all arguments except the level. The exterior has w < winding level in
+  /// front and w >= winding level behind.
   ExteriorCutter(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
                  const RegionGrowingWinding& windings, const RayCastFrontWinding& ray,
                  int winding_level)
@@ -27,8 +27,8 @@ class ExteriorCutter {
         winding_level_(winding_level),
         geometry_(welded.points, welded.faces) {}
 
-  /// The exterior facets of the only face of a plane. Nothing where other faces do not merely cross
-  /// it (bounding_subsegments.h): the plane has to be cut in full.
+  /// Returns the exterior facets of a plane with a single face. Returns nothing if other faces do
+  /// more than cross this face (bounding_subsegments.h). Then the plane has to be cut in full.
   std::optional<PlaneCut> cut(const Plane& plane);
   std::size_t rays() const { return rays_; }
 

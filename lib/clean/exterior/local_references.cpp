@@ -8,17 +8,17 @@
 namespace transformesh {
 namespace {
 
-/// Points that are tried in a cell. A path grazes an edge only by chance, so that a second point is
-/// hardly ever needed, unless a cell is only a few numbers wide.
+/// Points that are tried in a cell. A path touches an edge only by coincidence, so a second point
+/// is rarely needed. Exception: a cell that is only a few coordinate spacings wide.
 constexpr int most_attempts = 16;
 
-/// The cells that have a side in common with a cell.
+/// Returns the cells that share a side with a cell.
 std::array<Cell, 6> neighbors_of(Cell cell) {
   constexpr Cell x = Cell{1} << 42, y = Cell{1} << 21, z = 1;
   return {cell - x, cell + x, cell - y, cell + y, cell - z, cell + z};
 }
 
-/// The inner half of a cell.
+/// Returns the central cube of a cell, with half its width.
 Eigen::AlignedBox3d core_of(const CellGrid& grid, Cell cell) {
   const Eigen::AlignedBox3d box = grid.box_of(cell);
   const Vec3 quarter = Vec3::Constant(grid.size() / 4);
@@ -51,7 +51,8 @@ std::optional<ReferencePoint> LocalReferences::known(Cell cell) const {
   return last;
 }
 
-// Cells side by side, from one in which a point is known on: breadth-first, from the other end.
+// Returns a path of adjacent cells to `cell`, from a cell with a known point. The breadth-first
+// search starts at `cell`.
 std::vector<Cell> LocalReferences::way_to(Cell cell) const {
   std::unordered_map<Cell, Cell> towards{{cell, cell}};
   std::vector<Cell> queue{cell};
@@ -68,7 +69,8 @@ std::vector<Cell> LocalReferences::way_to(Cell cell) const {
   return {};
 }
 
-// From the reference point of the part through the box that it holds.
+// Finds a point in the cell from the reference point of the part, if the box that the part holds
+// reaches the cell.
 bool LocalReferences::enter(Cell cell) const {
   const Eigen::AlignedBox3d common = around_.grid.box_of(cell).intersection(around_.held);
   if (common.isEmpty()) return false;
@@ -87,7 +89,8 @@ std::optional<ReferencePoint> LocalReferences::find_in(const Eigen::AlignedBox3d
   return std::nullopt;
 }
 
-// Along one axis after the other, so that few faces are near.
+// Returns the change of the winding number from one point to another. The path is parallel to the
+// axes, so that its boxes contain few faces.
 std::optional<int> LocalReferences::change(const Vec3& from, const Vec3& to) const {
   int sum = 0;
   Vec3 start = from;

@@ -1,7 +1,7 @@
-/// Reference points in a part of a mesh: points off the surface, beside any complete face, with
-/// their winding numbers in the whole mesh. They are found by a way through covered cells, from
-/// the reference point of the part. Exact. Thread-safe: points depend on the order of calls, but
-/// winding numbers do not.
+/// Reference points in a part of a mesh: points off the surface near any complete face, with their
+/// winding numbers in the whole mesh. A point is reached from the reference point of the part by a
+/// path through covered cells. Exact. Thread-safe: the points depend on the order of calls, but the
+/// winding numbers do not. Cost: a new point takes a breadth-first search of covered cells.
 #pragma once
 
 #include <functional>
@@ -16,15 +16,16 @@ namespace transformesh {
 class LocalReferences {
  public:
   using Visit = std::function<bool(const Triangle&)>;
-  /// Calls a function for all faces of the part that touch a box, until it returns false.
+  /// Calls `visit` for all faces of the part that touch a box, until `visit` returns false.
   using VisitFaces = std::function<void(const Vec3& low, const Vec3& high, const Visit& visit)>;
 
-  /// Keeps a reference.
+  /// Keeps a reference to `around`.
   LocalReferences(const Surroundings& around, VisitFaces visit_faces)
       : around_(around), visit_faces_(std::move(visit_faces)) {}
 
-  /// Returns a point in the cell of a place, another one for each attempt. The part has every face
-  /// between the two. Empty if no way to the cell is found.
+  /// Returns a reference point in the cell of `place`; each attempt gives a different point. The
+  /// part contains every face between `place` and that point. Returns nothing if no path to the
+  /// cell is found.
   std::optional<ReferencePoint> near(const Vec3& place, int attempt) const;
 
  private:

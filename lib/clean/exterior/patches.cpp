@@ -16,7 +16,7 @@ Patches::Patches(const Arrangement& arrangement) : arrangement_(arrangement) {
   number_patches(edges);
 }
 
-// Whether the surface goes on across the edge, and nothing else meets it there.
+// True if the surface continues across the edge, and no other piece meets it there.
 bool Patches::is_inner_edge(std::span<const Index> halfedges) const {
   const auto& all = arrangement_.pieces;
   return halfedges.size() == 2 && is_forward(all, halfedges[0]) != is_forward(all, halfedges[1]) &&
@@ -53,8 +53,8 @@ void Patches::collect_patch(Index first, const std::vector<Index>& neighbor) {
   pieces.push_back(std::move(members));
 }
 
-// Joins the facing sides of neighbors in angular order, as between them lies one cell. So the two
-// sides of a patch become one around a free border.
+// Joins the facing sides of consecutive pieces in angular order, because one cell is between them.
+// At a free border this joins both sides of a patch.
 DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches,
                                      const IsWholeEdge& is_whole) {
   DisjointSets sides(2 * patches.size());

@@ -1,8 +1,11 @@
-/// The patches of an arrangement: pieces connected across edges at which nothing else meets them,
-/// so the parts of the surface between intersection curves and borders (paper 3.2.2). Across a
-/// patch of a closed mesh the winding number w in front is constant. Cost: O(n log n). Exact;
-/// deterministic. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for solid
-/// geometry", ACM TOG 35(4), 2016.
+/// Patches of an arrangement: pieces that are connected across edges at which no other piece meets
+/// them. They are the parts of the surface between intersection curves and borders (paper 3.2.2).
+/// In a closed mesh, the winding number in front of a patch is constant. Cost: O(n log n). Exact;
+/// deterministic.
+///
+/// Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for solid geometry", ACM TOG
+/// 35(4), 2016. Departure: cells are sets of joined patch sides, and nested components are not
+/// joined here.
 #pragma once
 
 #include <functional>
@@ -19,8 +22,8 @@ class Patches {
  public:
   explicit Patches(const Arrangement& arrangement);
 
-  std::vector<Index> patch_of;             ///< per piece; no_index for multiplicity 0
-  std::vector<std::vector<Index>> pieces;  ///< of each patch
+  std::vector<Index> patch_of;             ///< per piece; no_index if its multiplicity is 0
+  std::vector<std::vector<Index>> pieces;  ///< pieces of each patch
 
   std::size_t size() const { return pieces.size(); }
 
@@ -31,18 +34,18 @@ class Patches {
   const Arrangement& arrangement_;
 };
 
-/// Says whether the pieces at an edge, named by their halfedges, are all that there are.
+/// Returns true if `halfedges` are the halfedges of all pieces at an edge.
 using IsWholeEdge = std::function<bool(std::span<const Index> halfedges)>;
 
-/// Joins the sides of patches that bound one cell of space beside a common edge: 2 * patch is the
-/// side in front of a patch, 2 * patch + 1 that behind it. Edges that are not whole join nothing;
-/// without the function all edges are whole.
+/// Joins the sides of patches that bound the same cell of space next to a common edge. Side 2 *
+/// patch is in front of a patch, side 2 * patch + 1 behind it. Edges for which `is_whole` returns
+/// false are skipped; without the function no edge is skipped.
 DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches,
                                      const IsWholeEdge& is_whole = {});
 
-/// Marks the pieces of patches that part what is inside from what is not, turns them so that the
-/// inside is behind them, and unmarks those of other patches. `is_inside` is per side; at a patch
-/// with a side that is neither 0 nor 1, nothing changes.
+/// Marks the pieces of patches between inside and outside, and reverses them if necessary so that
+/// the inside is behind them. Unmarks the pieces of other patches. `is_inside` is per side: 0, 1,
+/// or another value for unknown. Patches with an unknown side do not change.
 void keep_boundary(Arrangement& arrangement, const Patches& patches,
                    const std::vector<char>& is_inside, std::vector<char>& kept);
 

@@ -10,10 +10,10 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_attempts = 20000;  // whose squares fit into an int
+constexpr int most_attempts = 20000;  // the square of an attempt fits into an int
 constexpr std::size_t few_rays = 8;
-/// Reference points that are tried for one origin. Three can be in the plane of the piece, from
-/// where no segment is of use.
+/// Reference points that are tried for one origin. Up to three may be in the plane of the piece,
+/// where a segment is useless.
 constexpr int references_per_origin = 4;
 
 Bvh build_bvh(const WeldedMesh& welded) {
@@ -23,8 +23,8 @@ Bvh build_bvh(const WeldedMesh& welded) {
   return Bvh(boxes);
 }
 
-/// On which side of edges a point lies in a projection, as far as doubles tell: 0 where they do
-/// not.
+/// Floating-point filter for the side of a projected edge on which a point is. Returns 0 if
+/// rounding errors leave the side undecided.
 class SideFilter {
  public:
   SideFilter(const ExactPoint& point, PlaneProjection p)
@@ -53,8 +53,8 @@ class SideFilter {
   double u_, v_, radius_u_, radius_v_;
 };
 
-// The weights of a point inside a triangle, another one for each attempt. The first is its
-// centroid, and all lie on a conic.
+// Returns barycentric weights of a point inside a triangle. The points of all attempts are on a
+// conic; the first is the centroid.
 std::array<int, 3> weights(int attempt) { return {1, attempt, attempt * attempt}; }
 
 }  // namespace
@@ -113,7 +113,7 @@ std::optional<int> RayCastFrontWinding::in_front_of(const ExactPoint& point, Ind
   return count.grazes ? std::nullopt : std::optional(count.winding);
 }
 
-// A ray runs to the front, along the axis that is nearest to the normal.
+// Returns the axis nearest to the normal, and the sign of the direction to the front.
 std::pair<int, int> RayCastFrontWinding::axis_and_direction(const PieceSource& source) const {
   const PlaneProjection projection = projection_of(welded_.triangle(source.face));
   const bool even = projection.v == (projection.u + 1) % 3;
@@ -124,9 +124,10 @@ int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
                                      const PieceSource& source,
                                      std::vector<FaceCrossing>* crossings) const {
   const ExactGeometry geometry(welded_.points, welded_.faces);
-  // A ray grazes an edge where its origin lies on the projection of that edge to the piece: a
-  // segment, which has at most two points on the conic. So every edge spoils at most two attempts.
-  // The same holds for segments from a reference point that is not in the plane of the piece.
+  // A ray touches an edge if its origin is on the projection of that edge to the piece. That
+  // projection is a segment, which intersects the conic at most twice. Hence each edge spoils at
+  // most two attempts. The same holds for segments from a reference point outside the plane of the
+  // piece.
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     const ExactPoint origin = geometry.mean(part[0], part[1], part[2], weights(attempt));
     if (crossings) crossings->clear();
@@ -182,7 +183,7 @@ RayCastFrontWinding::Count RayCastFrontWinding::cast_ray(
       count.grazes = true;
       return false;
     }
-    const int up = left ? 1 : -1;  // the sign of the normal along the axis
+    const int up = left ? 1 : -1;  // sign of the normal along the axis
     const int side = geometry.orient3d(t, origin);
     if (side * up * direction >= 0) return true;
     count.winding += up * direction;
@@ -193,9 +194,10 @@ RayCastFrontWinding::Count RayCastFrontWinding::cast_ray(
   return count;
 }
 
-// The segment ends just in front of the piece. If the origin is in the plane of a face, that face
-// is coplanar with the piece, and its orientation decides on which side the segment ends. If the
-// reference point is in the plane of a face, the segment does not cross that face.
+// Counts the faces between a reference point and a point just in front of the piece. If the origin
+// is in the plane of a face, the face is coplanar with the piece. Then its orientation decides on
+// which side the segment ends. If the reference point is in the plane of a face, the segment does
+// not cross the face.
 RayCastFrontWinding::Count RayCastFrontWinding::cross_segment(const ReferencePoint& from,
                                                               const ExactPoint& origin,
                                                               const PieceSource& source) const {

@@ -1,7 +1,7 @@
-/// Exact winding numbers just in front of a face or of a piece of it (paper 2), by counting the
-/// closed faces that a ray from there crosses. Gives the seeds of region growing (paper 3.2.1) and
-/// all values of the static strategy (paper 4.5). (RayCastWinding gives the number at a point off
-/// the surface.)
+/// Exact winding numbers just in front of a face or a piece (paper 2). A ray from there counts the
+/// closed faces that it crosses. Used for the seeds of region growing (paper 3.2.1), and for all
+/// pieces by the static strategy (paper 4.5). (RayCastWinding gives the winding number at a point
+/// off the surface.) Cost: O(n log n) to build the hierarchy; O(log n + crossed boxes) per ray.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace transformesh {
 
-/// A face that a ray crosses, and what it adds to w at the origin.
+/// A face that a ray crosses, and its contribution to w at the origin of the ray.
 struct FaceCrossing {
   Index face;
   int winding;
@@ -23,26 +23,25 @@ struct FaceCrossing {
 
 class RayCastFrontWinding {
  public:
-  /// `rays` is about how many will be cast: if they are few, each is tested with all faces, which
-  /// costs less than building a hierarchy. In a part of a mesh, `around` replaces rays by segments
-  /// from points nearby (local_references.h). Keeps references.
+  /// `rays` is the approximate number of rays. Up to 8 rays are tested against all faces, which
+  /// costs less than building a hierarchy. In a part of a mesh, pass `around`: then segments from
+  /// nearby points replace the rays (local_references.h). Keeps references.
   RayCastFrontWinding(const WeldedMesh& welded, std::size_t rays,
                       const Surroundings* around = nullptr);
 
-  /// The winding number just in front of a piece. A ray or segment that grazes an edge or a corner
-  /// is replaced by one at another point of the piece, until one crosses faces in their interiors
-  /// only.
-  /// Throws GoalError where there is none among 20000.
+  /// Returns the winding number just in front of a piece. A ray or segment that touches an edge or
+  /// a corner is replaced by another one, from a different point of the piece. Throws GoalError
+  /// after 20000 attempts.
   int in_front_of(const Arrangement& arrangement, const Piece& piece) const;
-  /// The faces that the ray from there crosses, and by how much w changes at each: in sum, w just
-  /// in front of the piece.
+  /// Returns the faces that the ray crosses, with their contributions. The sum of these is the
+  /// winding number just in front of the piece.
   std::vector<FaceCrossing> crossings_in_front_of(const Arrangement& arrangement,
                                                   const Piece& piece) const;
   std::vector<FaceCrossing> crossings_in_front_of(Index face) const;
-  /// Just in front of a part of a face, which is a triangle within it.
+  /// Returns the winding number just in front of `part`, a triangle inside `face`.
   int in_front_of(const std::array<ExactPoint, 3>& part, Index face) const;
-  /// Just in front of a face at a point inside it, which is on no other face. Nothing where the ray
-  /// from there grazes an edge or a corner.
+  /// Returns the winding number just in front of a face at a point inside it. The point must be on
+  /// no other face. Returns nothing if the ray touches an edge or a corner.
   std::optional<int> in_front_of(const ExactPoint& point, Index face) const;
 
  private:
@@ -63,7 +62,7 @@ class RayCastFrontWinding {
                       const std::function<bool(Index)>& visit) const;
 
   const WeldedMesh& welded_;
-  Bvh bvh_;                                      ///< all faces; empty if rays are few
+  Bvh bvh_;                                      ///< all faces; empty if there are few rays
   std::unique_ptr<LocalReferences> references_;  ///< null for a whole mesh
 };
 

@@ -10,11 +10,13 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t planes_per_task = 256;
-/// So many rays cost less than a hierarchy. If there are more, many are expected.
+/// Up to this number of rays, testing all faces costs less than building a hierarchy. After the
+/// first `few` rays, `many` are expected. Both are choices and affect only the time.
 constexpr std::size_t few = 8;
 constexpr std::size_t many = 1000;
 
-/// The halfedges across edges at which just two faces meet, one in each direction.
+/// Returns for each halfedge its opposite halfedge, if the edge has exactly two faces with opposite
+/// directions.
 std::vector<Index> oriented_neighbors(const WeldedMesh& welded, const Edges& edges) {
   std::vector<Index> across = neighbors_across(edges, welded.faces.size());
   for (Index h = 0; h < across.size(); ++h) {
@@ -38,7 +40,7 @@ RegionGrowingWinding::RegionGrowingWinding(const WeldedMesh& welded, const Plane
       front_(3 * welded.faces.size(), unknown) {
   const auto& open = welded.open_component;
   if (!open.empty() && std::find(open.begin(), open.end(), no_index) == open.end()) {
-    std::fill(front_.begin(), front_.end(), 0);  // nothing is closed
+    std::fill(front_.begin(), front_.end(), 0);  // no face is closed
     return;
   }
   parallel_for(planes.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
@@ -49,7 +51,7 @@ RegionGrowingWinding::RegionGrowingWinding(const WeldedMesh& welded, const Plane
   if (around_) grow_from_cut_faces();
 }
 
-// What is not known to meet an incomplete face may change w there.
+// Faces that meet an incomplete face may be outside the part and change w there.
 void RegionGrowingWinding::leave_out_incomplete() {
   for (Index h = 0; h < across_.size(); ++h) {
     if (across_[h] != no_index && (!is_complete(h / 3) || !is_complete(across_[h] / 3)))
@@ -67,8 +69,8 @@ RegionGrowingWinding::CutFace RegionGrowingWinding::trace(const Plane& plane) co
   return cut;
 }
 
-// A common segment that starts at an edge crosses what lies just inside of that, unless it runs
-// along the edge.
+// Adds the changes of w along the edges of `face` that a meeting causes. A common segment that ends
+// on an edge changes w along this edge, unless the other face contains the edge.
 void RegionGrowingWinding::trace_meeting(const Meeting& meeting, Index face, CutFace& cut) const {
   const bool is_first = meeting.first == face;
   const Contacts& contacts = meeting.contacts;
@@ -89,9 +91,9 @@ void RegionGrowingWinding::trace_meeting(const Meeting& meeting, Index face, Cut
   }
 }
 
-// Of a whole face and its whole neighbors, in front of which w is the same, the smallest: where
-// many faces meet in one place, these point there, and small ones lie around it, where rays meet
-// less.
+// Returns the smallest of a whole face and its whole neighbors, all of which have the same w in
+// front. If many faces meet in one place, small faces are near the outside of it, where rays cross
+// fewer faces.
 Index RegionGrowingWinding::seed_near(Index face) const {
   const auto extent = [&](Index f) {
     const Triangle t = welded_.triangle(f);
@@ -106,7 +108,7 @@ Index RegionGrowingWinding::seed_near(Index face) const {
   return seed;
 }
 
-// Rays are cast from whole faces only: what is cut is easier to test once it is.
+// Casts rays from whole faces only. A cut face is tested more easily after it is cut.
 void RegionGrowingWinding::grow() {
   std::optional<RayCastFrontWinding> ray;
   for (Index f = 0; f < welded_.faces.size(); ++f) {
@@ -120,7 +122,8 @@ void RegionGrowingWinding::grow() {
   }
 }
 
-// In the whole mesh such a face may well be connected with a whole one.
+// Casts rays from cut faces that are connected to no whole face in the part. In the whole mesh,
+// such a face may be connected to one.
 void RegionGrowingWinding::grow_from_cut_faces() {
   std::optional<RayCastFrontWinding> ray;
   for (Index f = 0; f < welded_.faces.size(); ++f) {
@@ -135,7 +138,7 @@ void RegionGrowingWinding::grow_from_cut_faces() {
   }
 }
 
-// From the part of the face that is at the corner.
+// Casts a ray from the facet at the corner.
 int RegionGrowingWinding::cast_at_corner(const RayCastFrontWinding& ray, Index face,
                                          Index i) const {
   int w = 0;
@@ -170,7 +173,7 @@ void RegionGrowingWinding::spread(Index face, Index at, int w) {
   }
 }
 
-// A whole face has the same w everywhere.
+// A whole face has the same w at all corners.
 void RegionGrowingWinding::visit_corner(Index face, Index i, int w) {
   if (front_[3 * face + i] != unknown) return;
   if (planes_.is_whole(face)) {
@@ -183,7 +186,7 @@ void RegionGrowingWinding::visit_corner(Index face, Index i, int w) {
   stack_.push_back(3 * face + i);
 }
 
-// To both neighbors at the corner: beside their common edges.
+// Propagates w to both neighbors of the face at the corner, next to the common edges.
 void RegionGrowingWinding::step_across(Index face, Index i, int w) {
   const Index out = across_[3 * face + i];
   if (out != no_index) visit_corner(out / 3, next_corner(out % 3), w);
@@ -191,8 +194,9 @@ void RegionGrowingWinding::step_across(Index face, Index i, int w) {
   if (in != no_index) visit_corner(in / 3, in % 3, w);
 }
 
-// On the straight way from a corner to any point of the face w falls by no more than by the faces
-// that the corner is behind of, and grows by no more than by those that it is in front of.
+// On the straight line from a corner to any point of the face, w changes only at intersecting
+// faces. It decreases at most by the faces that have the corner behind them, and increases at most
+// by the others.
 bool RegionGrowingWinding::is_hidden(const Plane& plane, int winding_level) const {
   if (plane.faces.size() > 1 || jumps_.multiplicity(plane.faces[0]) != 1) return false;
   const Index face = plane.faces[0];

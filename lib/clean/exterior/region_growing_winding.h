@@ -1,9 +1,9 @@
-/// Region growing (paper 3.2) over a mesh before anything is cut. It finds the winding number w of
-/// the closed part in front of every face, open ones included, near each corner. That is the same
-/// in front of neighbors beside their common edge, and along an edge it changes where closed faces
-/// intersect that. A ray fixes w in front of one whole face of each connected component
-/// (paper 3.2.1). Of a part of a mesh, what is incomplete carries no w, and a face that is cut gets
-/// a ray where no whole face is connected with it. Cost: O(n + k) for k pairs, and a ray per part.
+/// Region growing (paper 3.2) over a mesh before any face is cut. Finds the winding number w of the
+/// closed part in front of each face, including open faces, near each corner. Two neighbors have
+/// the same w in front, next to their common edge. Along an edge, w changes at closed faces that
+/// intersect the edge. A ray gives w in front of one whole face of each connected component (paper
+/// 3.2.1). In a part of a mesh, incomplete faces do not propagate w. There, a cut face gets its own
+/// ray if it is not connected to a whole face. Cost: O(n + k) for k pairs, and a ray per component.
 /// Exact; deterministic.
 #pragma once
 
@@ -19,26 +19,26 @@ namespace transformesh {
 
 class RegionGrowingWinding {
  public:
-  /// Keeps references.
+  /// Keeps references to all arguments.
   RegionGrowingWinding(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
                        const Surroundings* around = nullptr);
 
-  /// w in front of a face near its corner i. Nothing where other faces meet the corner, or where no
-  /// whole face is connected with it.
+  /// Returns w in front of a face near its corner `i`. Returns nothing if other faces meet the
+  /// corner, or if the face is not connected to a whole face.
   std::optional<int> at(Index face, Index i) const {
     const int w = front_[3 * face + i];
     return w == unknown ? std::nullopt : std::optional(w);
   }
-  /// Whether the face of a plane has no part with w < winding level in front and w >= winding level
-  /// behind it. May be false where that is not obvious.
+  /// True if the face of a plane certainly has no part with w < winding level in front and w >=
+  /// winding level behind. False does not mean that the face has such a part.
   bool is_hidden(const Plane& plane, int winding_level) const;
   std::size_t rays() const { return rays_; }
 
  private:
   static constexpr int unknown = std::numeric_limits<int>::min();
-  /// How w in front changes along the edges of a face that is cut.
+  /// Changes of w in front along the edges of a cut face.
   struct CutFace {
-    std::array<int, 3> along{};    ///< from corner i to the next
+    std::array<int, 3> along{};    ///< change from corner i to the next corner
     std::array<bool, 3> is_met{};  ///< other faces meet corner i
   };
 
@@ -61,7 +61,7 @@ class RegionGrowingWinding {
   std::vector<CutFace> cut_faces_;  ///< per plane
   std::vector<Index> across_;       ///< per halfedge
   std::vector<int> front_;          ///< per corner
-  std::vector<Index> stack_;        ///< corners whose neighbors are to be visited
+  std::vector<Index> stack_;        ///< corners whose neighbors have to be visited
   std::size_t rays_ = 0;
 };
 

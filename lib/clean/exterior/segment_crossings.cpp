@@ -6,21 +6,22 @@
 
 namespace transformesh {
 
-/// On which side of a line a point is, and bounds for how far from it.
+/// Side of a line on which a point is, with bounds of the distance.
 struct SegmentCrossings::Height {
   int side;
   double least, most;
 
-  /// Bounds for where a segment crosses the line, one of whose ends is here, the other so far on
-  /// the other side: as a share of its length.
+  /// Returns bounds of the fraction of a segment's length at which the segment crosses the line.
+  /// The segment starts at this point and ends at `end`, on the other side.
   std::array<double, 2> share_before(const Height& end) const {
     constexpr double rounding = 1e-15;
     return {least / (least + end.most) - rounding, most / (most + end.least) + rounding};
   }
 };
 
-// Where doubles leave it open, by the other face, which costs less: the step over the segment tells
-// which side of it is in front of that.
+// If the floating-point filter fails, tests the point against the plane of the intersecting face.
+// This costs less than an exact orientation. The sign of the jump tells which side of the segment
+// is in front of that face.
 int SegmentCrossings::side(Index s, const ExactPoint& of) const {
   const PlanarSegment& line = segment(s);
   const int sign =
@@ -64,7 +65,8 @@ bool SegmentCrossings::find() {
   return true;
 }
 
-// Segments that share an end have no other point in common, unless that is a corner.
+// Adds the crossing of two segments, if they cross. Segments that share an end have no other common
+// point, unless the common end is a corner.
 bool SegmentCrossings::add(Index a, Index b) {
   const PlanarSegment &s = segment(a), &t = segment(b);
   if (s.from == t.from || s.from == t.to || s.to == t.from) return true;
@@ -90,7 +92,8 @@ SegmentCrossings::Height SegmentCrossings::height_over(Index s, Index p) const {
   return {sign, std::max(size - turn.error, 0.0), size + turn.error};
 }
 
-// What a point learns of its coordinates is kept with it.
+// Returns the cached point of a crossing. The cache also keeps the coordinates that exact tests
+// refine.
 const ExactPoint& SegmentCrossings::point_of(const Crossing& crossing) const {
   const auto known = points_.find(crossing.pair);
   if (known != points_.end()) return known->second;
@@ -99,7 +102,7 @@ const ExactPoint& SegmentCrossings::point_of(const Crossing& crossing) const {
       .first->second;
 }
 
-// The axis along which a segment is longest in the projection, and the sign of its way there.
+// Returns the axis along which the projected segment is longest, and the sign of its direction.
 SegmentCrossings::Direction SegmentCrossings::direction(Index s) const {
   const ExactPoint &from = point(segment(s).from), &to = point(segment(s).to);
   const Vec3 way = (to.center - from.center).cwiseAbs();
@@ -111,8 +114,8 @@ SegmentCrossings::Direction SegmentCrossings::direction(Index s) const {
   return {other, geometry_.compare_coordinate(to, from, other)};
 }
 
-// Which of two segments that cross another one comes first along that: -1, +1, or 0 where they
-// cross in the same point.
+// Compares two crossings along segment `s`: -1 if `a` is first, +1 if `b` is first, 0 if they are
+// the same point.
 int SegmentCrossings::order_along(Index s, const Crossing& a, const Crossing& b) const {
   if (a.most < b.least) return -1;
   if (b.most < a.least) return 1;
@@ -120,7 +123,7 @@ int SegmentCrossings::order_along(Index s, const Crossing& a, const Crossing& b)
   return along.sign * geometry_.compare_coordinate(point_of(a), point_of(b), along.axis);
 }
 
-// Files the crossings by segments.
+// Groups the crossings by segment.
 void SegmentCrossings::file() {
   first_.assign(in_.segments.size() + 1, 0);
   for (const Crossing& crossing : found_) ++first_[crossing.segment + 1];
@@ -132,7 +135,7 @@ void SegmentCrossings::file() {
 
 bool SegmentCrossings::sort_along(Index s) {
   bool is_decided = true;
-  // Stable: that ends well even where the order is none.
+  // Stable sorting terminates even if `order_along` is not a strict order.
   std::stable_sort(crossings_.begin() + first_[s], crossings_.begin() + first_[s + 1],
                    [&](const Crossing& a, const Crossing& b) {
                      const int order = order_along(s, a, b);

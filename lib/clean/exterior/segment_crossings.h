@@ -1,5 +1,6 @@
-/// Where segments in a face cross each other, and in which order along each. Exact; deterministic.
-/// Cost: O(s log s + p) for s segments of which p pairs have boxes that overlap.
+/// Finds the crossings of segments in a face, and their order along each segment. Exact;
+/// deterministic. Cost: O(s log s + p) for s segments of which p pairs have overlapping boxes, if
+/// few segments overlap along one axis.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,20 +14,21 @@
 
 namespace transformesh {
 
-/// Where another face crosses the face.
+/// The segment in which another face intersects the face.
 struct PlanarSegment {
-  Index from, to;  ///< points; only the second may be a corner of the face
-  Index face;      ///< the one that crosses
-  int jump;  ///< by how much w in front grows from left to right: +1 or -1, so that its left is
-             ///< in front of the face that crosses, or behind it
+  Index from, to;  ///< indices of points; only `to` may be a corner of the face
+  Index face;      ///< the intersecting face
+  int jump;        ///< Increase of w in front from left to right of the segment: +1 or -1. The sign
+             ///< determines whether the left side is in front of the intersecting face or behind
+             ///< it.
 };
 
-/// The segments in a face.
+/// All segments in a face.
 struct SegmentsInFace {
   Index face = no_index;
-  PlaneProjection projection;      ///< in which it turns counter-clockwise
-  std::vector<ExactPoint> points;  ///< the segments' ends
-  std::vector<Index> edge_of;      ///< per point: an edge of the face on which it is, or no_index
+  PlaneProjection projection;      ///< projection in which the face is counter-clockwise
+  std::vector<ExactPoint> points;  ///< ends of the segments
+  std::vector<Index> edge_of;  ///< per point: the edge of the face that contains it, or no_index
   std::vector<PlanarSegment> segments;
 
   bool is_corner(Index p) const {
@@ -34,38 +36,39 @@ struct SegmentsInFace {
   }
 };
 
-/// Where one segment crosses another.
+/// An intersection of two segments.
 struct Crossing {
   Index segment, other;
-  Index pair;          ///< a number that both segments' crossings have in common
-  int side;            ///< of the other on which the segment starts: +1 for its left
-  double least, most;  ///< bounds for where that is on the segment, as a share of its length
+  Index pair;  ///< number that both segments' entries of the crossing share
+  int side;    ///< side of `other` at which `segment` starts: +1 for left
+  /// Bounds of the crossing's position on `segment`, as a fraction of its length.
+  double least, most;
 };
 
 class SegmentCrossings {
  public:
-  /// Keeps references.
+  /// Keeps references to both arguments.
   SegmentCrossings(const ExactGeometry& geometry, const SegmentsInFace& in)
       : geometry_(geometry), in_(in) {}
 
-  /// Returns whether segments merely cross: they do not touch, but in common ends.
+  /// Finds all crossings. Returns false if segments touch elsewhere than at common ends.
   bool find();
-  /// The crossings of a segment, in any order, or along it once it is sorted.
+  /// Returns the crossings of a segment, in order along it after sort_along().
   std::span<const Crossing> of(Index s) const {
     return {crossings_.data() + first_[s], crossings_.data() + first_[s + 1]};
   }
-  /// Returns whether that is possible: no three segments meet in one point of it.
+  /// Sorts the crossings of a segment. Returns false if three segments meet in one of its points.
   bool sort_along(Index s);
-  /// By how much w in front grows along the segment over a crossing.
+  /// Returns the increase of w in front along the segment at a crossing.
   int jump_over(const Crossing& crossing) const {
     const int jump = in_.segments[crossing.other].jump;
     return crossing.side > 0 ? jump : -jump;
   }
-  /// By how much from the start of its segment to just before it. Nothing where another segment
-  /// crosses there as well.
+  /// Returns the increase of w in front from the start of the segment to just before a crossing.
+  /// Returns nothing if another segment crosses at the same point.
   std::optional<int> change_before(const Crossing& crossing) const;
 
-  /// +1 for what is left of a segment.
+  /// Returns the side of a segment on which a point is: +1 for left.
   int side(Index s, const ExactPoint& of) const;
   Eigen::AlignedBox2d box_of(const ExactPoint& from, const ExactPoint& to) const;
   const Eigen::AlignedBox2d& box(Index s) const { return boxes_[s]; }
@@ -88,10 +91,11 @@ class SegmentCrossings {
   const ExactGeometry& geometry_;
   const SegmentsInFace& in_;
   std::vector<Eigen::AlignedBox2d> boxes_;   ///< per segment
-  std::vector<Crossing> found_, crossings_;  ///< as found, and by segments
+  std::vector<Crossing> found_, crossings_;  ///< in order of detection; sorted by segment
   std::vector<Index> first_;
-  mutable std::vector<std::optional<ExactPlane>> planes_;  ///< that cross, where they were needed
-  mutable std::unordered_map<Index, ExactPoint> points_;   ///< per pair, where it was needed
+  /// Intersecting faces' planes, computed on demand.
+  mutable std::vector<std::optional<ExactPlane>> planes_;
+  mutable std::unordered_map<Index, ExactPoint> points_;  ///< per crossing pair, computed on demand
 };
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
-/// Facts about a closed mesh that a part of it needs to be cleaned alone, so that winding numbers
-/// are those of the whole mesh.
+/// Facts about a closed mesh with which a part of it can be cleaned alone, such that winding
+/// numbers are those of the whole mesh.
 #pragma once
 
 #include <vector>
@@ -15,13 +15,15 @@ struct ReferencePoint {
 };
 
 struct Surroundings {
-  /// Per welded face: all faces that meet it, or that meet one of these, are in the part. Only such
-  /// faces are arranged.
+  /// Per welded face: 1 if the part contains all faces that meet the face, and all faces that meet
+  /// those. Only such faces are arranged.
   std::vector<char> is_complete;
-  /// The part has every face of the mesh that touches this box, and the reference point is in it.
+  /// The part contains every face of the mesh that touches this box. The reference point is inside
+  /// the box.
   Eigen::AlignedBox3d held;
   ReferencePoint reference;
-  /// The part has every face that touches a marked cell. Cells of complete faces are marked.
+  /// The part contains every face that touches a marked cell. The cells of complete faces are
+  /// marked.
   CellGrid grid{1};
   CellMarks covered;
 };
