@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-// Per piece; empty if all pieces are closed.
+// Returns the open component of each piece. Empty if all pieces are closed.
 std::vector<Index> open_components(const Arrangement& arrangement) {
   const std::vector<Index>& of_face = arrangement.welded->open_component;
   std::vector<Index> result;
@@ -37,11 +37,11 @@ class Assembler {
   const Mesh& input_;
   const Arrangement& arrangement_;
   const std::vector<char>& kept_;
-  std::vector<Face> faces_;  ///< corners of kept pieces as points
+  std::vector<Face> faces_;  ///< points at the corners of the kept pieces
   std::vector<Index> opposite_;
   bool has_singular_edges_ = false;
   Umbrellas umbrellas_;
-  std::vector<Index> old_vertex_;  ///< per umbrella: the input vertex that it keeps
+  std::vector<Index> old_vertex_;  ///< per umbrella: the input vertex that it keeps, or no_index
   std::vector<Index> example_;     ///< per umbrella: a halfedge that starts there
   std::vector<Index> vertex_of_;   ///< per umbrella: the output vertex
   std::vector<RowBlend> vertex_rows_;
@@ -67,7 +67,8 @@ Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
   umbrellas_ = find_umbrellas(faces_, opposite_, kept);
 }
 
-// The input face that a piece is cut from, and by which it is oriented.
+// Returns the input face that a piece is cut from, preferably one with the orientation of the
+// piece.
 Index Assembler::piece_face(const Piece& piece) const {
   for (const PieceSource& source : arrangement_.sources_of(piece)) {
     if (!source.reversed) return arrangement_.welded->face_of[source.face];
@@ -75,8 +76,8 @@ Index Assembler::piece_face(const Piece& piece) const {
   return arrangement_.welded->face_of[arrangement_.sources_of(piece).front().face];
 }
 
-// Every umbrella keeps the smallest input vertex among its corners, unless an umbrella before it
-// keeps that.
+// Assigns to each umbrella the smallest input vertex at its corners, unless an earlier umbrella has
+// that vertex.
 void Assembler::choose_old_vertices() {
   const WeldedMesh& welded = *arrangement_.welded;
   old_vertex_.assign(umbrellas_.vertex_of.size(), no_index);
@@ -101,8 +102,8 @@ void Assembler::choose_old_vertices() {
   }
 }
 
-// Numbers the input vertices that are kept first, in their order; then others in that of their
-// umbrellas.
+// Numbers the kept input vertices first, in their order. The remaining vertices follow in the order
+// of their umbrellas.
 void Assembler::number_vertices() {
   choose_old_vertices();
   std::vector<Index> umbrella_of(input_.positions.size(), no_index);
@@ -167,7 +168,7 @@ void Assembler::add_faces() {
   }
 }
 
-// Splits edges on which copies of the ends still leave more than two faces.
+// Splits edges that still have more than two faces after their ends are duplicated.
 void Assembler::split_edges() {
   if (!has_singular_edges_) return;
   const EdgeSplits splits = split_singular_edges(result_.mesh, output_opposite_);

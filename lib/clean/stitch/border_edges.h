@@ -1,5 +1,5 @@
-/// The edges of one face, and which of them are near a point. Vertices are the same when their
-/// indices are. Cost: O(n) to build, O(log n) a query on usual meshes. Deterministic.
+/// Border edges (edges of one face), with a search for those near a vertex. Vertices are equal if
+/// their indices are. Cost: O(n) to build, O(log n) per query on usual meshes. Deterministic.
 #pragma once
 
 #include <functional>
@@ -17,17 +17,17 @@ class BorderEdges {
   explicit BorderEdges(const Mesh& mesh);
 
   const std::vector<Index>& halfedges() const { return halfedges_; }
-  /// The vertices of these edges, ascending.
+  /// The vertices of the border edges, ascending.
   const std::vector<Index>& vertices() const { return vertices_; }
 
-  /// A border halfedge that a vertex is near to, and the vertex's place along it, in [0, 1].
+  /// A border halfedge near a vertex, with the parameter of the nearest point along it, in [0, 1].
   struct Near {
     Index halfedge = 0;
     double distance = 0;
     double along = 0;
   };
-  /// Calls visit(near) for each border edge within the distance of the vertex but those that end in
-  /// it, in no particular order.
+  /// Calls visit(near) for each border edge within `distance` of the vertex, in no particular
+  /// order. Skips the edges that end in the vertex.
   void visit_near(Index vertex, double distance,
                   const std::function<void(const Near&)>& visit) const;
 

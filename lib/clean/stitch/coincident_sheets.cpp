@@ -10,13 +10,13 @@
 namespace transformesh {
 namespace {
 
-/// Two bundles of as many faces beside each other at an edge.
+/// Two bundles with equally many faces that are neighbors at an edge.
 struct Joint {
   Index edge;
   Index first, second;  ///< bundles
 };
 
-/// Faces with the same corners are a bundle; each face of a bundle is in a layer of its own.
+/// Groups faces with equal corners to bundles, and assigns each face of a bundle to its own layer.
 class Layers {
  public:
   Layers(const Mesh& mesh, const Edges& edges) : mesh_(mesh), edges_(edges) {
@@ -37,17 +37,19 @@ class Layers {
 
   const Mesh& mesh_;
   const Edges& edges_;
-  std::vector<Index> bundle_of_;  ///< per face; no_index if its edges have two faces at most
-  std::vector<std::vector<Index>> bundles_;  ///< faces by their layers, once they are ordered
+  /// Per face; no_index if none of its edges has more than two faces.
+  std::vector<Index> bundle_of_;
+  std::vector<std::vector<Index>> bundles_;  ///< faces in the order of their layers, after ordering
   std::vector<Joint> joints_;
   std::vector<std::vector<Index>> joints_at_;  ///< per bundle
   std::vector<char> is_ordered_;               ///< per bundle
-  std::vector<char> is_turned_;                ///< per bundle: its lowest face, against the start's
-  std::vector<Index> part_of_;                 ///< per bundle: the bundle that the part grew from
-  std::vector<char> has_one_side_;             ///< per part
+  std::vector<char> is_turned_;  ///< per bundle: 1 if its lowest face has to be reversed to agree
+                                 ///< with the first bundle
+  std::vector<Index> part_of_;   ///< per bundle: first bundle of its connected part
+  std::vector<char> has_one_side_;  ///< per part
 };
 
-// Copies of a face are at the same edges.
+// Copies of a face are at the same edges, so they are all in the result.
 std::vector<Index> Layers::faces_at_multiple_edges() const {
   std::vector<Index> faces;
   for (std::size_t e = 0; e < edges_.size(); ++e)
@@ -59,7 +61,7 @@ std::vector<Index> Layers::faces_at_multiple_edges() const {
 }
 
 void Layers::collect_bundles() {
-  std::vector<std::pair<Face, Index>> faces;  // corners ascending, and the number
+  std::vector<std::pair<Face, Index>> faces;  // sorted corners and face index
   for (const Index f : faces_at_multiple_edges()) {
     Face corners = mesh_.faces[f];
     std::ranges::sort(corners);
@@ -101,7 +103,7 @@ bool Layers::points_forward(Index face, Index edge) const {
   return is_forward(mesh_.faces, halfedge_of(face, edge));
 }
 
-// Whether the lowest faces of the two bundles traverse the edge in the same direction.
+// True if the lowest faces of both bundles traverse the edge in the same direction.
 bool Layers::is_turned(const Joint& joint) const {
   const auto lowest = [&](Index bundle) { return *std::ranges::min_element(bundles_[bundle]); };
   return points_forward(lowest(joint.first), joint.edge) ==
@@ -109,7 +111,8 @@ bool Layers::is_turned(const Joint& joint) const {
 }
 
 void Layers::order_layers(const Joint& joint, Index from, Index to) {
-  std::array<std::vector<Index>, 2> left;  // backward and forward ones, the lowest last
+  // Backward and forward faces, each with the lowest face last.
+  std::array<std::vector<Index>, 2> left;
   for (auto face = bundles_[to].rbegin(); face != bundles_[to].rend(); ++face)
     left[points_forward(*face, joint.edge) ? 1 : 0].push_back(*face);
   std::vector<Index> ordered(bundles_[to].size(), no_index);

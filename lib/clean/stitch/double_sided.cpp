@@ -14,11 +14,11 @@
 namespace transformesh {
 namespace {
 
-/// A face by its corners in ascending order.
+/// A face with its corners in ascending order.
 struct SortedFace {
   Face corners;
   Index face;
-  bool is_odd;  ///< the corners ran the other way
+  bool is_odd;  ///< the original orientation is odd with respect to the sorted corners
 
   auto key() const { return std::tie(corners, face); }
 };
@@ -31,7 +31,7 @@ SortedFace sorted_face(const Face& v, Index face) {
   return sorted;
 }
 
-// Calls visit(first, last) for each set of faces that lie upon each other.
+// Calls visit(first, last) for each set of coincident faces.
 template <class Visit>
 void visit_coincident(const std::vector<Face>& faces, const Visit& visit) {
   std::vector<SortedFace> sorted;
@@ -48,7 +48,7 @@ void visit_coincident(const std::vector<Face>& faces, const Visit& visit) {
   }
 }
 
-// The same for sets in which some faces are reversed.
+// Calls visit(first, last) for each set of coincident faces that contains reverses.
 template <class Visit>
 void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
   visit_coincident(faces, [&](auto first, auto last) {
@@ -58,7 +58,7 @@ void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
   });
 }
 
-// The faces with one vertex for all that have one position.
+// Returns the faces with equal positions merged to one vertex.
 std::vector<Face> welded_faces(const Mesh& mesh) {
   const std::vector<Index> joined = weld_positions(mesh.positions, 0);
   std::vector<Face> faces = mesh.faces;

@@ -1,6 +1,6 @@
-/// Double-sided models, in which faces come with their reverses, so that they enclose nothing:
-/// usual in graphics, where only the front of a face is drawn. Faces are each other's reverse where
-/// their corners are at equal positions and have the opposite direction. Deterministic; O(n log n).
+/// Double-sided models: each face has a reverse, so the faces enclose nothing. They are common in
+/// graphics, where only the front of a face is drawn. Two faces are reverses of each other if their
+/// corners have equal positions and opposite orientation. Deterministic; O(n log n).
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,23 @@
 
 namespace transformesh {
 
-/// How many faces have a reverse.
+/// Returns the number of faces that have a reverse.
 std::size_t count_double_sided(const Mesh& mesh);
 
-/// Whether the faces that drop_reverses() leaves, equal positions being one vertex, have a border.
+/// True if the mesh has a border after drop_reverses() with equal positions welded.
 bool one_side_is_open(const Mesh& mesh);
 
-/// Drops all but the first of faces that lie upon each other, where some of these are reversed.
-/// Vertices are the same when their indices are. Columns follow; vertices stay. Returns how many
-/// went.
+/// Keeps only the first of each set of coincident faces that contains reverses, and drops the
+/// others. Vertices are equal if their indices are. Columns follow; vertices stay. Returns the
+/// number of dropped faces.
 std::size_t drop_reverses(Mesh& mesh);
 
-/// Drops all but the first of faces that lie upon each other and have the same direction. Vertices
-/// are the same when their indices are. Columns follow; vertices stay. Returns how many went.
+/// Keeps only the first of coincident faces with the same orientation, and drops the others.
+/// Vertices are equal if their indices are. Columns follow; vertices stay. Returns the number of
+/// dropped faces.
 std::size_t drop_copies(Mesh& mesh);
 
-/// Reverses the connected components that are closed and have a negative volume; returns how many
-/// faces that were.
+/// Reverses the closed components with negative volume. Returns the number of reversed faces.
 std::size_t turn_outwards(Mesh& mesh);
 
 }  // namespace transformesh

@@ -1,15 +1,14 @@
-/// Makes a mesh of what only indices keep apart: if border edges lie upon each other
-/// (touching_borders.h), equal places become one vertex as by stitch(). Any other mesh, closed or
-/// open, stays as it is.
+/// Joins a triangle soup: if border edges coincide (touching_borders.h), vertices with equal
+/// positions are merged as by stitch(). Any other mesh, closed or open, does not change.
 #pragma once
 
 #include "transformesh/stitch.h"
 
 namespace transformesh {
 
-/// Returns what stitch() did; no `joined_vertices` if the mesh is unchanged. Throws InputError if
-/// faces that come to meet traverse an edge in the same direction, with the place and what mends
-/// it. O(n), O(n log n) if it joins.
+/// Returns the result of stitch(); `joined_vertices` is 0 if the mesh is unchanged. Throws
+/// InputError if joined faces traverse an edge in the same direction; the error names the place.
+/// O(n), or O(n log n) if vertices are joined.
 StitchResult join_soup(Mesh& mesh);
 
 }  // namespace transformesh

@@ -19,13 +19,14 @@
 namespace transformesh {
 namespace {
 
-/// Faces connected across edges of two faces, or of copies of two (coincident_sheets.h).
+/// Faces connected across edges of two faces, or of copies of two faces (coincident_sheets.h).
 struct Sheet {
   std::vector<Index> faces;
-  bool agreed = true;         ///< within itself, and with others at their common edges
-  bool has_border = false;    ///< it has an edge of one face
-  bool copies_agreed = true;  ///< all sheets of the set of copies that this one stands for did
-  double volume = 0;          ///< six times that of the cone over it from the group's centroid
+  bool agreed = true;       ///< consistently oriented, within the sheet and with other sheets
+  bool has_border = false;  ///< it has an edge of one face
+  /// `agreed` holds for all coincident copies; stored at the representative of the set.
+  bool copies_agreed = true;
+  double volume = 0;  ///< six times the volume of the cone from the group's centroid over the sheet
 };
 
 class Orienter {
@@ -50,13 +51,15 @@ class Orienter {
   const Mesh& mesh_;
   const bool keeps_most_;
   const Edges edges_;
-  std::vector<Index> across_;      ///< per halfedge: the one that continues its sheet
+  std::vector<Index> across_;  ///< per halfedge: the halfedge that continues its sheet, or no_index
   std::vector<Index> sheet_of_;    ///< per face
-  std::vector<char> is_reversed_;  ///< per face: it must be, to agree with its sheet's first
+  std::vector<char> is_reversed_;  ///< per face: 1 if it has to be reversed to agree with the first
+                                   ///< face of its sheet
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;
   SheetAlignment links_{0};
-  DisjointSets copies_{0};  ///< sheets that lie upon each other: if one needs it, all are turned
+  /// Coincident sheets; if one of a set is inconsistent, the whole set is oriented.
+  DisjointSets copies_{0};
 };
 
 Orienter::Orienter(const Mesh& mesh, bool keeps_most)
@@ -77,7 +80,7 @@ Orienter::Orienter(const Mesh& mesh, bool keeps_most)
     if (!sheets_[sheet].agreed) sheets_[copies_.find(sheet)].copies_agreed = false;
 }
 
-// Whether the halfedge points forward once its face agrees with the first of its sheet.
+// True if the halfedge points forward after its face is oriented like the first face of its sheet.
 bool Orienter::points_forward(Index h) const {
   return is_forward(mesh_.faces, h) != (is_reversed_[h / 3] != 0);
 }
@@ -115,7 +118,7 @@ void Orienter::refuse(Index halfedge, Index across) const {
                    std::move(data));
 }
 
-// Finds by how much sheets that end at the same edges agree there.
+// Computes how well sheets that end at the same edges agree there.
 void Orienter::link_sheets() {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto halfedges = edges_.halfedges(e);
@@ -161,8 +164,8 @@ double Orienter::volume(Index sheet) const {
   return sheet_is_reversed_[sheet] ? -sheets_[sheet].volume : sheets_[sheet].volume;
 }
 
-// Reverses sheets, small ones first, while that makes more of them agree, or as many with a larger
-// volume. As both only grow, this ends.
+// Reverses sheets in order of increasing volume, as long as this improves the agreement, or the
+// volume at equal agreement. Both values only grow, so the loop ends.
 void Orienter::improve(std::vector<Index> group, bool has_border) {
   std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
     return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);
@@ -181,7 +184,8 @@ void Orienter::improve(std::vector<Index> group, bool has_border) {
   }
 }
 
-// Starts again with every sheet looking outwards on its own, and keeps the result if it is better.
+// Repeats the search from a start in which each sheet is oriented outwards. Keeps the result if it
+// is at least as good.
 void Orienter::try_outwards(const std::vector<Index>& group) {
   const auto score = [&] {
     links_.sum_up(group, sheet_is_reversed_);

@@ -1,17 +1,20 @@
-/// Reverses faces so that neighbors agree which side is outside.
+/// Reverses faces such that neighbors have consistent orientation.
 ///
-/// Faces that hang together across edges of two faces are a sheet, and so are those of each copy of
-/// it where copies lie upon each other (coincident_sheets.h); they are reversed until they traverse
-/// those edges in opposite directions. Sheets that end at edges of more faces are reversed as a
-/// whole, until as many faces have one direction along such an edge as the other, or one more, as
-/// far as possible: solids that share edges or faces get their insides back. Where that leaves a
-/// choice, the larger volume decides. Sheets that are linked by such edges are a group. If a group
-/// did not agree before, it then looks outwards where none of its edges has one face only, and the
-/// way most of its faces did otherwise. A group that agreed is left alone, inside out or not,
-/// unless a copy of it did not.
+/// A sheet is a set of faces that are connected across edges of two faces. If copies of a sheet
+/// coincide, each copy is a sheet (coincident_sheets.h). Within a sheet, faces are reversed until
+/// they traverse common edges in opposite directions.
 ///
-/// Faces that name a vertex twice have no say, and are left alone.
-/// Volumes are in doubles. Cost: O(n log n). Deterministic.
+/// Sheets that end at edges of more than two faces are reversed as a whole. The aim is that equally
+/// many faces, except at most one, traverse such an edge in each direction. This restores the
+/// insides of solids that share edges or faces. If several choices are equally good, the larger
+/// volume decides.
+///
+/// A group is a set of sheets that are linked by such edges. A group that was consistently oriented
+/// is not changed, even if it is inside out, unless a copy of it was inconsistent. Any other group
+/// is oriented outwards if it has no border, and like the majority of its faces if it has one.
+///
+/// Faces that refer to a vertex twice are ignored and not changed. Volumes are computed in doubles.
+/// Cost: O(n log n). Deterministic. The method is a greedy heuristic without a reference.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +23,13 @@
 
 namespace transformesh {
 
-/// Vertices are the same when their indices are. Columns and the order of faces stay as they are.
-/// Returns the number of faces reversed. Throws InputError, naming the place, where a sheet has one
-/// side only; then the mesh is as it was.
-/// If `keeps_most`, closed groups are not turned outwards either: they look the way most of their
-/// faces did.
+/// Orients the faces of a mesh; returns the number of reversed faces. Vertices are equal if their
+/// indices are. Columns and the order of faces do not change. If `keeps_most` is set, closed groups
+/// are oriented like the majority of their faces instead of outwards. Throws InputError that names
+/// the place if a sheet is one-sided; then the mesh is unchanged.
 std::size_t orient_faces(Mesh& mesh, bool keeps_most = false);
 
-/// Whether orient_faces() leaves no edge at which faces are misoriented (orientation_check.h).
+/// True if orient_faces() leaves no misoriented edge (orientation_check.h).
 bool can_be_oriented(Mesh mesh);
 
 }  // namespace transformesh

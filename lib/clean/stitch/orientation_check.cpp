@@ -24,7 +24,7 @@ std::string list_text(const std::vector<Index>& faces) {
   return text;
 }
 
-// Names the faces of an edge that have the direction of the majority.
+// Lists the faces of an edge that have the direction of the majority.
 Problem edge_problem(const Mesh& mesh, std::span<const Index> halfedges, bool forward) {
   const auto points_alike = [&](Index h) { return is_forward(mesh.faces, h) == forward; };
   std::vector<Index> alike;

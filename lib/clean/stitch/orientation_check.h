@@ -1,9 +1,10 @@
-/// Whether faces agree which side is outside.
+/// Checks whether faces are consistently oriented.
 ///
-/// What counts is their sum along an edge, those that traverse it in one direction less those that
-/// run the other: 0 where the surface goes on, however many sheets meet there; 1 at the border of
-/// an open surface, be it free or where a sheet ends on another surface; more where faces are
-/// misoriented. Vertices are the same when their indices are. Deterministic.
+/// The criterion is the sum along each edge: the number of faces that traverse it in one direction
+/// minus the number in the opposite direction. The sum is 0 if the surface continues, however many
+/// sheets meet. It is 1 or -1 at a border, which may be free or on another surface. A larger
+/// absolute value means that faces are misoriented. Vertices are equal if their indices are.
+/// Deterministic.
 #pragma once
 
 #include <span>
@@ -14,13 +15,13 @@
 
 namespace transformesh {
 
-/// How many more of the halfedges are directed forward than backward. Halfedges are 3 * face +
-/// corner; the forward ones go from the smaller vertex to the larger.
+/// Returns the number of forward minus backward halfedges. A halfedge 3 * face + corner is forward
+/// if it runs from the smaller to the larger vertex index.
 int sum_along(std::span<const Face> faces, std::span<const Index> halfedges);
 
-/// Returns the first misoriented edge, with the faces that run along it the same way, its place and
-/// the number of such edges; an empty sentence if there is none. Ignores faces that name a vertex
-/// twice. Cost: O(n log n).
+/// Returns the first misoriented edge: the faces that traverse it in the same direction, its place,
+/// and the number of such edges. The sentence is empty if there is none. Ignores faces that refer
+/// to a vertex twice. Cost: O(n log n).
 Problem find_misorientation(const Mesh& mesh);
 
 /// Returns the sentence of find_misorientation().

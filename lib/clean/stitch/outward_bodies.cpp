@@ -16,16 +16,17 @@
 namespace transformesh {
 namespace {
 
-/// Vertices of a component that vote on whether it is in another one. Vertices upon the other one
-/// cannot vote, and components that intersect have votes for both.
+/// Number of vertices of a component that are tested for containment in another one; the majority
+/// decides. Vertices on the other component do not count, and intersecting components have vertices
+/// on both sides. A choice: more vertices take more time and are more robust.
 constexpr std::size_t voters = 9;
 
 class Bodies {
  public:
   explicit Bodies(const Mesh& mesh);
-  /// Per component, true if it is part of a body that is inside out.
+  /// Per component: 1 if it belongs to a body that is inside out.
   std::vector<char> inward() const;
-  /// Per component, true if it is closed and looks the other way than its nesting asks for.
+  /// Per component: 1 if it is closed and its orientation does not match its nesting depth.
   std::vector<char> against_nesting() const;
   bool any_negative() const;
   Index of_face(std::size_t face) const { return parts_.of_face[face]; }
@@ -75,7 +76,7 @@ Mesh Bodies::mesh_of(Index part) const {
   return result;
 }
 
-// True if most voters of `inner` have that property.
+// True if `vote` is true for the majority of the tested vertices of `inner`.
 bool Bodies::most_vote(Index inner,
                        const std::function<std::optional<bool>(const Vec3&)>& vote) const {
   std::size_t yes = 0, no = 0;
@@ -87,7 +88,7 @@ bool Bodies::most_vote(Index inner,
   return yes > no;
 }
 
-// Lists for each component the closed ones that contain it.
+// Returns for each component the closed components that contain it.
 std::vector<std::vector<Index>> Bodies::containers() const {
   const auto count = static_cast<Index>(faces_.size());
   std::vector<std::vector<Index>> around(count);
@@ -111,7 +112,7 @@ std::vector<std::vector<Index>> Bodies::containers() const {
   return around;
 }
 
-// True if a component with borders encloses that one, by generalized winding numbers.
+// True if a component with borders encloses `inner`, by generalized winding numbers.
 bool Bodies::is_in_open(Index inner) const {
   for (Index outer = 0; outer < faces_.size(); ++outer) {
     if (is_closed(outer) || !boxes_[outer].contains(boxes_[inner])) continue;
@@ -125,7 +126,7 @@ bool Bodies::is_in_open(Index inner) const {
   return false;
 }
 
-// The smallest outermost component around each component decides; a component of its own if none.
+// Each component follows the smallest outermost component around it, or itself if there is none.
 std::vector<char> Bodies::inward() const {
   const std::vector<std::vector<Index>> around = containers();
   std::vector<char> is_inward(around.size(), 0);

@@ -1,7 +1,8 @@
-/// Bodies that are inside out. A body is a closed component that no other one contains, together
-/// with all components in it: cavities, and bodies inside of cavities. A body is inside out if the
-/// volume of its outer component is negative. Containment is decided by exact winding numbers at
-/// vertices. Cost: O(n log n) for components whose boxes are nested in few others. Deterministic.
+/// Finds and reverses bodies that are inside out. A body is a closed component that no other
+/// component contains, together with all components in it: cavities, and bodies inside cavities. A
+/// body is inside out if the volume of its outer component is negative. Exact winding numbers at
+/// vertices decide on containment. Cost: O(n log n) if few boxes of components are nested.
+/// Deterministic.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +11,15 @@
 
 namespace transformesh {
 
-/// Returns whether a body is inside out.
+/// True if at least one body is inside out.
 bool has_inward_bodies(const Mesh& mesh);
 
-/// Reverses the faces of bodies that are inside out, cavities included, so that cavities stay
-/// cavities. Returns the number of faces reversed.
+/// Reverses all components of bodies that are inside out, so that cavities remain cavities. Returns
+/// the number of reversed faces.
 std::size_t turn_bodies_outwards(Mesh& mesh);
 
-/// Reverses closed components until those in an even number of others look outwards, and those in
-/// an odd number inwards, as cavities. Returns the number of faces reversed.
+/// Orients closed components by their nesting depth: outwards at even depth, inwards at odd depth,
+/// as cavities. Returns the number of reversed faces.
 std::size_t turn_nested_alternately(Mesh& mesh);
 
 }  // namespace transformesh

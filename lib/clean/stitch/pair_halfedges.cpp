@@ -7,8 +7,8 @@
 namespace transformesh {
 namespace {
 
-// Between a backward piece and a forward one that follows lies the inside, behind both. So pieces
-// pair as brackets do, cyclically.
+// The inside is between a backward piece and the forward piece that follows it. Hence pieces are
+// matched like cyclic brackets.
 void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& sorted,
                         std::vector<Index>& opposite) {
   std::vector<Index> open;
@@ -25,8 +25,8 @@ void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& s
   }
 }
 
-// The closed part goes first, then components of two pieces. What is left has no partner of its
-// own.
+// Pairs halfedges within the closed part, and within each open component of two pieces. The caller
+// pairs the remaining halfedges without regard to components.
 void pair_components(std::span<const Face> faces, const std::vector<Index>& sorted,
                      std::span<const Index> component_of, std::vector<Index>& opposite) {
   std::map<Index, std::vector<Index>> of_component;

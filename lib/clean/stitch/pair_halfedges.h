@@ -1,6 +1,6 @@
-/// Which pieces continue each other across an edge (paper 3.3). Pieces know their corners only as
-/// points; the umbrellas that they form when they are paired are the vertices. At a singular edge
-/// (paper 3.3.2) more than two pieces meet.
+/// Pairs the halfedges of pieces that continue each other across an edge (paper 3.3). The corners
+/// of pieces are points. The umbrellas of the paired pieces become the vertices. More than two
+/// pieces meet at a singular edge (paper 3.3.2).
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@
 
 namespace transformesh {
 
-/// Brings the halfedges of one edge into angular order: counter-clockwise seen against the
-/// direction from the smaller to the larger point.
+/// Sorts the halfedges of one edge by angle: counter-clockwise, viewed against the direction from
+/// the smaller to the larger point.
 using AngularSort = std::function<std::vector<Index>(std::span<const Index> halfedges)>;
 
-/// For each halfedge that of the piece across it; no_index on a border. At a singular edge pieces
-/// pair across the inside, which is behind both, so that sheets never intersect. If more have one
-/// direction than the other, the surplus stays without a partner. `component_of` gives the open
-/// component of each piece, no_index for the closed part; it is empty if all is closed. A component
-/// of which two pieces meet an edge continues there, and so does the closed part, whatever others
-/// end there. Cost: O(n) and that of sorting.
+/// Returns the opposite of each halfedge, or no_index on a border. At a singular edge, pieces are
+/// paired across the inside, which is behind both; then sheets never intersect. If more pieces have
+/// one direction than the other, the surplus has no partner. `component_of` gives the open
+/// component of each piece, or no_index for the closed part; it is empty if all pieces are closed.
+/// An open component with exactly two pieces at an edge continues across it, and so does the closed
+/// part, regardless of other pieces. Cost: O(n) plus sorting.
 std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& edges,
                                       const AngularSort& sort,
                                       std::span<const Index> component_of = {});

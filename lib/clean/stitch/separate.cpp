@@ -14,15 +14,15 @@ namespace {
 
 constexpr int most_halvings = 10;
 
-// The faces around a vertex as directions: a cone with its apex at the vertex.
+// The directions of the faces around a vertex: a cone with its apex at the vertex.
 struct Cone {
   struct Side {
     Vec3 first, second;  ///< unit vectors along the two edges
-    Vec3 normal;         ///< a unit vector
+    Vec3 normal;         ///< unit normal
   };
   std::vector<Side> sides;
-  Vec3 normal = Vec3::Zero();  ///< the unit mean of the normals, weighted by angle
-  Vec3 axis = Vec3::Zero();    ///< the unit mean of the directions into the sides, likewise
+  Vec3 normal = Vec3::Zero();  ///< unit mean of the normals, weighted by angle
+  Vec3 axis = Vec3::Zero();    ///< unit mean of the directions into the sides, weighted by angle
 };
 
 Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
@@ -44,7 +44,7 @@ Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
   return cone;
 }
 
-// The point of a side, which extends without end, that is nearest to a unit vector.
+// Returns the point of a side, taken as an infinite sector, that is nearest to a unit vector.
 Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
   Vec3 in_plane = direction - direction.dot(side.normal) * side.normal;
   const bool is_left = side.normal.dot(side.first.cross(in_plane)) >= 0;
@@ -56,11 +56,12 @@ Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
                                     : Vec3(along_second * side.second);
 }
 
-// Positive in front of the cone, negative behind it (the sign of Baerentzen & Aanaes 2005). Near
-// the cone rounding may decide; a wrong answer costs a refusal and breaks nothing.
+// Returns a positive value in front of the cone, a negative one behind it. The sign is that of
+// angle-weighted pseudonormals (Baerentzen & Aanaes 2005). Near the cone, rounding may decide; a
+// wrong sign can only cause a refusal.
 double side_of(const Cone& cone, const Vec3& direction) {
   constexpr double same = 1e-12;
-  double least = 1 - same;  // the distance of the apex
+  double least = 1 - same;  // distance from the apex
   Vec3 nearest = Vec3::Zero();
   Vec3 normal = cone.normal;
   for (const Cone::Side& side : cone.sides) {
@@ -123,7 +124,7 @@ class Separator {
   }
 
  private:
-  // The vertices at every position that has more than one.
+  // Returns the sets of vertices with equal positions, with at least two vertices each.
   std::vector<std::vector<Index>> find_groups() const {
     std::vector<Index> order;
     for (Index v = 0; v < mesh_.positions.size(); ++v) {
@@ -143,7 +144,8 @@ class Separator {
     return groups;
   }
 
-  // Moves the copies of one vertex. All directions are chosen before any of them moves.
+  // Moves the copies of one vertex. The directions are chosen before any copy moves. Returns true
+  // if a copy moved.
   bool move_apart(const std::vector<Index>& copies) {
     std::vector<std::vector<Vec3>> directions;
     directions.reserve(copies.size());
@@ -158,12 +160,12 @@ class Separator {
     return any;
   }
 
-  // The unit vectors along which to try: away from the other copies, and none where they lie on
-  // both sides.
+  // Returns the unit vectors to try: away from the other copies. Empty if there are copies on both
+  // sides.
   std::vector<Vec3> ways_out(Index vertex, const std::vector<Index>& copies) const {
     if (is_border_[vertex]) return {};
     const Cone cone = cone_at(mesh_, vertex, faces_at_[vertex]);
-    // The normals of a blade cancel out, so that only its axis leads into it.
+    // At a blade, the normals cancel each other, and only the axis points into the blade.
     if (tries_all_) return {-cone.normal, cone.normal, cone.axis, -cone.axis};
     bool in_front = false;
     bool behind = false;
@@ -194,7 +196,7 @@ class Separator {
     return false;
   }
 
-  // The faces of other vertices that the faces of this one may reach.
+  // Returns the faces of other vertices that the faces of this vertex may reach.
   std::vector<Index> faces_near(Index vertex) const {
     Vec3 low = mesh_.positions[vertex];
     Vec3 high = low;
@@ -215,7 +217,7 @@ class Separator {
     return near;
   }
 
-  // The face with its corner at the vertex moved.
+  // Returns the face with its corner at `vertex` moved to `target`.
   Triangle moved(Index f, Index vertex, const Vec3& target) const {
     Triangle result = triangle_of(mesh_, f);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -237,8 +239,8 @@ class Separator {
     return !passes_any(vertex, target, near) && !meets_any(vertex, target, near);
   }
 
-  // Whether a face lies within what the step sweeps. As it meets neither the old faces nor the new
-  // ones, one point of it tells.
+  // True if a face is inside the volume that the step sweeps. Faces intersect neither the old nor
+  // the new faces of the vertex, so one point of each face decides.
   bool passes_any(Index vertex, const Vec3& target, const std::vector<Index>& near) const {
     for (const Index f : faces_at_[vertex]) {
       const Face& face = mesh_.faces[f];
@@ -276,9 +278,9 @@ class Separator {
   VertexFaces faces_at_;
   std::vector<char> is_border_;
   std::vector<char> was_moved_;
-  Bvh bvh_;                 ///< of the faces as they were at first
-  bool tries_all_ = false;  ///< whether all ways are tried, since no side could be told
-  double reach_ = 0;  ///< no vertex is farther than this from where it was, the next step included
+  Bvh bvh_;                 ///< built from the initial positions
+  bool tries_all_ = false;  ///< try all directions, because no side could be determined
+  double reach_ = 0;  ///< upper bound of the displacement of any vertex, including the next step
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ void SheetAlignment::find_kinds() {
   std::map<std::vector<End>, Index> kinds;
   for (Index sheet = 0; sheet < ends_.size(); ++sheet) {
     const auto next = static_cast<Index>(kinds_.size());
-    // A sheet without ends has no links, and is a kind of its own.
+    // A sheet without ends has no links and gets its own kind.
     const Index kind =
         ends_[sheet].empty() ? next : kinds.emplace(ends_[sheet], next).first->second;
     if (kind == next) kinds_.emplace_back().ends = &ends_[sheet];
@@ -27,7 +27,7 @@ void SheetAlignment::find_kinds() {
     for (const auto& [edge, sum] : *kinds_[kind].ends) kinds_at_[edge].emplace_back(kind, sum);
 }
 
-/// Lets the lowest sheet of a kind that is not aligned wait, if there is one.
+/// Queues the lowest unaligned sheet of a kind, if there is one.
 void SheetAlignment::push(Index number) {
   Kind& kind = kinds_[number];
   if (kind.aligned == kind.sheets.size()) return;
@@ -35,7 +35,7 @@ void SheetAlignment::push(Index number) {
   steps_.push(kind.best);
 }
 
-/// Links an aligned sheet of a kind to all kinds with which it has an edge in common.
+/// Links an aligned sheet of a kind to all kinds with a common edge.
 void SheetAlignment::link(Index from, bool is_reversed) {
   if (std::exchange(kinds_[from].has_links[is_reversed ? 1 : 0], true)) return;
   std::map<Index, std::int64_t> agreements;
@@ -61,7 +61,7 @@ std::vector<Index> SheetAlignment::align(Index first, std::vector<char>& is_reve
     steps_.pop();
     const Index number = kind_of_[step.sheet];
     Kind& kind = kinds_[number];
-    // A stronger link has been found, or this one has been followed.
+    // Skip links that were followed already, and links for which a stronger one was found.
     if (kind.best < step || step < kind.best) continue;
     ++kind.aligned;
     is_reversed[step.sheet] = step.is_reversed ? 1 : 0;

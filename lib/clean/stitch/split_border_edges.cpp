@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// A vertex that splits a halfedge, with its place along it.
+/// A vertex that splits a halfedge, with its parameter along the halfedge.
 struct Split {
   Index halfedge;
   double along;
@@ -30,27 +30,27 @@ std::vector<Split> find_splits(const Mesh& mesh, double tolerance) {
   return splits;
 }
 
-/// Cuts the faces that were split, one edge after the other.
+/// Cuts faces at the splits of their edges, one edge after the other.
 class FaceCutter {
  public:
   explicit FaceCutter(Mesh& mesh) : mesh_(mesh) {}
 
-  /// Splits one edge of the face; `corner` is the corner at which it starts.
+  /// Splits the edge of the face that starts at `corner`.
   void cut(Index face, Index corner, const std::vector<Index>& vertices);
   BorderSplits take() { return std::move(result_); }
 
  private:
   Mesh& mesh_;
   BorderSplits result_;
-  Index face_ = no_index;          ///< the face whose edges are being cut
-  std::array<Index, 3> holder_{};  ///< per edge of face_: the piece that has it
+  Index face_ = no_index;          ///< face whose edges are being cut
+  std::array<Index, 3> holder_{};  ///< per edge of `face_`: the piece that contains it
 };
 
 void FaceCutter::cut(Index face, Index corner, const std::vector<Index>& vertices) {
   if (face != face_) holder_ = {face, face, face};
   face_ = face;
   const Index piece = holder_[corner];
-  // Pieces keep the corners of their face but one each, which a vertex on an edge replaced.
+  // Each piece keeps two corners of its face; a vertex on an edge replaces the third.
   const Face whole = mesh_.faces[piece];
   Index from = whole[corner];
   for (const Index v : vertices) {
@@ -69,7 +69,7 @@ void FaceCutter::cut(Index face, Index corner, const std::vector<Index>& vertice
   last[corner] = from;
   mesh_.faces.push_back(last);
   result_.face_source.push_back(face);
-  // The last piece has the next edge, unless an earlier cut gave it to another.
+  // The last piece contains the next edge, unless an earlier cut moved that edge to another piece.
   const Index next = (corner + 1) % 3;
   if (holder_[next] == piece) holder_[next] = static_cast<Index>(mesh_.faces.size() - 1);
   ++result_.edges;

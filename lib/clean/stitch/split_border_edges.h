@@ -1,7 +1,7 @@
-/// Splits border edges at border vertices that lie within a tolerance of them, as at T-junctions,
-/// so that both sides have the same vertices. No vertex moves or is added: the surface moves by the
-/// distance of these vertices from their edges. Faces are cut into fans; pieces follow all faces.
-/// Cost: O(n log n). Deterministic.
+/// Splits border edges at border vertices within a tolerance, as at T-junctions, so that both sides
+/// have the same vertices. No vertex moves or is added. The surface moves by the distance of the
+/// vertices from the edges. Faces are cut into fans; the new pieces follow all faces. Cost: O(n log
+/// n). Deterministic.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,8 @@ struct BorderSplits {
   std::vector<Index> face_source;  ///< per new face: the face that it is cut from
 };
 
-/// Changes faces, but no columns. Pre: vertices within the tolerance of each other are joined.
+/// Splits the edges. Changes faces, but no columns. Vertices within the tolerance of each other
+/// must already be joined.
 BorderSplits split_border_edges(Mesh& mesh, double tolerance);
 
 }  // namespace transformesh

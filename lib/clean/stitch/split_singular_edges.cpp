@@ -23,7 +23,7 @@ class Splitter {
   Mesh& mesh_;
   std::vector<Index>& opposite_;
   const std::size_t old_faces_;
-  std::map<Index, Index> moved_;  ///< where halfedges are that went to a new face
+  std::map<Index, Index> moved_;  ///< new halfedges of halfedges that moved to a new face
   EdgeSplits result_;
 };
 
@@ -36,8 +36,8 @@ void Splitter::pair(Index first, Index second) {
   if (second != no_index) opposite_[second] = first;
 }
 
-// Cuts a face in two. It keeps the first half of the edge; a new face gets the second half, which
-// is returned.
+// Cuts a face in two. The face keeps the first half of the edge. Returns the halfedge of the second
+// half, which belongs to a new face.
 Index Splitter::split_face(Index h, Index vertex) {
   const Index face = h / 3, next = next_halfedge(h), before = previous_halfedge(h);
   const auto added = static_cast<Index>(mesh_.faces.size());
@@ -49,7 +49,7 @@ Index Splitter::split_face(Index h, Index vertex) {
   result_.face_source.push_back(source(face));
   result_.cut_faces.push_back(source(face));
 
-  // The edge that follows the split one moves to the new face, and the cut replaces it.
+  // The edge after the split one moves to the new face; the cut takes its place in the old face.
   pair(3 * added + next % 3, opposite_[next]);
   moved_[next] = 3 * added + next % 3;
   pair(next, 3 * added + before % 3);
@@ -69,7 +69,7 @@ void Splitter::split_sheet(Index h) {
   pair(across, second);
 }
 
-// One halfedge of each sheet at every edge of more than two faces.
+// Returns one halfedge per sheet at each edge of more than two faces.
 std::vector<Index> Splitter::find_singular() {
   const Edges edges(mesh_);
   std::vector<Index> singular;
@@ -83,8 +83,8 @@ std::vector<Index> Splitter::find_singular() {
   return singular;
 }
 
-// Splits until no edge is singular. Two faces with the same corners that are one sheet are cut
-// along one edge twice, and the cuts coincide: that takes another round.
+// Repeats until no edge is singular. If one sheet has two faces with the same corners, both are cut
+// along the same edge and the cuts coincide. This takes another round.
 EdgeSplits Splitter::split() {
   for (auto singular = find_singular(); !singular.empty(); singular = find_singular()) {
     for (Index h : singular) {

@@ -1,7 +1,7 @@
-/// The last step of stitching (paper 3.3.2): copies of its ends do not take a singular edge apart
-/// where the faces around both ends hang together in one umbrella, which the paper does not
-/// consider. There every sheet gets a vertex of its own in the middle of the edge, and its faces
-/// there are cut in two. Cost: O(n log n). Deterministic.
+/// Splits singular edges in the middle, the last step of stitching (paper 3.3.2). Copies of the
+/// ends do not separate a singular edge if the faces around both ends are connected in one
+/// umbrella. The paper does not consider this case. Here each sheet gets its own vertex at the
+/// midpoint of the edge, and its faces at the edge are cut in two. Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>
@@ -10,20 +10,21 @@
 
 namespace transformesh {
 
-/// What was split. Faces are named as they were before.
+/// Result of the splits. Indices of faces are those before splitting.
 struct EdgeSplits {
   struct Midpoint {
-    Index face;                 ///< a face that contains it
-    std::array<Index, 2> ends;  ///< of the edge; they may be midpoints that come before it
+    Index face;                 ///< a face that contains the midpoint
+    std::array<Index, 2> ends;  ///< ends of the edge; may be earlier midpoints
   };
-  std::size_t edges = 0;           ///< how many were split
-  std::vector<Midpoint> vertices;  ///< the new ones
+  std::size_t edges = 0;           ///< number of split edges
+  std::vector<Midpoint> vertices;  ///< new vertices
   std::vector<Index> face_source;  ///< per new face: the face that it is cut from
-  std::vector<Index> cut_faces;    ///< faces that lost a part; some may be named twice
+  std::vector<Index> cut_faces;    ///< faces that were cut; may contain duplicates
 };
 
-/// Changes positions and faces, but no columns; new ones follow the old. `opposite` says for every
-/// halfedge which one continues its sheet, or no_index, and is kept up to date.
+/// Splits the edges. Changes positions and faces, but no columns; new entries follow the old ones.
+/// `opposite` gives for each halfedge the one that continues its sheet, or no_index, and is
+/// updated.
 EdgeSplits split_singular_edges(Mesh& mesh, std::vector<Index>& opposite);
 
 }  // namespace transformesh

@@ -18,7 +18,8 @@
 namespace transformesh {
 namespace {
 
-// Replaces each vertex in faces by that with which it is joined. Returns how many are replaced.
+// Replaces the vertices of faces by those with which they are joined. Returns the number of
+// replaced vertices.
 std::size_t join_vertices(Mesh& mesh, double tolerance) {
   const std::vector<Index> representative = weld_positions(mesh.positions, tolerance);
   for (Face& face : mesh.faces) {
@@ -35,8 +36,8 @@ std::size_t drop_collapsed_faces(Mesh& mesh) {
   return drop_faces(mesh, is_dropped);
 }
 
-// Counts edges at which faces are left over; those that several leave open all have the same
-// direction.
+// Counts border edges and misoriented edges. An edge with several unpaired halfedges is
+// misoriented, because all of these have the same direction.
 void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
                       StitchResult& result) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -48,8 +49,8 @@ void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
   }
 }
 
-// Keeps, in their order, those of the vertices and of the copies numbered behind them that faces
-// use.
+// Removes vertices that no face uses, and keeps the order of the others. `copies` follow the
+// vertices of the mesh in the numbering.
 void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
   std::vector<Index> renumbered(mesh.positions.size() + copies.size(), no_index);
   for (const Face& face : mesh.faces) {
@@ -70,8 +71,8 @@ void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
   }
 }
 
-// Gives each umbrella a vertex of its own (paper 3.3.1): the first at a vertex keeps it, and others
-// get copies, which are numbered behind all vertices. Returns the number of copies.
+// Gives each umbrella its own vertex (paper 3.3.1). The first umbrella at a vertex keeps the
+// vertex; the others get copies, which follow all vertices. Returns the number of copies.
 std::size_t separate_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
   std::vector<char> is_taken(mesh.positions.size(), 0);
   std::vector<Index> vertex_of = umbrellas.vertex_of;
@@ -91,7 +92,8 @@ std::size_t separate_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
   return copies.size();
 }
 
-// Splits edges that are still singular. Midpoints and pieces inherit from what they are made of.
+// Splits edges that are still singular. Midpoints and pieces inherit columns from their edges and
+// faces.
 std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
   const EdgeSplits splits = split_singular_edges(mesh, opposite);
   for (const auto& [face, ends] : splits.vertices) {
@@ -103,7 +105,7 @@ std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
   return splits.edges;
 }
 
-// Pieces inherit from the face that they are cut from.
+// Splits border edges at T-junctions. Pieces inherit the columns of their faces.
 std::size_t split_borders(Mesh& mesh, double tolerance) {
   const BorderSplits splits = split_border_edges(mesh, tolerance);
   for (const Index face : splits.face_source)

@@ -14,17 +14,19 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t usual_window = 100;  ///< points within the tolerance along x, on average
-constexpr std::size_t most_tried = 4096;   ///< pairs of points that need no tree
-constexpr double largest_cell = 0x1p45;    ///< of which doubles still tell where it begins
-/// More than what the rounding of a distance amounts to.
+/// Points within the tolerance along x, on average; with more, cells replace the sweep.
+constexpr std::size_t usual_window = 100;
+constexpr std::size_t most_tried = 4096;  ///< up to this number of pairs is tested without a tree
+constexpr double largest_cell = 0x1p45;   ///< in units of the tolerance: cell indices of larger
+                                          ///< coordinates are not exact in doubles
+/// Exceeds 1 plus the relative rounding error of a distance.
 constexpr double surely = 1 + 1e-9;
 
 bool is_within(const Vec3& a, const Vec3& b, double tolerance) {
   return (b - a).stableNorm() <= tolerance;
 }
 
-// A sweep along x, in which the points are sorted: what is joined lies within the tolerance there.
+// Sweeps along x, by which the points are sorted. Joined points are within the tolerance along x.
 void join_by_sweep(const std::vector<Vec3>& positions, const std::vector<Index>& order,
                    double tolerance, DisjointSets& sets) {
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -46,8 +48,9 @@ bool has_usual_windows(const std::vector<Vec3>& positions, const std::vector<Ind
   return pairs <= usual_window * order.size();
 }
 
-// Points in heaps. All points in a cell of half the tolerance are joined, and cells up to three
-// apart where they have points that are near enough.
+// Welds dense clusters of points by a grid of cells with half the tolerance as width. All points in
+// a cell are joined. Cells up to three apart are joined if they contain points within the
+// tolerance.
 class HeapWeld {
  public:
   HeapWeld(const std::vector<Vec3>& positions, double tolerance)
@@ -68,7 +71,7 @@ class HeapWeld {
   using Key = std::array<double, 3>;
   struct Cell {
     std::vector<Index> points;
-    std::unique_ptr<KdTree> tree;  ///< once it was needed
+    std::unique_ptr<KdTree> tree;  ///< built on demand
   };
   using Place = std::map<Key, Cell>::iterator;
 
@@ -117,7 +120,7 @@ class HeapWeld {
   std::map<Key, Cell> cells_;
 };
 
-// Joins equal positions, which are adjacent in the order, and leaves one of each.
+// Joins equal positions, which are adjacent in `order`, and keeps one of each in `order`.
 void join_equal(const std::vector<Vec3>& positions, std::vector<Index>& order, DisjointSets& sets) {
   const auto is_joined = [&](Index a, Index b) {
     const bool is_equal = positions[a] == positions[b];

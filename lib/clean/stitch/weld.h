@@ -1,5 +1,5 @@
-/// Joins positions that are equal or close: the first step of stitching (paper 3.3). Columns and
-/// faces are for the caller, who replaces what takes the position of another. Positions are finite.
+/// Joins positions that are equal or close: the first step of stitching (paper 3.3). The caller
+/// updates columns and faces. Positions must be finite.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace transformesh {
 
-/// For each position the smallest index of those that it is joined with: equal positions, or all
-/// that a chain of steps of at most `tolerance` connects. O(n log n), heaps of points within the
-/// tolerance included; deterministic.
+/// Returns for each position the smallest index of its cluster. A cluster contains all positions
+/// that are connected by a chain of steps of at most `tolerance`. O(n log n), also if many points
+/// are within the tolerance of each other; deterministic.
 std::vector<Index> weld_positions(const std::vector<Vec3>& positions, double tolerance);
 
 }  // namespace transformesh
