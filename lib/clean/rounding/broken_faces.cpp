@@ -53,10 +53,10 @@ std::vector<Index> marked(const std::vector<char>& marks) {
   return result;
 }
 
-/// A face by its corners in ascending order, and by its sense.
+/// A face with its corners in ascending order, and its orientation.
 struct UnorderedFace {
   std::array<Index, 3> corners;
-  bool is_even;  ///< the corners were in this order but for turning the face
+  bool is_even;  ///< the sorted corners have the orientation of the face
   Index face;
   auto key() const { return std::tie(corners, is_even, face); }
 };
@@ -69,7 +69,7 @@ UnorderedFace unordered(const Face& face, Index index) {
   return {corners, is_even, index};
 }
 
-// The faces of which all corners are those of new faces, in the order of their corners.
+// Returns the faces with all corners at new faces, sorted by their corners.
 std::vector<UnorderedFace> sorted_faces_at_new_ones(const Assembly& assembly) {
   const std::vector<Face>& faces = assembly.mesh.faces;
   std::vector<char> is_at_new(assembly.mesh.positions.size(), 0);
@@ -87,7 +87,7 @@ std::vector<UnorderedFace> sorted_faces_at_new_ones(const Assembly& assembly) {
   return sorted;
 }
 
-// Unmarks as many faces of one sense as of the other among those with the same corners.
+// Unmarks pairs of faces with equal corners and opposite orientation.
 void cancel_opposite_faces(const Assembly& assembly, std::vector<char>& keep) {
   const std::vector<UnorderedFace> sorted = sorted_faces_at_new_ones(assembly);
   for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
@@ -116,7 +116,7 @@ void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
 
 }  // namespace
 
-// Nothing but what lies at new faces can intersect one.
+// Only faces near new faces can intersect a new face.
 BrokenFaces find_broken_faces(const Assembly& assembly) {
   const std::vector<Index> rows = marked(find_faces_at_new_ones(assembly));
   const Mesh part = mesh_of_faces(assembly.mesh, rows);

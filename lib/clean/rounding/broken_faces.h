@@ -1,4 +1,3 @@
-/// What rounding of exact points to stored coordinates breaks (paper 4.3). Cost: O(n log n).
 #pragma once
 
 #include <vector>
@@ -7,24 +6,25 @@
 
 namespace transformesh {
 
-/// In the coordinates as they are.
+/// Faces that rounding of exact points to stored coordinates broke (paper 4.3), for the coordinates
+/// as they are.
 struct BrokenFaces {
-  std::vector<Index> faces;  ///< that intersect a new face, or have no area; ascending
-  std::size_t pairs = 0;     ///< that intersect, one of them being new
+  std::vector<Index> faces;  ///< faces that intersect a new face, or have no area; ascending
+  std::size_t pairs = 0;     ///< number of intersecting pairs with at least one new face
 };
 
-/// Whole input faces are known not to intersect each other.
+/// Finds the broken faces. Whole input faces must not intersect each other. Cost: O(n log n).
 BrokenFaces find_broken_faces(const Assembly& assembly);
 
-/// The faces, and all others that have a corner in common with them; ascending.
+/// Returns the faces, and all faces that share a corner with them; ascending.
 std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces);
 
-/// In how many places faces lie: those that share corners lie in one.
+/// Returns the number of connected sets of the faces; faces that share a corner are connected.
 std::size_t count_places(const Mesh& mesh, const std::vector<Index>& faces);
 
-/// Gives all vertices at one position one index, and drops faces that name a vertex twice, and
-/// pairs of new faces that lie upon each other with opposite sense. What is closed stays closed.
-/// Returns whether a face was dropped.
+/// Merges the indices of vertices with equal positions. Drops faces that refer to a vertex twice,
+/// and pairs of coincident new faces with opposite orientation. A closed mesh stays closed. Returns
+/// true if a face was dropped.
 bool drop_collapsed_faces(Assembly& assembly);
 
 }  // namespace transformesh

@@ -1,6 +1,6 @@
-/// How far rounding and its repair moved a surface at most (paper 4.3). Distances are local: they
-/// are counted in spacings of numbers at the place where something moves, so that a far vertex
-/// excuses nothing near the origin.
+/// Upper bounds of how far rounding and its repair moved a surface (paper 4.3). Distances are also
+/// measured in spacings of numbers at the place of the movement. Hence a large coordinate elsewhere
+/// does not hide a large movement near the origin.
 #pragma once
 
 #include <algorithm>
@@ -10,20 +10,20 @@
 namespace transformesh {
 
 struct Displacement {
-  double spacings = 0;  ///< in spacings at the largest coordinate of the point that moved
+  double spacings = 0;  ///< in spacings at the largest coordinate of the moved point
   double length = 0;    ///< in units of the coordinates
 
-  /// Notes one of several points that move at the same time.
+  /// Adds one of several points that move simultaneously: takes the maximum.
   void note(double distance, double spacing) {
     spacings = std::max(spacings, distance / spacing);
     length = std::max(length, distance);
   }
-  /// Notes another point, with all its movements.
+  /// Adds another point with all its movements: takes the maximum.
   void note(const Displacement& other) {
     spacings = std::max(spacings, other.spacings);
     length = std::max(length, other.length);
   }
-  /// Notes what moves the surface once more.
+  /// Adds a movement that follows the previous ones: takes the sum.
   Displacement& operator+=(const Displacement& next) {
     spacings += next.spacings;
     length += next.length;

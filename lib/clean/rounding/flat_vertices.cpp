@@ -13,7 +13,8 @@
 namespace transformesh {
 namespace {
 
-/// The least cosine between the normals of a face before and after.
+/// Least cosine of the angle between the normals of a face before and after (60 degrees). A choice:
+/// a larger value keeps more vertices; a smaller value permits stronger folds.
 constexpr double least_cosine = 0.5;
 
 bool has_corner(const Face& face, Index v) { return face[0] == v || face[1] == v || face[2] == v; }
@@ -25,10 +26,10 @@ class FlatVertexRemover {
   bool remove_all(Displacement& moved);
 
  private:
-  /// An edge to be collapsed, and the triangles around the vertex that goes after that.
+  /// An edge collapse, and the quality of the triangles around the removed vertex afterwards.
   struct Collapse {
     Index end = no_index;
-    double lowest = 0;  ///< relative height
+    double lowest = 0;  ///< least relative height of these triangles
     double moved = 0;
   };
 
@@ -50,9 +51,9 @@ class FlatVertexRemover {
   double steps_;
   const VertexGrids& grids_;
   std::unordered_map<Index, std::vector<Index>> faces_at_;
-  std::unordered_map<Index, bool> is_queued_;  ///< per vertex that may go
+  std::unordered_map<Index, bool> is_queued_;  ///< per vertex that may be removed
   std::deque<Index> queue_;
-  std::unordered_map<Index, Displacement> moved_;  ///< per face: of all its collapses
+  std::unordered_map<Index, Displacement> moved_;  ///< per face: displacement by all its collapses
 };
 
 FlatVertexRemover::FlatVertexRemover(const Mesh& input, Assembly& assembly,
@@ -74,7 +75,8 @@ void FlatVertexRemover::enqueue(Index v) {
   queue_.push_back(v);
 }
 
-// The vertices around v in order; none where its faces are not one closed umbrella.
+// Returns the vertices around `v` in order, or none unless the faces of `v` are one closed
+// umbrella.
 std::vector<Index> FlatVertexRemover::ring_of(Index v) const {
   std::unordered_map<Index, Index> next;
   const std::vector<Index>& star = faces_at_.at(v);
@@ -96,7 +98,8 @@ std::vector<Index> FlatVertexRemover::ring_of(Index v) const {
   return ring.size() == star.size() ? ring : std::vector<Index>();
 }
 
-// Whether only the two faces at the edge have both ends and a further vertex in common.
+// Link condition: true if the ends of the edge share exactly two faces, and the two opposite
+// vertices are their only common neighbors.
 bool FlatVertexRemover::has_link(Index v, Index end, const std::vector<Index>& ring) const {
   std::vector<Index> common;
   std::size_t at_edge = 0;
@@ -110,7 +113,7 @@ bool FlatVertexRemover::has_link(Index v, Index end, const std::vector<Index>& r
   return at_edge == 2 && common.size() == 2;
 }
 
-// Whether the vertex lies on the face of the input from which the face is cut.
+// True if the vertex is on the input face that the face is cut from, within the tolerance.
 bool FlatVertexRemover::is_on_source(Index face, Index v) const {
   const Triangle source = triangle_of(input_, assembly_.source_face[face]);
   const Vec3 normal = unit_normal(source);
@@ -123,7 +126,7 @@ bool FlatVertexRemover::is_on_source(Index face, Index v) const {
   return true;
 }
 
-// How far the face moves if its corner v goes to the other end; none where that is too far.
+// Returns how far the face moves if its corner `v` moves to `end`, or nothing if that is too far.
 std::optional<double> FlatVertexRemover::movement(Index face, Index v, Index end) const {
   const Triangle before = triangle_of(mesh_, face);
   Triangle after = before;
@@ -155,7 +158,7 @@ std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::collapse_to(Index 
   return result;
 }
 
-// The collapse after which the lowest triangle is highest, and no lower than now.
+// Returns the collapse with the highest lowest triangle, if this is not lower than before.
 std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::best_collapse(
     Index v, const std::vector<Index>& ring) const {
   double lowest = std::numeric_limits<double>::infinity();
@@ -170,8 +173,8 @@ std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::best_collapse(
   return best;
 }
 
-// The collapse of the shortest edge at the vertex, if it moves the vertex by no more than half of
-// the tolerance. Faces may turn by any angle then.
+// Returns the collapse of the shortest edge at the vertex, if that edge is at most half the
+// tolerance long. Faces may turn by any angle.
 std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::shortest_collapse(
     Index v, const std::vector<Index>& ring) const {
   std::optional<Collapse> shortest;
@@ -198,7 +201,7 @@ void FlatVertexRemover::collapse(Index v, Index end) {
   faces_at_.at(v).clear();
 }
 
-// Any face that is left may contain places of any face of the star before.
+// Each remaining face may contain points of any former face of the star.
 void FlatVertexRemover::note_movement(const std::vector<Index>& star, const Displacement& moved) {
   Displacement total;
   for (const Index f : star) total.note(moved_[f]);

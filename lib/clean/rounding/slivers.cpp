@@ -19,7 +19,7 @@ class SliverFlipper {
   bool flip_all(Displacement& moved);
 
  private:
-  /// A face with the longest edge from a to b that its apex is beside, and its height over that.
+  /// The longest edge a-b above which the apex of a face is, and the height of the apex.
   struct Sliver {
     Index a, b, apex;
     double height;
@@ -37,9 +37,9 @@ class SliverFlipper {
   double steps_;
   const VertexGrids& grids_;
   std::vector<Index> stack_;
-  std::map<std::pair<Index, Index>, Index> face_at_;  ///< per halfedge, of faces around
-  std::map<Index, int> flips_;                        ///< per face: how often it was tried
-  std::map<Index, Displacement> moved_;               ///< per face: of all its flips
+  std::map<std::pair<Index, Index>, Index> face_at_;  ///< face of each halfedge, for faces nearby
+  std::map<Index, int> flips_;                        ///< per face: number of attempts
+  std::map<Index, Displacement> moved_;               ///< per face: displacement by all its flips
 };
 
 SliverFlipper::SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double steps,
@@ -90,7 +90,7 @@ void SliverFlipper::try_flip(Index face) {
   flip(face, across->second, *sliver);
 }
 
-// The faces a b apex and b a opposite become a opposite apex and opposite b apex.
+// The faces (a, b, apex) and (b, a, opposite) become (a, opposite, apex) and (opposite, b, apex).
 void SliverFlipper::flip(Index face, Index across, const Sliver& sliver) {
   Index opposite = sliver.a;
   for (const Index v : mesh_.faces[across])

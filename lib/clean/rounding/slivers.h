@@ -1,10 +1,9 @@
-/// Flips slivers away (paper 4.3): triangles that are lower than a few steps of their grids turn
-/// over at the least rounding, and intersect what is beside them. The longest edge of a sliver is
-/// replaced by the other diagonal of it and its neighbor, so that its apex splits that neighbor;
-/// the surface moves by no more than the sliver's height. Two slivers that are each other's
-/// neighbors along two edges vanish. No vertex moves; what is closed stays closed; pieces take
-/// columns of the neighbor. Deterministic. Cost: O(n + k log k) for k faces and a bounded number of
-/// flips of each.
+/// Flips slivers (paper 4.3). Triangles whose height is only a few grid steps are reversed by any
+/// rounding, and then intersect their neighbors. The longest edge of a sliver is replaced by the
+/// other diagonal of the sliver and its neighbor, so that the sliver's apex splits the neighbor.
+/// The surface moves by at most the height of the sliver. Two slivers that are neighbors along two
+/// edges vanish. No vertex moves; a closed mesh stays closed; pieces take the columns of the
+/// neighbor. Deterministic. Cost: O(n + k log k) for k faces, with at most three flips per face.
 #pragma once
 
 #include <vector>
@@ -13,9 +12,9 @@
 
 namespace transformesh {
 
-/// Equal positions have equal indices. `faces` are those that are flipped if they are lower than
-/// so many steps at their apex. Vanished faces name a vertex twice. Returns whether a face was
-/// flipped, and notes how far the surface moved.
+/// Flips each of `faces` whose height is less than `steps` grid steps at its apex. Equal positions
+/// must have equal indices. Vanished faces refer to a vertex twice. Returns true if a face was
+/// flipped; adds the displacement to `moved`.
 bool flip_slivers(Assembly& assembly, const std::vector<Index>& faces, double steps,
                   const VertexGrids& grids, Displacement& moved);
 

@@ -18,16 +18,19 @@
 namespace transformesh {
 namespace {
 
-/// How low what is flat, thin or a sliver is, in steps of the grids at it.
+/// Height below which a part is flat, thin or a sliver, in grid steps. The error budget of
+/// docs/design/rounding.md depends on this choice: a larger value repairs in fewer rounds and moves
+/// the surface farther.
 constexpr double flat_steps = 4;
 constexpr int most_rounds = 16;
-/// How much coarser grids are where repair begins anew.
+/// Doublings of the grid steps at a restart: 3 makes grids 8 times coarser.
 constexpr int doublings_of_restart = 3;
-/// Repair ends where more pairs intersect than so many times pairs and faces of the input.
+/// Repair fails if the number of intersecting pairs exceeds this multiple of the pairs and faces of
+/// the input. A choice that bounds time and memory.
 constexpr std::size_t most_pairs_share = 4;
 
-// Expresses what a further clean pass tells about its input by that of the first clean pass: which
-// vertices are new, and the sources of faces.
+// Composes the results of two clean passes. Afterwards `vertex_is_new` and `source_face` of `after`
+// refer to the input of the first pass.
 void inherit(const Assembly& before, Assembly& after) {
   for (std::size_t v = 0; v < after.input_vertex.size(); ++v) {
     const Index source = after.input_vertex[v];
@@ -48,7 +51,7 @@ Displacement round_new_vertices(Assembly& assembly, Scalar type) {
   return moved;
 }
 
-/// The mesh as if it were the result of a clean pass that changed nothing.
+/// Returns the result of a clean pass that does not change the mesh.
 Assembly unchanged_assembly(const Mesh& mesh) {
   Assembly assembly;
   assembly.mesh = mesh;
@@ -97,13 +100,13 @@ class SnapRounder {
   const CleanPass& first_;
   const SnapRoundingOptions& options_;
   const Progress& progress_;
-  Progress repair_progress_;  ///< names the phases of further clean passes
+  Progress repair_progress_;  ///< reports the phases of further clean passes as repair
   Assembly assembly_;
   VertexGrids grids_;
-  std::vector<char> is_broken_;    ///< per face of the mesh: whether rounding broke a part of it
-  std::size_t broken_before_ = 0;  ///< faces that the round before found broken, if there was one
+  std::vector<char> is_broken_;    ///< per input face: 1 if rounding broke a part of it
+  std::size_t broken_before_ = 0;  ///< broken faces of the previous round; 0 if there was none
   bool is_restarted_ = false;
-  std::optional<Vec3> place_;  ///< the first place that was broken
+  std::optional<Vec3> place_;  ///< the first place with a broken face
   SnapRoundingResult result_;
 };
 
@@ -120,7 +123,8 @@ void SnapRounder::throw_nothing_left() {
                   "the faces enclose nothing that is thicker than rounding moves it");
 }
 
-// Faces without area at a singular edge may come from an attempt to split it.
+// Removes collapsed faces until none is left. Faces without area at a singular edge may result from
+// an attempt to split the edge.
 void SnapRounder::drop_collapsed() {
   while (drop_collapsed_faces(assembly_) &&
          contract_unsplittable_edges(assembly_, result_.repairs > 1, options_.coordinate,
@@ -128,8 +132,8 @@ void SnapRounder::drop_collapsed() {
   }
 }
 
-// Makes simpler what lies around the broken faces, until none is left. Grids that a restart made
-// coarse move no vertices: they would turn faces beyond the sheets beside them.
+// Simplifies the surface around broken faces until none is left. After a restart, vertices do not
+// move to their coarse grids, because this would turn faces beyond neighboring sheets.
 void SnapRounder::mend() {
   BrokenFaces broken;
   const auto is_mended = [&](bool is_changed) {
@@ -150,7 +154,7 @@ void SnapRounder::mend() {
   is_mended(flip_slivers(assembly_, around(), flat_steps, grids_, moved));
 }
 
-// Cleans what was rounded. Returns whether nothing is left to be rounded again.
+// Runs a clean pass on the rounded mesh. Returns true if the result needs no further rounding.
 bool SnapRounder::clean_again(bool gives_cells, int winding_level, const PieceChooser* chooser) {
   const std::size_t most_pairs = most_pairs_share * (first_.pairs + mesh_.faces.size());
   CleanPassOptions options{winding_level, options_.method, false, chooser, {}, most_pairs};
@@ -176,10 +180,10 @@ bool SnapRounder::clean_again(bool gives_cells, int winding_level, const PieceCh
   return pass.pairs == 0 && !is_given && assembly_.split_edges == 0 && !options_.is_open;
 }
 
-// If sheets intersect at tiny angles, every rounding makes them intersect anew. Then the thin cells
-// between them are given away in the exact arrangement of the input, before anything is rounded.
-// Only cells beside faces that broke are thin, as the grids there are made coarser. Open meshes
-// are not restarted, because it is not known which of their cells are inside.
+// Restarts repair from the input, once. If sheets intersect at tiny angles, every rounding creates
+// new intersections. Therefore thin cells between such sheets are removed in the exact arrangement
+// of the input, before rounding. The coarser grids make cells thin only at faces that broke. Open
+// meshes are not restarted, because it is not known which of their cells are inside.
 void SnapRounder::begin_anew() {
   is_restarted_ = true;
   broken_before_ = 0;
@@ -193,7 +197,7 @@ void SnapRounder::begin_anew() {
   clean_again(true, options_.winding_level, options_.chooser);
 }
 
-// Whether a round left no fewer faces broken than the one before.
+// True if the number of broken faces did not decrease since the previous round.
 bool SnapRounder::is_in_vain(std::size_t broken) {
   const bool is_vain = broken > 0 && broken_before_ > 0 && broken >= broken_before_;
   broken_before_ = broken;
@@ -209,9 +213,9 @@ void SnapRounder::note_broken(const std::vector<Index>& broken) {
   result_.places = count_places(assembly_.mesh, broken);
 }
 
-// Rounds, and mends and cleans what rounding broke. Returns whether that is the result. What is
-// whole at once need not be cleaned again, unless the mesh is open: its pieces may have closed
-// around others.
+// Runs one round: rounding, repair, and a clean pass. Returns true if the mesh is the result. If
+// the first round breaks no face, a closed mesh needs no clean pass. An open mesh does, because its
+// pieces may have closed around others.
 bool SnapRounder::repair_round(bool is_first) {
   progress_("round");
   result_.displacement += round_new_vertices(assembly_, options_.coordinate);
@@ -237,12 +241,12 @@ void SnapRounder::repair() {
   give_up();
 }
 
-// Where nothing was mended or merged, whole faces are those that were, as their corners stay.
+// Without repairs or merged faces, whole faces stay whole, because their corners do not move.
 bool SnapRounder::has_changed() const {
   return result_.repairs > 0 || first_.assembly.mesh.faces.size() != assembly_.mesh.faces.size();
 }
 
-// What was mended may leave vertices that no face uses.
+// Removes vertices that no face uses after repair.
 void drop_unused_vertices(Assembly& assembly) {
   std::vector<char> is_used(assembly.mesh.positions.size(), 0);
   for (const Face& face : assembly.mesh.faces)
@@ -282,7 +286,7 @@ SnapRoundingResult SnapRounder::snap_round() {
   repair();
   if (has_changed()) count_faces(whole_faces(mesh_, first_.assembly));
   drop_unused_vertices(assembly_);
-  // A sliver that was flipped is part of the face beside it now.
+  // A flipped sliver belongs to its former neighbor and takes the columns of that face.
   if (result_.repairs > 0)
     assembly_.mesh.face_columns = mesh_.face_columns.select(assembly_.source_face);
   const auto& is_new = assembly_.vertex_is_new;

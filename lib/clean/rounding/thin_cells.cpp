@@ -12,12 +12,12 @@ namespace {
 
 constexpr char unknown = 2;
 
-/// By how much the measured distance of a point from a plane may be wrong, as a share of how far
-/// the two are apart along it.
+/// Error of the measured distance of a point from a plane, relative to the distance of the point
+/// from a corner of the plane.
 constexpr double measuring_error = std::numeric_limits<double>::epsilon() / 2;
 
-/// The cells of an arrangement, and which of them are inside. A side of a patch is 2 * patch in
-/// front of it and 2 * patch + 1 behind it; a cell is named by one of its sides.
+/// The cells of an arrangement, with inside or outside labels. Side 2 * patch is in front of a
+/// patch, side 2 * patch + 1 behind it. A cell has the number of one of its sides.
 class LabeledCells {
  public:
   LabeledCells(Arrangement& arrangement, const std::vector<char>& kept, const Thinness& thinness);
@@ -44,9 +44,9 @@ class LabeledCells {
   Patches patches_;
   std::vector<Index> cell_of_;             ///< per side
   std::vector<std::vector<Index>> sides_;  ///< per cell
-  std::vector<char> is_inside_;            ///< per cell, or unknown
+  std::vector<char> is_inside_;            ///< per cell: 0, 1 or `unknown`
   std::vector<Vec3> positions_;            ///< per point
-  std::vector<double> areas_;              ///< per patch, in shares of the largest piece
+  std::vector<double> areas_;              ///< per patch, in arbitrary units
   std::vector<Index> largest_;             ///< per patch: its largest piece
 };
 
@@ -66,7 +66,8 @@ LabeledCells::LabeledCells(Arrangement& arrangement, const std::vector<char>& ke
   measure_patches();
 }
 
-// A kept patch parts outside in front of it from inside behind it; across others nothing changes.
+// A kept patch has the outside in front and the inside behind. Across any other patch the label
+// does not change.
 void LabeledCells::spread_labels(const std::vector<char>& kept) {
   is_inside_.assign(cell_of_.size(), unknown);
   std::vector<Index> queue;
@@ -101,7 +102,7 @@ void LabeledCells::measure_patches() {
   }
 }
 
-// The plane of the cell's patch of the largest area, by the largest piece of that.
+// Returns the plane of the largest piece of the largest patch of the cell.
 LabeledCells::Plane LabeledCells::largest_plane(Index cell) const {
   Index largest = sides_[cell].front() / 2;
   for (const Index side : sides_[cell])
@@ -110,7 +111,7 @@ LabeledCells::Plane LabeledCells::largest_plane(Index cell) const {
   return {t, unit_normal(t)};
 }
 
-// Calls visit(position) for the corners of the pieces around the cell, until it returns false.
+// Calls visit(position) for the corners of the pieces around the cell, until `visit` returns false.
 template <class Visit>
 void LabeledCells::visit_corners(Index cell, const Visit& visit) const {
   for (const Index side : sides_[cell])
@@ -119,7 +120,8 @@ void LabeledCells::visit_corners(Index cell, const Visit& visit) const {
         if (!visit(positions_[corner])) return;
 }
 
-// Spacings between the planes at most: as the coarsest face around the cell has it.
+// Returns the largest distance of the two planes of a thin cell, in spacings. The coarsest face
+// around the cell determines it.
 double LabeledCells::most_spacings(Index cell) const {
   int level = 0;
   for (const Index side : sides_[cell])
@@ -129,7 +131,7 @@ double LabeledCells::most_spacings(Index cell) const {
   return std::ldexp(thinness_.steps, level - 1);
 }
 
-// Whether all corners are between two planes that are that close at each of them.
+// True if all corners are between two planes that are close enough at each corner.
 bool LabeledCells::is_thin(Index cell, Displacement& thickness) const {
   const Plane plane = largest_plane(cell);
   if (plane.normal.isZero(0)) return false;
@@ -146,12 +148,12 @@ bool LabeledCells::is_thin(Index cell, Displacement& thickness) const {
     return is_thin;
   };
   visit_corners(cell, check);
-  if (is_thin) visit_corners(cell, check);  // now that both planes are known
+  if (is_thin) visit_corners(cell, check);  // repeat with the final distance of the planes
   if (is_thin) thickness.note(high - low, spacing_around(plane.triangle[0], thinness_.type));
   return is_thin;
 }
 
-// Whether less surface is left where the cell changes sides.
+// True if less surface remains after the label of the cell changes.
 bool LabeledCells::wants_change(Index cell) const {
   double alike = 0, unlike = 0;
   for (const Index side : sides_[cell]) {
@@ -170,7 +172,7 @@ bool LabeledCells::give_thin_ones_away(Displacement& moved) {
     if (is_thin(cell, thickness)) thin.push_back(cell);
   }
   bool is_any = false, is_changed = true;
-  // Every change leaves less surface, so that this ends; the limit is for what areas round to.
+  // Each change reduces the surface, so the loop ends; the limit covers rounding errors of areas.
   for (std::size_t turn = 0; turn < thin.size() && is_changed; ++turn) {
     is_changed = false;
     for (const Index cell : thin) {

@@ -1,9 +1,9 @@
-/// Gives thin cells of an arrangement away (paper 4.3). The pieces part space into cells
-/// (Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016).
-/// A cell that lies between two planes a few steps of their grids apart is no matter of shape,
-/// whether it is inside or outside: it goes to the side that leaves less surface. So thin sheets
-/// and gaps vanish that rounding would make intersect again and again, while nothing moves that is
-/// farther than that from the surface. Deterministic. O(n log n) for n pieces.
+/// Removes thin cells of an arrangement (paper 4.3). The pieces divide space into cells (Zhou,
+/// Grinspun, Zorin & Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016). A cell
+/// between two planes at a distance of a few grid steps has no significant shape. Hence it counts
+/// as inside or outside, whichever leaves less surface. This removes thin sheets and gaps that
+/// rounding would make intersect repeatedly. The surface moves by at most the thickness of the
+/// cells. Deterministic. O(n log n) for n pieces.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,17 @@
 
 namespace transformesh {
 
-/// A cell is thin if it lies between two planes that are at most this far apart at each of its
-/// corners. Distances are in steps of grids (vertex_grids.h) of the coarsest face around the cell.
+/// A cell is thin if it is between two planes that are at most `steps` apart at each of its
+/// corners. The unit is the grid step (vertex_grids.h) of the coarsest face around the cell.
 struct Thinness {
   double steps = 0;
-  const std::vector<std::uint8_t>& levels;  ///< doublings of grids, per face of the arranged mesh
+  /// Doublings of grid steps, per face of the arranged mesh.
+  const std::vector<std::uint8_t>& levels;
   Scalar type = Scalar::float64;
 };
 
-/// Changes which pieces are kept, and turns those over that bound a body with their other side now.
-/// Returns whether a cell was given away, and notes the thickness of the thickest thin cell then.
+/// Updates `kept`, and reverses pieces whose inside is now on the other side. Returns true if a
+/// cell changed; then adds the thickness of the thickest thin cell to `moved`.
 bool give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
                           const Thinness& thinness, Displacement& moved);
 

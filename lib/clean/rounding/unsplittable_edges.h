@@ -1,9 +1,9 @@
 /// Contracts singular edges that are too short to be split (paper 4.3). Stitching splits an edge of
-/// more than two faces in its middle where copies of its ends do not part the sheets
-/// (split_singular_edges.h). If the middle of an edge is rounded to one of its ends, every pass
-/// of cleaning makes the same faces without area. The edge is one or two spacings of numbers long.
-/// One end moves to the other, so that all faces along the edge vanish: identifying two points
-/// keeps what is closed closed. Deterministic. Cost: O(n log n).
+/// more than two faces at its midpoint, if copies of its ends do not separate the sheets
+/// (split_singular_edges.h). If the midpoint is rounded to one of the ends, every clean pass
+/// creates the same faces without area. Such an edge is one or two spacings long. One end moves to
+/// the other, and all faces along the edge vanish. This keeps a closed mesh closed. Deterministic.
+/// Cost: O(n log n).
 #pragma once
 
 #include "clean/rounding/displacement.h"
@@ -11,9 +11,10 @@
 
 namespace transformesh {
 
-/// Equal positions have equal indices. New vertices move to vertices of the input; an edge between
-/// two of these is contracted only if they may move. Vanished faces have two corners at one
-/// position. Returns whether a vertex moved, and notes how far.
+/// Contracts the edges. Equal positions must have equal indices. New vertices move to input
+/// vertices; an edge between two input vertices is contracted only if `moves_input` is set.
+/// Collapsed faces have two corners at one position. Returns true if a vertex moved; adds the
+/// displacement to `moved`.
 bool contract_unsplittable_edges(Assembly& assembly, bool moves_input, Scalar type,
                                  Displacement& moved);
 
