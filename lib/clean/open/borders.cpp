@@ -16,10 +16,11 @@
 namespace transformesh {
 namespace {
 
-// Border edges from point to point, along the faces.
+// Border edges from point to point, in the direction of the faces.
 using BorderEdges = std::multimap<Index, Index>;
 
-// As many border edges leave every point as arrive, so every walk closes.
+// Splits the border edges into loops. Each point has equally many outgoing and incoming border
+// edges, so each walk closes.
 std::vector<std::vector<Index>> walk(BorderEdges border) {
   std::vector<std::vector<Index>> loops;
   while (!border.empty()) {
@@ -34,7 +35,7 @@ std::vector<std::vector<Index>> walk(BorderEdges border) {
   return loops;
 }
 
-// The mesh with one vertex for all that have one position.
+// Returns the mesh with equal positions merged to one vertex.
 Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
   Mesh result{mesh.positions, mesh.faces, {}, {}};
   for (Face& face : result.faces) {
@@ -43,8 +44,8 @@ Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
   return result;
 }
 
-// Whether some connected borders lie upon others all the way, in the same direction: they bound a
-// patch that is inside out.
+// True if a set of connected borders coincides completely with other borders in the same direction.
+// Then it bounds a patch that is inside out.
 bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   const std::vector<Index> border = check_manifold(mesh).border_halfedges;
   const auto ends_of = [&](Index h) {
@@ -66,15 +67,16 @@ bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   });
 }
 
-// Whether borders lie upon each other, in the same direction, only because sheets end at a third
-// one: such a mesh is what cleaning itself makes. Reversing sheets does not mend that, so where it
-// mends the mesh there is another cause.
+// True if borders coincide in the same direction only because sheets end at another sheet. Cleaning
+// creates such meshes. Reversing sheets cannot repair them. Hence false if reversing repairs the
+// mesh.
 bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& borders) {
   return is_stitched(mesh, borders) &&
          !(has_reversed_patch(welded, mesh) && can_be_oriented(with_joined_vertices(welded, mesh)));
 }
 
-// Whether the mesh that stitch() makes of this one, in which such sheets are apart, is accepted.
+// True if stitch() turns the mesh into one that is accepted. Stitching separates sheets that end at
+// another sheet.
 bool can_be_stitched(const Mesh& mesh) {
   Mesh stitched{mesh.positions, mesh.faces, {}, {}};
   stitch(stitched);
@@ -83,7 +85,7 @@ bool can_be_stitched(const Mesh& mesh) {
   return borders.is_oriented || ends_at_sheets(welded, stitched, borders);
 }
 
-// Throws InputError, of the kind that tells what mends the mesh, having tried it.
+// Throws InputError with a kind that depends on which remedy works; tries the remedies to find out.
 [[noreturn]] void refuse_orientation(const WeldedMesh& welded, const Mesh& mesh) {
   Mesh oriented = with_joined_vertices(welded, mesh);
   const Problem problem = find_misorientation(oriented);
@@ -107,7 +109,7 @@ std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh) {
 }
 
 Borders find_borders(const WeldedMesh& welded, const Mesh& mesh) {
-  // Most often these are the faces of the welded mesh.
+  // Usually these are the faces of the welded mesh.
   const bool are_same = welded.faces.size() == mesh.faces.size();
   const auto others = are_same ? std::vector<Face>() : faces_by_points(welded, mesh);
   const Edges other_edges = are_same ? Edges() : Edges(others, welded.points.size());

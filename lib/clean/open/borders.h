@@ -1,7 +1,6 @@
-/// Where the surface of a mesh ends, and whether it has an outside at all: what open and
-/// misoriented input needs before it can be cleaned (paper 4.6). Along an edge counts the sum of
-/// the faces that traverse it in one direction, less those in the other
-/// (stitch/orientation_check.h). Cost: O(n log n). Deterministic.
+/// Borders of a mesh, and the check whether it is oriented (paper 4.6). The criterion is the sum
+/// along each edge: the number of faces that traverse it in one direction minus the number in the
+/// other (stitch/orientation_check.h). Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>
@@ -11,23 +10,28 @@
 namespace transformesh {
 
 struct Borders {
-  std::vector<std::vector<Index>> loops;  ///< of welded points, each in the direction of its faces
-  bool is_oriented = true;                ///< no edge has a sum of more than one
+  /// Loops of welded points, each in the direction of its faces.
+  std::vector<std::vector<Index>> loops;
+  bool is_oriented = true;  ///< true if no edge has a sum with an absolute value above one
 };
 
-/// A closed mesh has no loops. An edge at which n faces are left over is in n loops.
+/// Finds the boundary loops. A closed mesh has none. An edge with a surplus of n faces is in n
+/// loops.
 Borders find_borders(const WeldedMesh& welded, const Mesh& mesh);
 
-/// All mesh faces by points. Faces without area, which the welded mesh lacks, make no border: those
-/// that name a point twice traverse their edge in both directions.
+/// Returns all mesh faces with points as corners. This includes faces without area, which the
+/// welded mesh does not contain. They create no border: a face that refers to a point twice
+/// traverses its edge in both directions.
 std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh);
 
-/// The borders of a mesh that can be cleaned. Throws InputError for one that is not oriented,
-/// saying where and what mends it, unless borders of a stitched mesh merely lie upon each other.
+/// Returns the borders of a mesh that can be cleaned. Throws InputError if the mesh is not
+/// oriented; the error names the place, and its kind determines the remedy. Borders of a stitched
+/// mesh that merely coincide are accepted.
 Borders find_oriented_borders(const WeldedMesh& welded, const Mesh& mesh);
 
-/// Whether indices say what positions say: not so where faces are separate or have a seam, or where
-/// sheets share a vertex. Such a mesh is to be stitched, though nothing else need change.
+/// True if the vertex indices already represent the topology that equal positions imply. False if
+/// faces are separate or have a seam, or if sheets share a vertex. Such a mesh has to be stitched,
+/// even if nothing else changes.
 bool is_stitched(const Mesh& mesh, const Borders& borders);
 
 }  // namespace transformesh

@@ -1,8 +1,8 @@
-/// Generalized winding numbers of the open components of a mesh (Jacobson, Kavan & Sorkine-Hornung,
-/// "Robust inside-outside segmentation using generalized winding numbers", ACM TOG 32(4), 2013),
-/// sampled at pieces. A number on the component itself is the mean of those on both sides. Medians
-/// are over equal shares of the area. Floating point; deterministic; does not depend on the order
-/// of faces.
+/// Generalized winding numbers of the open components of a mesh, sampled at pieces (Jacobson, Kavan
+/// & Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers", ACM
+/// TOG 32(4), 2013). The winding number on the component itself is the mean of the values on both
+/// sides. Medians are weighted by area. Floating point; deterministic; independent of the order of
+/// faces. Cost: O(m) per sample for a component of m faces.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,15 @@ namespace transformesh {
 
 class ComponentWinding {
  public:
-  /// Keeps a reference.
+  /// Keeps a reference to `arrangement`.
   explicit ComponentWinding(const Arrangement& arrangement);
 
-  /// The median of the numbers of a component at some pieces.
+  /// Returns the median of the winding numbers of a component at some pieces.
   double median(Index component, const std::vector<Index>& pieces) const;
-  /// The median of its number on the component itself: 0 for a flat sheet, 1/2 for a closed body.
+  /// Returns the median of the winding number of a component on itself: 0 for a flat sheet, 1/2 for
+  /// a closed body.
   double on_itself(Index component);
-  /// Whether it is a body with holes.
+  /// True if the component is a body with holes.
   bool is_body(Index component);
 
  private:

@@ -13,17 +13,17 @@
 namespace transformesh {
 namespace {
 
-/// The sheets of a welded mesh, which are faces connected across edges of two faces, and the edges.
+/// The sheets of a welded mesh: faces connected across edges of two faces.
 class Sheets {
  public:
-  /// Keeps a reference.
+  /// Keeps a reference to `welded`.
   explicit Sheets(const WeldedMesh& welded);
 
   std::vector<Index> sheet_of;  ///< per face: the first face of its sheet
-  /// How many more faces are directed forward than backward along an edge, the marked ones left
-  /// out.
+  /// Returns the number of forward minus backward faces along an edge, without the faces in
+  /// `left_out`.
   int sum_along(std::size_t edge, const std::vector<char>& left_out) const;
-  /// Unmarks sheets until those that are still marked leave no border where they were.
+  /// Unmarks sheets until removing the marked ones leaves no border.
   void restore_needed(std::vector<char>& marks) const;
 
  private:
@@ -67,8 +67,8 @@ void Sheets::restore_needed(std::vector<char>& marks) const {
   }
 }
 
-// Marks patches that contradict the cells on both of their sides, which are within the body. Cells
-// that these no longer part become one, in which others may show.
+// Marks patches that contradict the cells on both sides, if both cells are inside the body. Cells
+// on both sides of a marked patch are merged, which may reveal further contradictions.
 std::vector<char> find_contradictions(const Arrangement& arrangement, const Patches& patches,
                                       int winding_level) {
   std::vector<char> contradicts(patches.size(), 0);
@@ -88,8 +88,8 @@ std::vector<char> find_contradictions(const Arrangement& arrangement, const Patc
   return contradicts;
 }
 
-// Marks the faces of sheets of which all patches contradict their cells. Pieces of multiplicity 0
-// say nothing.
+// Marks the faces of sheets whose patches all contradict their cells. Pieces of multiplicity 0 are
+// ignored.
 std::vector<char> mark_contradictions(const Arrangement& arrangement, int winding_level) {
   const WeldedMesh& welded = *arrangement.welded;
   const Patches patches(arrangement);
@@ -139,8 +139,8 @@ Arrangement arrange_without(const WeldedMesh& welded, const std::vector<char>& m
 
 }  // namespace
 
-// If faces lie upon each other, the contradictions of some
-// show only once others are gone.
+// Repeats the search without the sheets found. If faces coincide, some contradictions appear only
+// after other sheets are removed.
 std::vector<char> find_enclosed_sheets(const Arrangement& arrangement, int winding_level,
                                        const Progress& progress) {
   const WeldedMesh& welded = *arrangement.welded;

@@ -1,13 +1,13 @@
-/// The sheets of an open mesh that lie within its bodies (beyond paper 4.6), such as a wall that
-/// two bodies share and that is given only once: with it winding numbers contradict each other,
-/// without it the surface around both is closed.
+/// Finds sheets of an open mesh that are inside its bodies (beyond paper 4.6). An example is a wall
+/// between two bodies that is present only once. With the wall, winding numbers contradict each
+/// other; without it, the surface around both bodies is closed.
 ///
-/// The surfaces part space into cells. From the unbounded cell, where it is 0, the winding number
-/// passes from cell to cell, nearest cells first. A sheet is enclosed where all of it contradicts
-/// the cells on both of its sides, both are within the body, and its removal leaves no edge with a
-/// border. So a sheet outside of bodies, or in a body with a hole, is never enclosed.
-/// Cost: that of an arrangement for every round of removals, of which there is mostly one.
-/// Deterministic.
+/// The patches divide space into cells. The winding number is 0 in the unbounded cell and is
+/// propagated from cell to cell, in breadth-first order. A sheet is enclosed if three conditions
+/// hold. All its patches contradict the winding numbers of the cells on both sides. Both cells are
+/// inside the body. Removing the sheet leaves no border edge. Hence a sheet outside of bodies, or
+/// in a body with a hole, is never enclosed. Cost: one arrangement per round of removals; usually
+/// there is one round. Deterministic.
 #pragma once
 
 #include <vector>
@@ -16,8 +16,8 @@
 
 namespace transformesh {
 
-/// Marks the welded faces of such sheets. Within a body is where the winding number is >= winding
-/// level.
+/// Marks the welded faces of enclosed sheets. A point is inside a body if its winding number is >=
+/// winding level.
 std::vector<char> find_enclosed_sheets(const Arrangement& arrangement, int winding_level,
                                        const Progress& progress);
 

@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// A halfedge that continues nowhere.
+/// A halfedge without partner.
 struct LooseHalfedge {
   Index set;
   int direction;  ///< 1 forward, -1 backward
@@ -38,7 +38,7 @@ class Decomposition {
   std::pair<int, int> counts(const std::vector<LooseHalfedge>& edge) const;
 
   const Mesh& mesh_;
-  std::vector<Face> faces_;  ///< their corners as points; also those without area
+  std::vector<Face> faces_;  ///< points or vertices at their corners; includes faces without area
   DisjointSets sets_;
   std::vector<std::vector<LooseHalfedge>> loose_;  ///< per edge that has any
   std::vector<char> is_open_;                      ///< per set
@@ -64,7 +64,8 @@ void Decomposition::connect(const Edges& edges) {
   }
 }
 
-// Connects pairs of halfedges that alone name their two vertices, and removes them from the list.
+// Connects each pair of halfedges that no other halfedge shares both vertices with. Removes these
+// pairs from the list.
 void Decomposition::connect_by_vertices(std::vector<Index>& halfedges) {
   std::map<std::pair<Index, Index>, std::vector<Index>> by_vertices;
   for (const Index h : halfedges)

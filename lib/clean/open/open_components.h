@@ -1,17 +1,20 @@
-/// The closed part of a mesh and its open components (beyond paper 4.6;
-/// docs/design/open-meshes.md). The faces of the closed part traverse every edge equally often in
-/// both directions, so they have integer winding numbers. An open component is a connected set of
-/// the other faces.
+/// Divides a mesh into its closed part and open components (beyond paper 4.6;
+/// docs/design/open-meshes.md). The faces of the closed part traverse each edge equally often in
+/// both directions, so they define integer winding numbers. An open component is a connected set of
+/// other faces.
 ///
 /// Faces are connected across edges of two faces with opposite directions. At an edge of more
-/// faces, two faces are connected if no third one names the same two vertices. A connected set that
-/// leaves no halfedge over is closed. Others become open until the sum of directions
-/// along every edge of the rest is zero. First those go that have
-/// an edge which the rest traverses in one direction only. If edges with a surplus are left, sheets
-/// that are enclosed by bodies go (enclosed_sheets.h), then all sets that are part of such a
-/// surplus. So a wall within a body, given once, is open, and the skin around it is closed. The
-/// result does not depend on the order of the faces. Cost: O(n log n); with a surplus that of
-/// enclosed_sheets.h.
+/// faces, two faces are connected if no third face refers to the same two vertices. A connected set
+/// without unpaired halfedges is closed. Other sets become open until the sum of directions along
+/// each edge of the remaining faces is zero, in this order:
+///
+/// 1. Sets with an edge that the remaining faces traverse in one direction only.
+/// 2. If edges with a surplus remain: sheets that bodies enclose (enclosed_sheets.h).
+/// 3. All sets that belong to such a surplus.
+///
+/// Hence a wall inside a body that is present once is open, and the surface around the wall is
+/// closed. The result does not depend on the order of faces. Cost: O(n log n), plus that of
+/// enclosed_sheets.h if there is a surplus.
 #pragma once
 
 #include <functional>
@@ -21,13 +24,14 @@
 
 namespace transformesh {
 
-/// Finds the sheets that a surplus makes doubtful: marks per welded face (enclosed_sheets.h).
+/// Returns a mark for each welded face: 1 if it belongs to an enclosed sheet (enclosed_sheets.h).
 using FindEnclosed = std::function<std::vector<char>()>;
 
-/// Per welded face the number of its open component, or no_index in the closed part. Components are
-/// numbered in the order of their first faces. Faces without area count for edges, but have no
-/// entry. A stitched mesh (borders.h) is taken as its indices say, any other as its positions do.
-/// So of what cleaning has made, parts that merely touch do not enclose each other.
+/// Returns for each welded face the number of its open component, or no_index in the closed part.
+/// Components are numbered in the order of their first faces. Faces without area are considered at
+/// edges, but have no entry. In a stitched mesh (borders.h) vertices define connectivity, in any
+/// other mesh positions do. Hence parts of a cleaned mesh that only touch do not enclose each
+/// other.
 std::vector<Index> find_open_components(const Mesh& mesh, const WeldedMesh& welded,
                                         bool is_stitched, const FindEnclosed& find_enclosed);
 

@@ -15,13 +15,14 @@ namespace transformesh {
 namespace {
 
 constexpr Index closed_part = no_index;
-/// Numbers and lengths that differ by no more than this are equal but for rounding.
+/// Numbers and lengths with a smaller difference are equal up to rounding; the difference of
+/// lengths is relative.
 constexpr double rounding = 1e-9;
 
-/// The two halfedges by which a component passes through an edge.
+/// The two halfedges with which a component passes through an edge.
 struct Passage {
   Index component;
-  std::size_t forward, backward;  ///< places in angular order
+  std::size_t forward, backward;  ///< positions in angular order
 };
 
 struct FrontAndBack {
@@ -39,14 +40,15 @@ class PatchFinder {
 
  private:
   using Pair = std::pair<Index, Index>;
-  /// The length of the curves at which a component passes a patch.
+  /// Length of the curves along which a patch is in front of a component, or behind it.
   struct Lengths {
     double front = 0, behind = 0;
   };
-  /// A part of a curve at which a component passes through another one.
+  /// A segment of a curve along which two components pass through each other.
   struct Crossing {
-    Index front, back;              ///< pieces of the one, in front of and behind the other
-    Index other_front, other_back;  ///< pieces of the other, in front of and behind the one
+    Index front, back;  ///< pieces of the first component, in front of and behind the other one
+    /// Pieces of the other component, in front of and behind the first one.
+    Index other_front, other_back;
     Index other;
     double length;
   };
@@ -69,16 +71,16 @@ class PatchFinder {
 
   const Arrangement& arrangement_;
   int winding_level_;
-  DisjointSets sets_;  ///< pieces; in the end a set is a patch
+  DisjointSets sets_;  ///< sets of pieces; finally each set is a patch
   ComponentWinding winding_;
   std::vector<Crossing> crossings_;
   std::map<Pair, Lengths> curves_;  ///< per patch and component
   std::map<Index, std::set<Index>>
-      intersect_;                   ///< per component: what has a curve that separates it
-  std::set<Index> self_intersect_;  ///< components
+      intersect_;  ///< per component: the components with a curve that separates its patches
+  std::set<Index> self_intersect_;              ///< components
   std::map<Index, std::vector<Index>> pieces_;  ///< per patch
   OpenPatches result_;
-  bool is_by_number_ = false;  ///< a generalized winding number was needed for the patch
+  bool is_by_number_ = false;  ///< the current patch needed a generalized winding number
 };
 
 Index PatchFinder::component(Index piece) const {
@@ -87,7 +89,7 @@ Index PatchFinder::component(Index piece) const {
   return arrangement_.welded->open_component[arrangement_.sources_of(p).front().face];
 }
 
-// The surface goes on across an edge of two pieces.
+// Connects the pieces at an edge of two pieces; handles other edges as part of a curve.
 void PatchFinder::visit_edge(std::span<const Index> halfedges) {
   const auto& pieces = arrangement_.pieces;
   if (halfedges.size() > 2) return visit_curve(halfedges);
@@ -95,8 +97,9 @@ void PatchFinder::visit_edge(std::span<const Index> halfedges) {
     sets_.join(halfedges[0] / 3, halfedges[1] / 3);
 }
 
-// Seen in the forward direction, a forward piece has its front towards its successor, and a
-// backward piece towards its predecessor.
+// Finds the components that pass through an edge with one forward and one backward piece. In the
+// angular order, a forward piece has its front towards its successor, and a backward piece towards
+// its predecessor.
 std::vector<Passage> PatchFinder::find_passages(const std::vector<Index>& sorted) {
   std::map<Index, std::array<std::vector<std::size_t>, 2>> places;
   for (std::size_t i = 0; i < sorted.size(); ++i)
@@ -126,11 +129,10 @@ void PatchFinder::visit_curve(std::span<const Index> halfedges) {
   }
 }
 
-/// The pieces of a component in front of another one and behind it, if it passes through that.
+/// Returns the pieces of `one` in front of and behind `other`, or nothing if both are on one side.
 std::optional<FrontAndBack> PatchFinder::find_sides(const std::vector<Index>& sorted,
                                                     const Passage& one, const Passage& other) {
-  // In front is what lies between the front of the other's forward piece and that of its backward
-  // one.
+  // The front of `other` is the range from its forward piece to its backward piece.
   const std::size_t n = sorted.size();
   const auto is_in_front = [&](std::size_t p) {
     return (p + n - other.forward) % n < (other.backward + n - other.forward) % n;
@@ -141,7 +143,8 @@ std::optional<FrontAndBack> PatchFinder::find_sides(const std::vector<Index>& so
                       sorted[forward_is ? one.backward : one.forward] / 3};
 }
 
-// Returns whether one component passes through the other.
+// Records where two components pass through each other. Returns true if `one` passes through
+// `other`.
 bool PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
                         const Passage& other) {
   const auto sides = find_sides(sorted, one, other), others = find_sides(sorted, other, one);
@@ -176,7 +179,7 @@ int PatchFinder::round(double number) {
   return static_cast<int>(rounded);
 }
 
-// How many other components have the patch behind them.
+// Returns the number of other components that have the patch behind them.
 int PatchFinder::count_around(Index patch) {
   const Index own = component(patch);
   const auto others = intersect_.find(own);
@@ -194,8 +197,9 @@ int PatchFinder::count_around(Index patch) {
   return count;
 }
 
-// In front of a sheet its generalized winding number is less than 0, by up to 1/2: what it lacks of
-// being closed.
+// Returns the winding number in front of the patch of its own component, without the part that is
+// due to holes. In front of a sheet with borders, the generalized winding number is less than 0, by
+// at most 1/2.
 int PatchFinder::own_number(Index patch) {
   const Index own = component(patch);
   if (!self_intersect_.contains(own)) return 0;
@@ -203,8 +207,9 @@ int PatchFinder::own_number(Index patch) {
   return round(winding_.median(own, pieces_[patch]) - 0.5 - lack);
 }
 
-// A closed piece is a boundary of the closed part. If it counts once, w in front of it follows from
-// that.
+// Returns the winding number of the closed part in front of a piece. A closed piece is on the
+// boundary of the closed part. If its multiplicity is 1, the winding level determines the winding
+// number in front.
 int PatchFinder::front_of(const Piece& piece) const {
   if (piece.is_open) return std::max(piece.front, 0);
   return piece.multiplicity == 1 ? winding_level_ - 1 : piece.front;
@@ -243,9 +248,9 @@ void PatchFinder::decide() {
   }
 }
 
-// If of two components just one patch each is left at a curve, with the same direction, the mesh
-// would not be oriented there. One of the two patches is behind the other component, and is
-// dropped.
+// Drops patches that would make the result misoriented: at a curve of two components, only one
+// patch of each is left, and both have the same direction. The patch that is behind the other
+// component is dropped.
 bool PatchFinder::drop_contradictions() {
   const auto& kept = result_.kept;
   std::set<Index> dropped;

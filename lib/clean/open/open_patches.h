@@ -1,20 +1,25 @@
-/// Which patches of a mesh with open components are exterior (beyond paper 4.6; the definition is
-/// in docs/design/open-meshes.md). The pieces are those of exterior/exterior_arrangement.h: the
-/// boundary of the closed part, and all of open components. A patch is a set of pieces of one
-/// component that are connected across edges which no other component passes through.
+/// Finds the exterior patches of a mesh with open components (beyond paper 4.6;
+/// docs/design/open-meshes.md has the definition). The pieces are those of
+/// exterior/exterior_arrangement.h: the boundary of the closed part, and all pieces of open
+/// components. A patch is a set of pieces of one component that are connected across edges through
+/// which no other component passes.
 ///
-/// The winding number in front of a patch has three parts. They are that of the closed part, one
-/// for each open component that has the patch behind it, and that of the patch's own component. A
-/// component has a patch behind it if the patch is on its back along most of the length of their
-/// common curves that separate patches. If they have no such curve, but other patches of the
-/// component do, its generalized winding number decides: it is above 1/2 over most of the area of
-/// the patch. Reference (Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation
-/// using generalized winding numbers", ACM TOG 32(4), 2013. Only components that intersect
-/// themselves have an own number. Only bodies with holes have parts of the closed part behind them:
-/// open components that enclose most of what they would enclose if their holes were filled.
+/// The winding number in front of a patch is a sum of three terms: the winding number of the closed
+/// part, one for each open component that has the patch behind it, and the winding number of the
+/// patch's own component. A component has a patch behind it if the patch is behind it along most of
+/// the length of their common curves that separate patches. If the two have no such curve, but
+/// other patches of the component have one, the generalized winding number of the other component
+/// decides. Then its median over the area of the patch must be above 1/2. Only components that
+/// intersect themselves have an own term. Only bodies with holes have parts of the closed part
+/// behind them. These are open components that enclose most of what they would enclose with filled
+/// holes.
 ///
-/// Deterministic; does not depend on the order of the faces. Cost: O(n log n), and O(m) for each
-/// sample of a generalized winding number of a component with m faces.
+/// Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using
+/// generalized winding numbers", ACM TOG 32(4), 2013. Here integer winding numbers and curves
+/// decide first, generalized ones only where these leave a choice.
+///
+/// Deterministic; independent of the order of faces. Cost: O(n log n), and O(m) for each sample of
+/// a generalized winding number of a component with m faces.
 #pragma once
 
 #include <vector>
@@ -24,10 +29,11 @@
 namespace transformesh {
 
 struct OpenPatches {
-  std::vector<char> kept;             ///< per piece: by the winding level
-  std::size_t patches = 0;            ///< how many there are
-  std::size_t decided_by_number = 0;  ///< patches whose n depends on a generalized winding number
-  double least_margin = 0.5;  ///< how close such a number came to where it would round otherwise
+  std::vector<char> kept;             ///< per piece: 1 if it is exterior
+  std::size_t patches = 0;            ///< number of patches
+  std::size_t decided_by_number = 0;  ///< patches for which a generalized winding number was needed
+  /// Least distance of such a number from the value at which the rounded number changes.
+  double least_margin = 0.5;
 };
 
 OpenPatches find_exterior_patches(const Arrangement& arrangement, int winding_level);

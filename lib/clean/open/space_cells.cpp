@@ -10,8 +10,8 @@ namespace {
 
 constexpr int unknown = std::numeric_limits<int>::min();
 
-// Positions relative to the first point and to the size of the mesh, so that nothing over- or
-// underflows.
+// Returns positions relative to the first point and divided by the size of the mesh, which avoids
+// overflow and underflow.
 std::vector<Vec3> normalized_positions(const Arrangement& arrangement) {
   std::vector<Vec3> positions(arrangement.point_count());
   double size = 0;
@@ -35,7 +35,7 @@ SpaceCells::SpaceCells(const Arrangement& arrangement, const Patches& patches,
   spread_winding(arrangement, patches);
 }
 
-// The volume of each cell as its patches bound it: positive where these lie around the cell.
+// Returns the volume of each cell from its patches: positive if the patches enclose the cell.
 std::vector<double> SpaceCells::volumes(const Arrangement& arrangement,
                                         const Patches& patches) const {
   const std::vector<Vec3> positions = normalized_positions(arrangement);
@@ -52,8 +52,8 @@ std::vector<double> SpaceCells::volumes(const Arrangement& arrangement,
   return volumes;
 }
 
-// The cell of the least volume in every connected set of cells. That is negative, as the patches of
-// an unbounded cell do not lie around it.
+// Returns the cell of least volume in each connected set of cells. This is the unbounded cell,
+// whose volume is negative because its patches do not enclose it.
 std::vector<Index> SpaceCells::unbounded_cells(const std::vector<double>& volumes) const {
   DisjointSets sets(cell_of_.size());
   for (Index side = 0; side < cell_of_.size(); side += 2) {

@@ -1,7 +1,7 @@
-/// The cells into which the patches of an arrangement part space, and the winding number in each,
-/// as far as patches agree on it. Cost: O(n log n). Deterministic. Reference: Zhou, Grinspun, Zorin
-/// & Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016; there winding numbers
-/// always agree.
+/// The cells into which the patches of an arrangement divide space, with their winding numbers if
+/// the patches are consistent. Cost: O(n log n). Deterministic. Reference: Zhou, Grinspun, Zorin &
+/// Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016. There the patches are
+/// always consistent; here they need not be.
 #pragma once
 
 #include <vector>
@@ -12,13 +12,13 @@ namespace transformesh {
 
 class SpaceCells {
  public:
-  /// Patches that are marked as transparent part nothing.
+  /// Patches marked in `is_transparent` do not separate cells.
   SpaceCells(const Arrangement& arrangement, const Patches& patches,
              const std::vector<char>& is_transparent);
 
-  /// The winding number in the cell on that side of the patch. It is 0 in the unbounded cell of
-  /// each connected set of patches. From there it passes through patches from cell to cell, to each
-  /// along the shortest ways; where these disagree, the largest counts.
+  /// Returns the winding number of the cell in front of a patch. The unbounded cell of each
+  /// connected set of patches has 0. Other cells get their winding number along shortest paths from
+  /// cell to cell. If several shortest paths disagree, the largest value counts.
   int winding_in_front_of(Index patch) const { return winding_[cell_of_[std::size_t{2} * patch]]; }
   int winding_behind(Index patch) const { return winding_[cell_of_[std::size_t{2} * patch + 1]]; }
 
@@ -28,8 +28,8 @@ class SpaceCells {
   void spread_winding(const Arrangement& arrangement, const Patches& patches);
 
   std::vector<Index>
-      cell_of_;               ///< at 2 * patch the cell in front of it, at 2 * patch + 1 behind it
-  std::vector<int> winding_;  ///< per cell; cells are named by one of their sides of patches
+      cell_of_;  ///< cell in front of a patch at 2 * patch, cell behind it at 2 * patch + 1
+  std::vector<int> winding_;  ///< per cell; a cell has the number of one of its sides
 };
 
 }  // namespace transformesh
