@@ -20,20 +20,20 @@ namespace {
 
 constexpr std::size_t samples_per_patch = 4;
 constexpr std::size_t other_samples = 2000;
-/// How many solid angles may be summed up: these take a fifth of a second of one core.
+/// Limit on the number of solid angles summed per mesh; these take 0.2 s on one core.
 constexpr std::size_t most_solid_angles = 20'000'000;
 
-/// A side of a face to be sampled: the front (1) or the back (-1).
+/// A side of a face to be sampled: 1 is the front, -1 the back.
 struct FaceSide {
   bool is_of_input = false;
   Index face = no_index;
   int side = 1;
 };
 
-/// The meshes, scaled so that no product of coordinates over- or underflows.
+/// Both meshes, scaled such that products of coordinates neither overflow nor underflow.
 struct Meshes {
   Mesh input, output;
-  double unit = 1;  ///< what a coordinate of 1 stands for, a power of two
+  double unit = 1;  ///< length of one scaled unit in input coordinates; a power of two
 };
 
 struct Judgement {
@@ -47,8 +47,8 @@ void add_sides(bool is_of_input, const std::vector<Index>& faces, std::vector<Fa
     for (const int side : {1, -1}) sides.push_back({is_of_input, face, side});
 }
 
-/// Some faces of every patch. The first of each count most, so that no patch is left out while
-/// there are two faces of another.
+/// Returns some faces of each patch, at most `count`. The first face of each patch has priority
+/// over second faces of others.
 std::vector<Index> faces_of_patches(const UncutPatches& patches, std::size_t count) {
   std::vector<Index> firsts;
   std::vector<Index> others;
@@ -74,7 +74,7 @@ std::vector<FaceSide> choose_sides(const Mesh& input, const FaceMatch& match,
   add_sides(false, spread(marked_faces(match.output_is_new, 0), other_samples), sides);
   add_sides(true, spread(marked_faces(match.input_vanished, 1), other_samples), sides);
 
-  // There is nothing to sample beside a face without area.
+  // A face without area has no sides to sample.
   std::vector<char> has_no_area(input.faces.size(), 0);
   for (const Index face : degenerate_faces(input)) has_no_area[face] = 1;
   std::erase_if(sides,
@@ -95,8 +95,8 @@ std::string describe(const Judgement& judgement, int winding_level, double unit)
 
 std::string percent(double share) { return shortest_text(std::round(1000 * share) / 10) + " %"; }
 
-/// Makes a problem of too many undecided samples, if there is no other: what they do not tell is
-/// not certified.
+/// Reports too many undecided samples as a problem, if there is no other. Undecided samples certify
+/// nothing.
 void finish(Certificate& certificate) {
   if (!certificate.problem.empty() || certificate.undecided_share() <= most_undecided) return;
   certificate.problem = std::to_string(certificate.undecided) + " of " +
@@ -130,7 +130,8 @@ std::vector<Judgement> judge(const Meshes& meshes, const FaceMatch& match,
   return judgements;
 }
 
-/// A second opinion: where solid angles decide, they must have counted the same.
+/// Compares winding numbers with sums of solid angles at some samples. If a decided sum differs,
+/// the sample counts as wrong.
 void compare_with_solid_angles(const Mesh& mesh, int WindingSample::*number,
                                std::vector<Judgement>& judgements) {
   const std::size_t faces = std::max<std::size_t>(1, mesh.faces.size());
@@ -165,9 +166,9 @@ void certify_winding(const Meshes& meshes, const FaceMatch& match, const Certify
   }
 }
 
-/// Whether the piece has the orientation of the face, or is so thin that moving its corners by the
-/// margins can turn it: to first order, each corner changes the dot product of the normals by its
-/// move along the opposite edge's cross product with the face's normal.
+/// True if the piece has the orientation of the face, or is so thin that moving its corners by the
+/// margins can reverse it. To first order, moving a corner changes the dot product of the normals
+/// by the scalar product of the movement with (opposite edge x normal of the face).
 bool has_orientation(const Triangle& piece, const Triangle& face, const Vec3& margins) {
   if (normals_dot(piece, face) > 0) return true;
   const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]);
@@ -180,7 +181,7 @@ bool has_orientation(const Triangle& piece, const Triangle& face, const Vec3& ma
   return -product < change;
 }
 
-/// Whether all corners lie on one face of the input, but for rounding, that has the same
+/// True if all corners are on one face of the input within the margins, and that face has the same
 /// orientation.
 bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, const Vec3& margins) {
   bool is_found = false;

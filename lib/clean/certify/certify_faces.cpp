@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Numbers the positions of all meshes, equal ones alike.
+/// Numbers the positions of all meshes; equal positions have equal numbers.
 std::vector<Index> number_positions(const std::vector<const Mesh*>& meshes) {
   std::vector<const Vec3*> positions;
   for (const Mesh* mesh : meshes)
@@ -32,7 +32,7 @@ std::vector<Index> number_positions(const std::vector<const Mesh*>& meshes) {
   return numbers;
 }
 
-/// The faces by numbers of positions, each rotated so that its smallest comes first.
+/// Returns the faces by numbers of positions, rotated so that the smallest number is first.
 std::vector<Face> numbered_faces(const Mesh& mesh, const std::vector<Index>& numbers,
                                  std::size_t first_vertex) {
   std::vector<Face> faces;
@@ -45,7 +45,7 @@ std::vector<Face> numbered_faces(const Mesh& mesh, const std::vector<Index>& num
   return faces;
 }
 
-/// For each face whether it is missing among the others.
+/// Returns 1 for each face that is not among `others`.
 std::vector<char> missing(const std::vector<Face>& faces, std::vector<Face> others) {
   std::sort(others.begin(), others.end());
   std::vector<char> result(faces.size());
@@ -60,7 +60,7 @@ struct Halfedge {
   int direction;
 };
 
-/// All halfedges, but for those from a point to itself, sorted by their edges.
+/// Returns all halfedges sorted by edge, except those from a point to itself.
 std::vector<Halfedge> sorted_halfedges(const std::vector<Face>& faces) {
   std::vector<Halfedge> halfedges;
   halfedges.reserve(3 * faces.size());
@@ -76,7 +76,7 @@ std::vector<Halfedge> sorted_halfedges(const std::vector<Face>& faces) {
   return halfedges;
 }
 
-/// Calls visit(first, last) for the halfedges of every edge.
+/// Calls visit(first, last) for the halfedges of each edge.
 template <class Visit>
 void for_each_edge(const std::vector<Halfedge>& halfedges, const Visit& visit) {
   for (std::size_t first = 0; first < halfedges.size();) {

@@ -6,7 +6,7 @@
 namespace transformesh {
 namespace {
 
-/// The weights of the corners of a face at those points of it that are tried.
+/// Barycentric weights of the points of a face that are tried in turn.
 constexpr std::array<std::array<double, 3>, 14> tried_weights = {{{0.344, 0.327, 0.329},
                                                                   {0.523, 0.218, 0.259},
                                                                   {0.231, 0.552, 0.217},
@@ -22,22 +22,22 @@ constexpr std::array<std::array<double, 3>, 14> tried_weights = {{{0.344, 0.327,
                                                                   {0.053, 0.321, 0.626},
                                                                   {0.052, 0.627, 0.321}}};
 
-/// By which factor the next sample is nearer where something was in the way.
+/// Each further sample of a point is closer to the face by this factor.
 constexpr double step = 2;
 
-/// The least distance of a sample, in distances by which rounding may have moved its face towards
-/// it.
+/// Least distance of a sample from its face, relative to the distance by which rounding may have
+/// moved the face. A choice: larger values leave more samples undecided.
 constexpr double beyond_clearance = 1.25;
 
-/// The least distance of a sample, in least heights of its face.
+/// Least distance of a sample from its face, relative to the least height of the face.
 constexpr double nearest_share = 0x1p-60;
 
 struct Plane {
   Vec3 normal = Vec3::Zero();
-  double height = 0;  ///< the least height of the triangle
+  double height = 0;  ///< least height of the triangle
 };
 
-/// The plane of a triangle. Nothing over- or underflows, whatever its size.
+/// Returns the plane of a triangle; avoids overflow and underflow for all sizes.
 Plane plane(const Triangle& t) {
   const std::array<Vec3, 3> edges = {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   double longest = 0;
@@ -55,7 +55,7 @@ SampleFinder::SampleFinder(const Mesh& input, const Mesh& output, const FaceMatc
 
 std::optional<WindingSample> SampleFinder::find_above(const Vec3& base, const Vec3& direction,
                                                       double height) const {
-  // The distance from which on a point is beside the face, whatever rounding did to both.
+  // Closer points may be on the other side of the face because of rounding.
   const double clearance =
       std::max(direction.cwiseAbs().dot(zone_.margins_at(base)), nearest_share * height);
   const Vec3 start = base + clearance * direction;

@@ -1,5 +1,6 @@
-/// Points beside faces at which the winding numbers of a mesh and of what was made from it can be
-/// compared: nearer to the face than any other face of either, and outside the rounding zone.
+/// Finds points next to faces at which the winding numbers of input and output can be compared. The
+/// points are closer to the face than to any other face of either mesh, and outside the rounding
+/// zone.
 #pragma once
 
 #include <optional>
@@ -18,11 +19,12 @@ struct WindingSample {
 
 class SampleFinder {
  public:
-  /// The input must be closed. The output was stored in numbers of the type `coordinate`. Keeps
-  /// references.
+  /// The input must be closed. `coordinate` is the type in which the output was stored. Keeps
+  /// references to the meshes.
   SampleFinder(const Mesh& input, const Mesh& output, const FaceMatch& match, Scalar coordinate);
 
-  /// A sample in front of the face (side 1) or behind it (-1); nothing where no point will do.
+  /// Returns a sample in front of the face (side 1) or behind it (side -1), or nothing if no point
+  /// is suitable.
   std::optional<WindingSample> find(const Mesh& mesh, Index face, int side) const;
   const RoundingZone& zone() const { return zone_; }
 

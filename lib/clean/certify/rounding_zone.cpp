@@ -13,21 +13,22 @@
 namespace transformesh {
 namespace {
 
-/// The least margin as a share of the largest one, since numbers near zero have hardly any spacing.
-/// For doubles all margins are alike: in doubles a triangle cannot be measured in units that
-/// differ.
+/// Least margin relative to the largest one, needed because numbers near zero have a tiny spacing.
+/// For doubles all margins are equal, because a triangle cannot be measured in doubles with units
+/// that differ.
 constexpr double least_share(Scalar coordinate) {
   return coordinate == Scalar::float32 ? 0x1p-20 : 1;
 }
 
-/// By how much the measured distance from a triangle may be wrong, as a share of its size.
+/// Error of a measured distance from a triangle, relative to the size of the triangle.
 constexpr double measuring_error = 8 * std::numeric_limits<double>::epsilon();
 
 Vec3 spacings_at(const Vec3& point, Scalar coordinate) {
   return point.unaryExpr([=](double x) { return x == 0 ? 0 : spacing_at(x, coordinate); });
 }
 
-/// Whether no plane across the direction parts the triangle from the cube |x|, |y|, |z| <= half.
+/// True if no plane perpendicular to `direction` separates the triangle from the cube |x|, |y|, |z|
+/// <= half.
 bool overlap_along(const Vec3& direction, const Triangle& t, double half) {
   const std::array<double, 3> at = {direction.dot(t[0]), direction.dot(t[1]), direction.dot(t[2])};
   const auto [least, most] = std::minmax_element(at.begin(), at.end());
@@ -35,8 +36,8 @@ bool overlap_along(const Vec3& direction, const Triangle& t, double half) {
   return *least <= reach && *most >= -reach;
 }
 
-/// Whether the triangle meets the cube, by the planes that can part them. Reference:
-/// Akenine-Moller, "Fast 3D triangle-box overlap testing", Journal of Graphics Tools 6(1), 2001.
+/// True if the triangle meets the cube, by the separating axis test. Reference: Akenine-Moller,
+/// "Fast 3D triangle-box overlap testing", Journal of Graphics Tools 6(1), 2001.
 bool meets_cube(const Triangle& t, double half) {
   const std::array<Vec3, 3> edges = {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   if (!overlap_along(edges[0].cross(edges[1]), t, half)) return false;
@@ -49,7 +50,7 @@ bool meets_cube(const Triangle& t, double half) {
   return true;
 }
 
-/// A box that contains all points for which `is_within` may hold.
+/// Returns a box that contains all points for which `is_within` may be true.
 FloatBox box_around(const Triangle& t, const Vec3& margins) {
   const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
   const Vec3 high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
@@ -58,7 +59,7 @@ FloatBox box_around(const Triangle& t, const Vec3& margins) {
   return float_box(low - reach, high + reach);
 }
 
-/// Twice the spacing of numbers at the triangle.
+/// Returns twice the spacing of numbers at the triangle.
 Vec3 least_margins(const Triangle& t, Scalar coordinate) {
   const Vec3 size = t[0].cwiseAbs().cwiseMax(t[1].cwiseAbs()).cwiseMax(t[2].cwiseAbs());
   const Vec3 spacings = spacings_at(size, coordinate);
@@ -69,7 +70,8 @@ Vec3 shift_from(const ClosestPointQuery& surface, const Vec3& point) {
   return (surface(point).point - point).cwiseAbs();
 }
 
-/// How far each vertex of the faces is from the surface along each axis; zero for other vertices.
+/// Returns the distance of each vertex of the faces from the surface, along each axis; zero for
+/// other vertices.
 std::vector<Vec3> vertex_shifts(const ClosestPointQuery& surface, const Mesh& mesh,
                                 const std::vector<Index>& faces) {
   std::vector<char> is_used(mesh.positions.size(), 0);
