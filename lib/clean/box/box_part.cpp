@@ -31,7 +31,8 @@ BoxPart::BoxPart(const Mesh& mesh, const Region& region, const std::vector<bool>
       progress_(progress),
       grid_(region.cell_size) {}
 
-// The part also has what touches the box in which ways between own faces run.
+// Finds the complete faces and the part of the mesh to arrange. The part also contains the faces
+// that touch `own_box_`, because paths between own faces are in this box.
 void BoxPart::find_complete() {
   own_box_ = with_margin(first_vertices(mesh_, is_own_), options_.coordinate);
   const std::vector<bool> is_between = faces_near(mesh_, own_box_);
@@ -56,7 +57,8 @@ void BoxPart::find_complete() {
   if (has_added && !region_.is_whole) check_held();
 }
 
-// Faces that are cut together must all be complete. Returns whether there are more now.
+// Completes planes: all faces that are cut together must be complete. Returns true if faces were
+// added.
 bool BoxPart::complete_planes() {
   const Planes planes(*welded_, meetings_);
   std::vector<char> is_wanted(planes.size(), 0);
@@ -74,8 +76,9 @@ bool BoxPart::complete_planes() {
   return has_more;
 }
 
-// Two rings around faces are in the mesh if these are in the first two rings around own faces.
-// Planes can add others, around which all is in the mesh if their cells are held.
+// Throws GoalError unless the mesh contains all faces around the complete ones. This holds for
+// faces in the first two rings around own faces. Planes may add other faces, for which the region
+// must hold the surrounding cells.
 void BoxPart::check_held() const {
   FacesAround around(mesh_, is_own_, grid_, options_.coordinate);
   for (int ring = 0; ring < rings_of_complete; ++ring) around.grow();

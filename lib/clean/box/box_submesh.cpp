@@ -24,7 +24,7 @@ std::uint64_t hash_of(const Vec3& p) {
   return h;
 }
 
-/// Positions as bits by their hashes: all that were added are in it, and few others.
+/// Approximate set of positions by hashes: contains all added positions, and rarely others.
 class RoughPositions {
  public:
   explicit RoughPositions(std::size_t count)

@@ -1,5 +1,5 @@
-/// Submeshes of a large mesh that lie in or near a box. Deterministic. Cost: O(n), a few bits a
-/// face.
+/// Submeshes of a large mesh in or near a box. Deterministic. Cost: O(n) time, a few bits of memory
+/// per face.
 #pragma once
 
 #include <vector>
@@ -10,41 +10,42 @@
 
 namespace transformesh {
 
-/// The faces whose first vertex is in the half-open box.
+/// Returns 1 for each face whose first vertex is in the half-open box.
 std::vector<bool> faces_of_box(const Mesh& mesh, const Box& box);
 
-/// The box around faces; nothing is in it where there are none.
+/// Returns the bounding box of the marked faces; an inverted box if there are none.
 Box box_around(const Mesh& mesh, const std::vector<bool>& faces);
 
-/// The box around the first vertices of faces.
+/// Returns the bounding box of the first vertices of the marked faces.
 Box first_vertices(const Mesh& mesh, const std::vector<bool>& faces);
 
-/// 64 spacings of coordinates in the box: rounding moves vertices by fewer.
+/// Returns 64 spacings of coordinates in the box. Rounding moves vertices by less.
 double margin_around(const Box& box, Scalar coordinate);
 Box with_margin(const Box& box, Scalar coordinate);
 
-/// The faces whose own boxes touch the box.
+/// Returns 1 for each face whose bounding box touches the box.
 std::vector<bool> faces_near(const Mesh& mesh, const Box& box);
 
-/// Some faces of a mesh as a mesh of their own.
+/// Some faces of a mesh as a separate mesh.
 struct BoxSubmesh {
   Mesh mesh;
   std::vector<Index> face_of;  ///< index of each face in the whole mesh
 };
 
-/// Vertices that are in the place of a used one come along, used or not: so the first vertex of
-/// every place is the same as in the mesh. Order and columns stay.
+/// Returns the marked faces as a mesh. Vertices at the same position as a used vertex are included
+/// even if they are unused. Hence the first vertex at each position is the same as in the whole
+/// mesh. Order and columns do not change.
 BoxSubmesh take_submesh(const Mesh& mesh, const std::vector<bool>& faces);
 
-/// Sums of hashes of the faces of a mesh, by positions, which come one by one. A different mesh has
-/// the same sums, or an open one passes as closed, by a chance of 2^-64.
+/// Hashes of the faces of a mesh by position, accumulated face by face. The probability that two
+/// different meshes have equal hashes, or that an open mesh passes as closed, is 2^-64.
 class FaceSums {
  public:
   void add(const Triangle& triangle);
-  /// Whether every edge is traversed equally often in both directions; faces without area do not
-  /// count.
+  /// True if each edge is traversed equally often in both directions. Faces without area are
+  /// ignored.
   bool is_closed() const { return edges_ == 0; }
-  /// Depends on the faces and their order.
+  /// Returns a hash that depends on the faces and their order.
   std::uint64_t hash() const { return faces_; }
 
  private:

@@ -14,9 +14,9 @@
 namespace transformesh {
 namespace {
 
-/// Larger boxes are cleaned in parts of so many faces, each of which repeats what is around it. A
-/// box with a million folded faces takes 5.7 s and 157 MB; 2^16 8.3 s and 123 MB; 2^20 3.3 s and
-/// 360 MB.
+/// Boxes with more faces are cleaned in parts of at most this many faces, and each part repeats the
+/// faces around it. Measured on a box with a million folded faces: 5.7 s and 157 MB with 2^18, 8.3
+/// s and 123 MB with 2^16, 3.3 s and 360 MB with 2^20.
 constexpr std::size_t most_faces_at_once = std::size_t{1} << 18;
 constexpr char source_name[] = "source face of a box";
 
@@ -24,7 +24,7 @@ std::size_t count(const std::vector<bool>& faces) {
   return static_cast<std::size_t>(std::count(faces.begin(), faces.end(), true));
 }
 
-// The whole mesh cleaned, with its faces numbered on the way.
+// Cleans the whole mesh, and records the source of each face.
 CleanedFaces clean_numbered(const Mesh& mesh, const CleanOptions& options, CleanResult& counts,
                             const Progress& progress) {
   Mesh numbered = mesh;
@@ -42,7 +42,7 @@ CleanedFaces clean_numbered(const Mesh& mesh, const CleanOptions& options, Clean
   return cleaned;
 }
 
-// Vertices of the box's pieces that are at no corner of their sources.
+// Counts the vertices of the pieces of own faces that are not corners of their sources.
 std::size_t count_new_vertices(const Mesh& mesh, const std::vector<bool>& is_own,
                                const CleanedFaces& cleaned) {
   std::vector<bool> is_new(cleaned.mesh.positions.size(), false), is_corner = is_new;
@@ -60,11 +60,11 @@ std::size_t count_new_vertices(const Mesh& mesh, const std::vector<bool>& is_own
   return static_cast<std::size_t>(std::count(is_new.begin(), is_new.end(), true));
 }
 
-// Of the box's own faces: what was cut, what is gone, and which vertices are new.
+// Counts, for own faces: cut faces, removed faces, and new vertices.
 void count_faces(const Mesh& mesh, const std::vector<bool>& is_own, const CleanedFaces& cleaned,
                  CleanResult& counts) {
   const std::vector<bool> is_uncut = find_uncut(mesh, cleaned);
-  std::vector<char> pieces(mesh.faces.size(), 0);  // 1 cut, 2 whole
+  std::vector<char> pieces(mesh.faces.size(), 0);  // 0: removed, 1: cut, 2: whole
   for (std::size_t p = 0; p < is_uncut.size(); ++p)
     pieces[cleaned.source_face[p]] = is_uncut[p] ? 2 : 1;
   counts.cut_faces = counts.removed_faces = 0;
@@ -89,8 +89,8 @@ void finish_counts(const CleanOptions& options, CleanResult& counts) {
                   {.counts = {counts.pairs, counts.cut_faces, counts.removed_faces}});
 }
 
-// The box cut through the middle of its faces, along the axis on which they reach farthest. Nothing
-// where that leaves one half empty.
+// Splits the box at the middle of its faces, along the axis of their largest extent. Returns
+// nothing if one half would be empty.
 std::optional<std::array<Box, 2>> split(const Mesh& mesh, const std::vector<bool>& is_own,
                                         const Box& box) {
   const Box around = box_around(mesh, is_own);
@@ -114,7 +114,7 @@ void check_input(const Mesh& mesh, const CleanOptions& options) {
                    "over along edges");
 }
 
-// A tile has a box of its own, and only its own faces have results.
+// Rejects options that need the whole mesh. A tile defines its own box.
 void check_tile_options(const Tile& tile, const CleanOptions& options) {
   if (options.coordinate == Scalar::float32 && tile.coordinate != Scalar::float32)
     throw UsageError("floats are coarser than the coordinates for which the tile was made");
@@ -156,8 +156,8 @@ CleanResult clean_in_place(const Mesh& mesh, const CleanOptions& options,
   return counts;
 }
 
-/// The pieces of the box's faces, from smaller boxes one after the other: what that takes does not
-/// grow with the box.
+/// Collects the pieces of the faces of a box from smaller boxes, one after the other. Thus the
+/// memory does not grow with the box.
 class Pieces {
  public:
   Pieces(const Mesh& mesh, const Region& region, const CleanOptions& options,
@@ -187,7 +187,7 @@ void Pieces::add(const Mesh& pieces) {
     mesh.faces.push_back({a + offset, b + offset, c + offset});
 }
 
-// Returns whether rounding broke nothing.
+// Collects the pieces of the faces in a box. Returns false if rounding breaks faces.
 bool Pieces::collect_from(const Box& box) {
   const std::vector<bool> is_own = faces_of_box(mesh_, box);
   const std::size_t faces = count(is_own);

@@ -1,6 +1,6 @@
-/// Faces around others, ring by ring. A ring has the faces that come as near to one of the others
-/// as rounding could move a vertex. It may have more of those that have a cell of a grid in common
-/// with one. Deterministic. Cost: O(n) per ring, and 64 bytes for each cell of the faces.
+/// Grows a set of faces ring by ring. A ring contains all faces that are as close to a face of the
+/// set as rounding could move a vertex. It may contain other faces that share a grid cell with the
+/// set. Deterministic. Cost: O(n) per ring, and 64 bytes per cell of the faces.
 #pragma once
 
 #include <utility>
@@ -13,15 +13,15 @@ namespace transformesh {
 
 class FacesAround {
  public:
-  /// Begins with some faces. Keeps a reference to the mesh.
+  /// Starts with the given faces. Keeps a reference to the mesh.
   FacesAround(const Mesh& mesh, std::vector<bool> faces, const CellGrid& grid, Scalar coordinate);
 
-  /// Adds a ring.
+  /// Adds one ring.
   void grow();
-  /// The faces so far, and those with a further ring.
+  /// Returns the current faces. next() returns them with one more ring.
   const std::vector<bool>& faces() const { return faces_; }
   std::vector<bool> next() const;
-  /// Hands over the cells of the faces so far.
+  /// Moves out the cells of the current faces.
   CellMarks take_cells() { return std::move(marks_); }
 
  private:

@@ -7,8 +7,9 @@
 namespace transformesh {
 namespace {
 
-/// A path grazes an edge only by chance, or if a box is a few numbers wide. Twice as many attempts
-/// would find no more points, and four attempts would make that chance felt.
+/// A path touches an edge only by coincidence, or if the box is a few coordinate spacings wide.
+/// Twice as many attempts would find no more points; with only four attempts, failures would be
+/// noticeable.
 constexpr int most_attempts = 64;
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// The reference point of a part of a closed mesh, with its winding number in the whole mesh.
+/// Finds the reference point of a part of a closed mesh, with its winding number in the whole mesh.
 #pragma once
 
 #include "clean/exterior/surroundings.h"
@@ -6,8 +6,9 @@
 
 namespace transformesh {
 
-/// Returns a point of `box`. The mesh has all faces that meet the smallest box around `known` and
-/// `box`. Throws GoalError if no such point is found. Deterministic; O(n).
+/// Returns a point in `box` with its winding number, derived from `known`. The mesh must contain
+/// all faces that meet the bounding box of `known` and `box`. Throws GoalError if no such point is
+/// found. Deterministic; O(n) per attempted point.
 ReferencePoint find_reference(const Mesh& mesh, const ReferencePoint& known, const Box& box);
 
 }  // namespace transformesh

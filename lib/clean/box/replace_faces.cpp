@@ -26,14 +26,15 @@ class Placing {
   const std::vector<bool>& is_replaced_;
   const CleanedFaces& cleaned_;
   std::vector<bool> is_uncut_;
-  std::vector<Index> vertex_of_;  ///< per cleaned vertex: the one it is, new ones behind all others
+  /// Per cleaned vertex: its vertex in the mesh; new ones follow all others.
+  std::vector<Index> vertex_of_;
   std::vector<bool> is_claimed_;
-  std::vector<Index> new_vertices_;  ///< cleaned ones
-  std::vector<Face> faces_;          ///< in old vertices and new ones behind them
+  std::vector<Index> new_vertices_;  ///< indices of cleaned vertices
+  std::vector<Face> faces_;          ///< by vertices of the mesh, and new vertices after these
   std::vector<Index> face_rows_;
 };
 
-// A corner of a piece is that of its source which is in the same place.
+// Maps each corner of a piece to the corner of its source at the same position.
 void Placing::claim(Index piece) {
   for (const Index v : cleaned_.mesh.faces[piece]) {
     if (vertex_of_[v] != no_index) continue;
@@ -46,7 +47,7 @@ void Placing::claim(Index piece) {
   }
 }
 
-// Where a vertex has copies, the one keeps its name that goes on in faces which stay.
+// If a vertex has copies, the copy that belongs to remaining faces keeps the vertex.
 void Placing::claim_vertices() {
   for (const bool is_replaced : {false, true})
     for (const bool is_uncut : {true, false})
@@ -94,7 +95,7 @@ Mesh Placing::place() {
   claim_vertices();
   choose_faces();
 
-  // What had faces and has none any more goes.
+  // Remove vertices that lost all their faces.
   std::vector<bool> is_gone(mesh_.positions.size(), false);
   for (const Face& face : mesh_.faces)
     for (const Index v : face) is_gone[v] = true;

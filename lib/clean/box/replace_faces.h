@@ -1,4 +1,4 @@
-/// The pieces of some faces of a mesh in the place of these faces. Deterministic. Cost: O(n).
+/// Replaces some faces of a mesh by their pieces. Deterministic. Cost: O(n).
 #pragma once
 
 #include <vector>
@@ -7,18 +7,19 @@
 
 namespace transformesh {
 
-/// What cleaning made of a mesh or of a part of it.
+/// Result of cleaning a mesh or a part of it.
 struct CleanedFaces {
   Mesh mesh;
   std::vector<Index> source_face;  ///< per face: the face of the whole mesh that it is a piece of
 };
 
-/// Whether each face is its source, uncut.
+/// Returns 1 for each face that equals its source.
 std::vector<bool> find_uncut(const Mesh& mesh, const CleanedFaces& cleaned);
 
-/// Faces for which is_replaced[face] holds become their pieces: uncut ones in their place, others
-/// behind all. Other faces keep their vertices, order and columns, and pieces share these vertices
-/// where they have been joined with them. Vertices go that lose all their faces; new ones follow.
+/// Replaces the faces with a set `is_replaced` entry by their pieces. Uncut faces keep their place;
+/// other pieces follow all faces. The remaining faces keep their vertices, order and columns.
+/// Pieces share vertices with the remaining faces if cleaning joined them. Vertices that lose all
+/// their faces are removed; new vertices follow.
 Mesh replace_faces(const Mesh& mesh, const std::vector<bool>& is_replaced,
                    const CleanedFaces& cleaned);
 
