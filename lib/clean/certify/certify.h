@@ -4,13 +4,13 @@
 /// compared with sums of solid angles as far as these are affordable. None of this code computes
 /// such boundaries.
 ///
-/// Samples are in front of and behind a face, closer to it than any other face of either mesh. Four
+/// Samples are in front of and behind a face, closer to it than any other face of either mesh. Five
 /// kinds of faces are sampled, at most `most_faces` of each, evenly spread:
 ///
 /// - all new faces of the output, which are not faces of the input corner by corner;
 /// - four faces of each uncut patch of the input (certify_faces.h);
 /// - the faces of the input that were cut;
-/// - up to 2000 other faces of each mesh.
+/// - up to 2000 unchanged faces of the output, and up to 2000 removed faces of the input.
 ///
 /// A sample is undecided if each point next to the face is too close to new or removed faces. Too
 /// close means that rounding may have moved these faces across the point. The limit along each axis
