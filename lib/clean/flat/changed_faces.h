@@ -1,4 +1,4 @@
-/// Faces of a cleaned mesh at which something changed. They are pieces of cut faces, and faces at
+/// Finds the faces of a cleaned mesh at which something changed: pieces of cut faces, and faces at
 /// the corners of input faces that were cut or removed. Cost: O(n log n). Deterministic.
 #pragma once
 
@@ -9,7 +9,8 @@
 
 namespace transformesh {
 
-/// The faces of the result are whole faces of the input unless they are new.
+/// Returns 1 for each changed face of `result`. Faces of the result that are not new must be whole
+/// faces of the input.
 std::vector<char> find_changed_faces(const Mesh& input, const Mesh& result,
                                      std::span<const Index> source_face,
                                      std::span<const char> face_is_new);

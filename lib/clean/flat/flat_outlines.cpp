@@ -36,7 +36,8 @@ bool FlatOutlines::is_outline(Index halfedge) const {
   return region_across(halfedge) != of_face_[halfedge / 3];
 }
 
-/// A vertex is on an edge if two edges of outlines meet there, and no face that stays.
+/// A vertex is on an edge if exactly two outline edges meet there, and all its faces belong to
+/// regions.
 void FlatOutlines::find_places() {
   const std::vector<Face>& faces = surface_.mesh.faces;
   std::vector<char> edges(places_.size(), 0);
@@ -61,15 +62,15 @@ void FlatOutlines::find_places() {
     goes_[v] = places_[v] == inside && !surface_.has_copy[v] ? 1 : 0;
 }
 
-/// The halfedge of the outline that follows one of it.
+/// Returns the next halfedge of the same outline.
 Index FlatOutlines::next_around(Index halfedge) const {
   Index next = next_halfedge(halfedge);
   while (!is_outline(next)) next = next_halfedge(surface_.opposites[next]);
   return next;
 }
 
-/// The vertices from the source of a halfedge on along its outline to the next corner, or around to
-/// the same vertex.
+/// Returns the vertices of an outline from the source of a halfedge to the next corner, or back to
+/// the first vertex if there is no corner.
 std::vector<Index> FlatOutlines::row_from(Index halfedge) const {
   std::vector<Index> row{halfedge_source(surface_.mesh, halfedge)};
   for (Index at = halfedge;; at = next_around(at)) {
@@ -78,7 +79,7 @@ std::vector<Index> FlatOutlines::row_from(Index halfedge) const {
   }
 }
 
-/// First rows between corners, then those that have none.
+/// Straightens rows between corners first, then outlines without corners.
 void FlatOutlines::straighten_edges() {
   std::vector<char> is_done(places_.size(), 0);
   const auto straighten_from = [&](Index halfedge) {
@@ -98,8 +99,8 @@ void FlatOutlines::straighten_edges() {
     }
 }
 
-/// Lets a row around begin at the vertex that is farthest from its first one. That vertex is not on
-/// a straight line between others.
+/// Rotates a closed row such that it starts at the vertex farthest from its first one. That vertex
+/// is not on a straight line between others.
 void FlatOutlines::begin_at_corner(std::vector<Index>& row) const {
   row.pop_back();
   const Vec3& first = surface_.mesh.positions[row.front()];
@@ -111,8 +112,9 @@ void FlatOutlines::begin_at_corner(std::vector<Index>& row) const {
   row.push_back(row.front());
 }
 
-/// Divides a row at the vertex that is farthest from the segment between its ends, until all are
-/// within their tolerances. A row around is halved at the vertex that is farthest from its first.
+/// Splits a row recursively at the vertex farthest from the segment between its ends, until all
+/// vertices are within their tolerances. A closed row is first split at the vertex farthest from
+/// its start.
 void FlatOutlines::straighten(const std::vector<Index>& row) {
   const auto at = [&](std::size_t i) { return surface_.mesh.positions[row[i]]; };
   for (std::size_t i = 1; i + 1 < row.size(); ++i) goes_[row[i]] = 1;

@@ -1,11 +1,13 @@
-/// The outlines that flat regions have once vertices on straight edges are gone.
+/// Outlines of flat regions after removing vertices inside the regions and on straight edges.
 ///
-/// A vertex goes where only faces of regions meet, if it lies inside of one, or on a straight edge
-/// between two, or between one and a border. Vertices stay at which copies lie, and edges between
-/// such vertices: there sheets touch. Rows of vertices between two regions become as few segments
-/// as stay within the tolerance of each. Reference: Douglas & Peucker, "Algorithms for the
-/// reduction of the number of points required to represent a digitized line or its caricature",
-/// Cartographica 10(2), 1973. Deterministic. Cost: O(n log n).
+/// A vertex is removed if all its faces belong to regions, and one of two conditions holds. It is
+/// inside a region, or it is on a straight edge between two regions or between a region and a
+/// border. Vertices at the position of another vertex stay, and so do edges between such vertices:
+/// sheets touch there. A row of vertices between two regions becomes as few segments as the
+/// tolerance permits. Reference: Douglas & Peucker, "Algorithms for the reduction of the number of
+/// points required to represent a digitized line or its caricature", Cartographica 10(2), 1973.
+/// Departure: the tolerance is that of each vertex, not of the line. Deterministic. Cost: O(n log
+/// n) on usual outlines.
 #pragma once
 
 #include <span>
@@ -15,34 +17,35 @@
 
 namespace transformesh {
 
-/// The surface of which regions are given up.
+/// The surface whose regions are simplified.
 struct FlatSurface {
   const Mesh& mesh;
   std::span<const Index> opposites;
-  std::span<const char> has_copy;  ///< per vertex: whether another one has its position
-  double spacings;                 ///< the tolerance, in those of `coordinate`
+  std::span<const char> has_copy;  ///< per vertex: 1 if another vertex has its position
+  double spacings;                 ///< tolerance in spacings of type `coordinate`
   Scalar coordinate;
 };
 
-/// What is left of a region.
+/// Remainder of a region after removing vertices.
 struct RegionOutlines {
-  /// The region has them on its left. Edges inside come as outlines of two vertices, single
-  /// vertices inside as outlines of one.
+  /// Each outline has the region on its left. An inner edge that stays is an outline of two
+  /// vertices, an inner vertex that stays is an outline of one.
   std::vector<std::vector<Index>> outlines;
-  std::size_t faces = 0;  ///< their number in any triangulation of the same topology
+  std::size_t faces = 0;  ///< number of faces in any triangulation of the outlines
 };
 
-/// Finds which vertices go, and how far the straight edges move.
+/// Determines which vertices are removed, and how far the straight edges move.
 class FlatOutlines {
  public:
-  /// Regions whose number is not in `of_face` keep their faces.
+  /// Faces without region in `of_face` do not change.
   FlatOutlines(const FlatSurface& surface, std::span<const Index> of_face);
 
+  /// Returns the outlines of a region.
   RegionOutlines of(const FlatRegion& region);
-  /// Whether a vertex of the region goes.
+  /// True if a vertex of the region is removed.
   bool changes(const FlatRegion& region) const;
   bool goes(Index vertex) const { return goes_[vertex] != 0; }
-  /// The largest distance of a vertex that goes from the segment that is left in its place.
+  /// Returns the largest distance of a removed vertex from the segment that replaces it.
   double movement() const { return movement_; }
 
  private:
@@ -62,7 +65,7 @@ class FlatOutlines {
   std::span<const Index> of_face_;
   std::vector<Place> places_;      ///< per vertex
   std::vector<char> goes_;         ///< per vertex
-  std::vector<char> is_followed_;  ///< per halfedge of an outline
+  std::vector<char> is_followed_;  ///< per halfedge on an outline
   double movement_ = 0;
 };
 

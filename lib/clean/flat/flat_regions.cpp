@@ -11,8 +11,9 @@
 namespace transformesh {
 namespace {
 
-/// A region begins at a face that is so many times as high as the tolerance: the plane of a lower
-/// one would be none of the surface.
+/// Least height of the first face of a region, in tolerances. The plane of a lower face is not
+/// representative of the surface. A choice: a lower value finds more regions and less reliable
+/// planes.
 constexpr double least_height = 64;
 
 bool are_equal_rows(const Column& column, Index a, Index b) {
@@ -27,7 +28,7 @@ bool are_equal_rows(const Column& column, Index a, Index b) {
   return std::equal(at(a), at(a + 1), at(b), at(b + 1), same);
 }
 
-/// Twice the area over the longest edge.
+/// Returns the least height: twice the area divided by the longest edge.
 double height_of(const Triangle& t) {
   const double longest = std::max(
       {(t[1] - t[0]).stableNorm(), (t[2] - t[1]).stableNorm(), (t[0] - t[2]).stableNorm()});
@@ -64,12 +65,12 @@ class RegionFinder {
   std::span<const char> wanted_;
   double spacings_;
   Scalar coordinate_;
-  FlatRegion plane_;  ///< the region that grows
+  FlatRegion plane_;  ///< the region that is growing
   double tolerance_ = 0;
   FlatRegions found_;
 };
 
-/// Wanted faces and those beside them, the largest first.
+/// Returns wanted faces and their neighbors, the largest first.
 std::vector<Index> RegionFinder::seeds() const {
   std::vector<std::pair<double, Index>> faces;
   for (Index f = 0; f < mesh_.faces.size(); ++f) {
@@ -123,7 +124,7 @@ void RegionFinder::measure(FlatRegion& region) const {
     }
 }
 
-/// The plane with the least squares of distances from all corners.
+/// Fits the plane to all corners by least squares of distances.
 FlatRegion RegionFinder::fitted() const {
   FlatRegion fitted = plane_;
   Vec3 mean = Vec3::Zero();
@@ -143,7 +144,8 @@ FlatRegion RegionFinder::fitted() const {
   return fitted;
 }
 
-/// Fits the plane, if all corners are within the tolerance of it then.
+/// Fits the plane. Returns false and changes nothing unless the fit reduces the height of the
+/// region and keeps all corners within the tolerance.
 bool RegionFinder::fit() {
   FlatRegion better = fitted();
   if (!(better.high - better.low < plane_.high - plane_.low) || better.high > tolerance_ ||
@@ -162,7 +164,7 @@ void RegionFinder::grow_from(Index seed) {
   if (!(height_of(triangle) > least_height * tolerance_)) return;
   plane_ = {triangle[0], unit_normal(triangle), 0, 0, {seed}};
   found_.of_face[seed] = static_cast<Index>(found_.regions.size());
-  // Each round at least doubles the region, but the last: so the cost stays linear.
+  // Each round except the last one at least doubles the region, so the cost is linear.
   for (std::size_t before = 0; 2 * before < plane_.faces.size() + 1;) {
     before = plane_.faces.size();
     grow(plane_.faces);

@@ -1,10 +1,11 @@
-/// Flat regions of a mesh: connected faces whose corners all lie near one plane.
+/// Flat regions of a mesh: connected faces whose corners are all close to one plane.
 ///
-/// A region grows from the largest faces first, across edges, as long as corners are within the
-/// tolerance of its plane. Then the plane is fitted to all of its corners, and it grows on. So a
-/// region may be many times as large as the face where it began. Faces that are higher than the
-/// tolerance look to the same side. Faces whose columns differ are in different regions.
-/// Deterministic. Cost: O(n log n) for n faces in and around the regions.
+/// Regions grow from the largest faces first, across edges, as long as corners are within the
+/// tolerance of the plane. Then the plane is fitted to all corners of the region, and the region
+/// grows further. Hence a region may be many times as large as its first face. Faces higher than
+/// twice the tolerance must have normals on the same side of the plane. Faces with different column
+/// values belong to different regions. Deterministic. Cost: O(n log n) for n faces in and around
+/// the regions.
 #pragma once
 
 #include <span>
@@ -15,19 +16,20 @@
 namespace transformesh {
 
 struct FlatRegion {
-  Vec3 point = Vec3::Zero();  ///< on the plane
+  Vec3 point = Vec3::Zero();  ///< a point on the plane
   Vec3 normal = Vec3::Zero();
-  double low = 0, high = 0;  ///< distances of its corners from the plane
+  double low = 0, high = 0;  ///< range of the signed distances of the corners from the plane
   std::vector<Index> faces;
 };
 
 struct FlatRegions {
-  std::vector<FlatRegion> regions;  ///< each has two faces at least
-  std::vector<Index> of_face;       ///< per face its region, or no_index
+  std::vector<FlatRegion> regions;  ///< each has at least two faces
+  std::vector<Index> of_face;       ///< per face: its region, or no_index
 };
 
-/// Finds the regions that hold a face marked in `wanted`. `opposites` are those of a manifold.
-/// Corners are within `spacings` of the numbers of type `coordinate` from the plane.
+/// Finds the regions that contain a face marked in `wanted`. `opposites` are those of a manifold.
+/// `spacings` is the largest distance of corners from the plane, in spacings of type `coordinate`
+/// at the first face.
 FlatRegions find_flat_regions(const Mesh& mesh, std::span<const Index> opposites,
                               std::span<const char> wanted, double spacings, Scalar coordinate);
 

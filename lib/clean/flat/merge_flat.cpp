@@ -15,8 +15,8 @@
 namespace transformesh {
 namespace {
 
-/// The positions on the plane of the axes in which the normal is shortest, so that turns keep their
-/// sense. Coordinates are those of space, so that predicates stay exact.
+/// Projects vertices along the axis nearest to the normal, such that orientations are preserved.
+/// Coordinates are those of the mesh, so predicates stay exact.
 std::vector<Eigen::Vector2d> projected(const Mesh& mesh, const std::vector<Index>& vertices,
                                        const Vec3& normal) {
   Eigen::Index axis = 0;
@@ -30,8 +30,8 @@ std::vector<Eigen::Vector2d> projected(const Mesh& mesh, const std::vector<Index
   return points;
 }
 
-/// Whether the triangles have the outlines as their oriented boundary, vertex by vertex: they could
-/// have another one where vertices lie at one place of the plane.
+/// True if the oriented boundary of the triangles equals the outlines, vertex by vertex. It can
+/// differ if several vertices have the same projection.
 bool have_boundary(const std::vector<CornerTriangle>& triangles,
                    const std::vector<std::vector<Index>>& outlines) {
   std::vector<std::array<Index, 2>> there, back;
@@ -48,7 +48,7 @@ bool have_boundary(const std::vector<CornerTriangle>& triangles,
   return there == back;
 }
 
-/// Fewer triangles for a region; none if there are no such.
+/// Returns a triangulation of the region with fewer faces, or no faces if there is none.
 std::vector<Face> triangulated(const Mesh& mesh, const FlatRegion& region, RegionOutlines left) {
   std::vector<Index> vertices;
   for (const std::vector<Index>& outline : left.outlines)
@@ -70,7 +70,7 @@ std::vector<Face> triangulated(const Mesh& mesh, const FlatRegion& region, Regio
   return faces;
 }
 
-/// Per vertex: whether another one has its position.
+/// Returns 1 for each vertex with the position of another vertex.
 std::vector<char> find_copies(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   std::vector<char> has_copy(mesh.positions.size(), 0);
@@ -92,7 +92,7 @@ class FlatMerger {
   MergeFlatResult run(const Progress& progress);
 
  private:
-  /// The new faces, and the region of each.
+  /// The new faces with the region of each.
   struct Plan {
     std::vector<Face> faces;
     std::vector<Index> regions;
@@ -120,7 +120,7 @@ void FlatMerger::give_up(Index region) {
   ++result_.kept_regions;
 }
 
-/// Triangulates all regions of which vertices go.
+/// Triangulates all regions with removed vertices.
 FlatMerger::Plan FlatMerger::plan() {
   for (;;) {
     FlatOutlines outlines(surface_, flat_.of_face);
@@ -143,7 +143,8 @@ FlatMerger::Plan FlatMerger::plan() {
   }
 }
 
-/// Whether a new edge joins vertices that another one joins. Its region is given up.
+/// Keeps the faces of regions with a new edge that already exists elsewhere. Returns true if there
+/// are any.
 bool FlatMerger::give_up_double_edges(const Plan& plan) {
   struct Edge {
     std::array<Index, 2> ends;
@@ -179,7 +180,7 @@ bool FlatMerger::give_up_double_edges(const Plan& plan) {
   return is_any;
 }
 
-/// The mesh with the new faces behind the others.
+/// Returns the mesh with the new faces after all other faces.
 Assembly FlatMerger::applied(const Plan& plan) const {
   Assembly merged;
   std::vector<Index> rows;
@@ -197,7 +198,8 @@ Assembly FlatMerger::applied(const Plan& plan) const {
   return merged;
 }
 
-/// Whether a new face intersects another one. Its region is given up.
+/// Keeps the faces of regions with a new face that intersects another face. Returns true if there
+/// are any.
 bool FlatMerger::give_up_broken(const Plan& plan, const Assembly& merged) {
   const std::size_t first_new = merged.mesh.faces.size() - plan.faces.size();
   bool is_any = false;

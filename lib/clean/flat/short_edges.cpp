@@ -30,7 +30,7 @@ Assembly assembly_of(const Mesh& mesh, const std::vector<char>& has_copy) {
   return assembly;
 }
 
-/// Drops faces that name a vertex twice.
+/// Removes faces that refer to a vertex twice.
 void drop_vanished(Assembly& assembly) {
   std::vector<Face>& faces = assembly.mesh.faces;
   std::size_t count = 0;
@@ -58,7 +58,7 @@ Displacement collapse_short_edges(Mesh& mesh, std::vector<char>& wanted,
   if (faces.empty()) return moved;
   Assembly assembly = assembly_of(mesh, has_copy);
   const VertexGrids grids(assembly, coordinate);
-  // Grids have steps of half a spacing.
+  // A grid step is half a spacing.
   remove_flat_vertices(mesh, assembly, faces, 2 * spacings, false, grids, moved);
   drop_vanished(assembly);
   if (assembly.mesh.faces.size() == mesh.faces.size() || !find_broken_faces(assembly).faces.empty())
