@@ -15,12 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Rows that are written at once.
+/// Size of the output buffer, in bytes. A choice without influence on the result.
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 
 std::string in_quotes(const std::string& path) { return "'" + path + "'"; }
 
-/// Returns the tiles of which the files in a folder are parts, by any of them.
+/// Identifies the mesh and the number of tiles by any tile in the folder.
 TileName find_split(const std::string& folder) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
@@ -39,7 +39,8 @@ TileName find_split(const std::string& folder) {
 bool have_same_properties(const PlyElement& a, const PlyElement& b) {
   const auto is_same = [](const PlyProperty& p, const PlyProperty& q) {
     return p.name == q.name && p.count_type == q.count_type &&
-           (p.count_type || p.type == q.type);  // corners get a new type
+           // The type of corner indices may differ, because it is chosen anew.
+           (p.count_type || p.type == q.type);
   };
   return std::equal(a.properties.begin(), a.properties.end(), b.properties.begin(),
                     b.properties.end(), is_same);

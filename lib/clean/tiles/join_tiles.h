@@ -1,6 +1,7 @@
-/// Joins the clean pieces of all tiles of a mesh (split_tiles.h): the triangles of clean() for the
-/// whole mesh, tile by tile, with its vertices. One tile at a time is in memory, and the seams
-/// (seams.h). Deterministic.
+/// Joins the clean pieces of all tiles of a mesh (split_tiles.h). The result has the triangles of
+/// clean() for the whole mesh, tile by tile, with shared vertices. Memory holds one tile at a time,
+/// and the seams (seams.h). Deterministic. Cost: that of seams.h, and two further passes over all
+/// files.
 #pragma once
 
 #include <string>
@@ -13,12 +14,12 @@ namespace transformesh {
 struct JoinResult {
   std::size_t tiles = 0;
   std::size_t vertices = 0, faces = 0;  ///< of the result
-  std::size_t joined_vertices = 0;      ///< vertices of tiles that became one with others
+  std::size_t joined_vertices = 0;      ///< vertices of tiles that were merged into others
 };
 
-/// Reads the files cleaned_tile_path() of a folder and writes binary PLY with one more comment.
-/// Throws InputError if a file is missing, is of another mesh, or leaves seams open, before it
-/// writes, and OutputError.
+/// Reads the files cleaned_tile_path() of a folder, and writes binary PLY with `comment` added.
+/// Throws InputError before writing if a file is missing, belongs to another mesh, or leaves seams
+/// open. Throws OutputError if writing fails.
 JoinResult join_tiles(const std::string& folder, const std::string& comment, AtomicFile& file,
                       const Progress& progress);
 

@@ -1,6 +1,6 @@
-/// Seams between meshes that are parts of one closed manifold: where border edges of one lie upon
-/// those of another, their ends become one vertex. Cost: O(n log n) for n border edges, about 150
-/// bytes for each; nothing is kept of other faces. Deterministic.
+/// Joins seams between meshes that are parts of one closed manifold: the ends of coincident border
+/// edges of different meshes become one vertex. Cost: O(n log n) for n border edges, and about 150
+/// bytes for each. Other faces are not stored. Deterministic.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace transformesh {
 
 class Seams {
  public:
-  /// Adds the next mesh, which may be too large to be kept: its faces, and the position of each
-  /// vertex. Throws InputError if an edge of the mesh has more than two faces.
+  /// Adds the next mesh, which may be too large to be stored, by its faces and vertex positions.
+  /// Throws InputError if an edge of the mesh has more than two faces.
   template <class PositionOf>
   void add(const std::vector<Face>& faces, std::size_t vertices, const PositionOf& position_of) {
     find_borders(faces, vertices);
@@ -21,26 +21,26 @@ class Seams {
     keep_borders();
   }
 
-  /// Joins the ends of edges after all meshes have been added. At an edge of more than two faces
-  /// these pair across the inside (paper 3.3.2). Returns the number of border edges that are left.
+  /// Joins the ends of edges after all meshes are added. At edges of more than two faces, halfedges
+  /// are paired across the inside (paper 3.3.2). Returns the number of remaining border edges.
   std::size_t join();
 
-  /// Returns the vertex of the joined mesh for each vertex of a mesh. Vertices of all meshes come
-  /// in their order, and joined ones are where the first of them is.
+  /// Returns the vertex of the joined mesh for each vertex of a mesh. Joined vertices have the
+  /// place of the first of them; all others keep their order.
   std::vector<Index> numbers_of(std::size_t mesh) const;
-  /// True if the vertex has this number already in an earlier place.
+  /// Returns true for each vertex that was merged into an earlier vertex.
   std::vector<bool> is_repeated(std::size_t mesh) const;
   std::size_t vertex_count() const { return vertex_count_; }
 
  private:
   struct BorderFace {
-    Index from, to;  ///< ends of the border halfedge, as border vertices of all meshes
-    Index apex;      ///< the third corner, as a vertex of its mesh
+    Index from, to;  ///< ends of the border halfedge; indices in the mesh
+    Index apex;      ///< third corner; index in the mesh
   };
   struct Part {
-    std::size_t vertices = 0;  ///< of the mesh
-    Index first_border = 0;    ///< its first border vertex
-    Index first_number = 0;    ///< number of its first vertex in the joined mesh
+    std::size_t vertices = 0;  ///< number of vertices of the mesh
+    Index first_border = 0;    ///< index of its first border vertex
+    Index first_number = 0;    ///< index of its first vertex in the joined mesh
   };
 
   void find_borders(const std::vector<Face>& faces, std::size_t vertices);
@@ -48,12 +48,13 @@ class Seams {
   void number_vertices();
 
   std::vector<Part> parts_;
-  std::vector<Index> vertex_of_;  ///< per border vertex: the vertex of its mesh; ascending in each
-  std::vector<Vec3> positions_;   ///< per border vertex
-  std::vector<Face> halfedges_;   ///< on borders: from, to, 0
-  std::vector<Vec3> apexes_;      ///< per border halfedge
-  std::vector<Index> first_;      ///< per border vertex: the first that is joined with it
-  std::vector<Index> number_;     ///< per border vertex: its vertex of the joined mesh
+  /// Per border vertex: the vertex of its mesh; ascending in each mesh.
+  std::vector<Index> vertex_of_;
+  std::vector<Vec3> positions_;  ///< per border vertex
+  std::vector<Face> halfedges_;  ///< border halfedges by border vertices of all meshes: from, to, 0
+  std::vector<Vec3> apexes_;     ///< per border halfedge
+  std::vector<Index> first_;     ///< per border vertex: the first vertex that is joined with it
+  std::vector<Index> number_;    ///< per border vertex: its vertex in the joined mesh
   std::vector<Index> border_vertices_;
   std::vector<BorderFace> border_faces_;
   std::size_t vertex_count_ = 0;

@@ -17,15 +17,16 @@
 namespace transformesh {
 namespace {
 
-/// Positions that decide where tiles are. With a tenth of them, 16 tiles of a million faces have as
-/// many faces within 0.1 %. Thousands of tiles need a hundred positions each.
+/// Number of sampled positions that determine the boxes of tiles. With a tenth of the samples, 16
+/// tiles of a million faces have equal numbers of faces within 0.1 %. Thousands of tiles need a
+/// hundred samples each.
 constexpr std::size_t most_samples = 1000000;
-/// Rows that are written at once.
+/// Size of the output buffer, in bytes. A choice without influence on the result.
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
-/// Rings of faces around the own ones that a tile has.
+/// Number of rings around own faces that a tile contains.
 constexpr Index rings = rings_of_complete + rings_around_complete;
-/// Cells along the side of a coarse cell. With 4 or 16, tiles of a million folded faces are the
-/// same and the time differs by less than a tenth.
+/// Width of a coarse cell, in cells. With 4 or 16, tiles of a million folded faces are the same,
+/// and the time differs by less than a tenth.
 constexpr double cells_per_coarse_cell = 8;
 constexpr std::size_t faces_per_report = std::size_t{1} << 16;
 
@@ -58,13 +59,14 @@ class Splitter {
   CellGrid grid_{1}, coarse_grid_{1};
   double margin_ = 0;
   CellMarks marks_, coarse_marks_;  ///< cells of the faces that each tile has so far
-  std::vector<Cell> cells_;         ///< of one face
+  std::vector<Cell> cells_;         ///< cells of the current face
   std::vector<Cell> coarse_cells_;
-  std::vector<Index> cell_owners_;     ///< tiles in whose own boxes these cells are
-  std::vector<Index> found_, owners_;  ///< tiles, for one face or cell
+  std::vector<Index> cell_owners_;  ///< for each of `cells_`: the tile whose own box contains the
+                                    ///< cell, or no_index
+  std::vector<Index> found_, owners_;  ///< tiles of the current face or cell
   std::vector<Box> own_, held_;        ///< per tile
-  std::vector<char> has_faces_;        ///< per tile: faces of its own
-  std::optional<BoxGrid> boxes_;       ///< the own boxes
+  std::vector<char> has_faces_;        ///< per tile: 1 if it has own faces
+  std::optional<BoxGrid> boxes_;       ///< search structure of the own boxes
   std::vector<ReferencePoint> references_;
   FaceSums sums_;
   SplitResult result_;
@@ -98,8 +100,8 @@ void Splitter::choose_boxes() {
   margin_ = margin_around(cell_size_.bounds(), rows_.coordinate());
 }
 
-// The tile in whose own box a cell lies. All such cells count as marked for the tile, so that marks
-// are needed beside tiles only.
+// Returns the tile whose own box contains a cell, or no_index. All such cells count as marked for
+// the tile, so that marks are only stored outside of own boxes.
 Index Splitter::owner_of(Cell cell) {
   const Box box = grid_.box_around(cell);
   boxes_->find(box.min(), box.max(), owners_);
@@ -116,8 +118,8 @@ void Splitter::mark(Index tile, Index ring) {
   }
 }
 
-// True if a face lies within the own box of one tile, far from all marks: then it is of that tile
-// alone. Most faces are, and need no look at their cells.
+// True if a face is inside the own box of one tile and far from all marks. Then the face belongs to
+// this tile only. This holds for most faces, whose cells need no inspection.
 bool Splitter::is_inside(const Triangle& t) {
   const Vec3 reach = Vec3::Constant(1.02 * grid_.size() + margin_);
   const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
@@ -156,7 +158,7 @@ void Splitter::mark_own() {
   has_faces_ = std::move(has_faces);
 }
 
-// The tiles that have faces in cells of a triangle, each once.
+// Finds the tiles that have faces in the cells of a triangle.
 void Splitter::find_tiles(const Triangle& triangle, Index ring) {
   cells_.clear();
   if (is_inside(triangle)) return;
@@ -174,7 +176,7 @@ void Splitter::find_tiles(const Triangle& triangle, Index ring) {
   std::sort(found_.begin(), found_.end());
 }
 
-// The faces that are near those of a tile.
+// Adds the faces near the current faces of each tile.
 void Splitter::add_ring(Index ring) {
   visit_faces("halos", [&](Index, const Triangle& t) {
     find_tiles(t, ring);
@@ -265,7 +267,8 @@ SplitResult Splitter::split() {
   return std::move(result_);
 }
 
-/// The number with as many digits as that of the last tile, so that a shell sorts names by number.
+/// Returns a file name. Numbers have as many digits as that of the last tile, so that a shell sorts
+/// the names by number.
 std::string numbered(const std::string& folder, const std::string& stem, std::size_t number,
                      std::size_t count) {
   const std::string digits = std::to_string(number);

@@ -1,4 +1,4 @@
-/// Division of space into boxes that hold about equally many points. Deterministic.
+/// Divides space into boxes that contain about equally many points. Deterministic.
 #pragma once
 
 #include <functional>
@@ -8,21 +8,20 @@
 
 namespace transformesh {
 
-/// Returns `count` half-open boxes that cover space and do not overlap. They are the leaves of a
-/// k-d tree, split along the longest side of its points. A box has no points if many points share a
+/// Returns `count` half-open boxes that cover space without overlap. They are the leaves of a k-d
+/// tree, split along the longest side of the points. Boxes may be empty if many points share a
 /// coordinate. O(n log count).
 std::vector<Box> divide_space(std::vector<Vec3> points, std::size_t count);
 
-/// Boxes, found by what touches them. Cost: O(boxes) to build, about O(1) to search if boxes are
-/// tiles.
+/// Uniform grid for finding the boxes that touch a box. Cost: O(boxes) to build; about O(1) per
+/// query if the boxes are tiles.
 class BoxGrid {
  public:
-  /// Cells divide `bounds`; boxes may reach farther, without end.
+  /// The grid divides `bounds`; boxes may extend beyond `bounds`, also to infinity.
   BoxGrid(const Box& bounds, std::vector<Box> boxes);
 
   const std::vector<Box>& boxes() const { return boxes_; }
-  /// Appends the indices of the boxes that touch the box from `low` to `high` to a list that it
-  /// clears. Ascending.
+  /// Stores in `found` the indices of the boxes that touch the box from `low` to `high`, ascending.
   void find(const Vec3& low, const Vec3& high, std::vector<Index>& found) const;
 
  private:

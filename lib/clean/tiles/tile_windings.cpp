@@ -9,7 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Rays per box. A ray grazes an edge only by chance, so that a second ray is hardly ever needed.
+/// Number of rays per box. A ray touches an edge only by coincidence, so a second ray is rarely
+/// needed.
 constexpr int rays_per_box = 4;
 
 }  // namespace
@@ -36,7 +37,7 @@ void TileWindings::add(const Triangle& t) {
   for (; ray != rays_.end() && ray->from.y() <= high; ++ray) ray->path.add(t);
 }
 
-// At infinity the winding number is 0.
+// The winding number at infinity is 0.
 ReferencePoint TileWindings::of_box(std::size_t box) const {
   if (is_empty_[box]) return {};
   for (const Ray& ray : rays_) {

@@ -1,5 +1,5 @@
-/// Winding numbers of the reference points of tiles, counted while the faces of a closed mesh come
-/// by in a stream. Exact; deterministic.
+/// Winding numbers of the reference points of tiles, computed in one pass over the faces of a
+/// closed mesh. Exact; deterministic.
 #pragma once
 
 #include "clean/exterior/surroundings.h"
@@ -10,13 +10,14 @@ namespace transformesh {
 
 class TileWindings {
  public:
-  /// A ray runs to infinity from each of several points of each box that is not empty.
+  /// Starts rays to infinity from several points of each nonempty box.
   explicit TileWindings(const std::vector<Box>& boxes);
 
-  /// Counts a face. Cost: O(log boxes), and O(1) for each ray in whose box the face lies.
+  /// Adds a face. Cost: O(log boxes), and O(1) for each ray whose start is in the y range of the
+  /// face.
   void add(const Triangle& triangle);
-  /// Returns a point of a box, after all faces have come. Throws GoalError if every ray grazes an
-  /// edge. Returns the origin for an empty box.
+  /// Returns a point in a box with its winding number, after all faces are added. Throws GoalError
+  /// if every ray of the box touches an edge. Returns the origin for an empty box.
   ReferencePoint of_box(std::size_t box) const;
 
  private:
@@ -25,7 +26,7 @@ class TileWindings {
     std::size_t box;
     AxisPath path;
   };
-  std::vector<Ray> rays_;  ///< by y
+  std::vector<Ray> rays_;  ///< sorted by y of their starts
   std::vector<char> is_empty_;
 };
 
