@@ -21,7 +21,7 @@
 namespace transformesh {
 namespace {
 
-// In front of a piece of an open mesh the winding number is not an integer.
+// Throws UsageError: in front of a piece of an open mesh, the winding number is not an integer.
 void refuse_static_test(std::size_t borders) {
   throw UsageError(
       ErrorKind::static_test_of_open_mesh,
@@ -29,7 +29,8 @@ void refuse_static_test(std::size_t borders) {
       {.counts = {borders}});
 }
 
-// Pieces of whole faces have one source, or are copies of each other.
+// True if a kept whole piece has the opposite orientation of its first source. A whole piece has
+// one source, or several copies.
 bool has_turned_piece(const Arrangement& arrangement, const std::vector<char>& kept) {
   for (std::size_t p = 0; p < arrangement.whole_pieces; ++p)
     if (kept[p] && arrangement.sources_of(arrangement.pieces[p]).front().reversed) return true;
@@ -70,7 +71,7 @@ class CleanPassRun {
   const CleanPassOptions& options_;
   const Progress& progress_;
   std::shared_ptr<WeldedMesh> welded_;
-  std::optional<std::vector<Index>> opposites_;  ///< of a closed manifold
+  std::optional<std::vector<Index>> opposites_;  ///< set for a closed manifold
   Borders borders_;
   Arrangement arrangement_;
   std::vector<char> kept_;  ///< per piece
@@ -88,8 +89,8 @@ void CleanPassRun::find_borders_or_none() {
                                         : find_borders(*welded_, mesh_);
 }
 
-// Where nothing meets in a closed manifold, a ray for each component says whether all of it stays:
-// then nothing need be arranged or stitched. Returns whether that is so.
+// Returns true if a mesh without intersections is a closed manifold and all its faces are exterior,
+// which one ray per component decides. Then arranging and stitching are unnecessary.
 bool CleanPassRun::find_all_exterior() {
   if (!opposites_) return false;
   progress_("arrange");
@@ -132,7 +133,8 @@ void CleanPassRun::find_exterior_growing(const std::vector<Meeting>& meetings) {
   if (!welded_->open_component.empty()) keep_exterior_patches();
 }
 
-// Without a cut piece nothing separates a part of an open component from the rest of it.
+// Selects patches with open components. If no piece is cut, nothing separates a part of an open
+// component from the remainder, and the selection stays.
 void CleanPassRun::keep_exterior_patches() {
   if (arrangement_.whole_pieces == arrangement_.pieces.size() && options_.winding_level == 1)
     return;

@@ -1,5 +1,5 @@
-/// The choice of the pieces that bound the region which an operation on a mesh selects, in place of
-/// { p : w(p) >= winding level }.
+/// Selects the pieces that bound the region of an operation on a mesh, instead of the region { p :
+/// w(p) >= winding level }.
 #pragma once
 
 #include <vector>
@@ -16,16 +16,17 @@ class PieceChooser {
   PieceChooser& operator=(const PieceChooser&) = delete;
 
   /// Marks open components (WeldedMesh::open_component) if the operation treats faces as a sheet.
-  /// Called before all else.
+  /// Called before the other functions.
   virtual void mark_open(WeldedMesh& welded) const = 0;
 
-  /// Returns whether the boundary of { p : w(p) >= winding level } is that of the region. Then
-  /// `choose` is not called. `meetings` are those of the welded mesh.
+  /// Returns true if the region of the operation is { p : w(p) >= winding level }. Then choose() is
+  /// not called. `meetings` are those of the welded mesh.
   virtual bool is_level_set(const WeldedMesh& welded,
                             const std::vector<Meeting>& meetings) const = 0;
 
-  /// Marks the kept pieces of the whole arrangement, which come unmarked, and turns them so that
-  /// the region lies behind them. May change multiplicities: 0 only for pieces that part nothing.
+  /// Marks the kept pieces of the whole arrangement, and reverses pieces if necessary so that the
+  /// region is behind them. All of `kept` is 0 before. May change multiplicities, but to 0 only if
+  /// the piece separates nothing.
   virtual void choose(Arrangement& arrangement, std::vector<char>& kept) const = 0;
 };
 
