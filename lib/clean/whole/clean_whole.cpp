@@ -16,12 +16,12 @@
 namespace transformesh {
 namespace {
 
-/// A mesh that encloses nothing does so because of reverses if at least this fraction of its faces
-/// has one.
+/// If at least this fraction of faces has a coincident reverse, reverses are named as the reason
+/// why the mesh encloses nothing. A choice.
 constexpr double double_sided_share = 0.5;
 
-/// A difference without a remainder and a double-sided solid are the same mesh, so that both are
-/// named. One side of a sheet is open.
+/// Describes a mesh of coincident reverses. An empty difference and a double-sided solid are the
+/// same mesh, so the text names both. One side of a double-sided sheet is open.
 Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
   const bool is_sheet = one_side_is_open(mesh);
   return {is_sheet ? ErrorKind::double_sided_sheet : ErrorKind::double_sided,
