@@ -32,7 +32,8 @@ Problem problem_without_area(const std::vector<Index>& faces) {
           {.faces = {faces[0]}, .counts = {faces.size()}}};
 }
 
-/// A border that lies upon another one is no hole: the faces there share no vertices.
+/// Returns the problem with a more precise kind: if borders coincide, the faces there share no
+/// vertices, and the mesh has no hole.
 Problem border_problem(const Mesh& mesh, Problem problem) {
   if (problem.kind == ErrorKind::not_closed && count_touching_borders(mesh) > 0)
     problem.kind = ErrorKind::not_joined;

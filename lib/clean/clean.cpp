@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// Face column with the numbers of the input faces while the mesh is cleaned.
+/// Face column with the indices of the input faces, present only during cleaning.
 constexpr const char* face_number = "tm:source-face";
 
 void check_options(const CleanOptions& options) {
