@@ -44,13 +44,12 @@ class PlanarTriangulation {
   /// and 2. Returns false and changes nothing if the scaffold around the triangle cannot be
   /// represented in doubles.
   bool begin_with_triangle(const std::array<ExactPoint, 3>& corners);
-  /// Inserts a point that lies on the given lines. Returns its index, or the index of an equal
-  /// point.
+  /// Inserts a point that is on the given lines. Returns its index, or the index of an equal point.
   Index insert(const ExactPoint& point, std::span<const Index> lines);
   Index insert(const ExactPoint& point, std::initializer_list<Index> lines) {
     return insert(point, std::span<const Index>(lines.begin(), lines.size()));
   }
-  /// Records further lines on which a point lies.
+  /// Records further lines that contain a point.
   void add_lines(Index point, std::span<const Index> lines) {
     for (const Index line : lines) add_line(point, line);
   }

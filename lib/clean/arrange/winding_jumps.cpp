@@ -51,8 +51,8 @@ void WindingJumps::count_copies() {
   if (count_once) multiplicities_.clear();
 }
 
-// With the normals n of the plane and m of the other face, n x m is parallel to the segment. Points
-// to the left of n x m are behind the other face.
+// Let n be the normal of the plane and m that of the other face. Then n x m is parallel to the
+// segment. Points to the left of n x m are behind the other face.
 WindingJump WindingJumps::over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
                                        const ExactPoint& from, const ExactPoint& to) const {
   const Contacts& contacts = meeting.contacts;

@@ -4,17 +4,17 @@
 /// `only`, the result contains the pieces alone. It is computed for one part of the box at a time,
 /// and vertices at the seams of these parts are duplicated.
 ///
-/// Guarantee for a mesh that is divided into boxes: if rounding breaks no face in any box, the
-/// pieces of all boxes are together the triangles of clean(), coordinate by coordinate. If rounding
-/// breaks a face, the pieces are taken from the cleaned whole mesh (`is_whole`). Then neighboring
-/// boxes can differ from that mesh if rounding was repaired more than two rings of faces away.
-/// Deterministic for any number of threads.
+/// Guarantee for a mesh that is divided into boxes: if rounding breaks no face, the pieces of all
+/// boxes together are the triangles of clean(), coordinate by coordinate. If rounding breaks a
+/// face, the pieces are taken from the cleaned whole mesh (`is_whole`). Then neighboring boxes can
+/// differ from that mesh if rounding was repaired more than two rings of faces away. Deterministic
+/// for any number of threads.
 ///
-/// Throws UsageError if the box is empty, InputError if the mesh has borders or is not oriented
-/// (decided by a hash of its edges), and GoalError as clean() does. Cost: O(n log n) for the mesh,
-/// and that of clean() for the faces in and around the box. Memory: about 5 bytes per face of the
-/// mesh, and 300 bytes per face in and around the box. With `only`, the latter is limited to one
-/// part of at most 262144 faces.
+/// Throws UsageError if the box is empty. Throws InputError if the mesh has borders or is not
+/// oriented, which a hash of its edges decides. Throws GoalError as clean() does. Cost: O(n log n)
+/// for the mesh, and that of clean() for the faces in and around the box. Memory: about 5 bytes per
+/// face of the mesh, and 300 bytes per face in and around the box. With `only`, the latter is
+/// limited to one part of at most 262144 faces.
 #pragma once
 
 #include "clean/box/tile.h"

@@ -30,7 +30,7 @@ class Placing {
   std::vector<Index> vertex_of_;
   std::vector<bool> is_claimed_;
   std::vector<Index> new_vertices_;  ///< indices of cleaned vertices
-  std::vector<Face> faces_;          ///< by vertices of the mesh, and new vertices after these
+  std::vector<Face> faces_;          ///< vertices of the mesh, then new vertices
   std::vector<Index> face_rows_;
 };
 

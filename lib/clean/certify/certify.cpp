@@ -167,8 +167,8 @@ void certify_winding(const Meshes& meshes, const FaceMatch& match, const Certify
 }
 
 /// True if the piece has the orientation of the face, or is so thin that moving its corners by the
-/// margins can reverse it. To first order, moving a corner changes the dot product of the normals
-/// by the scalar product of the movement with (opposite edge x normal of the face).
+/// margins can reverse it. To first order, moving a corner by m changes the dot product of the
+/// normals by m . (opposite edge x face normal).
 bool has_orientation(const Triangle& piece, const Triangle& face, const Vec3& margins) {
   if (normals_dot(piece, face) > 0) return true;
   const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]);

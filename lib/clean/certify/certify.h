@@ -1,8 +1,7 @@
 /// Verifies by sample points that the output is the boundary of { p : w(p) >= winding level } of
 /// the input. At each sample the winding number of the output must be 1 if that of the input is >=
-/// winding level, and 0 otherwise. Winding numbers are counted exactly along rays. They are
-/// compared with sums of solid angles as far as these are affordable. None of this code computes
-/// such boundaries.
+/// winding level, and 0 otherwise. Winding numbers are counted exactly along rays. A limited number
+/// of them is compared with sums of solid angles. None of this code computes such boundaries.
 ///
 /// Samples are in front of and behind a face, closer to it than any other face of either mesh. Five
 /// kinds of faces are sampled, at most `most_faces` of each, evenly spread:
@@ -18,8 +17,8 @@
 /// distance from the input, if that is larger, up to 1024 spacings. Hence a vertex that moved
 /// farther is detected, and a large coordinate elsewhere does not increase the limit.
 ///
-/// A surface that moves by at most e keeps its winding numbers at all points farther than e from
-/// it, because it does not pass over them. Therefore a sample certifies all such points of its
+/// If a surface moves by at most e, the winding numbers of points farther than e do not change,
+/// because the surface does not pass over them. Therefore a sample certifies all such points of its
 /// cell, with e = the margin of the certificate.
 ///
 /// If the input has a border, its winding numbers are not integers. Then only new faces are tested.
@@ -38,7 +37,8 @@ namespace transformesh {
 struct CertifyOptions {
   int winding_level = 1;
   Scalar coordinate = Scalar::float64;  ///< type in which the positions of the output were stored
-  std::size_t most_faces = 50000;       ///< of each kind; each face is sampled on both sides
+  /// Largest number of faces of each kind; each face is sampled on both sides.
+  std::size_t most_faces = 50000;
 };
 
 /// A certificate fails if the fraction of undecided samples is larger. A choice.

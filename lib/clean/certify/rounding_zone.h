@@ -14,8 +14,8 @@ namespace transformesh {
 
 /// Returns per face an upper bound of the movement by rounding, along each axis. It is four times
 /// the distance of the corners, edge midpoints and centroid from the input. It is at least twice
-/// the spacing of type `coordinate` at the face, and at most 1024 times the spacing at the largest
-/// coordinate of the face.
+/// the spacing of type `coordinate` at the face. It is at most 1024 times the spacing at the
+/// largest coordinate of the face.
 std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
                                    const std::vector<Index>& faces, Scalar coordinate);
 
@@ -37,7 +37,7 @@ class RoundingZone {
  private:
   std::vector<Triangle> triangles_;
   std::vector<Vec3> margins_;  ///< per triangle
-  Bvh bvh_;                    ///< of the boxes around triangles and their margins
+  Bvh bvh_;                    ///< boxes around triangles and their margins
 };
 
 }  // namespace transformesh

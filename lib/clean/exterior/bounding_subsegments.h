@@ -27,9 +27,10 @@ struct Subsegment {
   bool is_left;  ///< true if the exterior is on its left
 };
 
-/// Returns the parts with w < winding level in front and w >= winding level behind the face on
-/// exactly one side, in the order of the segments. Returns nothing if the face has to be cut in
-/// full: segments touch, three segments meet in one point, or no winding number is known.
+/// Returns the parts of segments that have exterior on exactly one side, in the order of the
+/// segments. Exterior means w < winding level in front of the face and w >= winding level behind
+/// it. Returns nothing if the face has to be cut in full: segments touch, three segments meet in
+/// one point, or no winding number is known.
 std::optional<std::vector<Subsegment>> find_bounding_subsegments(
     const ExactGeometry& geometry, const SegmentsInFace& in, const std::vector<KnownWinding>& known,
     int winding_level);

@@ -28,7 +28,7 @@ struct ExteriorArrangement {
 
 struct ExteriorArrangementOptions {
   int winding_level = 1;
-  bool arranges_everything = false;      ///< also return hidden pieces, which are not kept
+  bool arranges_everything = false;      ///< return hidden pieces, too, which are not kept
   const Surroundings* around = nullptr;  ///< set for a part of a closed mesh, null for a whole mesh
 };
 

@@ -94,7 +94,7 @@ bool ExteriorCutter::FaceCut::gather(const Plane& plane) {
                      [&](const Meeting* meeting) { return add_segment(*meeting); });
 }
 
-// Takes w from the corners of the face, or else from a ray at its centroid.
+// Takes w from the corners of the face. If w is known at no corner, casts a ray at the centroid.
 bool ExteriorCutter::FaceCut::find_known(std::size_t& rays) {
   for (Index i = 0; i < 3; ++i) {
     const std::optional<int> w = cutter_.windings_.at(face_, i);
@@ -172,7 +172,7 @@ std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
   if (!parts) return std::nullopt;
   if (parts->empty()) return PlaneCut{{}, {}, {0}, {}, {}};
 
-  // Only the bounding parts become constraints.
+  // The constraints are the bounding parts; other parts do not become edges.
   const Triangle t = cutter_.welded_.triangle(face_);
   PlanarTriangulation triangulation(geometry_, t, t[0].cwiseMin(t[1]).cwiseMin(t[2]),
                                     t[0].cwiseMax(t[1]).cwiseMax(t[2]),

@@ -20,8 +20,8 @@ struct SegmentCrossings::Height {
 };
 
 // If the floating-point filter fails, tests the point against the plane of the intersecting face.
-// This costs less than an exact orientation. The sign of the jump tells which side of the segment
-// is in front of that face.
+// This costs less than an exact orientation. The sign of the jump determines which side of the
+// segment is in front of that face.
 int SegmentCrossings::side(Index s, const ExactPoint& of) const {
   const PlanarSegment& line = segment(s);
   const int sign =

@@ -1,5 +1,5 @@
-/// Finds the faces of a cleaned mesh at which something changed: pieces of cut faces, and faces at
-/// the corners of input faces that were cut or removed. Cost: O(n log n). Deterministic.
+/// Finds the changed faces of a cleaned mesh: pieces of cut faces, and faces at the corners of
+/// input faces that were cut or removed. Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <span>

@@ -69,8 +69,8 @@ Index FlatOutlines::next_around(Index halfedge) const {
   return next;
 }
 
-/// Returns the vertices of an outline from the source of a halfedge to the next corner, or back to
-/// the first vertex if there is no corner.
+/// Returns the vertices of an outline from the source of a halfedge to the next corner. If there is
+/// no corner, the row ends at the first vertex.
 std::vector<Index> FlatOutlines::row_from(Index halfedge) const {
   std::vector<Index> row{halfedge_source(surface_.mesh, halfedge)};
   for (Index at = halfedge;; at = next_around(at)) {

@@ -12,8 +12,8 @@
 
 namespace transformesh {
 
-/// One of the seven open simplices of a face: 0, 1 and 2 are the corners, 3, 4 and 5 are the edges
-/// that start at these corners, and 6 is the interior.
+/// One of the seven open simplices of a face. The corners are 0, 1 and 2; the edges that start at
+/// these corners are 3, 4 and 5; the interior is 6.
 using FaceSimplex = std::uint8_t;
 inline constexpr FaceSimplex interior = 6;
 

@@ -248,9 +248,9 @@ void PatchFinder::decide() {
   }
 }
 
-// Drops patches that would make the result misoriented: at a curve of two components, only one
-// patch of each is left, and both have the same direction. The patch that is behind the other
-// component is dropped.
+// Drops patches that would make the result misoriented. This happens at a curve of two components
+// if one patch of each is left, with equal directions. The patch that is behind the other component
+// is dropped.
 bool PatchFinder::drop_contradictions() {
   const auto& kept = result_.kept;
   std::set<Index> dropped;

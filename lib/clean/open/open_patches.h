@@ -4,15 +4,15 @@
 /// components. A patch is a set of pieces of one component that are connected across edges through
 /// which no other component passes.
 ///
-/// The winding number in front of a patch is a sum of three terms: the winding number of the closed
-/// part, one for each open component that has the patch behind it, and the winding number of the
-/// patch's own component. A component has a patch behind it if the patch is behind it along most of
-/// the length of their common curves that separate patches. If the two have no such curve, but
-/// other patches of the component have one, the generalized winding number of the other component
-/// decides. Then its median over the area of the patch must be above 1/2. Only components that
-/// intersect themselves have an own term. Only bodies with holes have parts of the closed part
-/// behind them. These are open components that enclose most of what they would enclose with filled
-/// holes.
+/// The winding number in front of a patch is a sum of three terms. The first is the winding number
+/// of the closed part. The second is the number of open components that have the patch behind them.
+/// The third is the winding number of the patch's own component. A component has a patch behind it
+/// if the patch is behind it along most of the length of their common curves that separate patches.
+/// If the two have no such curve, but other patches of the component have one, the generalized
+/// winding number of the other component decides. Then its median over the area of the patch must
+/// be above 1/2. Only components that intersect themselves have an own term. Only bodies with holes
+/// have parts of the closed part behind them. These are open components that enclose most of what
+/// they would enclose with filled holes.
 ///
 /// Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using
 /// generalized winding numbers", ACM TOG 32(4), 2013. Here integer winding numbers and curves

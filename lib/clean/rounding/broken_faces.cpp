@@ -116,7 +116,7 @@ void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
 
 }  // namespace
 
-// Only faces near new faces can intersect a new face.
+// The search is limited to faces near new faces, because no other face can intersect a new face.
 BrokenFaces find_broken_faces(const Assembly& assembly) {
   const std::vector<Index> rows = marked(find_faces_at_new_ones(assembly));
   const Mesh part = mesh_of_faces(assembly.mesh, rows);

@@ -1,7 +1,7 @@
 /// Flips slivers (paper 4.3). Triangles whose height is only a few grid steps are reversed by any
 /// rounding, and then intersect their neighbors. The longest edge of a sliver is replaced by the
-/// other diagonal of the sliver and its neighbor, so that the sliver's apex splits the neighbor.
-/// The surface moves by at most the height of the sliver. Two slivers that are neighbors along two
+/// other diagonal of the sliver and its neighbor. Then the sliver's apex splits the neighbor. The
+/// surface moves by at most the height of the sliver. Two slivers that are neighbors along two
 /// edges vanish. No vertex moves; a closed mesh stays closed; pieces take the columns of the
 /// neighbor. Deterministic. Cost: O(n + k log k) for k faces, with at most three flips per face.
 #pragma once

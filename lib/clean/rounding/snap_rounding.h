@@ -20,11 +20,11 @@
 /// docs/design/rounding.md.
 ///
 /// Guarantees: the result has no self-intersections. Each point moves by at most `displacement`.
-/// Hence winding numbers at points farther than this from the surface are those of the input,
-/// because a homotopy that does not pass a point keeps its winding number. Parts that take no part
-/// in an intersection do not move, except near broken faces. The algorithm terminates: it throws
-/// after 16 rounds, or if the number of intersecting pairs exceeds four times the pairs and faces
-/// of the input. Deterministic.
+/// Hence winding numbers at points farther than this from the surface are those of the input: a
+/// homotopy that does not pass a point keeps its winding number. Parts that take no part in an
+/// intersection do not move, except near broken faces. The algorithm terminates: it throws after 16
+/// rounds, or if the number of intersecting pairs exceeds four times the pairs and faces of the
+/// input. Deterministic.
 ///
 /// References: Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002;
 /// Valque & Lazard, "Removing self-intersections in 3D meshes while preserving floating-point

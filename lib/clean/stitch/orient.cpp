@@ -23,7 +23,7 @@ namespace {
 struct Sheet {
   std::vector<Index> faces;
   bool agreed = true;       ///< consistently oriented, within the sheet and with other sheets
-  bool has_border = false;  ///< it has an edge of one face
+  bool has_border = false;  ///< the sheet has an edge of one face
   /// `agreed` holds for all coincident copies; stored at the representative of the set.
   bool copies_agreed = true;
   double volume = 0;  ///< six times the volume of the cone from the group's centroid over the sheet

@@ -39,7 +39,7 @@ TileName find_split(const std::string& folder) {
 bool have_same_properties(const PlyElement& a, const PlyElement& b) {
   const auto is_same = [](const PlyProperty& p, const PlyProperty& q) {
     return p.name == q.name && p.count_type == q.count_type &&
-           // The type of corner indices may differ, because it is chosen anew.
+           // The type of corner indices may differ, because the result gets its own type.
            (p.count_type || p.type == q.type);
   };
   return std::equal(a.properties.begin(), a.properties.end(), b.properties.begin(),

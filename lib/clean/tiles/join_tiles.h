@@ -13,7 +13,7 @@ namespace transformesh {
 
 struct JoinResult {
   std::size_t tiles = 0;
-  std::size_t vertices = 0, faces = 0;  ///< of the result
+  std::size_t vertices = 0, faces = 0;  ///< number of vertices and of faces of the result
   std::size_t joined_vertices = 0;      ///< vertices of tiles that were merged into others
 };
 
