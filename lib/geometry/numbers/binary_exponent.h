@@ -1,4 +1,4 @@
-/// Powers of two and exponents of doubles by their bits, many times as fast as the C library's.
+/// Powers of two and exponents of doubles from their bits; many times faster than the C library.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 
 namespace transformesh {
 
-/// 2^exponent; the nearest power that is a normal number where it is none.
+/// Returns 2^exponent, or the nearest normal power of two if that is not a normal double.
 inline double power_of_two(int exponent) {
   const auto biased = static_cast<std::uint64_t>(std::clamp(exponent, -1022, 1023) + 1023);
   return std::bit_cast<double>(biased << 52U);
 }
 
-/// The exponent of the largest power of two up to a positive number, but from -1022 to 1022, so
-/// that the power of two to its opposite is a number too.
+/// Returns the exponent of the largest power of two that is at most a positive number, clamped to
+/// [-1022, 1022]. Then both 2^e and 2^-e are normal doubles.
 inline int binary_exponent(double number) {
   const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(number) >> 52U);
   return std::clamp(biased, 1, 2045) - 1023;

@@ -1,6 +1,6 @@
-/// A real number known up to an error, in doubles: the first stage of predicates. Rounding is to
-/// nearest. Unlike intervals it needs no change of the rounding mode, and unlike them it decides
-/// nothing near underflow. Reference: van der Hoeven, "Ball arithmetic", 2009.
+/// A real number with an error bound, in doubles: the first stage of predicates. Unlike interval
+/// arithmetic, it works with rounding to nearest and needs no change of the rounding mode. It
+/// decides nothing near underflow. Reference: van der Hoeven, "Ball arithmetic", 2009.
 #pragma once
 
 #include <cmath>
@@ -9,10 +9,11 @@
 namespace transformesh {
 
 struct BoundedNumber {
-  double value = 0;  ///< computed
-  double error = 0;  ///< the true number is within, but for rounding of the error
+  double value = 0;  ///< computed value
+  /// Bound of the distance from the true number, up to rounding of the bound itself.
+  double error = 0;
 
-  /// +1 or -1 where that is certain, else 0.
+  /// Returns +1 or -1 if the sign is certain, otherwise 0.
   int sign() const {
     const double bound = error * (1 + 64 * epsilon) + underflow;
     return value > bound ? 1 : value < -bound ? -1 : 0;

@@ -1,7 +1,7 @@
-/// A real number known up to an error, with twice the digits of a double: what decides a sign where
-/// doubles leave it open, and costs a tenth of exact arithmetic. Rounding is to nearest. Numbers
-/// beyond 2^480 are not known at all, products below 2^-900 are not distinguished from 0.
-/// Reference: van der Hoeven, "Ball arithmetic", 2009.
+/// A real number with an error bound and twice the precision of a double. Decides a sign if doubles
+/// fail, at a tenth of the cost of exact arithmetic. Requires rounding to nearest. Numbers above
+/// 2^480 are treated as unknown; products below 2^-900 are not distinguished from 0. Reference: van
+/// der Hoeven, "Ball arithmetic", 2009.
 #pragma once
 
 #include <cmath>
@@ -16,20 +16,20 @@ class DoubleDoubleBall {
   DoubleDoubleBall() = default;  ///< 0
   explicit DoubleDoubleBall(double number) : value_{number, 0} {}
 
-  /// All numbers.
+  /// Returns a ball that contains all numbers.
   static DoubleDoubleBall unknown() {
     DoubleDoubleBall ball;
     ball.error_ = std::numeric_limits<double>::infinity();
     return ball;
   }
 
-  /// +1 or -1 where all numbers of the ball are of that sign, else 0.
+  /// Returns +1 or -1 if all numbers of the ball have that sign, otherwise 0.
   int sign() const {
     const double bound = error_ * slack;
     return value_.high > bound ? 1 : value_.high < -bound ? -1 : 0;
   }
 
-  /// Whether it is 0, and known to be.
+  /// True if the number is exactly 0, without error.
   bool is_zero() const { return value_.high == 0 && error_ == 0; }
 
   friend DoubleDoubleBall operator-(const DoubleDoubleBall& a) { return {-a.value_, a.error_}; }
@@ -48,7 +48,7 @@ class DoubleDoubleBall {
     const double error = size_a * b.error_ + (size_b + b.error_) * a.error_;
     return {a.value_ * b.value_, error + epsilon * size_a * size_b + underflow};
   }
-  /// The divisor has a sign.
+  /// The divisor must have a certain sign.
   friend DoubleDoubleBall operator/(const DoubleDoubleBall& a, const DoubleDoubleBall& b) {
     const double size_b = std::abs(b.value_.high);
     if (!(std::abs(a.value_.high) < largest && size_b < largest && size_b > 1 / largest))
@@ -62,7 +62,7 @@ class DoubleDoubleBall {
 
  private:
   static constexpr double epsilon = 0x1p-98;
-  static constexpr double slack = 1 + 0x1p-40;  // for what is rounded in errors
+  static constexpr double slack = 1 + 0x1p-40;  // for rounding of errors
   static constexpr double largest = 0x1p480;
   static constexpr double underflow = 0x1p-900;
 

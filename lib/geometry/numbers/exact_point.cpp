@@ -18,12 +18,12 @@
 
 namespace transformesh {
 
-/// With positive weight.
+/// the weight is positive
 struct ExactCoordinates : HomogeneousPoint<CGAL::Mpzf> {};
 
-/// To twice the digits of a double, where that can be told. Where magnitudes in the definition are
-/// so far apart that numbers become long and digits are lost, balls of homogeneous coordinates tell
-/// more, of positive weight; each kind is there once it was needed.
+/// Coordinates with twice the precision of a double, if these can be computed. If magnitudes in the
+/// definition differ strongly, numbers become long and digits are lost. Then balls of homogeneous
+/// coordinates with positive weight are more precise; each kind is computed on demand.
 struct PreciseCoordinates {
   NumberVector<DoubleDoubleBall> x;
   bool is_spread = false;
@@ -46,7 +46,7 @@ using Vector = NumberVector<Number>;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double underflow_guard = 1e-280;
 
-/// A point as origin + numerator / denominator, the origin a given point.
+/// A point as origin + numerator / denominator; the origin is a mesh vertex.
 template <class Number>
 struct Fraction {
   Vec3 origin;
@@ -62,7 +62,7 @@ Fraction<Number> along_edge(const Vec3& u, const Vec3& v, const Number& from_u,
   return {u, step, total};
 }
 
-// The heights of u and v over the plane divide the edge.
+// The heights of u and v above the plane divide the edge.
 template <class Number>
 Fraction<Number> line_plane_fraction(const Vec3& u, const Vec3& v, const Triangle& plane) {
   const Vector<Number> n = normal<Number>(plane);
@@ -71,7 +71,7 @@ Fraction<Number> line_plane_fraction(const Vec3& u, const Vec3& v, const Triangl
   return along_edge(u, v, height_u, climb);
 }
 
-// In the projection: (x - u) x (y - x) over (v - u) x (y - x).
+// The parameter in the projection is ((x - u) x (y - x)) / ((v - u) x (y - x)).
 template <class Number>
 Fraction<Number> line_line_fraction(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y,
                                     PlaneProjection p) {
@@ -85,7 +85,7 @@ Fraction<Number> line_line_fraction(const Vec3& u, const Vec3& v, const Vec3& x,
                     turn(difference<Number>(v, u), other));
 }
 
-// Cramer's rule relative to a corner of the first plane, whose offset there is zero.
+// Applies Cramer's rule relative to a corner of the first plane, whose offset is zero there.
 template <class Number>
 Fraction<Number> three_planes_fraction(const Triangle& f, const Triangle& g, const Triangle& h) {
   const Vector<Number> nf = normal<Number>(f);
@@ -111,7 +111,7 @@ ExactCoordinates exact_coordinates(const Fraction<Exact>& fraction) {
   return result;
 }
 
-// The middle of an interval and a radius that covers it and the rounding made here.
+// Sets the ball to the center of an interval, with a radius that includes the rounding errors.
 void set_ball(ExactPoint& point, int i, double low, double high) {
   if (!(std::isfinite(low) && std::isfinite(high) && low <= high)) {
     point.center[i] = 0;
@@ -131,8 +131,8 @@ std::array<double, 2> ends_of(const WideExponentBall& number) {
   return {number.low(), number.high()};
 }
 
-// The ball from the fraction, cut down to the box that is known to hold the point. Returns whether
-// the fraction told anything.
+// Sets the ball from a fraction, and restricts it to the box that is known to contain the point.
+// Returns true if the fraction gives finite bounds.
 template <class Number>
 bool set_balls(ExactPoint& point, const Fraction<Number>& fraction, const Vec3& low,
                const Vec3& high) {
@@ -154,12 +154,12 @@ bool set_balls(ExactPoint& point, const Fraction<Number>& fraction, const Vec3& 
   return is_finite;
 }
 
-// The products of seven differences of smaller coordinates do not overflow.
+// Products of seven differences of smaller coordinates do not overflow.
 constexpr double large = 0x1p140;
 
-// In intervals, and in wide balls where those may overflow: what they make of that depends on the
-// processor. `fraction_in` computes the fraction in the numbers of a kind, which it is given as a
-// value; `size` is that of the largest coordinate that it is made of.
+// Sets the ball by interval arithmetic, or by wide balls if intervals may overflow, because
+// overflow depends on the processor. `fraction_in` computes the fraction in the number type of its
+// argument. `size` is the largest absolute value of the coordinates.
 template <class FractionIn>
 void set_balls(ExactPoint& point, const FractionIn& fraction_in, double size, const Vec3& low,
                const Vec3& high) {
@@ -241,8 +241,8 @@ ExactPoint ExactGeometry::line_plane(const PointDefinition& definition) const {
 
 namespace {
 
-// Two edges that cross in one point span a plane: any projection that keeps them from being
-// parallel will do.
+// Returns a projection in which the edges are not parallel. Two edges that intersect in one point
+// span a plane, and any such projection is valid.
 PlaneProjection projection_of_edges(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y) {
   PlaneProjection projection = projection_of({u, v, x});
   if (orient2d(u, v, x, projection) == 0) projection = projection_of({u, v, y});
@@ -287,7 +287,7 @@ ExactPoint ExactGeometry::three_planes(Index f, Index g, Index h) const {
 
 namespace {
 
-// In numbers of a given kind.
+// Computes the fraction of a definition in a number type.
 template <class Number>
 Fraction<Number> fraction_of(const PointDefinition& definition, std::span<const Vec3> positions,
                              std::span<const Face> faces) {
@@ -370,7 +370,7 @@ void visit_vertices(const PointDefinition& definition, std::span<const Face> fac
   }
 }
 
-// Whether magnitudes of coordinates are so far apart that numbers become long.
+// True if the magnitudes of coordinates differ so strongly that numbers become long.
 bool is_spread(const PointDefinition& definition, std::span<const Vec3> positions,
                std::span<const Face> faces) {
   constexpr double most_spread = 0x1p128;
@@ -423,7 +423,8 @@ auto& balls_of(Coordinates& known) {
     return known.longer;
 }
 
-// What copies of the point share does not change: other threads may read it.
+// Replaces the shared cache of the point instead of changing it, because other threads may read
+// copies.
 template <class Ball>
 const HomogeneousPoint<Ball>& ExactGeometry::spread(const ExactPoint& point) const {
   if (const auto& balls = balls_of<Ball>(precise(point))) return *balls;
@@ -455,9 +456,9 @@ std::array<BoundedNumber, 2> products_of_turn(const ExactPoint& a, const ExactPo
           (bounded(b, p.v) - bounded(a, p.v)) * (bounded(c, p.u) - bounded(a, p.u))};
 }
 
-// The cotangents of the angles at c and d are dot products over areas. Of areas the projection will
-// do, as all are in one plane. The sum of the two, times both areas, given the ways from c and d to
-// a and b:
+// Returns the sum of the cotangents of the angles at c and d, times both areas. Each cotangent is a
+// dot product divided by an area. Projected areas suffice because all points are in one plane. The
+// arguments are the vectors from c and d to a and b.
 template <class Number>
 Number delaunay_turn(const Vector<Number>& ca, const Vector<Number>& cb, const Vector<Number>& da,
                      const Vector<Number>& db, PlaneProjection p) {
@@ -473,7 +474,7 @@ Vector<Number> way(const Vector<Number>& from, const Vector<Number>& to) {
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-// Times both weights.
+// Returns the vector times both weights.
 template <class Number>
 Vector<Number> way(const HomogeneousPoint<Number>& from, const HomogeneousPoint<Number>& to) {
   const auto step = [&](std::size_t i) -> Number { return to.x[i] * from.w - from.x[i] * to.w; };
@@ -556,7 +557,7 @@ int ExactGeometry::orient2d(const ExactPoint& a, const ExactPoint& b, const Exac
       (pb[i] - pa[i]) * (pc[j] - pa[j]) - (pb[j] - pa[j]) * (pc[i] - pa[i]);
   if (turn.sign() != 0 || turn.is_zero()) return turn.sign();
 
-  // Expand the determinant of the rows (x, y, w) along the weights.
+  // Expand the determinant of the rows (x, y, w) by the weights.
   const auto determinant = [&]<class Point>(const Point& u, const Point& v, const Point& w) {
     const auto minor = [&](const Point& s, const Point& t) -> decltype(s.w) {
       return s.x[i] * t.x[j] - s.x[j] * t.x[i];
@@ -592,7 +593,7 @@ int ExactGeometry::orient3d(const ExactPlane& plane, const ExactPoint& point) co
   const Triangle& t = plane.triangle;
   if (is_exact(point)) return transformesh::orient3d(t[0], t[1], t[2], point.center);
 
-  // In doubles, with the error of the normal and of the ball.
+  // In doubles, with the errors of the normal and of the ball.
   const Vec3 b = t[1] - t[0];
   const Vec3 c = t[2] - t[0];
   const Vec3 n = b.cross(c);
@@ -649,7 +650,8 @@ int ExactGeometry::compare(const ExactPoint& a, const ExactPoint& b) const {
 
 namespace {
 
-// Towards 0. The fraction is not reduced: that would take most of the time.
+// Returns the quotient rounded towards 0. The fraction is not reduced, because this would take most
+// of the time.
 double quotient(const Exact& numerator, const Exact& positive_denominator) {
   const CGAL::Gmpq p(numerator), q(positive_denominator);
   const CGAL::Gmpz above = p.numerator() * q.denominator();
@@ -675,7 +677,6 @@ ExactPoint ExactGeometry::mean(const ExactPoint& a, const ExactPoint& b, const E
   ExactPoint result;
   result.definition.kind = ExactPoint::Kind::mean;
 
-  // The ball.
   for (std::size_t k = 0; k < 3; ++k) {
     const double share = static_cast<double>(weights[k]) / total;
     result.center += share * points[k]->center;
@@ -684,7 +685,7 @@ ExactPoint ExactGeometry::mean(const ExactPoint& a, const ExactPoint& b, const E
   }
   result.radius = result.radius * (1 + 16 * epsilon) + Vec3::Constant(1e-300);
 
-  // The exact form over the common denominator.
+  // Exact coordinates over the common denominator.
   const ExactCoordinates &ea = exact(a), &eb = exact(b), &ec = exact(c);
   const std::array<const ExactCoordinates*, 3> e{&ea, &eb, &ec};
   const std::array<Exact, 3> others{eb.w * ec.w, ea.w * ec.w, ea.w * eb.w};

@@ -1,12 +1,15 @@
-/// Points known by what defines them: a given point, an edge and a face, two coplanar edges, three
-/// faces, or the mean of three other points. Each carries a ball in doubles that contains it;
-/// predicates decide from the balls and recompute from the definition, in exact arithmetic, only
-/// when the sign is not certain. So every answer is exact at nearly floating-point cost. Nothing is
-/// perturbed.
+/// Points given by their definition: a mesh vertex, an edge and a face, two coplanar edges, three
+/// faces, or the mean of three other points. Each point has a ball in doubles that contains it.
+/// Predicates use the balls first. Only if the sign is uncertain, they recompute from the
+/// definition, in double-double and then in exact arithmetic. Hence every answer is exact at nearly
+/// floating-point cost. Nothing is perturbed.
+///
 /// References: Attene, "Indirect predicates for geometric constructions", CAD 2020; Cherchi et al.,
-/// "Fast and robust mesh arrangements using floating-point arithmetic", ACM TOG 2020.
-/// Thread-safe as long as each thread uses its own copies of points (exact coordinates are cached
-/// in the point); deterministic.
+/// "Fast and robust mesh arrangements using floating-point arithmetic", ACM TOG 2020. Departure:
+/// balls of double-double and multiprecision numbers precede exact arithmetic.
+///
+/// Deterministic. Thread-safe if each thread uses its own copies of points, because points cache
+/// exact coordinates.
 #pragma once
 
 #include <memory>
@@ -29,67 +32,68 @@ struct ExactPoint {
   using Kind = PointDefinition::Kind;
 
   PointDefinition definition;
-  Vec3 center = Vec3::Zero();  ///< the point is within radius of center, per coordinate
+  Vec3 center = Vec3::Zero();  ///< each coordinate of the point is within `radius` of `center`
   Vec3 radius = Vec3::Zero();
-  mutable std::shared_ptr<const PreciseCoordinates> precise;  ///< filled when first needed
-  mutable std::shared_ptr<const ExactCoordinates> exact;      ///< likewise
+  mutable std::shared_ptr<const PreciseCoordinates> precise;  ///< computed on demand
+  mutable std::shared_ptr<const ExactCoordinates> exact;      ///< computed on demand
 };
 
-/// Whether both have the same definition, and so are equal without any arithmetic.
+/// True if both points have the same definition, and hence are equal without arithmetic.
 inline bool same_definition(const ExactPoint& a, const ExactPoint& b) {
   return a.definition == b.definition && a.definition.is_known();
 }
 
-/// The plane of a triangle, which is not degenerate.
+/// The plane of a triangle that is not degenerate.
 struct ExactPlane {
   Triangle triangle;
-  mutable std::shared_ptr<const PreciseNormal> precise = nullptr;  ///< filled when first needed
-  mutable std::shared_ptr<const ExactPlaneCoordinates> exact = nullptr;  ///< likewise
+  mutable std::shared_ptr<const PreciseNormal> precise = nullptr;        ///< computed on demand
+  mutable std::shared_ptr<const ExactPlaneCoordinates> exact = nullptr;  ///< computed on demand
 };
 
 class ExactGeometry {
  public:
-  /// Keeps references: the vertices and faces that definitions name. Faces are not degenerate.
+  /// Keeps references to the vertices and faces that definitions refer to. Faces must not be
+  /// degenerate.
   ExactGeometry(std::span<const Vec3> positions, std::span<const Face> faces)
       : positions_(positions), faces_(faces) {}
 
-  /// The point of a definition, but of those by three planes.
+  /// Returns the point of a definition of kind `given`, `line_plane` or `line_line`.
   ExactPoint point(const PointDefinition& definition) const;
-  /// Where the planes of three faces meet, inside g and h.
+  /// Returns the intersection of the planes of three faces. The point must be inside `g` and `h`.
   ExactPoint three_planes(Index f, Index g, Index h) const;
   ExactPoint given(Index vertex) const { return point(PointDefinition::given(vertex)); }
-  /// A point with coordinates of its own: for scaffolding.
+  /// Returns a point with coordinates that belong to no mesh vertex, as for scaffolds.
   static ExactPoint free(const Vec3& position);
 
-  /// The kind and the vertices of a definition; those of faces and edges are sorted, and so are the
-  /// faces. It does not depend on the order of the faces of the mesh.
+  /// Returns the kind and the vertices of a definition. The vertices of a face or edge are sorted,
+  /// and so are the faces. Hence the result does not depend on the order of the faces of the mesh.
   std::array<Index, 10> vertices_of(const PointDefinition& definition) const;
 
-  /// As in predicates.h.
+  /// Returns the exact orientation, with the sign convention of predicates.h.
   int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                PlaneProjection projection) const;
-  /// Twice the area of abc in the projection, from the balls.
+  /// Returns twice the signed area of the projected triangle abc, computed from the balls.
   static BoundedNumber bounded_orient2d(const ExactPoint& a, const ExactPoint& b,
                                         const ExactPoint& c, PlaneProjection projection);
-  /// orient2d if the balls decide it, else 0.
+  /// Returns the orientation if the balls decide it, otherwise 0.
   static int quick_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                             PlaneProjection projection);
-  /// Of triangles abc and bad in one plane that turn counter-clockwise: +1 where their diagonal ab
-  /// is Delaunay, -1 where cd is, and 0 where the four are on a circle.
+  /// Compares the diagonals of the coplanar triangles abc and bad, which must be counter-clockwise.
+  /// Returns +1 if ab is Delaunay, -1 if cd is, and 0 if the four points are cocircular.
   int delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                     const ExactPoint& d, PlaneProjection projection) const;
-  /// The same if the balls decide it, else 0.
+  /// Returns the result of delaunay_sign() if the balls decide it, otherwise 0.
   static int quick_delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                  const ExactPoint& d, PlaneProjection projection);
   int orient3d(const Triangle& triangle, const ExactPoint& point) const;
   int orient3d(const ExactPlane& plane, const ExactPoint& point) const;
   ExactPlane plane(Index face) const { return {triangle(face)}; }
-  /// An order by x, then y, then z: -1, 0 or +1. Zero exactly where the points are equal.
+  /// Compares by x, then y, then z: -1, 0 or +1. Returns 0 if and only if the points are equal.
   int compare(const ExactPoint& a, const ExactPoint& b) const;
   int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const;
-  /// In doubles, within one unit in the last place.
+  /// Returns the position in doubles, within one unit in the last place.
   Vec3 position(const ExactPoint& point) const;
-  /// The weighted mean of three points; weights are positive integers.
+  /// Returns the weighted mean of three points; the weights must be positive integers.
   ExactPoint mean(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                   const std::array<int, 3>& weights) const;
 
@@ -99,8 +103,8 @@ class ExactGeometry {
   const PreciseCoordinates& precise(const ExactPoint& point) const;
   template <class Ball>
   const HomogeneousPoint<Ball>& spread(const ExactPoint& point) const;
-  /// The sign of what `compute` makes of the points' homogeneous coordinates, by balls where these
-  /// are long, and else exactly.
+  /// Returns the sign of `compute`, applied to the homogeneous coordinates of the points. Evaluates
+  /// balls first if magnitudes are spread, then exact numbers.
   template <class Compute, class... Point>
   int homogeneous_sign(const Compute& compute, const Point&... points) const;
   const ExactCoordinates& exact(const ExactPoint& point) const;

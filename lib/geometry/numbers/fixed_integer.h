@@ -1,7 +1,7 @@
-/// Integers of a fixed length, and coordinates as such integers: signs of determinants of doubles
-/// are those of integers where the doubles are multiples of one power of two and not larger than
-/// about 2^120 times that, as nearly all coordinates of a mesh are along each axis. Exact, zeros
-/// included, in a tenth of the time of numbers without bounds.
+/// Integers of fixed length, and coordinates as such integers. Determinants of doubles have the
+/// signs of determinants of integers if the doubles are multiples of one power of two, and at most
+/// about 2^120 times larger. This holds for nearly all coordinates of a mesh along each axis.
+/// Exact, including zeros, in a tenth of the time of numbers of unlimited length.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace transformesh {
 
 __extension__ using TwoWords = unsigned __int128;
 
-/// In two's complement. Sums may not overflow, which is the caller's care; products cannot.
+/// Two's complement integer. The caller must ensure that sums do not overflow; products cannot.
 template <std::size_t length>
 struct FixedInteger {
   std::array<std::uint64_t, length> words{};  ///< least significant first
@@ -49,7 +49,7 @@ struct FixedInteger {
     return difference;
   }
 
-  /// Subtracts `other`, so many words further up.
+  /// Subtracts `other`, shifted up by `place` words.
   template <std::size_t most>
   void subtract_at(std::size_t place, const FixedInteger<most>& other) {
     std::uint64_t borrow = 0;
@@ -62,7 +62,8 @@ struct FixedInteger {
   }
 };
 
-// As numbers without sign, less what the two's complement of negative ones is too large.
+// Multiplies as unsigned numbers, then subtracts the excess of negative factors in two's
+// complement.
 template <std::size_t a_length, std::size_t b_length>
 FixedInteger<a_length + b_length> operator*(const FixedInteger<a_length>& a,
                                             const FixedInteger<b_length>& b) {
@@ -81,7 +82,7 @@ FixedInteger<a_length + b_length> operator*(const FixedInteger<a_length>& a,
   return product;
 }
 
-/// Numbers as multiples of the largest power of two of which all of them are multiples.
+/// Represents numbers as multiples of the largest power of two that divides all of them.
 template <std::size_t count>
 class CommonScale {
  public:
@@ -101,10 +102,10 @@ class CommonScale {
     bits_ = high < low_ ? 0 : high - low_;
   }
 
-  /// The multiples are below two to this power in size.
+  /// Number of bits b such that all multiples are less than 2^b in absolute value.
   int bits() const { return bits_; }
 
-  /// A multiple, in two's complement, which has to have room for one bit more.
+  /// Returns a multiple in two's complement. `Unsigned` must have at least bits() + 1 bits.
   template <class Unsigned>
   Unsigned multiple(std::size_t i) const {
     if (mantissas_[i] == 0) return 0;
@@ -123,7 +124,7 @@ class CommonScale {
   int bits_ = 0;
 };
 
-/// The most bits of multiples whose differences are FixedInteger<2>.
+/// Largest number of bits of multiples whose differences fit into FixedInteger<2>.
 constexpr int two_word_bits = 122;
 
 template <std::size_t count>

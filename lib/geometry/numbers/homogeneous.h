@@ -1,8 +1,8 @@
-/// Planes and the points that they define in homogeneous coordinates, made of coordinates
-/// themselves and of no differences: where numbers of very different magnitudes meet, these would
-/// lose the smaller ones. In every sum all products differ, so that balls lose no digits but where
-/// the configuration is close to a degenerate one. For numbers of any kind.
-/// Reference: Stolfi, "Oriented projective geometry", 1991 (Pluecker coordinates).
+/// Planes and their intersection points in homogeneous coordinates, for any number type. The
+/// formulas use coordinates instead of differences. If magnitudes differ strongly, differences
+/// would lose the smaller numbers. All products in a sum are distinct, so balls lose digits only if
+/// the configuration is nearly degenerate. Reference: Stolfi, "Oriented projective geometry", 1991
+/// (Pluecker coordinates).
 #pragma once
 
 #include "geometry/numbers/number_vector.h"
@@ -28,7 +28,7 @@ NumberVector<Number> number_vector(const Vec3& p) {
   return {Number(p[0]), Number(p[1]), Number(p[2])};
 }
 
-/// a x b + b x c + c x a, given b x c.
+/// Returns a x b + b x c + c x a; `bc` is b x c.
 template <class Number>
 NumberVector<Number> sum_of_crosses(const NumberVector<Number>& a, const NumberVector<Number>& b,
                                     const NumberVector<Number>& c, const NumberVector<Number>& bc) {
@@ -45,14 +45,13 @@ HomogeneousPlane<Number> homogeneous_plane(const Triangle& t) {
   return {sum_of_crosses(a, b, c, bc), dot(a, bc)};
 }
 
-/// The normal alone.
 template <class Number>
 NumberVector<Number> homogeneous_normal(const Triangle& t) {
   const auto b = number_vector<Number>(t[1]), c = number_vector<Number>(t[2]);
   return sum_of_crosses(number_vector<Number>(t[0]), b, c, cross(b, c));
 }
 
-/// Where line uv crosses the plane.
+/// Returns the intersection of the line uv with the plane.
 template <class Number>
 HomogeneousPoint<Number> homogeneous_point(const Vec3& u, const Vec3& v,
                                            const HomogeneousPlane<Number>& plane) {
@@ -63,7 +62,7 @@ HomogeneousPoint<Number> homogeneous_point(const Vec3& u, const Vec3& v,
   return {{x(0), x(1), x(2)}, dot(plane.normal, way)};
 }
 
-/// Where three planes meet.
+/// Returns the intersection of three planes.
 template <class Number>
 HomogeneousPoint<Number> homogeneous_point(const HomogeneousPlane<Number>& f,
                                            const HomogeneousPlane<Number>& g,
@@ -76,7 +75,8 @@ HomogeneousPoint<Number> homogeneous_point(const HomogeneousPlane<Number>& f,
   return {{x(0), x(1), x(2)}, dot(f.normal, gh)};
 }
 
-/// Times the weight, +: the point is on the side that the triangle's normal points to.
+/// Returns the height of a point above the plane, times weights; positive on the side of the
+/// normal.
 template <class Number>
 Number height_over(const Triangle& t, const HomogeneousPoint<Number>& point) {
   const HomogeneousPlane<Number> plane = homogeneous_plane<Number>(t);

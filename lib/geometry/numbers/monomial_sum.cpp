@@ -23,8 +23,8 @@ BinaryDigits::BinaryDigits(double number) {
   is_negative = bits >> 63U != 0;
 }
 
-/// A sum as an integer of eight words times two to the exponent of its lowest bit. Terms reach up
-/// to `depth` above that bit, so that no sum of theirs overflows.
+/// A sum as an integer of eight words times 2^bottom. The exponents of terms are at most `depth`
+/// above `bottom`, so that no sum of terms overflows.
 class MonomialSum::Window {
  public:
   static constexpr int depth = 320;
@@ -33,7 +33,7 @@ class MonomialSum::Window {
 
   int sign() const { return sum_.sign(); }
 
-  // In two's complement a negative number is the sum's complement, plus one.
+  // The two's complement of a negative number is the complement of its digits, plus one.
   void add(const Term& term) {
     const auto place = static_cast<unsigned>(term.exponent - bottom_);
     const unsigned shift = place % 64;
@@ -49,7 +49,7 @@ class MonomialSum::Window {
     }
   }
 
-  /// Whether terms below the window, all together, could turn the sign.
+  /// True if the sum of all terms below the window could change the sign.
   bool is_small() const {
     const FixedInteger<length> size = magnitude();
     return std::all_of(size.words.begin() + 3, size.words.end(),
@@ -57,7 +57,7 @@ class MonomialSum::Window {
            size.words[2] <= low_bits(40);
   }
 
-  /// The sum, where it is small.
+  /// Returns the sum as a term; the sum must be small.
   Term term() const {
     const FixedInteger<length> size = magnitude();
     return {{size.words[0], size.words[1], size.words[2]}, bottom_, sum_.is_negative()};
@@ -102,7 +102,8 @@ int MonomialSum::sign() const {
   return sign != 0 ? sign : exact_sign();
 }
 
-// In doubles, relative to the largest: each product is rounded twice, and the sum once for each.
+// Filter in doubles, relative to the largest term. Each product is rounded twice, and each addition
+// once.
 int MonomialSum::quick_sign() const {
   constexpr double error = 2 * most * std::numeric_limits<double>::epsilon();
   constexpr double underflow = 0x1p-800;
@@ -118,8 +119,8 @@ int MonomialSum::quick_sign() const {
   return sum > bound ? 1 : sum < -bound ? -1 : 0;
 }
 
-// Terms in the order of their exponents, the highest first. What a window leaves, where it is
-// small, is the first term of the next one.
+// Adds terms in order of descending exponents. The remainder of a window, if it is small, is the
+// first term of the next window.
 int MonomialSum::exact_sign() const {
   std::array<std::size_t, most> order;
   for (std::size_t i = 0; i < count_; ++i) {

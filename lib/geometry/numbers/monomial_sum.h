@@ -1,9 +1,10 @@
-/// The sign of a sum of products of a few doubles of any magnitudes: exact, zeros included, and
-/// with no number that grows. What decides determinants of coordinates that differ by hundreds of
-/// orders of magnitude. The products are exact, of three words each, and are added within a window
-/// of eight words below the largest, then within further windows while what is left could turn the
-/// sign. Reference: Kulisch and Miranker, "Computer Arithmetic in Theory and Practice", 1981 (sums
-/// in an accumulator of fixed point).
+/// The sign of a sum of products of a few doubles of any magnitude. Exact, including zeros, without
+/// numbers of growing length. Decides determinants of coordinates that differ by hundreds of orders
+/// of magnitude. Each product is exact in three words. Products are added in a window of eight
+/// words below the largest one. Further windows follow as long as the remaining terms could change
+/// the sign. Reference: Kulisch and Miranker, "Computer Arithmetic in Theory and Practice", 1981
+/// (sums in a fixed-point accumulator). Departure: the accumulator moves instead of covering all
+/// exponents.
 #pragma once
 
 #include <array>
@@ -12,28 +13,28 @@
 
 namespace transformesh {
 
-/// A double as an integer of 53 bits, times two to the exponent.
+/// A double as a 53-bit integer times 2^exponent.
 struct BinaryDigits {
   std::uint64_t digits = 0;
   int exponent = 0;
   bool is_negative = false;
 
   BinaryDigits() = default;
-  explicit BinaryDigits(double number);  ///< of a finite one
+  explicit BinaryDigits(double number);  ///< `number` must be finite
 };
 
-/// Of at most `most` products of three doubles. Any rounding mode.
+/// Sum of at most `most` products of three doubles. Valid in any rounding mode.
 class MonomialSum {
  public:
   static constexpr std::size_t most = 24;
 
   void add(const BinaryDigits& a, const BinaryDigits& b, const BinaryDigits& c);
   void subtract(const BinaryDigits& a, const BinaryDigits& b, const BinaryDigits& c);
-  /// -1, 0 or +1.
+  /// Returns -1, 0 or +1.
   int sign() const;
 
  private:
-  /// An integer below 2^190 times two to the exponent.
+  /// An integer below 2^190 times 2^exponent.
   struct Term {
     std::array<std::uint64_t, 3> digits;  ///< least significant first
     int exponent;
@@ -47,7 +48,7 @@ class MonomialSum {
   int exact_sign() const;
 
   std::array<Term, most> terms_;
-  std::array<double, most> sizes_;  ///< the digits of each, rounded
+  std::array<double, most> sizes_;  ///< digits of each term, rounded, with sign
   std::size_t count_ = 0;
 };
 

@@ -7,7 +7,7 @@ __extension__ using Twice = unsigned __int128;
 
 }  // namespace
 
-// Drops what falls below the last digit. The count is at most all bits.
+// Drops digits below the last word. The count must be less than `bits`.
 void MultiprecisionBall::shift_right(std::int64_t count) {
   const auto words = static_cast<std::size_t>(count / 64);
   const auto rest = static_cast<unsigned>(count % 64);
@@ -35,7 +35,7 @@ void MultiprecisionBall::normalize() {
   exponent_ -= static_cast<std::int64_t>(64 * words + rest);
 }
 
-// Both have one exponent, and the other is not larger where it is subtracted.
+// Both numbers must have the same exponent. If `is_sum` is false, `other` must not be larger.
 void MultiprecisionBall::add_digits(const MultiprecisionBall& other, bool is_sum) {
   std::uint64_t carry = 0;
   for (std::size_t i = 0; i < length; ++i) {
@@ -66,7 +66,7 @@ MultiprecisionBall operator+(const MultiprecisionBall& a, const MultiprecisionBa
     sum.error_ = sum.error_ + less.size();
     return sum;
   }
-  // What is dropped is less than a unit in the last place, once for each shift.
+  // The dropped part is less than one unit in the last place for each shift.
   if (shift > 0 || sum.sign_ == less.sign_)
     sum.error_ = sum.error_ + WideBound::power(sum.exponent_ + 2 - MultiprecisionBall::bits);
   less.shift_right(shift);
@@ -75,8 +75,9 @@ MultiprecisionBall operator+(const MultiprecisionBall& a, const MultiprecisionBa
   return sum;
 }
 
-// Numbers made of few doubles have few digits. Of what falls below the last digit of the product
-// only what could carry into that is computed: all else is less than a unit there.
+// Numbers made of few doubles have few nonzero words, which are skipped. Of the words below the
+// last word of the product, only those that could carry into it are computed. The remainder is less
+// than one unit in the last place.
 MultiprecisionBall operator*(const MultiprecisionBall& a, const MultiprecisionBall& b) {
   constexpr std::size_t length = MultiprecisionBall::length;
   constexpr std::size_t least_place = length - 2;

@@ -1,6 +1,6 @@
-/// A real number known up to an error, with many digits and an exponent that neither overflows nor
-/// underflows: what decides a sign where coordinates of one mesh differ by hundreds of orders of
-/// magnitude, and costs a fraction of exact arithmetic there. Sums and products in integers, so in
+/// A real number with an error bound, 512 bits, and an exponent that neither overflows nor
+/// underflows. Decides a sign if coordinates of a mesh differ by hundreds of orders of magnitude,
+/// at a fraction of the cost of exact arithmetic. Sums and products use integers and are valid in
 /// any rounding mode. Reference: van der Hoeven, "Ball arithmetic", 2009.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace transformesh {
 
-/// A bound from above, of any size: number times two to the exponent.
+/// An upper bound of any magnitude: number * 2^exponent.
 class WideBound {
  public:
   WideBound() = default;  ///< 0
@@ -50,11 +50,12 @@ class WideBound {
   }
 
  private:
-  static constexpr double slack = 1 + 0x1p-50;  // for what is rounded here, and shifted too little
+  // For rounding errors, and for shifts that are limited to 100.
+  static constexpr double slack = 1 + 0x1p-50;
 
   bool is_finite() const { return number_ < 4; }
 
-  double number_ = 0;  ///< 0, infinite, or in [1, 2) times slack
+  double number_ = 0;  ///< 0, infinity, or in [1, 2) times slack
   std::int64_t exponent_ = 0;
 };
 
@@ -74,14 +75,14 @@ class MultiprecisionBall {
     sign_ = number < 0 ? -1 : 1;
   }
 
-  /// All numbers.
+  /// Returns a ball that contains all numbers.
   static MultiprecisionBall unknown() {
     MultiprecisionBall ball;
     ball.error_ = WideBound::infinite();
     return ball;
   }
 
-  /// +1 or -1 where all numbers of the ball are of that sign, else 0.
+  /// Returns +1 or -1 if all numbers of the ball have that sign, otherwise 0.
   int sign() const { return error_.is_below_power(exponent_ - 1) ? sign_ : 0; }
 
   friend MultiprecisionBall operator-(MultiprecisionBall a) {
@@ -104,7 +105,7 @@ class MultiprecisionBall {
   void shift_right(std::int64_t count);
   void normalize();
 
-  /// sign times 0.digits times two to the exponent; the first digit is not 0 where the sign is not.
+  /// The value is sign * 0.digits * 2^exponent. The leading bit is 1 unless the sign is 0.
   Digits digits_{};
   int sign_ = 0;
   std::int64_t exponent_ = 0;

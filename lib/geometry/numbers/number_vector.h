@@ -1,5 +1,5 @@
-/// Vectors of numbers of any kind, for predicates that are computed in several kinds: intervals,
-/// wide balls, exact numbers.
+/// Vectors of any number type, for predicates that are evaluated in several types: intervals,
+/// balls, exact numbers.
 #pragma once
 
 #include <array>

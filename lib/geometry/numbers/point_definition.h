@@ -1,5 +1,4 @@
-/// What defines a point that is not given: edges and faces through it, by the indices of their
-/// mesh.
+/// Definitions of points by edges and faces of a mesh.
 #pragma once
 
 #include <algorithm>
@@ -12,27 +11,28 @@
 
 namespace transformesh {
 
-/// What makes a point. Equal definitions are equal points; those of edges and faces in another
-/// order are the same definition. Free points and means have none.
+/// Definition of a point. Points with equal definitions are equal. The order of edges, of their
+/// ends, and of faces does not matter. Free points and means have no definition.
 struct PointDefinition {
   enum class Kind : std::uint8_t { given, free, line_plane, line_line, three_planes, mean };
 
   Kind kind = Kind::free;
-  std::array<Index, 4> indices{};  ///< vertex | - | u v face | u v x y | three faces | -
+  std::array<Index, 4> indices{};  ///< given: vertex; line_plane: u, v, face; line_line: u, v, x,
+                                   ///< y; three_planes: three faces
 
   static PointDefinition given(Index vertex) { return {Kind::given, {vertex}}; }
-  /// Where edge uv crosses the plane of the face, which it must do.
+  /// The intersection of edge uv with the plane of a face; the two must intersect in one point.
   static PointDefinition line_plane(Index u, Index v, Index face) {
     return {Kind::line_plane, {std::min(u, v), std::max(u, v), face}};
   }
-  /// Where two coplanar edges that are not parallel cross.
+  /// The intersection of two coplanar edges that are not parallel.
   static PointDefinition line_line(Index u, Index v, Index x, Index y) {
     if (u > v) std::swap(u, v);
     if (x > y) std::swap(x, y);
     if (u < x || (u == x && v < y)) return {Kind::line_line, {u, v, x, y}};
     return {Kind::line_line, {x, y, u, v}};
   }
-  /// Where the planes of three faces meet, which they must do in one point.
+  /// The intersection of the planes of three faces, which must be a single point.
   static PointDefinition three_planes(Index f, Index g, Index h) {
     std::array<Index, 3> faces{f, g, h};
     std::sort(faces.begin(), faces.end());
@@ -41,11 +41,10 @@ struct PointDefinition {
 
   bool is_known() const { return kind != Kind::free && kind != Kind::mean; }
   bool operator==(const PointDefinition&) const = default;
-  // NOLINTNEXTLINE(modernize-use-nullptr): it takes the comparison with 0 for a pointer
+  // the check takes the comparison with 0 for a pointer
   auto operator<=>(const PointDefinition&) const = default;
 };
 
-/// For hash tables.
 struct PointDefinitionHash {
   std::size_t operator()(const PointDefinition& definition) const {
     auto hash = static_cast<std::uint64_t>(definition.kind);

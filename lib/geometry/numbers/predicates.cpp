@@ -22,14 +22,14 @@ namespace {
 
 using Exact = CGAL::Mpzf;
 
-// This is twice Shewchuk's machine epsilon, so that the bounds hold in any rounding mode.
+// This is twice Shewchuk's machine epsilon, so the bounds hold in any rounding mode.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double bound_3d = (7.0 + 64.0 * epsilon) * epsilon;
 constexpr double bound_2d = (3.0 + 16.0 * epsilon) * epsilon;
-// Below this a product may have lost bits to underflow, and no filter decides.
+// Smaller products may have lost bits to underflow; no filter decides there.
 constexpr double underflow_guard = 1e-280;
 
-// The sign of a computed determinant, or 0 where the error bound does not allow one.
+// Returns the sign of a computed determinant, or 0 if its error bound is too large.
 int filtered_sign(double determinant, double bound) {
   if (determinant > bound) return 1;
   if (determinant < -bound) return -1;
@@ -38,7 +38,7 @@ int filtered_sign(double determinant, double bound) {
 
 int sign_of(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
 
-/// Whether determinants of such numbers neither over- nor underflow as expansions.
+/// True if determinants of such numbers neither overflow nor underflow as expansions.
 bool is_moderate(const Vec3& p) {
   const auto is_usual = [](double x) {
     return x == 0 || (std::abs(x) > 0x1p-200 && std::abs(x) < 0x1p200);
@@ -46,7 +46,7 @@ bool is_moderate(const Vec3& p) {
   return is_usual(p[0]) && is_usual(p[1]) && is_usual(p[2]);
 }
 
-// The multiples from the second on, less the first.
+// Returns the differences of all further multiples from the first one.
 template <std::size_t count>
 std::array<std::int64_t, count - 1> one_word_ways(const CommonScale<count>& scale) {
   std::array<std::int64_t, count - 1> ways;
@@ -64,7 +64,8 @@ std::array<FixedInteger<2>, count - 1> two_word_ways(const CommonScale<count>& s
   return ways;
 }
 
-// By integers, scaled for each axis; nothing where coordinates are too far apart for these.
+// Evaluates in integers, scaled per axis. Returns nothing if the magnitudes of coordinates differ
+// too much.
 std::optional<int> integer_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const CommonScale<4> x({a[0], b[0], c[0], d[0]});
   const CommonScale<4> y({a[1], b[1], c[1], d[1]});
@@ -97,7 +98,7 @@ bool share_coordinate(const Vec3& a, const Vec3& b, const Vec3& c, int i) {
   return a[i] == b[i] && b[i] == c[i];
 }
 
-// The determinant by the coordinates themselves: differences would lose the smaller ones.
+// Determinants are expanded in coordinates, because differences would lose the smaller numbers.
 using DigitsOfPoint = std::array<BinaryDigits, 3>;
 
 DigitsOfPoint digits_of(const Vec3& p) {
@@ -136,7 +137,7 @@ int sum_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p)
   return sum.sign();
 }
 
-// Zeros come mostly from planes along axes.
+// Zeros are mostly due to planes perpendicular to an axis, so these are tested first.
 int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   for (int i = 0; i < 3; ++i)
     if (share_coordinate(a, b, c, i) && c[i] == d[i]) return 0;
@@ -144,7 +145,8 @@ int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return sum_orient3d(a, b, c, d);
 }
 
-// a b - c d. Where two products round to one number, what rounding took away decides.
+// Returns the sign of a b - c d. If both products round to the same number, the rounding errors
+// decide.
 int sign_of_minor(double a, double b, double c, double d) {
   const elementary::DoubleDouble ab = elementary::exact_product(a, b);
   const elementary::DoubleDouble cd = elementary::exact_product(c, d);
@@ -152,7 +154,8 @@ int sign_of_minor(double a, double b, double c, double d) {
                             : (ab.low > cd.low ? 1 : 0) - (ab.low < cd.low ? 1 : 0);
 }
 
-// Lattices are faster so: nothing where a difference is no double.
+// Returns the sign if all differences are exact in doubles, otherwise nothing. This is faster for
+// coordinates on a lattice.
 std::optional<int> quick_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
   if (!(is_moderate(a) && is_moderate(b) && is_moderate(c))) return {};
   bool is_exact = true;
@@ -241,7 +244,7 @@ PlaneProjection projection_of(const Triangle& t) {
   const double error = bound_2d * (std::abs(left[axis]) + std::abs(right[axis])) + underflow_guard;
   const int sign = filtered_sign(normal[axis], error);
   if (sign != 0) return facing(axis, sign);
-  // The estimate may name a vanishing coordinate of a sliver: the exact sign has the last word.
+  // The estimate may select a coordinate of a sliver's normal that is zero; the exact sign decides.
   for (int i = axis; i < axis + 3; ++i) {
     const int turn = orient2d(t[0], t[1], t[2], along(i % 3));
     if (turn != 0) return facing(i, turn);
@@ -255,7 +258,8 @@ bool is_moderate(const Triangle& t) {
   return is_moderate(t[0]) && is_moderate(t[1]) && is_moderate(t[2]);
 }
 
-// Of what `compute` makes of the normals: by balls, and exactly where these leave it open.
+// Returns the sign of `compute`, applied to both normals. Evaluates balls first, then exact numbers
+// if the balls do not decide.
 template <class Compute>
 int sign_by_normals(const Triangle& first, const Triangle& second, const Compute& compute) {
   const auto by_coordinates = [&]<class Ball>(const Ball&) {
@@ -276,7 +280,7 @@ int sign_by_normals(const Triangle& first, const Triangle& second, const Compute
 int normals_dot(const Triangle& first, const Triangle& second) {
   const Vec3 n = (first[1] - first[0]).cross(first[2] - first[0]);
   const Vec3 m = (second[1] - second[0]).cross(second[2] - second[0]);
-  // Each normal coordinate is off by at most 4 epsilon of the product of the edge lengths.
+  // The error of each normal coordinate is at most 4 epsilon times the product of the edge lengths.
   const double size = (first[1] - first[0]).norm() * (first[2] - first[0]).norm() *
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
   const int sign = filtered_sign(n.dot(m), 32 * epsilon * size + underflow_guard);

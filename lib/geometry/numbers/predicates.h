@@ -1,10 +1,10 @@
-/// Exact signs of orientation of points given in doubles. A floating-point filter with a proven
-/// error bound decides almost every call; the rest is decided in exact arithmetic, so the sign is
-/// always right, for any finite coordinates, including under- and overflow of the filter.
-/// Reference: Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
-/// predicates", DCG 1997 (the filter's bounds).
-/// Thread-safe; deterministic; a call costs a few nanoseconds when the filter decides and about a
-/// microsecond when it does not.
+/// Exact signs of orientations of points in doubles. A floating-point filter with a proven error
+/// bound decides nearly every call, and exact arithmetic decides the others. Hence the sign is
+/// correct for all finite coordinates, even if the filter overflows or underflows. Reference:
+/// Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
+/// DCG 1997 (bounds of the filter). Departure: integers of fixed length and monomial sums replace
+/// adaptive expansions. Thread-safe; deterministic. A call takes a few nanoseconds if the filter
+/// decides, and about a microsecond otherwise.
 #pragma once
 
 #include <vector>
@@ -13,18 +13,19 @@
 
 namespace transformesh {
 
-/// The two coordinates kept when a plane is looked at along an axis.
+/// The two coordinates that remain in a projection along an axis.
 struct PlaneProjection {
   int u = 0;
   int v = 1;
 };
 
-/// +1 where d is on the side that the counter-clockwise normal of abc points to, -1 on the other
-/// side, 0 in the plane (also when abc is degenerate).
+/// Returns +1 if d is on the side of abc to which its normal points (abc is counter-clockwise when
+/// viewed from there). Returns -1 on the other side, and 0 if d is in the plane or abc is
+/// degenerate.
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// The plane of a triangle, to find the sides of several points as orient3d does, or 0 where that
-/// takes more than the filter. Keeps references.
+/// The plane of a triangle, for testing several points. side_of() returns the result of orient3d().
+/// filtered_side_of() returns 0 if the filter does not decide. Keeps references.
 class OrientedPlane {
  public:
   OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c);
@@ -34,29 +35,31 @@ class OrientedPlane {
  private:
   const Vec3 &a_, &b_, &c_;
   Vec3 normal_;
-  Vec3 size_;  ///< of the products that make the normal
+  Vec3 size_;  ///< sums of the absolute values of the products in `normal_`
 };
 
-/// +1 where abc turns counter-clockwise in the projection, 0 where its image is collinear.
+/// Returns +1 if abc is counter-clockwise in the projection, -1 if clockwise, 0 if it is collinear
+/// there.
 int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection projection);
 
-/// Whether the three points lie on one line, two equal ones included.
+/// True if the three points are on one line; also if two of them are equal.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// A projection in which the triangle is not degenerate and turns counter-clockwise. The triangle
+/// Returns a projection in which the triangle is counter-clockwise and not degenerate. The triangle
 /// must not be collinear.
 PlaneProjection projection_of(const Triangle& triangle);
 
-/// Sign of the dot product of the normals of two triangles.
+/// Returns the sign of the dot product of the normals of two triangles.
 int normals_dot(const Triangle& first, const Triangle& second);
 
-/// Sign of one coordinate (0, 1, 2) of the cross product of the normals of two triangles.
+/// Returns the sign of one coordinate (0, 1 or 2) of the cross product of the normals of two
+/// triangles.
 int normals_cross(const Triangle& first, const Triangle& second, int coordinate);
 
-/// The faces without area: their corners lie on one line. Ascending; O(n), in parallel.
+/// Returns the faces without area, whose corners are collinear; ascending. O(n); parallel.
 std::vector<Index> degenerate_faces(const Mesh& mesh);
 
-/// An order by x, then y, then z: -1, 0 or +1. Positions are never NaN or infinite.
+/// Compares by x, then y, then z: -1, 0 or +1. Positions must be finite.
 int compare_positions(const Vec3& a, const Vec3& b);
 
 }  // namespace transformesh

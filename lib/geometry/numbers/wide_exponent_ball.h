@@ -1,6 +1,7 @@
-/// A real number known up to an error, with an exponent that neither overflows nor underflows: what
-/// decides a sign where products of doubles leave the range of doubles, and costs a tenth of exact
-/// arithmetic there. Any rounding mode. Reference: van der Hoeven, "Ball arithmetic", 2009.
+/// A real number with an error bound in doubles, and an exponent that neither overflows nor
+/// underflows. Decides a sign if products leave the range of doubles, at a tenth of the cost of
+/// exact arithmetic. Valid in any rounding mode. Reference: van der Hoeven, "Ball arithmetic",
+/// 2009.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +18,12 @@ class WideExponentBall {
   explicit WideExponentBall(double number) : WideExponentBall(number, 0, 0) {}
   WideExponentBall(double center, double radius) : WideExponentBall(center, radius, 0) {}
 
-  /// All numbers.
+  /// Returns a ball that contains all numbers.
   static WideExponentBall unknown() { return {0, std::numeric_limits<double>::infinity()}; }
 
-  /// +1 or -1 where all numbers of the ball are of that sign, else 0.
+  /// Returns +1 or -1 if all numbers of the ball have that sign, otherwise 0.
   int sign() const { return value_ > error_ ? 1 : value_ < -error_ ? -1 : 0; }
-  /// The least and the largest number, infinite where doubles do not reach.
+  /// Bounds of the ball; infinite if they exceed the range of doubles.
   double low() const { return to_double(value_ - error_, -1); }
   double high() const { return to_double(value_ + error_, 1); }
 
@@ -49,7 +50,7 @@ class WideExponentBall {
                 epsilon * std::abs(value),
             a.exponent_ + b.exponent_};
   }
-  /// The divisor has a sign.
+  /// The divisor must have a certain sign.
   friend WideExponentBall operator/(const WideExponentBall& a, const WideExponentBall& b) {
     const double value = a.value_ / b.value_;
     const double error =
@@ -59,10 +60,11 @@ class WideExponentBall {
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  static constexpr double slack = 1 + 32 * epsilon;  // for what is rounded in errors
+  static constexpr double slack = 1 + 32 * epsilon;  // for rounding of errors
   static constexpr double underflow = 0x1p-900;
 
-  // The larger of value and error comes to lie in [1, 2). What is not finite is not known at all.
+  // Normalizes such that the larger of value and error is in [1, 2). Values that are not finite
+  // become unknown.
   WideExponentBall(double value, double error, int exponent) {
     const double size = std::max(std::abs(value), error);
     if (size == 0 && error == 0) return;
@@ -86,8 +88,8 @@ class WideExponentBall {
   int exponent_ = 0;
 };
 
-/// Whether sums of products of doubles that came to this size may have lost by over- or underflow
-/// what wide balls keep; elsewhere these say no more than the doubles. A sum of zeros is none.
+/// True if sums of products of this size may have overflowed or underflowed in doubles. Then wide
+/// balls are more precise; otherwise they are not. A size of 0 means that all terms are zero.
 inline bool leaves_double_range(double size) {
   return size != 0 && !(size > 1e-260 && size < 1e300);
 }

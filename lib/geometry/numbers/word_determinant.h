@@ -1,6 +1,6 @@
-/// Signs of determinants of integers of one word each, below 2^61 in size: what coordinates of
-/// points that lie close together are, as multiples of one power of two, less those of the first
-/// point. Exact, zeros included, in a fifth of the time of integers of two words.
+/// Signs of determinants of one-word integers below 2^61 in absolute value. Such integers are the
+/// differences of coordinates of nearby points, as multiples of one power of two. Exact, including
+/// zeros, in a fifth of the time of two-word integers.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace transformesh {
 
 __extension__ using SignedTwoWords = __int128;
 
-/// The most bits of multiples whose differences may be given here.
+/// Largest number of bits of multiples whose differences are valid arguments.
 constexpr int one_word_bits = 60;
 
 inline SignedTwoWords word_minor(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
@@ -21,8 +21,8 @@ inline int sign_of_word(SignedTwoWords number) {
   return (number > 0 ? 1 : 0) - (number < 0 ? 1 : 0);
 }
 
-/// Of the matrix with these rows. Minors are below 2^123; what they and a factor make is summed in
-/// two parts, of which the lower one has a sign of its own.
+/// Returns the sign of the determinant of the rows. Minors are below 2^123. Products of minors and
+/// factors are summed in two parts, the low and the high words of the minors.
 inline int sign_of_word_determinant(const std::array<std::array<std::int64_t, 3>, 3>& rows) {
   SignedTwoWords low = 0, high = 0;
   for (std::size_t i = 0; i < 3; ++i) {
