@@ -1,5 +1,5 @@
-/// Four boxes side by side, which are tested at once: a node of the bounding volume hierarchy.
-/// Unused boxes are NaN, which no comparison accepts.
+/// Four boxes stored as structure of arrays, which are tested together: a node of the bounding
+/// volume hierarchy. Unused boxes are NaN, for which all comparisons are false.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct alignas(16) BoxQuad {
   }
 };
 
-/// The group of each box of a quad, or no_index for none.
+/// The group of each box of a quad, or no_index.
 struct alignas(16) GroupQuad {
   std::array<Index, 4> group;
 };

@@ -12,21 +12,21 @@ namespace {
 
 constexpr std::size_t quads_per_task = 1024;
 
-/// More than can wait at once: each layer leaves at most three quads waiting.
+/// Exceeds the depth: each layer leaves at most three quads on the stack.
 constexpr std::size_t stack_size = 64;
 
 FloatBox united(const BoxQuad& quad) {
   FloatBox box = quad.box(0);
   for (int axis = 0; axis < 3; ++axis)
     for (int lane = 1; lane < 4; ++lane) {
-      // In this order a comparison with the NaN of an unused box changes nothing.
+      // In this argument order, comparison with NaN keeps the first argument.
       box.min()[axis] = std::min(box.min()[axis], quad.minimum[axis][lane]);
       box.max()[axis] = std::max(box.max()[axis], quad.maximum[axis][lane]);
     }
   return box;
 }
 
-/// Packs box_of(0) .. box_of(count - 1) four by four.
+/// Packs box_of(0) to box_of(count - 1) in groups of four.
 template <class BoxOf>
 std::vector<BoxQuad> pack(std::size_t count, const BoxOf& box_of) {
   std::vector<BoxQuad> quads((count + 3) / 4);
@@ -79,7 +79,7 @@ Index Bvh::add_common_links(std::span<const Index> rows) {
   return static_cast<Index>(links_.size() - 1);
 }
 
-// Unused boxes are like the first, so that they change nothing above.
+// Unused boxes get the group of the first box, so that they do not affect the layers above.
 void Bvh::set_groups(std::span<const Index> group_of_box) {
   groups_.clear();
   std::vector<Index> groups(order_.size());

@@ -12,19 +12,20 @@ namespace {
 using Pair = Bvh::Pair;
 using Layer = std::vector<BoxQuad>;
 
-/// Enough tasks to keep all threads busy to the end. Their number does not depend on the threads.
+/// Number of tasks to aim for, independent of the number of threads. Enough to keep all threads
+/// busy until the end; more tasks cost time to prepare. A choice.
 constexpr std::size_t task_count = 1024;
 constexpr std::size_t pairs_at_once = 1024;
 constexpr std::size_t most_of_quads = 16;
 
-/// Two quads of one layer whose pairs are wanted. For the pairs inside a quad it is named twice.
+/// Two quads of a layer whose pairs are searched. For pairs within a quad, both are the same.
 struct Task {
   std::size_t layer;
   Index first;
   Index second;
 };
 
-/// Two places of a layer as one number, so that adding to both is one step.
+/// Two places of a layer packed into one number, so that both are offset in one addition.
 using PlacePair = std::uint64_t;
 constexpr int place_bits = 32;
 constexpr PlacePair place_pair(Index first, Index second) {
@@ -33,7 +34,7 @@ constexpr PlacePair place_pair(Index first, Index second) {
 constexpr Index first_of(PlacePair places) { return static_cast<Index>(places); }
 constexpr Index second_of(PlacePair places) { return static_cast<Index>(places >> place_bits); }
 
-/// The pairs that a mask of turned_overlap_masks() names; the rest of the four are not used.
+/// The pairs for a mask of turned_overlap_masks(). Only the first `count` entries are valid.
 struct NamedPairs {
   std::array<PlacePair, 4> places;
   std::size_t count;
@@ -51,14 +52,14 @@ constexpr auto make_named_pairs() {
 
 constexpr auto named_pairs = make_named_pairs();
 
-/// Of two different quads, of a quad with itself, and of that without the pairs of a box with
-/// itself: the bits of masks that count.
+/// Masks of the bits that count, per turn. `all_pairs` is for two different quads, `pairs_inside`
+/// for a quad with itself. `different_inside` also excludes pairs of a box with itself.
 constexpr std::array<unsigned, 4> all_pairs{15, 15, 15, 15};
 constexpr std::array<unsigned, 4> pairs_inside{15, 15, 3, 0};
 constexpr std::array<unsigned, 4> different_inside{0, 15, 3, 0};
 
-/// Writes four pairs for each turn, of which those that count come first, and returns the end of
-/// these. There are no branches, as chance decides.
+/// Writes the overlapping pairs and returns their end. Four pairs are written per turn, of which
+/// only the valid ones are kept. The loop has no branches because the outcome is unpredictable.
 PlacePair* list_overlaps(const BoxQuad& first, const BoxQuad& second, PlacePair base,
                          const std::array<unsigned, 4>& counting, PlacePair* to) {
   const std::array<unsigned, 4> masks = turned_overlap_masks(first, second);
@@ -70,7 +71,7 @@ PlacePair* list_overlaps(const BoxQuad& first, const BoxQuad& second, PlacePair 
   return to;
 }
 
-/// Pairs of boxes by their places in layer 0, until there are enough to be looked at.
+/// Buffer of pairs of places in layer 0, which is processed when it is full.
 class PlacePairs {
  public:
   PlacePairs() : places_(pairs_at_once + most_of_quads), end_(places_.data()) {}
@@ -90,7 +91,7 @@ class PlacePairs {
 
 }  // namespace
 
-/// Descends two trees at once, layer by layer. The trees may be one and the same.
+/// Descends two trees simultaneously, layer by layer. Both may be the same tree.
 class Bvh::PairSearch {
  public:
   PairSearch(const Bvh& here, const Bvh& there)
@@ -120,7 +121,8 @@ class Bvh::PairSearch {
   }
 
  private:
-  /// Pairs of the roots. Of a higher tree the quads on the layer of the other's root are taken.
+  /// Returns the pairs of the roots. If one tree is deeper, its quads on the layer of the other's
+  /// root are used.
   std::vector<Task> first_tasks() const {
     if (here_.empty() || there_.empty()) return {};
     const std::size_t layer = std::min(here_.layers_.size(), there_.layers_.size()) - 1;
@@ -130,7 +132,7 @@ class Bvh::PairSearch {
     return tasks;
   }
 
-  /// Returns whether any pairs are left.
+  /// Clears the bits of pairs within one group. Returns false if no pair is left.
   bool leave_out_groups(const Task& task, std::array<unsigned, 4>& counting) const {
     const std::vector<GroupQuad>& groups = here_.groups_[task.layer];
     const auto same = turned_group_masks(groups[task.first], groups[task.second]);
@@ -153,7 +155,7 @@ class Bvh::PairSearch {
     });
   }
 
-  /// The task of two places in the layer above.
+  /// Returns the task for two places, on the layer below.
   Task task_below(std::size_t layer, PlacePair places) const {
     const Index i = first_of(places), j = second_of(places);
     if (is_self_) return {layer - 1, std::min(i, j), std::max(i, j)};
@@ -171,7 +173,7 @@ class Bvh::PairSearch {
     return result;
   }
 
-  // Calls flush when enough pairs have come together.
+  // Calls `flush` whenever the buffer is full.
   template <class Flush>
   void descend(const Task& task, PlacePairs& found, const Flush& flush) const {
     if (task.layer == 0) {
@@ -185,7 +187,7 @@ class Bvh::PairSearch {
       descend(task_below(task.layer, *places), found, flush);
   }
 
-  /// The boxes at these places; of one tree the smaller number first.
+  /// Converts places to box indices; for one tree the smaller index is first.
   void name_boxes(std::span<const PlacePair> places, std::vector<Pair>& pairs) const {
     pairs.resize(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Cells on each side of the origin, along an axis. A cell is one number of 63 bits.
+/// Number of cells on each side of the origin along an axis, so that a cell index has 63 bits.
 constexpr double most_cells = 1 << 20;
 /// Cells along the longest side of a mesh. With 512, marks of all tiles take two to four times the
 /// memory and time; with 128, the halos of 64 tiles are twice as wide.
@@ -24,10 +24,10 @@ double length_of(const std::array<Vec3, 2>& corners) {
 
 }  // namespace
 
-// Coordinates in cells, counted from the first cell, are positive: numbers of cells are their whole
-// parts.
+// Coordinates in units of cells, relative to the first cell, are positive. Truncation gives the
+// cell indices.
 void CellGrid::find(const Triangle& triangle, double margin, std::vector<Cell>& cells) const {
-  // More than the rounding of coordinates in cells, which is below 2^-31.
+  // Exceeds the rounding error of coordinates in cells, which is below 2^-31.
   constexpr double rounding = 0x1p-20;
   cells.clear();
   Corners corners;
@@ -53,7 +53,7 @@ void CellGrid::add(const Corners& t, double margin, std::vector<Cell>& cells) {
       for (Cell z = low[2]; z <= high[2]; ++z) cells.push_back(x << 42 | y << 21 | z);
 }
 
-// The longest edge is cut in the middle.
+// Splits the triangle at the midpoint of its longest edge.
 void CellGrid::add_halves(const Corners& t, double margin, std::vector<Cell>& cells) {
   std::size_t longest = 0;
   double most = -1;
@@ -79,7 +79,7 @@ Eigen::AlignedBox3d CellGrid::box_of(Cell cell) const {
 }
 
 Eigen::AlignedBox3d CellGrid::box_around(Cell cell) const {
-  // A hundredth of a cell is more than rounding moves its sides.
+  // A hundredth of a cell exceeds the rounding error of the sides.
   const Vec3 margin = Vec3::Constant(size_ / 100);
   const Eigen::AlignedBox3d box = box_of(cell);
   return {box.min() - margin, box.max() + margin};

@@ -1,6 +1,6 @@
-/// The cells of a grid of cubes that triangles touch, and marks of cells. Triangles that come near
-/// each other have a cell in common; long triangles are cut into short ones first, so that far from
-/// them few others have. Deterministic.
+/// Uniform grid of cubic cells: the cells that triangles touch, and marks of cells. Two triangles
+/// that are close to each other share a cell. Long triangles are subdivided first, so that they do
+/// not share cells with distant triangles. Deterministic.
 #pragma once
 
 #include <span>
@@ -16,31 +16,33 @@ class CellGrid {
  public:
   explicit CellGrid(double size) : size_(size) {}
 
-  /// Cells touched by what is as near as `margin` to a triangle, and some others beside them, in a
-  /// list that is cleared before. Some come twice. Cost: O(1) for a triangle smaller than a cell.
+  /// Stores in `cells` the cells within `margin` of a triangle, and some adjacent cells. The list
+  /// may contain duplicates. Cost: O(1) for a triangle smaller than a cell.
   void find(const Triangle& triangle, double margin, std::vector<Cell>& cells) const;
   double size() const { return size_; }
-  /// The cell as a box, but for rounding, and a box that is a little larger.
+  /// Returns the box of a cell, up to rounding. box_around() returns a slightly larger box that
+  /// contains it.
   Eigen::AlignedBox3d box_of(Cell cell) const;
   Eigen::AlignedBox3d box_around(Cell cell) const;
 
  private:
-  using Corners = std::array<std::array<double, 3>, 3>;  ///< corners of a triangle, in cells
+  /// Corners of a triangle in units of cells.
+  using Corners = std::array<std::array<double, 3>, 3>;
   static void add(const Corners& corners, double margin, std::vector<Cell>& cells);
   static void add_halves(const Corners& corners, double margin, std::vector<Cell>& cells);
 
   double size_;
 };
 
-/// Collects what decides on the size of cells.
+/// Determines the cell size from the triangles of a mesh.
 class CellSize {
  public:
   void add(const Triangle& triangle);
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
-  /// Returns the mean length of the boxes around the triangles, but at least a 256th of the longest
-  /// side of the box around all. Larger cells bring more neighbors, smaller ones take more memory.
+  /// Returns the mean length of the boxes of the triangles, but at least 1/256 of the longest side
+  /// of the mesh. Larger cells contain more faces; smaller cells take more memory.
   double size() const;
-  /// The least size of cells for these triangles.
+  /// Returns the smallest valid cell size for these triangles.
   double least() const;
 
  private:
@@ -49,14 +51,14 @@ class CellSize {
   std::size_t count_ = 0;
 };
 
-/// Marks of cells: pairs of a cell and a number, each once, with the round in which it was made.
-/// Cost: O(1) to add or find a pair; 32 to 64 bytes for each.
+/// Set of pairs of a cell and a number, each with the round in which it was added. Cost: O(1) to
+/// add or find a pair; 32 to 64 bytes per pair.
 class CellMarks {
  public:
-  /// Returns false if the pair was marked before.
+  /// Returns false if the pair exists already.
   bool add(Cell cell, Index number, Index round = 0);
-  /// Calls visit(number) for the marks of a cell that were made before a round, until it returns
-  /// true; returns whether it did.
+  /// Calls visit(number) for the marks of a cell that were added before `round`, until `visit`
+  /// returns true. Returns true in that case.
   template <class Visit>
   bool visit(Cell cell, Index round, const Visit& visit) const {
     if (slots_.empty()) return false;

@@ -13,13 +13,14 @@ namespace {
 
 constexpr std::size_t bucket_size = 2;
 
-/// The least between normals less than a right angle apart. Rounding of a right angle is less.
+/// Least cosine of the angle between normals that counts as less than 90 degrees. Exceeds the
+/// rounding error of a right angle.
 constexpr double least_cosine = 1e-9;
 
 TriangleSimplex corner_simplex(int corner) { return static_cast<TriangleSimplex>(corner % 3); }
 TriangleSimplex edge_simplex(int edge) { return static_cast<TriangleSimplex>(3 + edge); }
 
-/// The closest point of the segment from corner `edge` of the triangle to the next.
+/// Returns the closest point of the edge that starts at corner `edge` of the triangle.
 inline TrianglePoint closest_point_of_edge(const Vec3& query, const Vec3& from, const Vec3& to,
                                            int edge) {
   const Vec3 direction = to - from;
@@ -46,7 +47,7 @@ const Mesh& checked(const Mesh& mesh) {
 
 TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const Vec3& b,
                                         const Vec3& c) {
-  // These are the barycentric coordinates of the projection, times the squared normal.
+  // Barycentric coordinates of the projection, times the squared length of the normal.
   const Vec3 to_a = a - query;
   const Vec3 to_b = b - query;
   const Vec3 to_c = c - query;
@@ -59,7 +60,7 @@ TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const 
     return {a + weight_b / sum * (b - a) + weight_c / sum * (c - a), TriangleSimplex::inside};
   }
 
-  // Else the closest point lies on the boundary; of equally close ones the first is taken.
+  // Otherwise the closest point is on the boundary; ties are broken by order.
   TrianglePoint best = closest_point_of_edge(query, a, b, 0);
   double least = squared_distance(best.point, query);
   const auto offer = [&](const TrianglePoint& candidate) {
@@ -84,20 +85,21 @@ ClosestPointQuery::ClosestPointQuery(const Mesh& mesh, FaceOrder order)
       faces_at_(mesh) {}
 
 struct ClosestPointQuery::Hit {
-  double squared = std::numeric_limits<double>::infinity();  ///< distance from the query
+  double squared = std::numeric_limits<double>::infinity();  ///< squared distance from the query
   Index face = no_index;
   TrianglePoint place;
-  Vec3 to_query = Vec3::Zero();  ///< the way from the place to the query
+  Vec3 to_query = Vec3::Zero();  ///< vector from the closest point to the query
 
-  /// Whether the corner is beyond the plane that touches the ball around the query at the place,
-  /// with room for rounding. A triangle with all corners there comes no closer.
+  /// True if the corner is beyond the tangent plane of the ball around the query at the closest
+  /// point, with a margin for rounding. A triangle with all corners beyond this plane is not
+  /// closer.
   bool is_beyond(const Vec3& corner) const {
     return to_query.dot(corner - place.point) < -1e-9 * squared;
   }
 };
 
-/// Leaves out faces that are not accepted, those beyond the bound, and cells whose squared distance
-/// is more than `shrink` times the best so far.
+/// Searches the closest face. Skips faces that are not accepted or beyond the bound, and cells
+/// whose squared distance exceeds `shrink` times the best squared distance.
 template <class Condition>
 ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink,
                                                  const Condition& accept, Index hint,

@@ -1,10 +1,8 @@
-/// The closest point of a triangle mesh, and on which side of it a query lies.
-/// Vertices are the same when their indices are: the sign of a soup whose faces share no indices is
-/// that of single faces. Floating point; deterministic; the face of lowest index wins ties. Safe to
-/// call from several threads at once.
-/// Cost: O(n log n) to build on all allowed threads, O(log n) a query on usual meshes.
-/// Reference for the sign: Baerentzen & Aanaes, "Signed distance computation using the angle
-/// weighted pseudonormal", TVCG 11(3), 2005.
+/// Closest point on a triangle mesh, with signed distance. Vertices are equal if their indices are;
+/// for a soup without shared indices the sign is that of single faces. Floating point;
+/// deterministic; ties are broken by the lowest face index. Thread-safe. Cost: O(n log n) to build
+/// on all allowed threads; O(log n) per query on usual meshes. Reference for the sign: Baerentzen &
+/// Aanaes, "Signed distance computation using the angle weighted pseudonormal", TVCG 11(3), 2005.
 #pragma once
 
 #include <functional>
@@ -18,8 +16,8 @@
 
 namespace transformesh {
 
-/// The part of a triangle on which a point lies: corner i, the edge from corner i to the next, or
-/// the inside.
+/// The simplex of a triangle that contains a point: corner i, the edge from corner i to the next
+/// corner, or the inside.
 enum class TriangleSimplex { corner_0, corner_1, corner_2, edge_0, edge_1, edge_2, inside };
 
 struct TrianglePoint {
@@ -27,7 +25,8 @@ struct TrianglePoint {
   TriangleSimplex part = TriangleSimplex::inside;
 };
 
-/// The point of triangle abc closest to the query. Triangles without area are segments or points.
+/// Returns the point of triangle abc closest to the query. Triangles without area are treated as
+/// segments or points.
 TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const Vec3& b,
                                         const Vec3& c);
 
@@ -35,36 +34,39 @@ struct ClosestPoint {
   Vec3 point = Vec3::Zero();
   Index face = no_index;
   double distance = 0;
-  Vec3 pseudonormal = Vec3::Zero();  ///< of the face, edge or vertex hit; unit length, or zero
-  /// Negative inside, by the pseudonormal; of an open mesh, behind it.
+  Vec3 pseudonormal = Vec3::Zero();  ///< unit pseudonormal of the face, edge or vertex that
+                                     ///< contains `point`, or zero
+  /// Negative if the query is behind the pseudonormal: inside a closed mesh.
   double signed_distance = 0;
 };
 
-/// How the faces of a mesh are ordered. `spatial` says that spatial_face_order() did it, which
-/// saves the sorting; where that is not so, queries are right but slow.
+/// Order of the faces of a mesh. `spatial` means that the faces are in the order of
+/// spatial_face_order(), which saves sorting. If that is not true, queries are correct but slow.
 enum class FaceOrder { any, spatial };
 std::vector<Index> spatial_face_order(const Mesh& mesh);
 
 class ClosestPointQuery {
  public:
-  /// Keeps a reference to the mesh. Throws InputError for a mesh without faces.
+  /// Keeps a reference to the mesh. Throws InputError if the mesh has no faces.
   explicit ClosestPointQuery(const Mesh& mesh, FaceOrder order = FaceOrder::any);
-  /// `hint`: a face that may be near, as that of a query nearby; it only saves time.
+  /// Returns the closest point. `hint` is a face that may be close, e.g. that of a nearby query; it
+  /// affects only the time.
   ClosestPoint operator()(const Vec3& query, Index hint = no_index) const;
-  /// The same among the faces whose normals are less than a right angle from that one, by more than
-  /// rounding; among all where there is none, or the normal is zero.
+  /// Returns the closest point of the faces whose normals are at an angle of less than 90 degrees
+  /// from `normal`. Considers all faces if there is no such face, or if `normal` is zero.
   ClosestPoint facing(const Vec3& query, const Vec3& normal) const;
-  /// The closest point of the faces abc that pass `accept` and come at least as near as
-  /// `distance`; nothing if there is none.
+  /// Returns the closest point within `distance` of the faces abc for which `accept` returns true,
+  /// or nothing if there is none.
   using Accept = std::function<bool(const Vec3& a, const Vec3& b, const Vec3& c)>;
   std::optional<Vec3> closest_within(const Vec3& query, double distance,
                                      const Accept& accept) const;
-  /// A face that comes at least as near as that, the first that is met; no_index if there is none.
+  /// Returns any face within `distance`, or no_index if there is none.
   Index face_within(const Vec3& query, double distance, Index hint = no_index) const;
-  /// The face of the closest point; no_index if that is farther than `distance`.
+  /// Returns the face of the closest point, or no_index if it is farther than `distance`.
   Index closest_face_within(const Vec3& query, double distance, Index hint = no_index) const;
-  /// A point of the mesh that is farther than the closest by no more than that share of the
-  /// distance. Much faster far from the mesh, where many points are almost the closest.
+  /// Returns a point of the mesh whose distance exceeds the least one by at most the fraction
+  /// `tolerance`. Much faster than the exact query far from the mesh, where many points have nearly
+  /// the same distance.
   Vec3 nearby(const Vec3& query, double tolerance) const;
 
  private:
@@ -74,8 +76,8 @@ class ClosestPointQuery {
              double squared_bound = std::numeric_limits<double>::infinity()) const;
   ClosestPoint described(const Vec3& query, const Hit& best) const;
   Vec3 pseudonormal(Index face, TriangleSimplex part) const;
-  /// no_index on a border, if more than two faces meet and if both traverse the edge in the same
-  /// direction.
+  /// Returns the face across an edge. Returns no_index on a border, if more than two faces meet, or
+  /// if both faces traverse the edge in the same direction.
   Index face_across(Index face, Index from, Index to) const;
 
   const Mesh* mesh_;

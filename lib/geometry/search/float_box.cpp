@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t boxes_per_task = 4096;
 constexpr std::size_t most_sampled_points = 1024;
-constexpr double smallest_usual = 1e-30;  ///< less is hardly distinguished by floats
+constexpr double smallest_usual = 1e-30;  ///< floats hardly distinguish smaller values
 
 FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
   return float_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
 }
 
-/// The entry that is `share` of the way up among those of some points.
+/// Returns the quantile `share`, in [0, 1), of a value over a sample of the points.
 template <class Value>
 double quantile(std::span<const Vec3> points, double share, const Value& value) {
   const std::size_t stride = points.size() / most_sampled_points + 1;
@@ -30,7 +30,7 @@ double quantile(std::span<const Vec3> points, double share, const Value& value) 
   return *at;
 }
 
-// The median along each axis: a few points that are far away do not move it.
+// Returns the median along each axis, which a few distant points do not affect.
 Vec3 middle_of_most(std::span<const Vec3> points) {
   const auto middle = [&](int axis) {
     return quantile(points, 0.5, [axis](const Vec3& p) { return p[axis]; });
@@ -38,7 +38,7 @@ Vec3 middle_of_most(std::span<const Vec3> points) {
   return {middle(0), middle(1), middle(2)};
 }
 
-/// Ascends with the number, and by 1 where its magnitude doubles.
+/// Monotonic function that increases by 1 if the magnitude doubles.
 double exponent_and_fraction(double x) {
   const auto bits = static_cast<double>(std::bit_cast<std::uint64_t>(std::abs(x)));
   return std::copysign(bits * 0x1p-52, x);
@@ -50,8 +50,8 @@ Vec3 exponents(const Vec3& p) {
 
 }  // namespace
 
-// There is no branch, because boxes are made by the thousand and whether the nearest float is below
-// the value is a coin toss. Adding 0 makes -0 positive, so that the bits are in order.
+// The code has no branches, because rounding up or down is unpredictable and boxes are created in
+// large numbers. Adding 0 turns -0 into 0, so that bit patterns are ordered.
 float float_above(double value) {
   const float nearest = static_cast<float>(value) + 0.0F;
   const auto bits = std::bit_cast<std::int32_t>(nearest);
@@ -68,7 +68,7 @@ FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
                       float_above(maximum.z())));
 }
 
-// Rounding keeps the order of numbers, and so boxes that overlap still do.
+// Rounding is monotonic, so boxes that overlap still overlap.
 BoxFrame::BoxFrame(std::span<const Vec3> points) {
   if (points.empty()) return;
   origin_ = middle_of_most(points);

@@ -1,5 +1,5 @@
-/// Boxes in floats, rounded outwards: half the size of boxes in doubles, and still no overlap in
-/// doubles is missed. Coordinates beyond the floats' range give infinite bounds.
+/// Boxes in floats, rounded outwards. They take half the memory of boxes in doubles, and overlap
+/// whenever the boxes in doubles overlap. Coordinates beyond the range of floats become infinite.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,17 +14,19 @@ namespace transformesh {
 
 using FloatBox = Eigen::AlignedBox3f;
 
-/// The largest float that is not above the value, and the smallest that is not below it.
+/// float_below() returns the largest float that is not above the value; float_above() returns the
+/// smallest float that is not below it.
 float float_below(double value);
 float float_above(double value);
 
-/// The smallest box in floats around a box in doubles.
+/// Returns the smallest box in floats that contains a box in doubles.
 FloatBox float_box(const Vec3& minimum, const Vec3& maximum);
 
-/// Moves and scales boxes so that floats resolve them best, however small the shape is or however
-/// far from the origin: the middle of most points becomes the origin and the size about 1. So a
-/// point that is far away costs the others nothing. Where magnitudes go beyond what floats hold,
-/// coordinates are replaced by what ascends with their logarithms. Overlaps stay overlaps.
+/// Translates and scales boxes such that floats resolve them best, for shapes that are small or far
+/// from the origin. The median of the points becomes the origin, and the size becomes about 1.
+/// Hence a few distant points do not move the origin. If magnitudes exceed the range of floats,
+/// coordinates are replaced by a monotonic function of their logarithms. Boxes that overlap still
+/// overlap.
 class BoxFrame {
  public:
   BoxFrame() = default;
@@ -42,7 +44,7 @@ class BoxFrame {
   bool is_wide_ = false;
 };
 
-/// The middle of a box along an axis, infinite bounds counted as the largest float.
+/// Returns the center of a box along an axis; infinite bounds are replaced by the largest float.
 inline double center(const FloatBox& box, std::size_t axis) {
   constexpr float largest = std::numeric_limits<float>::max();
   const double low = std::clamp(box.min()[static_cast<Eigen::Index>(axis)], -largest, largest);
@@ -50,9 +52,9 @@ inline double center(const FloatBox& box, std::size_t axis) {
   return (low + high) / 2;
 }
 
-/// A box around each face.
+/// Returns the box of each face.
 std::vector<FloatBox> face_boxes(const Mesh& mesh);
-/// A box around each of the faces named, in that order.
+/// Returns the boxes of the given faces, in their order.
 std::vector<FloatBox> face_boxes(const Mesh& mesh, std::span<const Index> faces);
 
 }  // namespace transformesh

@@ -1,5 +1,6 @@
-/// Points by the cells of a regular grid, to find those near a position in constant time. What is
-/// near is visited cell by cell, in the order added, so results do not depend on hashing.
+/// Hash table of points by the cells of a uniform grid, for finding points near a position in
+/// constant time. Points are visited cell by cell, in the order in which they were added. Hence
+/// results do not depend on hashing.
 #pragma once
 
 #include <array>
@@ -16,19 +17,20 @@ namespace transformesh {
 
 class HashedGrid {
  public:
-  /// Cells are cubes of that width.
+  /// `width` is the side length of the cells.
   explicit HashedGrid(double width) : width_(width) {}
 
   void add(const Vec3& position, Index point) { cells_[cell_of(position)].push_back(point); }
 
-  /// Calls visit(point) for the points in the cell of the position and in the 26 cells around it:
-  /// so for all that are as near as the width along every axis. Ends where visit returns true, and
-  /// returns whether it did.
+  /// Calls visit(point) for the points in the cell of the position and the 26 cells around it,
+  /// until `visit` returns true. This includes all points within `width` along each axis. Returns
+  /// true if `visit` did.
   template <class Visit>
   bool find_around(const Vec3& position, const Visit& visit) const {
     const Cell cell = cell_of(position);
     for (int i = 0; i < 27; ++i) {
-      const auto found = cells_.find(neighbor(cell, (i + 13) % 27));  // its own cell first
+      // The cell of the position first.
+      const auto found = cells_.find(neighbor(cell, (i + 13) % 27));
       if (found == cells_.end()) continue;
       for (const Index point : found->second)
         if (visit(point)) return true;
@@ -37,7 +39,7 @@ class HashedGrid {
   }
 
  private:
-  using Cell = std::array<double, 3>;  ///< whole numbers, beyond the range of integers too
+  using Cell = std::array<double, 3>;  ///< integer values, which may exceed the range of integers
 
   struct Hash {
     std::size_t operator()(const Cell& cell) const {
@@ -47,12 +49,12 @@ class HashedGrid {
     }
   };
 
-  // Adding 0 makes -0 the same as 0.
+  // Adding 0 turns -0 into 0.
   Cell cell_of(const Vec3& p) const {
     return {std::floor(p[0] / width_) + 0.0, std::floor(p[1] / width_) + 0.0,
             std::floor(p[2] / width_) + 0.0};
   }
-  /// The i-th of the 27 cells around one, of which the 13th is the cell itself.
+  /// Returns the i-th of the 27 cells around a cell; the 13th is the cell itself.
   static Cell neighbor(const Cell& cell, int i) {
     return {cell[0] + (i % 3 - 1), cell[1] + (i / 3 % 3 - 1), cell[2] + (i / 9 - 1)};
   }

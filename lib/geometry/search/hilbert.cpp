@@ -21,21 +21,21 @@ constexpr unsigned gray(unsigned digit) { return digit ^ digit >> 1; }
 
 constexpr unsigned gray_inverse(unsigned octant) { return octant ^ octant >> 1 ^ octant >> 2; }
 
-/// The number of trailing ones.
 constexpr unsigned trailing_ones(unsigned digit) {
   return static_cast<unsigned>(std::countr_one(digit));
 }
 
-/// How the curve runs inside a cell: from which octant it enters, and along which axis it leaves.
-/// A state is 3 * entry + axis; for each octant the table holds 8 * (state inside) + digit.
+/// State transitions of the curve. A state is 3 * entry + axis: the octant at which the curve
+/// enters a cell, and the axis along which it leaves. For each octant the table contains 8 * (state
+/// in the octant) + digit.
 constexpr auto make_transitions() {
   std::array<std::uint8_t, std::size_t{24} * 8> table{};
   for (unsigned entry = 0; entry < 8; ++entry) {
     for (unsigned axis = 0; axis < axes; ++axis) {
       for (unsigned octant = 0; octant < 8; ++octant) {
-        // The octant is seen as by the untransformed curve, which gives its place along the curve.
+        // Transform the octant to the canonical curve, which gives its position along the curve.
         const unsigned digit = gray_inverse(rotate_left(octant ^ entry, 2 * axes - axis - 1));
-        // The entry and the axis of the curve inside the octant are transformed back.
+        // Transform entry and axis of the curve in the octant back.
         const unsigned local_entry = digit == 0 ? 0 : gray(2 * ((digit - 1) / 2));
         const unsigned local_axis =
             digit == 0 ? 0 : trailing_ones(digit % 2 == 0 ? digit - 1 : digit) % axes;
@@ -51,8 +51,8 @@ constexpr auto make_transitions() {
 
 constexpr auto transitions = make_transitions();
 
-/// Steps over two levels at once: for two bits of each axis the table holds 64 * (state inside)
-/// plus two digits.
+/// State transitions over two levels at once. For two bits of each axis the table contains 64 *
+/// (state in the octant) + two digits.
 constexpr auto make_double_transitions() {
   std::array<std::uint16_t, std::size_t{24} * 64> table{};
   for (unsigned state = 0; state < 24; ++state) {
@@ -71,7 +71,7 @@ constexpr auto make_double_transitions() {
 constexpr auto double_transitions = make_double_transitions();
 static_assert(hilbert_bits % 2 == 0);
 
-/// The place along the curve as far as the leading `bits` bits of each coordinate tell.
+/// Returns the position along the curve from the leading `bits` bits of each coordinate.
 template <int bits>
 std::uint64_t leading_index(const std::array<std::uint32_t, 3>& cell) {
   std::uint64_t place = 0;
@@ -86,12 +86,12 @@ std::uint64_t leading_index(const std::array<std::uint32_t, 3>& cell) {
   return place;
 }
 
-// In registers.
+// The array stays in registers.
 [[gnu::always_inline]] inline std::array<double, 3> center(const FloatBox& box) {
   return {transformesh::center(box, 0), transformesh::center(box, 1), transformesh::center(box, 2)};
 }
 
-/// Maps centers to cells: cubes that fill the box around all centers along its longest side.
+/// Maps centers to cubic cells that fill the box of all centers along its longest side.
 class Cells {
  public:
   explicit Cells(std::span<const FloatBox> boxes) {
@@ -122,8 +122,9 @@ class Cells {
   double cells_per_length_ = 0;
 };
 
-/// Sorts boxes by their places along the curve, by numbers that hold the leading bits of a place
-/// and then the box: what agrees in them is rare and looked at again.
+/// Sorts boxes by their positions along the curve. A key contains the leading bits of the position,
+/// followed by the box index. Boxes with equal leading bits are rare; their full positions are
+/// compared.
 class HilbertSort {
  public:
   explicit HilbertSort(std::span<const FloatBox> boxes) : boxes_(boxes), cells_(boxes) {
@@ -146,8 +147,8 @@ class HilbertSort {
   static constexpr int digit_bits = 12;
   static constexpr std::size_t digits = std::size_t{1} << digit_bits;
   static constexpr int key_bits = 64;
-  static constexpr std::size_t few = 1024;      ///< sorted by comparison
-  static constexpr std::size_t many = 1 << 20;  ///< more take another pass
+  static constexpr std::size_t few = 1024;      ///< fewer keys are sorted by comparison
+  static constexpr std::size_t many = 1 << 20;  ///< more keys take a third pass
 
   Index box_of(Key key) const { return static_cast<Index>(key & index_mask_); }
   std::pair<std::uint64_t, Index> full_place(Key key) const {
@@ -169,7 +170,7 @@ class HilbertSort {
     });
   }
 
-  // Stable counting sorts, the least significant digit first, make the radix sort.
+  // Radix sort: stable counting sorts, starting with the least significant digit.
   void sort_by_leading_bits() {
     std::vector<Key> sorted(passes() > 0 ? keys_.size() : 0);
     for (int pass = passes(); pass > 0; --pass) {
@@ -186,7 +187,7 @@ class HilbertSort {
     return ((a ^ b) & ~index_mask_) != 0 ? a < b : full_place(a) < full_place(b);
   }
 
-  /// Sorts those that follow each other and agree in the bits sorted so far.
+  /// Sorts runs of keys that are equal in the bits sorted so far.
   void sort_runs() {
     const Key mask = leading_mask();
     const auto begin = keys_.begin();

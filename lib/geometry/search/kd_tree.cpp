@@ -12,7 +12,7 @@ constexpr std::size_t bucket_size = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Candidate {
-  double distance = infinity;  ///< squared
+  double distance = infinity;  ///< squared distance
   Index index = no_index;
   bool operator<(const Candidate& other) const {
     return distance != other.distance ? distance < other.distance : index < other.index;
@@ -70,7 +70,7 @@ class NearestMany {
 
  private:
   std::size_t count_;
-  std::vector<Candidate> heap_;  ///< the farthest in front
+  std::vector<Candidate> heap_;  ///< max-heap: the farthest candidate is first
 };
 
 std::vector<FloatBox> point_boxes(std::span<const Vec3> points) {

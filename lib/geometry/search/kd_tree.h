@@ -1,7 +1,6 @@
-/// Finds the nearest of many points, exactly as a search over all points with distances in doubles
-/// does; the lowest index wins ties. Deterministic for any number of threads.
-/// Cost: O(n log n) to build on all allowed threads, O(log n) a query on usual data; 35 bytes a
-/// point.
+/// Nearest-neighbor search among points, identical to an exhaustive search with distances in
+/// doubles; ties are broken by the lowest index. Deterministic for any number of threads. Cost: O(n
+/// log n) to build on all allowed threads; O(log n) per query on usual data; 35 bytes per point.
 #pragma once
 
 #include <functional>
@@ -17,15 +16,15 @@ class KdTree {
  public:
   /// Copies the points.
   explicit KdTree(std::span<const Vec3> points);
-  /// The same over points in an order in which neighbors lie close together (hilbert.h): built in
-  /// O(n), and searched more slowly.
+  /// Uses points in a spatially coherent order (hilbert.h). Building takes O(n); queries are
+  /// slower.
   KdTree(std::span<const Vec3> points, std::span<const Index> order);
-  /// no_index where there are no points.
+  /// Returns the nearest point, or no_index if there are no points.
   Index nearest(const Vec3& query) const;
-  /// The nearest of the points that pass `accept` and are closer than `distance`, or no_index.
+  /// Returns the nearest point closer than `distance` for which `accept` returns true, or no_index.
   Index nearest_within(const Vec3& query, double distance,
                        const std::function<bool(Index)>& accept) const;
-  /// The `count` nearest (or all, if fewer), closest first.
+  /// Returns the `count` nearest points, or all if there are fewer; the closest first.
   std::vector<Index> nearest(const Vec3& query, std::size_t count) const;
 
  private:
@@ -33,8 +32,8 @@ class KdTree {
   void search(const Vec3& query, Found& found) const;
 
   MedianTree tree_;
-  std::vector<Index> order_;  ///< the points by their place in the tree
-  std::vector<Vec3> points_;  ///< likewise
+  std::vector<Index> order_;  ///< point indices by their places in the tree
+  std::vector<Vec3> points_;  ///< positions by their places in the tree
 };
 
 }  // namespace transformesh

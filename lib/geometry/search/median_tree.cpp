@@ -17,7 +17,7 @@ void extend(FloatBox& box, const FloatBox& by) {
   }
 }
 
-/// The axis along which the centers spread most.
+/// Returns the axis with the largest extent of the centers.
 template <class Center>
 std::size_t widest_axis(std::span<const Center> centers) {
   std::array<float, 3> low = centers[0].position;
@@ -86,7 +86,7 @@ FloatBox MedianTree::build(std::span<const FloatBox> boxes, std::vector<Center>&
     return box;
   }
 
-  // The cell is cut at the median of its widest axis, and its box follows from the halves.
+  // Split the cell at the median of its widest axis; its box is the union of the halves' boxes.
   const std::size_t axis = widest_axis(std::span<const Center>(own));
   const std::size_t child = 2 * cell.node + 1;
   std::nth_element(

@@ -1,9 +1,10 @@
-/// A binary tree of boxes for nearest queries: every cell is cut at the median of its widest axis,
-/// with a tight box around each half. It takes longer to build than the Bvh, whose boxes overlap
-/// more, and answers nearest queries several times faster. Depth and cells depend on the number of
-/// boxes alone. Queries are templates: their callers include median_tree_visit.h. Cost: O(n log n)
-/// on all allowed threads; deterministic. Reference: Friedman, Bentley & Finkel, "An algorithm for
-/// finding best matches in logarithmic expected time", TOMS 3(3), 1977.
+/// Binary tree of boxes for nearest-neighbor queries. Each cell is split at the median of its
+/// widest axis, with a tight box around each half. Building takes longer than for the Bvh, whose
+/// boxes overlap more, but nearest-neighbor queries are several times faster. Depth and cells
+/// depend on the number of boxes only. Queries are templates: callers include median_tree_visit.h.
+/// Cost: O(n log n) on all allowed threads; deterministic. Reference: Friedman, Bentley & Finkel,
+/// "An algorithm for finding best matches in logarithmic expected time", TOMS 3(3), 1977.
+/// Departure: elements are boxes instead of points.
 #pragma once
 
 #include <array>
@@ -14,26 +15,28 @@
 
 namespace transformesh {
 
-/// `of_tree`: the boxes come in the order() of a tree over them, so nothing is sorted: O(n). A tree
-/// over boxes in another order answers the same, but slowly.
+/// Order of the boxes. `of_tree` means that they are in the order() of a tree over them, which
+/// saves sorting: O(n). If that is not true, queries are correct but slow.
 enum class BoxOrder { any, of_tree };
 
 class MedianTree {
  public:
-  /// Cells of at most `bucket_size` boxes are not cut.
+  /// Cells of at most `bucket_size` boxes are not split.
   MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size,
              BoxOrder order = BoxOrder::any);
 
-  /// The boxes by their place in the tree.
+  /// Returns the box indices by their places in the tree.
   const std::vector<Index>& order() const { return order_; }
 
-  /// Calls visit(place) for every box in a cell no farther from the query than bound(), a squared
-  /// distance that may shrink meanwhile; nearer cells first. A cell never seems farther than the
-  /// `squared_length` of the difference to a point inside it, so no tie is missed.
+  /// Calls visit(place) for each box in a cell whose squared distance from the query is at most
+  /// bound(), nearer cells first. `bound` may decrease during the search. The distance of a cell is
+  /// never larger than `squared_length` of the difference to a point inside it. Hence no tie is
+  /// missed.
   template <class Bound, class Visit>
   void visit_nearest(const Vec3& query, const Bound& bound, const Visit& visit) const;
 
-  /// All distances are computed by these operations in this order, as rounding is monotone.
+  /// All distances must be computed by these operations in this order, because rounding is
+  /// monotonic.
   static double squared_length(double x, double y, double z) { return x * x + y * y + z * z; }
 
  private:
@@ -41,7 +44,7 @@ class MedianTree {
     std::array<float, 3> position;
     Index box;
   };
-  /// A node with its places [first, last); its halves are the nodes 2n + 1 and 2n + 2.
+  /// A node with its places [first, last). Its halves are the nodes 2 * node + 1 and 2 * node + 2.
   struct Cell {
     std::size_t first;
     std::size_t last;
@@ -49,7 +52,7 @@ class MedianTree {
     double distance;
     std::size_t middle() const { return first + (last - first) / 2; }
   };
-  /// The boxes of a node's halves, side by side: one loop over both is one of vectors.
+  /// The boxes of both halves of a node, interleaved, so that loops over both are vectorized.
   struct Halves {
     std::array<std::array<float, 2>, 3> minimum;
     std::array<std::array<float, 2>, 3> maximum;
@@ -58,13 +61,13 @@ class MedianTree {
     FloatBox both() const;
     std::array<double, 2> squared_distances(const Vec3& query) const;
   };
-  /// Build a cell, and return its box.
+  /// build() and enclose() build a cell and return its box.
   FloatBox build(std::span<const FloatBox> boxes, std::vector<Center>& centers, const Cell& cell);
   FloatBox enclose(std::span<const FloatBox> boxes, const Cell& cell);
 
   std::size_t bucket_size_;
   std::vector<Index> order_;
-  std::vector<Halves> nodes_;  ///< that are cut
+  std::vector<Halves> nodes_;  ///< inner nodes
 };
 
 }  // namespace transformesh

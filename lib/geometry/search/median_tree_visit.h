@@ -1,4 +1,4 @@
-/// The nearest query of MedianTree, for the sources that use it.
+/// Nearest-neighbor query of MedianTree, for the source files that use it.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace transformesh {
 
 inline std::array<double, 2> MedianTree::Halves::squared_distances(const Vec3& query) const {
-  using Pair [[gnu::vector_size(16)]] = double;  // of the halves, for vector instructions
+  using Pair [[gnu::vector_size(16)]] = double;  // one entry per half, for vector instructions
   const auto larger = [](Pair a, Pair b) { return a > b ? a : b; };
   const auto outside = [&](std::size_t axis) {
     const Pair low = {minimum[axis][0], minimum[axis][1]};
@@ -26,11 +26,11 @@ inline std::array<double, 2> MedianTree::Halves::squared_distances(const Vec3& q
 template <class Bound, class Visit>
 void MedianTree::visit_nearest(const Vec3& query, const Bound& bound, const Visit& visit) const {
   if (order_.empty()) return;
-  std::array<Cell, 64> stack;  // deeper than any tree, as every cut halves a cell
+  std::array<Cell, 64> stack;  // exceeds the depth of any tree, because each cut halves a cell
   std::size_t waiting = 0;
   stack[waiting++] = {0, order_.size(), 0, 0};
   while (waiting > 0) {
-    // The search goes down the nearer half of each cell, while the other half waits.
+    // Descend into the nearer half of each cell, and push the other half.
     Cell cell = stack[--waiting];
     while (cell.distance <= bound() && cell.last - cell.first > bucket_size_) {
       const std::size_t child = 2 * cell.node + 1;

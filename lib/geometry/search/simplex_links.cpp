@@ -8,14 +8,13 @@
 namespace transformesh {
 namespace {
 
-/// Above the error of a direction, whose differences of coordinates are rounded once.
+/// Exceeds the rounding error of a direction, whose coordinate differences are rounded once.
 constexpr double direction_error = 1e-14;
 const FloatBox everything = float_box(Vec3::Constant(-2), Vec3::Constant(2));
 
 using Edge = std::pair<Index, Index>;
 
-/// Corners of which many faces make use, edges likewise, and how they are numbered: an edge by its
-/// place here, after all points.
+/// Crowded corners and edges. The link of an edge has the number of points plus its index here.
 struct Crowds {
   std::vector<char> is_crowded;  ///< per point
   std::vector<Edge> edges;       ///< sorted
@@ -49,7 +48,7 @@ void find_crowded_edges(std::span<const Face> faces, Crowds& crowds) {
   }
 }
 
-// Of length 1, or without finite coordinates.
+// Returns a unit vector, or a vector without finite coordinates.
 Vec3 direction(const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
   return (along / along.cwiseAbs().maxCoeff()).normalized();
@@ -57,18 +56,18 @@ Vec3 direction(const Vec3& from, const Vec3& to) {
 
 FloatBox box_around(const Vec3& low, const Vec3& high, double margin) {
   const FloatBox box = float_box(low.array() - margin, high.array() + margin);
-  return margin < 1 ? box : everything;  // a margin of nan as well
+  return margin < 1 ? box : everything;  // a NaN margin gives `everything`, too
 }
 
-// Around the arc that a face cuts out of the sphere of radius 1 around its corner: it is nowhere
-// farther from its chord than in the middle.
+// Returns a box around the arc that a face cuts out of the unit sphere around its corner. The
+// distance from the arc to its chord is largest at the midpoint.
 FloatBox arc_box(const Vec3& corner, const Vec3& a, const Vec3& b) {
   const Vec3 u = direction(corner, a), w = direction(corner, b);
   const double sagitta = 1 - (u + w).norm() / 2;
   return box_around(u.cwiseMin(w), u.cwiseMax(w), sagitta + direction_error);
 }
 
-// Around the direction in which a face leaves its edge, at a right angle.
+// Returns a box around the direction in which a face leaves its edge, perpendicular to the edge.
 FloatBox direction_box(const Vec3& from, const Vec3& to, const Vec3& opposite) {
   const Vec3 along = direction(from, to), side = direction(from, opposite);
   const Vec3 across = side - along.dot(side) * along;
@@ -82,7 +81,7 @@ class SimplexLinkFinder {
   SimplexLinkFinder(std::span<const Vec3> points, const Crowds& crowds)
       : points_(points), crowds_(crowds) {}
 
-  // The first crowded edge, and the corners that are crowded, as far as there is place.
+  // Returns the first crowded edge and the crowded corners of a face, at most three in total.
   LinkBoxes operator()(const Face& face) const {
     LinkBoxes boxes;
     std::size_t count = add_edge(face, boxes[0]) ? 1 : 0;
@@ -113,7 +112,7 @@ class SimplexLinkFinder {
   const Crowds& crowds_;
 };
 
-// Calls visit(box of a, box of b) for each link of both.
+// Calls visit(box of a, box of b) for each common link.
 template <class Visit>
 void for_each_common(const LinkBoxes& a, const LinkBoxes& b, const Visit& visit) {
   for (const LinkBox& i : a)

@@ -1,10 +1,10 @@
-/// Links: where dozens of faces share a corner or an edge, all their boxes overlap there. Faces
-/// around a vertex meet beyond it just where the arcs meet that they cut out of a small sphere
-/// around it (its link); faces at an edge, where they leave it in one direction. So each face gets
-/// a box around its arc or direction, for its crowded corners and edges: the faces around one
-/// vertex whose boxes are apart share nothing but what they share as indices. Arithmetic in
-/// doubles; boxes are wider than its errors. Coordinates beyond that get boxes that are apart from
-/// none. Cost: O(n); where nothing is crowded, a count of corners.
+/// Simplex links: if many faces share a corner or an edge, all their boxes overlap there. Faces
+/// around a vertex meet elsewhere if and only if their arcs on a small sphere around the vertex
+/// (its link) meet. Faces at an edge meet elsewhere if they leave the edge in the same direction.
+/// Therefore each face gets a box around its arc or direction, for each of its crowded corners and
+/// edges. Faces around one vertex with disjoint boxes share only common vertices and edges.
+/// Arithmetic in doubles; boxes include the rounding errors. Coordinates out of range get boxes
+/// that overlap all others. Cost: O(n); if no corner is crowded, only corners are counted.
 #pragma once
 
 #include <span>
@@ -13,18 +13,18 @@
 
 namespace transformesh {
 
-/// Around part of the link of one vertex or edge.
+/// Box around a part of the link of a vertex or an edge.
 struct LinkBox {
   Index link = no_index;
   FloatBox box{};
 };
 
-/// Of one face, or of several faces that have these links in common; unused boxes come last.
+/// Link boxes of a face, or of several faces with these links in common. Unused entries are last.
 using LinkBoxes = std::array<LinkBox, 3>;
 
 struct SimplexLinks {
-  std::vector<Index>
-      row_of;  ///< in `boxes`, per face; no_index for most; empty if nothing is crowded
+  std::vector<Index> row_of;  ///< row in `boxes` per face, or no_index for most faces; empty if
+                              ///< there are no crowded corners
   std::vector<LinkBoxes> boxes;
 
   bool empty() const { return boxes.empty(); }
@@ -33,20 +33,21 @@ struct SimplexLinks {
   }
 };
 
-/// A corner or an edge with more faces is crowded.
+/// A corner or edge with more faces than this is crowded. A choice: a lower limit gives more links,
+/// which take memory; a higher limit leaves more pairs of boxes.
 inline constexpr Index most_uncrowded = 32;
 
-/// The links of faces, none of which names a point twice.
+/// Returns the links of faces. No face may refer to a point twice.
 SimplexLinks find_simplex_links(std::span<const Vec3> points, std::span<const Face> faces);
 
-/// Whether two faces, or any two of two sets, meet in nothing but what they share. Without links
-/// nothing is known.
+/// True if two faces, or any two faces of two sets, certainly meet only in shared vertices and
+/// edges. False without links.
 bool are_apart(const LinkBoxes& a, const LinkBoxes& b);
 inline bool are_apart(const LinkBoxes* a, const LinkBoxes* b) {
   return a != nullptr && b != nullptr && are_apart(*a, *b);
 }
 
-/// What the faces of both sets have in common: the links of both, with boxes around both.
+/// Returns the links that both sets have in common, with boxes around the parts of both.
 LinkBoxes common_links(const LinkBoxes& a, const LinkBoxes& b);
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-/// Lists of pairs, and what else is known of them, made into one.
+/// Functions for lists of pairs with attached data: concatenation and sorting.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ std::vector<Entry> joined(const std::vector<std::vector<Entry>>& lists) {
   return result;
 }
 
-/// Sorts entries by `first`, then by `second`. All first entries are below `bound`. O(n + bound)
-/// for entries of which few share the first.
+/// Sorts entries by `first`, then by `second`. All first entries must be less than `bound`. O(n +
+/// bound) if few entries have the same `first`.
 template <class Entry>
 void sort_pairs(std::vector<Entry>& pairs, std::size_t bound) {
   const auto comes_before = [](const Entry& a, const Entry& b) {
@@ -27,7 +27,7 @@ void sort_pairs(std::vector<Entry>& pairs, std::size_t bound) {
   };
   if (pairs.size() < bound / 4) return std::sort(pairs.begin(), pairs.end(), comes_before);
 
-  // Where pairs are many, a counting sort by the first entry leaves little to compare.
+  // For many pairs, a counting sort by the first entry leaves few comparisons.
   std::vector<std::size_t> slot(bound + 1, 0);
   for (const Entry& pair : pairs) ++slot[pair.first + 1];
   for (std::size_t i = 1; i < slot.size(); ++i) slot[i] += slot[i - 1];
