@@ -44,7 +44,7 @@ void AxisPath::cross(const Triangle& t, const Vec3& start, int axis) {
     is_certain_ = is_certain_ && collinear(t[0], t[1], t[2]);
     return;
   }
-  // The normal points up or down along the axis; far away, the side follows from that alone.
+  // `up` is the sign of the normal along the axis. At infinity, it determines the side.
   const int up = left ? 1 : -1;
   Vec3 end = start;
   end[axis] = to_[axis];

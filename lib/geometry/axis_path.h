@@ -1,6 +1,6 @@
-/// Change of the winding number of a closed oriented mesh along a path that is parallel to the
-/// axes. Faces are added one by one, in any order, so they can come from a stream. Each crossing is
-/// decided by exact predicates. Deterministic; O(1) per face.
+/// Change of the winding number of a closed oriented mesh along a path parallel to the axes. Faces
+/// are added one by one, in any order, so that they can come from a stream. Exact predicates decide
+/// on each crossing. Deterministic; O(1) per face.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,10 @@ class AxisPath {
   /// Coordinates of `to` may be infinite if those of `from` are finite.
   AxisPath(const Vec3& from, const Vec3& to) : from_(from), to_(to) {}
 
-  /// Faces without area count for nothing.
+  /// Adds a face. Faces without area are ignored.
   void add(const Triangle& triangle);
-  /// Returns the winding number at the end minus that at the start. Empty if the path meets an edge
-  /// or a corner, or if it bends or ends on a face.
+  /// Returns the winding number at the end minus that at the start. Returns nothing if the path
+  /// meets an edge or a corner, or if a bend or an end of the path is on a face.
   std::optional<int> change() const { return is_certain_ ? std::optional(change_) : std::nullopt; }
 
  private:
@@ -29,9 +29,9 @@ class AxisPath {
   bool is_certain_ = true;
 };
 
-/// Returns point i of a sequence that fills a box evenly. No plane that is parallel to two axes
-/// contains two of the points, unless the box is only a few numbers wide.
-/// Reference: Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018 (R3).
+/// Returns point i of a quasirandom sequence that fills a box evenly. No two points share a
+/// coordinate, unless the box is only a few coordinate spacings wide. Reference: Roberts, "The
+/// unreasonable effectiveness of quasirandom sequences", 2018 (R3).
 Vec3 spread_point(const Eigen::AlignedBox3d& box, int i);
 
 }  // namespace transformesh

@@ -17,20 +17,21 @@ namespace {
 
 constexpr std::size_t places_per_task = 1024;
 
-/// Finds the places on the first mesh of places on a mesh between.
+/// Maps source points on an intermediate mesh to source points on the first mesh.
 class Composition {
  public:
   Composition(const Mesh& first, const SourcePoints& middle_on_first, const Mesh& middle)
       : first_(first), on_first_(middle_on_first), middle_(middle), closest_(first) {}
 
-  /// Exact at a corner, and where the corners that count come from one face.
+  /// Returns the source point of a vertex. Exact at a corner, and if all corners with nonzero
+  /// weight come from one face.
   SourcePoint of_vertex(const SourcePoint& place) const {
     const std::array<SourcePoint, 3> corners = corners_of(place.face);
     const auto weights = place.weights();
     const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
     const SourcePoint& main = corners[static_cast<std::size_t>(heaviest)];
     if (weights[static_cast<std::size_t>(heaviest)] == 1) return main;
-    // Between sheets that meet at an angle a vertex looks the mean way.
+    // A vertex between sheets that meet at an angle gets their mean normal.
     Vec3 normal = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i)
       normal += weights[i] * face_normal(first_, corners[i].face).stableNormalized();
@@ -38,7 +39,8 @@ class Composition {
                                                : mean_on_surface(place, corners, normal);
   }
 
-  /// Exact where the face between and its corners come from one face.
+  /// Returns the source point of a face. Exact if the intermediate face and its corners come from
+  /// one face.
   SourcePoint of_face(const SourcePoint& place) const {
     const std::array<SourcePoint, 3> corners = corners_of(place.face);
     const Index own = on_first_.of_faces[place.face].face;
@@ -48,13 +50,15 @@ class Composition {
   }
 
  private:
-  /// A point lies on a face up to this share of the size of the face between: above the rounding
-  /// of floats, by which pieces of a face lie beside it; at half and twice the value, places change
-  /// by no more than that.
+  /// A point counts as on a face if its distance is at most this fraction of the size of the
+  /// intermediate face. The value exceeds the rounding errors of floats, by which pieces of a face
+  /// deviate from it. At half and twice the value, source points change by no more than this
+  /// distance.
   static constexpr double same_distance = 1e-4;
 
-  /// The mean of the corners' places, on the face of the first mesh that the face between comes
-  /// from if it lies there, else on the nearest that looks that way.
+  /// Returns the mean of the corners' source points. It is on the face from which the intermediate
+  /// face comes, if the mean is on that face. Otherwise it is on the nearest face with a similar
+  /// normal.
   SourcePoint mean_on_surface(const SourcePoint& place, const std::array<SourcePoint, 3>& corners,
                               const Vec3& normal) const {
     const Index own = on_first_.of_faces[place.face].face;
@@ -84,7 +88,7 @@ class Composition {
     return most;
   }
 
-  /// True if all places that have a weight are on the face.
+  /// True if all places with nonzero weight are on the face.
   static bool are_on(Index face, const std::array<SourcePoint, 3>& places,
                      const std::array<double, 3>& weights) {
     for (std::size_t i = 0; i < 3; ++i)
@@ -111,8 +115,8 @@ class Composition {
   ClosestPointQuery closest_;
 };
 
-/// A list of texture coordinates of the first mesh. Neighbors that agree at their common edge
-/// continue each other; else the edge is a seam.
+/// Texture coordinates of the first mesh. Two neighbors with equal values at their common edge are
+/// continuous; otherwise the edge is a seam.
 class Texture {
  public:
   Texture(const Mesh& mesh, const Column& column)
@@ -121,7 +125,7 @@ class Texture {
         across_(neighbors_across(Edges(mesh), mesh.faces.size())),
         is_reached_(mesh.faces.size(), 0) {}
 
-  /// Appends the values of a face whose corners and middle have these places.
+  /// Appends the values of a face, given the source points of its corners and its centroid.
   void append_face(const std::array<SourcePoint, 3>& corners, const SourcePoint& middle,
                    Column& to) {
     gather_around(middle, corners);
@@ -140,8 +144,8 @@ class Texture {
                           weights[2] * values[2 * width + i]);
   }
 
-  /// Fills gathered_ with the faces around the middle that are reached without crossing a seam, as
-  /// far as the corners are away; nearer ones first.
+  /// Collects in `gathered_` the faces around the centroid that are reached without crossing a
+  /// seam, up to the distance of the corners. Nearer faces come first.
   void gather_around(const SourcePoint& middle, const std::array<SourcePoint, 3>& corners) {
     const Vec3 center = position_of(mesh_, middle);
     reach_ = 0;
@@ -160,7 +164,7 @@ class Texture {
       }
   }
 
-  /// Of places as near, the one on the face gathered first.
+  /// Returns the nearest point on the gathered faces; ties are broken by the order of gathering.
   SourcePoint nearest_gathered(const SourcePoint& place) const {
     const Vec3 point = position_of(mesh_, place);
     Index nearest = gathered_[0];
@@ -205,11 +209,11 @@ class Texture {
                           values.size() / 3);
   }
 
-  static constexpr double slack = 1e-9;  ///< for rounding
+  static constexpr double slack = 1e-9;  ///< for rounding; relative to `reach_`
 
   const Mesh& mesh_;
   const Column& column_;
-  std::vector<Index> across_;  ///< per halfedge: the other one of the edge
+  std::vector<Index> across_;  ///< per halfedge: its opposite halfedge, or no_index
   std::vector<char> is_reached_;
   std::vector<Index> gathered_;
   double reach_ = 0;

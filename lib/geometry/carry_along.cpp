@@ -7,13 +7,13 @@
 namespace transformesh {
 namespace {
 
-/// Meshes without names are numbered from 1.
+/// Returns the name of a mesh, or its number counted from 1.
 std::string name_in(const CarryOptions& options, std::size_t number) {
   return number < options.names.size() ? options.names[number]
                                        : "mesh " + std::to_string(number + 1);
 }
 
-/// Source points of mesh `number` of the chain on the mesh before.
+/// Returns the source points of mesh `number` of the chain on its predecessor.
 SourcePoints places_on(const Mesh& before, const Mesh& mesh, std::size_t number,
                        const CarryOptions& options) {
   if (has_source_points(mesh))

@@ -18,16 +18,16 @@ namespace transformesh {
 namespace {
 
 constexpr double accuracy_share = 0.9;
-constexpr double default_distance_share = 0.01;  ///< of the reference's diagonal
+constexpr double default_distance_share = 0.01;  ///< fraction of the diagonal of the reference
 constexpr double largest_extent = 1e75;
 constexpr std::size_t points_per_task = 256;
 constexpr std::size_t points_per_report = 16384;
-/// One point of so many is searched before the others.
+/// One in this many points is tested before the others. A choice that affects only the time.
 constexpr std::size_t vanguard = 61;
-/// Less than what rounding adds to a distance.
+/// Less than 1 by more than the relative rounding error of a distance.
 constexpr double certainly = 1 - 1e-12;
 
-/// The distance to the faces of a mesh, or to its vertices where there are no faces.
+/// Distance to the faces of a mesh, or to its vertices if it has no faces.
 class Distance {
  public:
   explicit Distance(const Mesh& mesh) : mesh_(mesh) {
@@ -61,12 +61,13 @@ std::vector<double> distances(const std::vector<Vec3>& points, const auto& dista
   return result;
 }
 
-/// The vertices that faces use; all of them where there is no face.
+/// Returns the vertices that faces use, or all vertices if there are no faces.
 std::vector<Vec3> used_vertices(const Mesh& mesh) {
   return mesh.faces.empty() ? mesh.positions : used_positions(mesh);
 }
 
-/// Distances one way. Those of the vertices stand for those by area where there are none.
+/// Distances in one direction. Distances of vertices replace those of samples if there are no
+/// samples.
 struct OneWay {
   std::vector<double> by_area;
   double largest = 0;
@@ -96,7 +97,7 @@ OneWay measure(const Mesh& from, const Mesh& to, const CompareOptions& options,
   return result;
 }
 
-/// Areas of faces are squared on the way.
+/// Throws InputError if products of areas would overflow.
 void check_extent(const Mesh& mesh, const Mesh& reference) {
   const Box a = bounding_box(mesh);
   const Box b = bounding_box(reference);
@@ -114,7 +115,7 @@ void check_comparable(const Mesh& mesh, const Mesh& reference) {
   check_extent(mesh, reference);
 }
 
-/// The smallest value that is not below the given share of the values.
+/// Returns the smallest value that is not below the fraction `share` of the values.
 double quantile(std::vector<double> values, double share) {
   const double rank = std::ceil(share * static_cast<double>(values.size()));
   const auto nth = values.begin() + (static_cast<std::ptrdiff_t>(rank) - 1);
@@ -128,7 +129,7 @@ double share_within(const std::vector<double>& values, double distance) {
   return static_cast<double>(count) / static_cast<double>(values.size());
 }
 
-/// The numbers of `count` points: those taken evenly come first.
+/// Returns all numbers below `count`, starting with every 61st of them.
 std::vector<std::size_t> vanguard_first(std::size_t count) {
   std::vector<std::size_t> order;
   order.reserve(count);
@@ -138,8 +139,8 @@ std::vector<std::size_t> vanguard_first(std::size_t count) {
   return order;
 }
 
-/// The distances of the points, or 0 where it is certainly less than `least`. A face that shows
-/// this of one point mostly does so of the next.
+/// Returns the distances of the points, or 0 for points that are certainly closer than `least`. The
+/// face that proves this for one point is the hint for the next point.
 std::vector<double> distances_beyond(std::span<const Vec3> points,
                                      std::span<const std::size_t> numbers,
                                      const ClosestPointQuery& closest, double least) {
@@ -159,7 +160,7 @@ std::vector<double> distances_beyond(std::span<const Vec3> points,
       hint = found.face;
     }
   };
-  // Runs have one length for any number of threads, and so does every point its hint.
+  // The length of runs does not depend on the number of threads, and neither do the hints.
   const std::size_t runs = (numbers.size() + points_per_task - 1) / points_per_task;
   parallel_for(runs, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t run = first; run < last; ++run) take_run(run);
@@ -167,12 +168,13 @@ std::vector<double> distances_beyond(std::span<const Vec3> points,
   return beyond;
 }
 
-// In blocks that grow, so that most points know of a far one; of each block the points are tested
-// at the same time, so that the result depends on no order. Of equally far points the first counts.
+// Updates the farthest point. Points are processed in blocks of growing size, so that most points
+// are compared with a large distance. The points of a block are compared with the same distance, so
+// the result does not depend on their order. Ties are broken by the lowest index.
 void take_farthest(std::span<const Vec3> points, const ClosestPointQuery& closest,
                    Farthest& farthest) {
   const std::vector<std::size_t> order = vanguard_first(points.size());
-  std::size_t farthest_number = 0;  // lower than any where the farthest was found before
+  std::size_t farthest_number = 0;  // valid only if `is_ours` is set
   bool is_ours = false;
   for (std::size_t begin = 0, size = points_per_task; begin < order.size(); begin += size) {
     size = std::min(std::max(begin, points_per_task), order.size() - begin);

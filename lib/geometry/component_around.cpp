@@ -14,7 +14,7 @@
 namespace transformesh {
 namespace {
 
-/// A power of two that makes coordinates safe to take to the fourth power.
+/// Returns a power of two such that fourth powers of scaled coordinates do not overflow.
 double safe_scale(const Mesh& mesh, const Vec3& point) {
   const Box box = bounding_box(mesh);
   const double largest =
@@ -30,7 +30,7 @@ double distance_to(const Mesh& mesh, const Face& face, const Vec3& point, double
 }
 
 bool contains(const Mesh& mesh, const std::vector<Index>& faces, const Vec3& point) {
-  // Winding numbers ask for the surface, not for how its faces share vertices.
+  // Winding numbers depend on the surface only, not on shared vertices.
   Mesh soup;
   for (const Index f : faces) {
     const auto first = static_cast<Index>(soup.positions.size());
@@ -48,7 +48,7 @@ ComponentAround component_around(const Mesh& mesh, const Vec3& point) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces");
   const Components all = connected_components(mesh);
 
-  // How close each component comes.
+  // Compute the distance of each component.
   const double scale = safe_scale(mesh, point);
   std::vector<std::vector<Index>> faces(all.components.size());
   std::vector<double> distance(faces.size(), std::numeric_limits<double>::infinity());
@@ -58,7 +58,7 @@ ComponentAround component_around(const Mesh& mesh, const Vec3& point) {
     faces[all.of_face[f]].push_back(f);
   }
 
-  // The closest that contains the point, else the closest.
+  // Choose the closest component that contains the point, or the closest one if none does.
   std::vector<std::size_t> order(faces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

@@ -1,13 +1,15 @@
-/// The component of a mesh that a point lies in: of those that contain the point the closest, which
-/// of nested ones is the innermost; where none contains it, the closest of all.
-/// A component contains the point where its winding number there rounds to another number than 0:
-/// that is exact for closed ones, of any orientation, forgives holes that are small from there, and
-/// takes open sheets for what they are. What passes through the point, but for rounding, contains
-/// it. Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using
-/// generalized winding numbers", ACM TOG 32(4), 2013.
+/// Selects the component of a mesh around a point. Among the components that contain the point, the
+/// closest one is selected, which is the innermost of nested components. If no component contains
+/// the point, the closest of all is selected.
 ///
-/// Components hang together by vertex indices. Deterministic; of components as close as each other
-/// the first. Cost: O(n).
+/// A component contains the point if its winding number there, rounded to an integer, is not 0. It
+/// also contains points on its surface, up to rounding. This is exact for closed components of any
+/// orientation. It tolerates holes that are small when viewed from the point; open sheets contain
+/// no point. Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation
+/// using generalized winding numbers", ACM TOG 32(4), 2013.
+///
+/// Components are connected by vertex indices. Deterministic; ties are broken by the lowest
+/// component. Cost: O(n).
 #pragma once
 
 #include <vector>
@@ -17,12 +19,12 @@
 namespace transformesh {
 
 struct ComponentAround {
-  std::vector<bool> faces;  ///< which ones are of the component: for select_faces()
+  std::vector<bool> faces;  ///< membership of each face in the component, for select_faces()
   bool contains_point = false;
-  double distance = 0;  ///< from the point to the surface, in input units
+  double distance = 0;  ///< distance of the point from the surface, in input units
 };
 
-/// Throws InputError for a mesh without faces.
+/// Throws InputError if the mesh has no faces.
 ComponentAround component_around(const Mesh& mesh, const Vec3& point);
 
 }  // namespace transformesh

@@ -1,4 +1,5 @@
-// Cuts a mesh at a plane, and takes cross sections.
+// Cuts a mesh at a plane and leaves the cut open; computes cross sections. Cost: O(n log n).
+// Floating point.
 #include <map>
 #include <utility>
 
@@ -18,7 +19,7 @@ class OpenCut {
     result_.vertex_columns = mesh.vertex_columns;
   }
 
-  /// Returns whether faces were cut in two.
+  /// Cuts the mesh. Returns true if faces were cut in two.
   bool run() {
     for (Index f = 0; f < mesh_.faces.size(); ++f) add(f);
     if (result_.faces.empty())
@@ -39,7 +40,8 @@ class OpenCut {
       is_behind = is_behind && distances_[v] <= 0;
       is_in_plane = is_in_plane && distances_[v] == 0;
     }
-    // A face in the plane bounds what is in front of it if it looks to the other side.
+    // A face in the plane is kept if its normal is opposite to that of the plane: then it bounds
+    // the part in front.
     if (is_in_plane ? face_normal(mesh_, f).dot(distances_.normal()) >= 0 : is_behind) return;
     add_polygon(part_in_front(face), f);
   }
@@ -75,7 +77,7 @@ class OpenCut {
   const Mesh& mesh_;
   PlaneDistances distances_;
   Mesh result_;
-  std::vector<Index> faces_;  ///< the face that each face of the result is part of
+  std::vector<Index> faces_;  ///< per face of the result: the face that it is a part of
   std::map<std::pair<Index, Index>, Index> new_vertices_;
 };
 

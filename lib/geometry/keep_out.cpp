@@ -16,8 +16,8 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 256;
-constexpr double undecided = 0.25;  ///< of a winding number
-constexpr double rounding = 1e-14;  ///< of coordinates
+constexpr double undecided = 0.25;  ///< tolerance of a winding number
+constexpr double rounding = 1e-14;  ///< relative to coordinates
 
 void extend(Box& box, std::span<const Triangle> triangles) {
   for (const Triangle& triangle : triangles)
@@ -28,7 +28,7 @@ FloatBox widened(const Box& box, double by) {
   return float_box(box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by));
 }
 
-/// Whether the segment meets the triangle in a point, exactly; not where both lie in one plane.
+/// True if the segment intersects the triangle; exact. False if both are coplanar.
 bool pierces(const Vec3& from, const Vec3& to, const Triangle& triangle) {
   const auto& [a, b, c] = triangle;
   const int side_from = orient3d(a, b, c, from);
@@ -40,7 +40,7 @@ bool pierces(const Vec3& from, const Vec3& to, const Triangle& triangle) {
   return first * second >= 0 && second * third >= 0 && third * first >= 0;
 }
 
-/// Certainly: the triangle is beyond the plane through the point, on one side, by so much.
+/// True if the triangle is certainly on one side of the plane, at least at the given distance.
 bool is_beyond(const Triangle& triangle, const Vec3& point, const Vec3& normal, double distance) {
   const double a = normal.dot(triangle[0] - point);
   const double b = normal.dot(triangle[1] - point);
@@ -52,8 +52,9 @@ Vec3 unit_normal(const Triangle& triangle) {
   return normal_of(triangle[0], triangle[1], triangle[2]).stableNormalized();
 }
 
-/// Reference: Ericson, "Real-time collision detection", 2005, 5.1.9. Where the segments are almost
-/// parallel the distance may be too large; then one from an end is as small.
+/// Returns the squared distance of two segments. The result may be too large for nearly parallel
+/// segments; then a distance from an end is equally small. Reference: Ericson, "Real-time collision
+/// detection", 2005, 5.1.9.
 double squared_segment_distance(const Vec3& p, const Vec3& p_end, const Vec3& q,
                                 const Vec3& q_end) {
   const Vec3 d = p_end - p;
@@ -61,7 +62,7 @@ double squared_segment_distance(const Vec3& p, const Vec3& p_end, const Vec3& q,
   const Vec3 r = p - q;
   const double dd = d.squaredNorm();
   const double ee = e.squaredNorm();
-  if (dd == 0 || ee == 0) return HUGE_VAL;  // ends are measured apart
+  if (dd == 0 || ee == 0) return HUGE_VAL;  // ends are measured separately
   const double de = d.dot(e);
   const double dr = d.dot(r);
   const double er = e.dot(r);
@@ -166,7 +167,8 @@ bool KeepOut::meets(Triangles sides, const std::vector<Index>& faces) const {
   return !sides.empty() && !(least_distance(sides, faces, gap_) > 0);
 }
 
-/// Of a face that meets none of them: whether it lies in what they enclose.
+/// True if a face is inside the volume that the triangles enclose. The face must not intersect
+/// them.
 bool KeepOut::is_between(Triangles made, Triangles replaced, Triangles sides, Index face) const {
   Mesh around;
   add_to(around, made, false);
@@ -185,7 +187,7 @@ bool KeepOut::allows(Triangles made, Triangles replaced, Triangles sides) const 
     return false;
   if (meets(sides, faces)) return false;
 
-  // What is enclosed has all corners in the box.
+  // Enclosed faces have all corners in this box.
   Box box;
   for (const Triangles part : {made, replaced, sides}) extend(box, part);
   return std::ranges::none_of(faces, [&](Index face) {

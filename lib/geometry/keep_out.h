@@ -1,13 +1,13 @@
-/// A surface that others are kept away from by a gap, whatever they are made of: a region of a
-/// surface is replaced by another only where what is new stays as far away, and where nothing of
-/// the surface lies between the two.
+/// Keeps surfaces away from a given surface by a gap. A change replaces a region of triangles by
+/// new triangles. It is allowed if the new triangles keep the distance, and if no part of the given
+/// surface is between both regions.
 ///
-/// Distances are those of triangles, computed in floating point; whether triangles intersect is
-/// decided exactly. So what is allowed never intersects it, and comes no nearer than the gap but
-/// for rounding, 1e-14 of coordinates. Where a region is nearer than the gap already, it comes no
-/// nearer than it is. The surface may be open, and need not be oriented. Cost: O(n log n) to build;
-/// a call as much as there are faces within the gap of both regions. Deterministic; safe to call
-/// from several threads at once.
+/// Distances of triangles are computed in floating point; intersections of triangles are decided
+/// exactly. Hence an allowed region never intersects the surface, and is not closer than the gap,
+/// up to rounding errors of 1e-14 of the coordinates. A region that is closer than the gap already
+/// does not come closer. The surface may be open, and need not be oriented. Cost: O(n log n) to
+/// build; a call takes time proportional to the number of faces within the gap of both regions.
+/// Deterministic; thread-safe.
 #pragma once
 
 #include <span>
@@ -19,32 +19,32 @@
 
 namespace transformesh {
 
-/// Least distance of two triangles; 0 where they meet.
+/// Returns the least distance of two triangles; 0 if they intersect.
 double distance_of(const Triangle& first, const Triangle& second);
 
 class KeepOut {
  public:
-  /// Keeps a reference to the surface. Throws UsageError for a gap that is not a positive number.
+  /// Keeps a reference to the surface. Throws UsageError unless the gap is positive and finite.
   explicit KeepOut(const KeepOutOptions& options);
   double gap() const { return gap_; }
 
-  /// The distance of the triangle from the surface where that is less than `bound`; else `bound`.
+  /// Returns the distance of the triangle from the surface, or `bound` if that is smaller.
   double distance(const Triangle& triangle, double bound) const;
 
-  /// Whether the triangles `made` may take the place of those in `replaced`. Both have the same
-  /// rim, or `sides` close what is between their rims, oriented as `made`; these may be as near as
-  /// they are.
+  /// True if the triangles `made` may replace those in `replaced`. Both must have the same
+  /// boundary, or `sides` must close the space between their boundaries, oriented like `made`.
+  /// `sides` may be closer to the surface than the gap, but may not intersect it.
   bool allows(std::span<const Triangle> made, std::span<const Triangle> replaced,
               std::span<const Triangle> sides = {}) const;
 
-  /// How many faces of the mesh are nearer than the gap. Throws InputError where one meets the
-  /// surface, with the place. In parallel.
+  /// Returns the number of faces of the mesh that are closer than the gap. Throws InputError with
+  /// the place if a face intersects the surface. Parallel.
   std::size_t count_near(const Mesh& mesh) const;
 
  private:
   using Triangles = std::span<const Triangle>;
   std::vector<Index> faces_near(Triangles made, Triangles replaced, Triangles sides) const;
-  /// The least distance of any where that is less than `enough`; else that or more.
+  /// Returns the least distance of the triangles from the faces, or `enough` if that is smaller.
   double least_distance(Triangles triangles, const std::vector<Index>& faces, double enough) const;
   bool is_apart(const Triangle& triangle, const Vec3& normal, Index face, double distance) const;
   bool meets(Triangles sides, const std::vector<Index>& faces) const;
@@ -53,7 +53,7 @@ class KeepOut {
   const Mesh* surface_;
   double gap_;
   Bvh bvh_;
-  std::vector<Vec3> normals_;  ///< of unit length, per face
+  std::vector<Vec3> normals_;  ///< unit normal per face
 };
 
 }  // namespace transformesh

@@ -22,7 +22,7 @@ PlaneDistances::Crossing PlaneDistances::crossing(Index a, Index b) const {
   const double weight = distances_[low] / (distances_[low] - distances_[high]);
   const Vec3& from = mesh_.positions[low];
   Vec3 position = from + weight * (mesh_.positions[high] - from);
-  // Once more onto the plane: of a plane across an axis, exactly.
+  // Project onto the plane once more. For a plane perpendicular to an axis, the result is exact.
   position -= (normal_.dot(position) - offset_) * normal_;
   return {low, high, weight, position};
 }

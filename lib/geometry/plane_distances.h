@@ -1,4 +1,5 @@
-/// On which side of a plane the vertices of a mesh lie, and where edges cross the plane.
+/// Signed distances of the vertices of a mesh from a plane, and intersections of edges with the
+/// plane.
 #pragma once
 
 #include <vector>
@@ -9,12 +10,12 @@ namespace transformesh {
 
 class PlaneDistances {
  public:
-  /// Keeps a reference to the mesh. Throws UsageError for a normal without direction.
+  /// Keeps a reference to the mesh. Throws UsageError if the normal has no direction.
   PlaneDistances(const Mesh& mesh, const CutPlane& plane);
 
-  /// Distance of a vertex from the plane, positive where the normal points to.
+  /// Returns the distance of a vertex from the plane, positive on the side of the normal.
   double operator[](Index vertex) const { return distances_[vertex]; }
-  /// True if the ends of an edge lie strictly on different sides.
+  /// True if the ends of an edge are strictly on different sides.
   bool is_crossed(Index a, Index b) const {
     return (distances_[a] < 0 && distances_[b] > 0) || (distances_[a] > 0 && distances_[b] < 0);
   }
@@ -24,7 +25,7 @@ class PlaneDistances {
     double weight = 0;        ///< weight of the end `high`, in [0, 1]
     Vec3 position = Vec3::Zero();
   };
-  /// The crossing of an edge, the same in both directions.
+  /// Returns the intersection of an edge with the plane; independent of the direction of the edge.
   Crossing crossing(Index a, Index b) const;
   const Vec3& normal() const { return normal_; }  ///< unit length
 

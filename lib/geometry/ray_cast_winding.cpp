@@ -7,8 +7,8 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// The sign that three have in common: 0 where one of them is 0 and the others do not contradict
-/// each other, nothing where two contradict.
+/// Returns the common sign of three numbers, or nothing if two have opposite signs. Returns 0 if
+/// some are 0 and the others do not have opposite signs.
 std::optional<int> common_sign(int a, int b, int c) {
   const int lowest = std::min({a, b, c});
   const int highest = std::max({a, b, c});
@@ -42,7 +42,8 @@ std::optional<int> RayCastWinding::cast(const Vec3& point, int axis, bool toward
   int winding = 0;
   bvh_.visit_overlaps(ray, [&](Index face) {
     const Triangle t = triangle_of(*mesh_, face);
-    // +1 where the line along the axis leaves the face by its front, 0 where it meets the border.
+    // +1 if the line in the positive axis direction leaves the face at its front, 0 if it meets the
+    // boundary.
     const std::optional<int> turn =
         common_sign(orient2d(t[0], t[1], point, view), orient2d(t[1], t[2], point, view),
                     orient2d(t[2], t[0], point, view));

@@ -1,13 +1,12 @@
 /// Winding numbers of a closed oriented mesh at points, by counting the faces that a ray along an
-/// axis crosses. Every crossing is decided by exact predicates, so the number is exact; a ray that
-/// meets an edge, a corner or a face seen edge-on is replaced by one in another direction.
-/// (SolidAngleWinding sums solid angles instead: for any mesh, in O(faces) a point, in floating
+/// axis crosses. Exact predicates decide on each crossing, so the number is exact. A ray that meets
+/// an edge, a corner or a face parallel to it is replaced by one in another direction.
+/// (SolidAngleWinding sums solid angles instead: for any mesh, in floating point, in O(faces) per
 /// point.)
 ///
-/// Vertices are the same when their positions are. Faces without area count for nothing. Of a mesh
-/// that is not closed the number depends on the ray: see that it is. Deterministic; safe to call
-/// from several threads at once. Cost: O(n) to build, O(log n) plus the faces along the ray a
-/// point.
+/// Vertices are equal if their positions are. Faces without area are ignored. The mesh must be
+/// closed; otherwise the number depends on the ray. Deterministic; thread-safe. Cost: O(n) to
+/// build; O(log n) per point plus the faces along the ray.
 #pragma once
 
 #include <optional>
@@ -23,11 +22,11 @@ class RayCastWinding {
   /// Keeps a reference to the mesh.
   explicit RayCastWinding(const Mesh& mesh);
 
-  /// Nothing where the point is on the surface, or where no axis gives a ray that crosses faces in
-  /// their insides only.
+  /// Returns the winding number. Returns nothing if the point is on the surface, or if no ray along
+  /// an axis crosses faces in their interiors only.
   std::optional<int> operator()(const Vec3& point) const;
 
-  /// Whether the segment meets a face; sometimes true for one that lies in the plane of a face.
+  /// True if the segment intersects a face. May also be true for a segment in the plane of a face.
   bool blocks(const Vec3& from, const Vec3& to) const;
 
  private:

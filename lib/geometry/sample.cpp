@@ -19,12 +19,14 @@ namespace transformesh {
 namespace {
 
 constexpr double most_points = 1e8;
-constexpr double darts_per_disk = 2;  ///< thrown at first, for each square of the distance
-constexpr double tolerance = 1e-9;    ///< of the distance: smaller parts of faces are left
-constexpr double roundings = 16;      ///< and those of so many spacings of coordinates
+constexpr double darts_per_disk = 2;  ///< initial number of darts per squared distance of area
+/// Relative to the distance: smaller parts of faces are not split further.
+constexpr double tolerance = 1e-9;
+/// In spacings of coordinates: parts smaller than this are not split further.
+constexpr double roundings = 16;
 constexpr std::size_t darts_per_report = 16384;
 
-/// A part of a face, by the weights of its corners in the face.
+/// A part of a face, given by barycentric coordinates of its corners.
 struct Part {
   Index face = 0;
   std::array<Vec3, 3> corners{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -41,7 +43,7 @@ class PoissonDisk {
 
   std::vector<SurfacePoint> sample(std::size_t darts, std::uint64_t seed,
                                    const Progress& progress) {
-    // Darts by area in a random order, as many as find a place.
+    // Throw darts uniformly by area, in random order, and keep those that are free.
     std::vector<SurfacePoint> thrown = surface_points(mesh_, darts, seed);
     for (std::size_t i = thrown.size(); i > 1; --i)
       std::swap(thrown[i - 1],
@@ -52,7 +54,7 @@ class PoissonDisk {
       add_if_free(thrown[i]);
     }
 
-    // What is not covered by then.
+    // Fill the remaining gaps.
     const auto faces = static_cast<Index>(mesh_.faces.size());
     for (Index face = 0; face < faces; ++face) {
       if (face % darts_per_report == 0)
@@ -81,7 +83,7 @@ class PoissonDisk {
     return true;
   }
 
-  /// Whether one disk has all of a triangle.
+  /// True if one disk covers the whole triangle.
   bool is_covered(const Triangle& corners) const {
     return grid_.find_around(corners[0], [&](Index point) {
       const Vec3& center = points_[point].position;
@@ -90,7 +92,7 @@ class PoissonDisk {
     });
   }
 
-  /// Darts into the parts of a face that are not covered, which are halved until they are.
+  /// Throws darts into the uncovered parts of a face. Parts are split until they are covered.
   void fill(Index face) {
     std::vector<Part> parts{{face}};
     while (!parts.empty()) {
@@ -131,7 +133,7 @@ class PoissonDisk {
            root * second * part.corners[2];
   }
 
-  /// Across its longest edge.
+  /// Splits a part at the midpoint of its longest edge.
   static void halve(const Part& part, const Triangle& corners, std::vector<Part>& parts) {
     std::size_t longest = 0;
     for (std::size_t i = 1; i < 3; ++i)
@@ -150,7 +152,7 @@ class PoissonDisk {
 
   const Mesh& mesh_;
   double distance_;
-  double smallest_;  ///< parts of faces that are not halved
+  double smallest_;  ///< size below which parts are not split
   Random random_;
   HashedGrid grid_;
   std::vector<SurfacePoint> points_;
@@ -176,7 +178,7 @@ std::vector<SurfacePoint> poisson_disk(const Mesh& mesh, const SampleOptions& op
   return PoissonDisk(mesh, options.distance, options.seed).sample(darts, options.seed, progress);
 }
 
-/// Of length 1 for faces of any size.
+/// Returns the unit normal, for faces of any size, or zero if all corners are equal.
 Vec3 unit_normal(const Triangle& corners) {
   const Vec3 u = corners[1] - corners[0];
   const Vec3 v = corners[2] - corners[0];
@@ -185,7 +187,7 @@ Vec3 unit_normal(const Triangle& corners) {
   return (u / size).cross(v / size).stableNormalized();
 }
 
-/// The columns of faces go to the points that lie in them.
+/// Copies the columns of faces to the points on them.
 void take_face_columns(const Mesh& mesh, const std::vector<SurfacePoint>& points, Mesh& result) {
   std::vector<Index> faces;
   for (const SurfacePoint& point : points) faces.push_back(point.face);

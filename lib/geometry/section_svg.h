@@ -1,4 +1,4 @@
-/// Cross sections as drawings.
+/// Draws cross sections as SVG.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace transformesh {
 
-/// An SVG of the segments, seen against the normal of the plane: one unit is one unit of the mesh.
-/// Axes of the drawing are axes of space if the plane is across one.
+/// Returns an SVG drawing of the segments, viewed against the normal of the plane. One unit of the
+/// drawing is one unit of the mesh. If the normal is an axis, the axes of the drawing are
+/// coordinate axes.
 std::string section_svg(const std::vector<std::pair<Vec3, Vec3>>& segments, const Vec3& normal);
 
 }  // namespace transformesh

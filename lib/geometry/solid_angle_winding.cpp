@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t points_per_task = 4;
 
-/// Bounds the rounding error of either part of a face's complex number: unit vectors make it in
-/// fewer than 60 roundings of numbers up to 1.
+/// Bound of the rounding error of the real or imaginary part of a face's complex number. Unit
+/// vectors produce it in fewer than 60 roundings of numbers up to 1.
 constexpr double part_error = 1e-14;
 
-/// A running sum of angles: a complex number for what is within half a turn, and a count of whole
-/// turns. Angles are in (-pi, pi]; those in [0, pi] have an imaginary part of at least 0.
+/// A running sum of angles: a complex number for the angle within (-pi, pi], and a count of whole
+/// turns. Angles in [0, pi] have an imaginary part of at least 0.
 struct Turns {
   double real = 1;
   double imaginary = 0;
@@ -44,7 +44,8 @@ struct Turns {
   }
 };
 
-/// The scale, a power of two, that makes numbers up to `largest` safe to square and add.
+/// Returns a power of two such that numbers up to `largest` can be squared and added without
+/// overflow.
 double safe_scale(double largest) {
   return largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1;
 }
@@ -58,7 +59,7 @@ SolidAngleWinding::SolidAngleWinding(const Mesh& mesh) : mesh_(&mesh) {
 
 BoundedWindingNumber SolidAngleWinding::sum(const Vec3& point,
                                             std::vector<Vec3>& directions) const {
-  // A direction is not a number where the point is at the vertex.
+  // The direction is NaN if the point is at the vertex.
   const double scale = safe_scale(std::max(largest_coordinate_, point.cwiseAbs().maxCoeff()));
   const Vec3 origin = point * scale;
   directions.resize(mesh_->positions.size());
@@ -67,7 +68,7 @@ BoundedWindingNumber SolidAngleWinding::sum(const Vec3& point,
     directions[v] = offset / offset.norm();
   }
 
-  // Half the solid angle of a face is the angle of one complex number.
+  // Half the solid angle of a face is the argument of a complex number.
   Turns turns;
   double error = 0;
   int until_rescaled = 0;
@@ -78,7 +79,7 @@ BoundedWindingNumber SolidAngleWinding::sum(const Vec3& point,
     const double imaginary = a.dot(b.cross(c));
     const double real = 1 + a.dot(b) + b.dot(c) + c.dot(a);
     const double size = std::max(std::abs(real), std::abs(imaginary));
-    // At an edge or a vertex there is no angle, on a face the sign of half a turn is a guess.
+    // At an edge or vertex the angle is undefined; on a face its sign is uncertain.
     if (!(size > part_error) || (real < 0 && std::abs(imaginary) <= part_error)) {
       error += 1;
       continue;

@@ -1,12 +1,11 @@
-/// Winding numbers of an oriented mesh at points: how many times the surface encloses them, with
-/// sign. The sum of the faces' signed solid angles over 4 pi.
-/// Reference: van Oosterom & Strackee, "The solid angle of a plane triangle", IEEE TBME 1983. The
-/// angles are summed as a product of complex numbers whose turns are counted, which needs no
-/// arctangent and comes with a bound of the rounding error.
+/// Winding numbers of an oriented mesh at points: the sum of the signed solid angles of the faces,
+/// divided by 4 pi. Reference: van Oosterom & Strackee, "The solid angle of a plane triangle", IEEE
+/// TBME 1983. Departure: angles are summed as a product of complex numbers, and whole turns are
+/// counted. This needs one arctangent per point and gives a bound of the rounding error.
 ///
-/// Vertices are the same when their positions are: what counts is the surface. Degenerate faces add
-/// nothing. Floating point with a bound; deterministic for any number of threads.
-/// Cost: O(faces) a point, about 10 ns a face; a mesh without faces winds around nothing.
+/// Vertices are equal if their positions are; only the surface matters. Degenerate faces contribute
+/// nothing. Floating point with an error bound; deterministic for any number of threads. Cost:
+/// O(faces) per point, about 10 ns per face. The winding number of a mesh without faces is 0.
 #pragma once
 
 #include <cmath>
@@ -18,10 +17,10 @@
 namespace transformesh {
 
 struct BoundedWindingNumber {
-  double number = 0;  ///< an integer but for rounding where the mesh is closed
-  double error = 0;   ///< at most this far from the exact sum; 1 or more on the surface
+  double number = 0;  ///< an integer up to rounding if the mesh is closed
+  double error = 0;   ///< bound of the distance from the exact sum; 1 or more on the surface
 
-  /// Whether the exact number can only be `rounded()`. Never on the surface, and hardly ever for a
+  /// True if rounded() is certainly the exact number. Never true on the surface, and rarely for a
   /// mesh that is not closed.
   bool is_decided() const { return error < 0.25 && std::abs(number - std::round(number)) <= error; }
   int rounded() const { return static_cast<int>(std::lround(number)); }
@@ -33,7 +32,7 @@ class SolidAngleWinding {
   explicit SolidAngleWinding(const Mesh& mesh);
 
   BoundedWindingNumber operator()(const Vec3& point) const;
-  /// The same for many points, in parallel.
+  /// Evaluates many points in parallel.
   std::vector<BoundedWindingNumber> operator()(std::span<const Vec3> points) const;
 
  private:

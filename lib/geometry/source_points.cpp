@@ -28,7 +28,7 @@ double share(double part, double whole) {
   return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0;
 }
 
-// Of a point on the edge from corner `edge` to the next: corners have exact shares.
+// Returns the place on the edge from corner `edge` to the next. Coordinates of corners are exact.
 SourcePoint on_edge(Index face, int edge, double along) {
   std::array<double, 3> weights{};
   weights[static_cast<std::size_t>(edge)] = 1 - along;
@@ -51,7 +51,8 @@ SourcePoint nearest_on_edge(Index face, const std::array<Vec3, 3>& corners, int 
   return on_edge(face, edge, share(direction.dot(point - from), direction.squaredNorm()));
 }
 
-// The nearest place on the faces that the faces at the vertex come from; the lowest of equals.
+// Returns the nearest place on the faces from which the faces at the vertex come. Ties are broken
+// by the lowest face.
 SourcePoint nearest_of(const Mesh& source, const Vec3& point, std::span<const Index> faces,
                        std::span<const double> face_sources) {
   double least = HUGE_VAL;
@@ -67,7 +68,8 @@ SourcePoint nearest_of(const Mesh& source, const Vec3& point, std::span<const In
   return nearest;
 }
 
-// Sums over the faces at each vertex, by area: a sliver, which looks anywhere, counts for nothing.
+// Returns the area-weighted normal of each vertex. Slivers, whose normals are unreliable, have
+// hardly any weight.
 std::vector<Vec3> sums_of_normals(const Mesh& mesh) {
   std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
   for (Index f = 0; f < mesh.faces.size(); ++f)
@@ -75,7 +77,7 @@ std::vector<Vec3> sums_of_normals(const Mesh& mesh) {
   return sums;
 }
 
-// Counts as no number of a face whatever is not one.
+// True if the value is a valid face index; false for fractions and NaN.
 bool is_face_number(double value, std::size_t faces) {
   return value >= 0 && value < static_cast<double>(faces) && value == std::floor(value);
 }
@@ -110,7 +112,7 @@ void write(Columns& columns, std::span<const SourcePoint> places) {
   put(v_name, Scalar::float64, [](const SourcePoint& place) { return place.v; });
 }
 
-/// Fills the places from those that `place_of` gives for each number, on all allowed threads.
+/// Computes `place_of` for all indices, on all allowed threads.
 template <typename PlaceOf>
 std::vector<SourcePoint> places_of_all(std::size_t count, const PlaceOf& place_of) {
   std::vector<SourcePoint> places(count);
@@ -129,7 +131,8 @@ SourcePoint source_point_on(const Mesh& source, Index face, const Vec3& point) {
   const TrianglePoint nearest =
       closest_point_of_triangle(point, corners[0], corners[1], corners[2]);
   if (nearest.part == TriangleSimplex::inside) {
-    // The weights inside a sliver are those of rounding, and a place on an edge is nearer.
+    // In a sliver, barycentric coordinates suffer from rounding, and a place on an edge may be
+    // nearer.
     SourcePoint place = inside(face, nearest.point, corners[0], corners[1], corners[2]);
     const auto distance_of = [&](const SourcePoint& of) {
       return (position_of(source, of) - point).squaredNorm();

@@ -1,14 +1,15 @@
-/// Places on another mesh, the source, that the vertices and the faces of a mesh come from: a face
-/// of the source and barycentric coordinates in it. As columns these are source_face (int),
-/// source_u and source_v (double): the place is (1 - u - v) a + u b + v c, a, b and c being the
-/// corners of the face in their order. Faces are numbered from 0, polygons as the triangles that
-/// they are read as. A vertex column names the place of the vertex, a face column that of the
-/// middle of the face.
+/// Source points: for each vertex and face of a mesh, the place on another mesh (the source) from
+/// which it comes. A source point is a face of the source with barycentric coordinates. The columns
+/// are source_face (int), source_u and source_v (double). The place is (1 - u - v) a + u b + v c,
+/// where a, b and c are the corners of the face in their order. Faces are numbered from 0; polygons
+/// count as the triangles into which they are read. A vertex column contains the place of the
+/// vertex, a face column that of the centroid of the face.
 ///
-/// Every vertex and face gets a place. At a vertex of the source it is that vertex exactly; along
-/// an edge, and of faces as near, a vertex names the lowest face. The place of a face therefore
-/// cannot be derived from those of its vertices, which may all lie on edges of the source.
-/// Floating point; deterministic for any number of threads.
+/// Each vertex and face has a source point. A source point at a vertex of the source is exact. On
+/// an edge, and if faces are equally close, a vertex refers to the lowest face. Therefore the place
+/// of a face cannot be derived from those of its vertices, which may all be on edges of the source.
+/// Floating point; deterministic for any number of threads. Cost: O(log n) per vertex and face for
+/// closest points.
 #pragma once
 
 #include "transformesh/carry.h"
@@ -21,26 +22,27 @@ SourcePoint source_point_on(const Mesh& source, Index face, const Vec3& point);
 /// Returns the position of a place on the source.
 Vec3 position_of(const Mesh& source, const SourcePoint& place);
 
-/// True if vertices and faces have the columns.
+/// True if both vertices and faces have the columns.
 bool has_source_points(const Mesh& mesh);
 
-/// For a mesh whose faces are pieces of faces of the source, `face_sources[f]` being the face that
-/// face f is cut from. Exact up to rounding if no vertex was moved.
+/// Returns source points of a mesh whose faces are pieces of faces of the source. `face_sources[f]`
+/// is the face from which face f is cut. Exact up to rounding if no vertex was moved.
 SourcePoints source_points_of_pieces(const Mesh& source, const Mesh& mesh,
                                      std::span<const double> face_sources);
 
-/// Reads the columns source_face, source_u and source_v of vertices and faces. Throws InputError,
-/// with `source_name`, if they are missing or name a face beyond `source_faces`.
+/// Reads the columns source_face, source_u and source_v of vertices and faces. Throws InputError
+/// with `source_name` if these are missing or refer to a face beyond `source_faces`.
 SourcePoints read_source_points(const Mesh& mesh, std::size_t source_faces,
                                 const std::string& source_name);
 
-/// Converts source points on `middle`, which has the source points `middle_on_first`, to source
-/// points on `first`. Exact at vertices of `middle`; otherwise off by edge^2 / radius of curvature.
+/// Converts source points on `middle` to source points on `first`. `middle_on_first` contains the
+/// source points of `middle`. Exact at vertices of `middle`; elsewhere the error is about edge^2 /
+/// radius of curvature.
 SourcePoints compose_source_points(const Mesh& first, const SourcePoints& middle_on_first,
                                    const Mesh& middle, const SourcePoints& on_middle);
 
-/// Calls `change(mesh)`. If `is_wanted`, afterwards writes source points: the closest places on the
-/// mesh as it was.
+/// Calls `change(mesh)`. If `is_wanted` is set, then writes source points: the closest places on
+/// the mesh before the change.
 template <typename Change>
 auto change_with_source_points(bool is_wanted, Mesh& mesh, const Change& change) {
   Mesh before;

@@ -7,9 +7,8 @@
 namespace transformesh {
 namespace {
 
-/// A number in [0, 1) that depends on its arguments alone.
-/// Reference: the finalizer of Steele, Lea & Flood, "Fast splittable pseudorandom number
-/// generators", OOPSLA 2014.
+/// Returns a number in [0, 1) that depends on the arguments only. Reference: the finalizer of
+/// Steele, Lea & Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
 double uniform(std::uint64_t seed, std::uint64_t sample, std::uint64_t draw) {
   std::uint64_t bits = seed * 0xd1342543de82ef95U + (3 * sample + draw + 1) * 0x9e3779b97f4a7c15U;
   bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9U;
@@ -18,7 +17,7 @@ double uniform(std::uint64_t seed, std::uint64_t sample, std::uint64_t draw) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-/// A point uniform over the triangle for numbers uniform in the unit square.
+/// Returns a point that is uniform over the triangle if `first` and `second` are uniform in [0, 1).
 SurfacePoint point_of_face(const Mesh& mesh, Index index, double first, double second) {
   const Face& face = mesh.faces[index];
   const double root = std::sqrt(first);
@@ -34,7 +33,8 @@ std::vector<SurfacePoint> surface_points(const Mesh& mesh, std::size_t count, st
   const double total = surface_area(mesh);
   if (!(total > 0) || count == 0) return {};
 
-  // Sample k lies where the area of the faces so far reaches (k + a random part) / count.
+  // Sample k is at the point of the surface where the cumulative area reaches (k + random) / count
+  // of the total.
   std::vector<SurfacePoint> points;
   points.reserve(count);
   const double piece = total / static_cast<double>(count);
