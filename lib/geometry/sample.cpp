@@ -1,3 +1,6 @@
+// Samples points on a surface, either a number of points by area or as a Poisson disk. Reference:
+// Cline, Jeschke, White, Razdan & Wonka, "Dart throwing on surfaces", Computer Graphics Forum
+// 28(4), 2009. Cost: O(n + points) on usual meshes.
 #include "transformesh/sample.h"
 
 #include <Eigen/Geometry>
@@ -18,13 +21,13 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_points = 1e8;
+constexpr double most_points = 1e8;   ///< limit of memory and time
 constexpr double darts_per_disk = 2;  ///< initial number of darts per squared distance of area
 /// Relative to the distance: smaller parts of faces are not split further.
 constexpr double tolerance = 1e-9;
 /// In spacings of coordinates: parts smaller than this are not split further.
 constexpr double roundings = 16;
-constexpr std::size_t darts_per_report = 16384;
+constexpr std::size_t darts_per_report = 16384;  ///< interval of progress reports
 
 /// A part of a face, given by barycentric coordinates of its corners.
 struct Part {

@@ -15,7 +15,7 @@ namespace {
 // A plane is triangulated inside a scaffold triangle whose corners reach 12 times the extent of the
 // coplanar faces. With this limit, the coordinates of the scaffold do not overflow.
 constexpr double largest_coordinate = 1e306;
-constexpr std::size_t planes_per_task = 4;
+constexpr std::size_t planes_per_task = 4;  ///< affects time only
 
 // Reserves room for all pieces, and for all sources except copies. Reallocation takes longer than
 // adding the entries.

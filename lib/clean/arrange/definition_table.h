@@ -35,6 +35,7 @@ class DefinitionTable {
     PointDefinition definition;
     Index number;
   };
+  /// Tables with fewer entries are searched linearly; affects time only.
   static constexpr std::size_t few = 24;
 
   /// Returns the slot of an equal definition, or the empty slot in which to insert the definition.

@@ -53,6 +53,8 @@ bool PlanarTriangulation::begin_with_triangle(const std::array<ExactPoint, 3>& c
   // scaffold corner.
   const Vec3 middle = corners[0].center / 3 + corners[1].center / 3 + corners[2].center / 3;
   const std::vector<ExactPoint> old_points = points_;
+  // The corners of the scaffold are at this multiple of the distance of the triangle's corners from
+  // its center. A choice: any value above 2 encloses the triangle, and larger values may overflow.
   constexpr double enlarged = 6;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& across = corners[(i + 2) % 3].center;

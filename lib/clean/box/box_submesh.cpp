@@ -8,6 +8,7 @@
 namespace transformesh {
 namespace {
 
+/// Bits per face; more bits include fewer other positions by mistake.
 constexpr std::size_t bits_per_position = 64;
 
 std::uint64_t mixed(std::uint64_t h) {

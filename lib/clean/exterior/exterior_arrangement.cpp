@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t planes_per_task = 4;
+constexpr std::size_t planes_per_task = 4;  ///< affects time only
 constexpr int unknown = std::numeric_limits<int>::min();
 
 /// True if exactly one of both sides has a winding number below the level.

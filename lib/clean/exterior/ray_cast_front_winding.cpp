@@ -11,7 +11,7 @@ namespace transformesh {
 namespace {
 
 constexpr int most_attempts = 20000;  // the square of an attempt fits into an int
-constexpr std::size_t few_rays = 8;
+constexpr std::size_t few_rays = 8;   ///< a choice; affects time only
 /// Reference points that are tried for one origin. Up to three may be in the plane of the piece,
 /// where a segment is useless.
 constexpr int references_per_origin = 4;
@@ -46,6 +46,7 @@ class SideFilter {
   }
 
  private:
+  /// Exceeds the relative rounding error of the orientation.
   static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   static constexpr double underflow_guard = 1e-280;
 

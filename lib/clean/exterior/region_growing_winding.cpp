@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t planes_per_task = 256;
+constexpr std::size_t planes_per_task = 256;  ///< affects time only
 /// Up to this number of rays, testing all faces costs less than building a hierarchy. After the
 /// first `few` rays, `many` are expected. Both are choices and affect only the time.
 constexpr std::size_t few = 8;

@@ -14,7 +14,7 @@ struct SegmentCrossings::Height {
   /// Returns bounds of the fraction of a segment's length at which the segment crosses the line.
   /// The segment starts at this point and ends at `end`, on the other side.
   std::array<double, 2> share_before(const Height& end) const {
-    constexpr double rounding = 1e-15;
+    constexpr double rounding = 1e-15;  // exceeds the rounding error of the quotients
     return {least / (least + end.most) - rounding, most / (most + end.least) + rounding};
   }
 };

@@ -14,8 +14,11 @@ namespace {
 /// Meshes with at most this number of faces are searched without sampling. This is a choice: below
 /// it, a full search is fast.
 constexpr std::size_t few_faces = 20000;
+/// Number of samples, and `cells_per_axis` the resolution of the grid around them. Choices: more
+/// samples or larger cells detect rarer self-intersections in the first search, which then takes
+/// longer.
 constexpr std::size_t sampled_faces = 1024;
-constexpr std::size_t things_per_task = 8192;
+constexpr std::size_t things_per_task = 8192;  ///< affects time only
 constexpr unsigned cells_per_axis = 128;
 /// A face in more cells is large, and counts as near every sample.
 constexpr std::size_t many_cells = 64;
@@ -43,7 +46,7 @@ class MarkedCells {
   }
 
  private:
-  static constexpr std::size_t word = 64;
+  static constexpr std::size_t word = 64;  ///< bits per word
   const CornerCells& cells_;
   std::vector<std::uint64_t> words_;
 };

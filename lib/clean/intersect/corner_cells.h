@@ -1,5 +1,6 @@
 /// Uniform grid of cubic cells over a mesh. Maps each face to the range of cells that its bounding
-/// box covers. Two faces with a common point share a cell.
+/// box covers. Two faces with a common point share a cell. Cost: O(n) to build,
+/// O(1) per face. Parallel; deterministic.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,7 @@ class CornerCells {
   /// their bounding box.
   CornerCells(std::span<const Vec3> points, unsigned per_axis)
       : per_axis_(per_axis), cells_(points.size()) {
-    constexpr std::size_t points_per_task = 8192;
+    constexpr std::size_t points_per_task = 8192;  // affects time only
     if (points.empty()) return;
     Vec3 low = points[0], high = low;
     for (const Vec3& point : points) {

@@ -8,7 +8,10 @@ namespace {
 /// Relative to the sum of the absolute values of two products. Exceeds the rounding error of the
 /// area of a projected triangle.
 constexpr double area_error = 1e-15;
-constexpr double underflow_guard = 1e-280;
+constexpr double underflow_guard = 1e-280;  ///< products below this may have lost bits to underflow
+/// Squared cosine of 60 degrees. Each normal is within 54.7 degrees of some axis direction, so each
+/// face leans in at least one direction. A choice: a smaller angle gives smaller regions with
+/// simpler outlines.
 constexpr double least_squared_cosine = 0.25;
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace {
 /// multiple of the number of faces; otherwise no face is left out. This is a choice that bounds
 /// time.
 constexpr std::size_t most_cells_per_face = 16;
+/// 255 with the margin of a region grid, so that an index fits into a byte.
 constexpr unsigned most_cells_per_axis = 253;
 constexpr Index several = no_index - 1;  ///< marks a cell with faces of several regions or of none
 

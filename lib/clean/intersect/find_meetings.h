@@ -1,4 +1,5 @@
 /// Finds all pairs of intersecting faces of a welded mesh, with their contacts (contacts.h).
+/// Cost: O(n log n + k) for k pairs of overlapping boxes. Parallel; deterministic.
 #pragma once
 
 #include <cstddef>

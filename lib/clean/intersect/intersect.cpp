@@ -1,3 +1,11 @@
+// Finds all pairs of intersecting faces of a mesh (paper 3.1). A bounding volume hierarchy finds
+// pairs of overlapping boxes, and exact tests decide on each pair (contacts.h). Four steps exclude
+// pairs before these tests. Faces far from other intersection-free regions are not searched
+// (faces_to_search.h). Pairs in one region are skipped (intersection_free_regions.h), and so are
+// pairs that share an embedded star (embedded_stars.h). Strips separate long thin faces
+// (face_strips.h). Stars of high valence are searched by angle (high_valence_stars.h).
+//
+// Cost: O(n log n + k) for k pairs of overlapping boxes. Parallel; deterministic.
 #include "transformesh/intersect.h"
 
 #include <algorithm>
@@ -16,7 +24,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t faces_per_task = 4096;
+constexpr std::size_t faces_per_task = 4096;  ///< affects time only
 
 // Returns the welded face of each mesh face, or no_index if the mesh face has no area.
 std::vector<Index> welded_faces(const WeldedMesh& welded, std::size_t mesh_faces) {

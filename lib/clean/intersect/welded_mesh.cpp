@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t things_per_task = 4096;
+constexpr std::size_t things_per_task = 4096;  ///< affects time only
 
 std::uint64_t hash(const Vec3& p) {
   std::uint64_t h = 0x9e3779b97f4a7c15ULL;
@@ -57,8 +57,9 @@ class SingleHashes {
   }
 
  private:
+  /// Bits per item; fewer bits mistake more single hashes for repeated ones.
   static constexpr std::size_t bits_each = 16;
-  static constexpr std::size_t word = 64;
+  static constexpr std::size_t word = 64;  ///< bits per word
   std::size_t mask_;
   std::vector<std::uint64_t> once_, twice_;
 };

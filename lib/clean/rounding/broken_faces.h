@@ -1,3 +1,4 @@
+/// Finds and removes faces that rounding of exact points to stored coordinates broke (paper 4.3).
 #pragma once
 
 #include <vector>
@@ -6,8 +7,7 @@
 
 namespace transformesh {
 
-/// Faces that rounding of exact points to stored coordinates broke (paper 4.3), for the coordinates
-/// as they are.
+/// Broken faces, in the coordinates as they are.
 struct BrokenFaces {
   std::vector<Index> faces;  ///< faces that intersect a new face, or have no area; ascending
   std::size_t pairs = 0;     ///< number of intersecting pairs with at least one new face

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t most_named = 5;
+constexpr std::size_t most_named = 5;  ///< faces listed in a sentence, to keep it short
 
 std::string list_text(const std::vector<Index>& faces) {
   std::string text = "faces " + std::to_string(faces[0]);

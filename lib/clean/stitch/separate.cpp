@@ -12,6 +12,8 @@
 namespace transformesh {
 namespace {
 
+/// A step is refused if it is not valid at 1/1024 of its length. A choice: more halvings move more
+/// vertices by tiny distances.
 constexpr int most_halvings = 10;
 
 // The directions of the faces around a vertex: a cone with its apex at the vertex.
@@ -60,8 +62,8 @@ Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
 // angle-weighted pseudonormals (Baerentzen & Aanaes 2005). Near the cone, rounding may decide; a
 // wrong sign can only cause a refusal.
 double side_of(const Cone& cone, const Vec3& direction) {
-  constexpr double same = 1e-12;
-  double least = 1 - same;  // distance from the apex
+  constexpr double same = 1e-12;  // distances with a smaller difference are equal up to rounding
+  double least = 1 - same;        // distance from the apex
   Vec3 nearest = Vec3::Zero();
   Vec3 normal = cone.normal;
   for (const Cone::Side& side : cone.sides) {

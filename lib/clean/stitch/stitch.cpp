@@ -1,3 +1,7 @@
+// Stitches a mesh (paper 3.3): joins vertices, optionally orients faces, pairs the halfedges at
+// each edge, and duplicates singular vertices (3.3.1). Departure from the paper: a singular edge
+// that is left after this is split at its midpoint (split_singular_edges.h). Cost: O(n log n).
+// Deterministic.
 #include "transformesh/stitch.h"
 
 #include <algorithm>

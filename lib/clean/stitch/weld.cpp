@@ -76,6 +76,7 @@ class HeapWeld {
   using Place = std::map<Key, Cell>::iterator;
 
   void join_around(Place cell, DisjointSets& sets) {
+    // Points within the tolerance are two cells apart; one more for rounding.
     constexpr int reach = 3;
     const Key key = cell->first;
     for (int i = 0; i <= reach; ++i) {

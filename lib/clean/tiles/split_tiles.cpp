@@ -28,7 +28,7 @@ constexpr Index rings = rings_of_complete + rings_around_complete;
 /// Width of a coarse cell, in cells. With 4 or 16, tiles of a million folded faces are the same,
 /// and the time differs by less than a tenth.
 constexpr double cells_per_coarse_cell = 8;
-constexpr std::size_t faces_per_report = std::size_t{1} << 16;
+constexpr std::size_t faces_per_report = std::size_t{1} << 16;  ///< interval of progress reports
 
 class Splitter {
  public:

@@ -35,7 +35,7 @@ struct BoundedNumber {
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  static constexpr double underflow = 1e-280;
+  static constexpr double underflow = 1e-280;  ///< exceeds the error of products by underflow
 };
 
 }  // namespace transformesh

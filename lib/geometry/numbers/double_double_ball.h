@@ -61,10 +61,11 @@ class DoubleDoubleBall {
   }
 
  private:
+  /// Exceeds the relative error of sums, products and quotients of double-doubles.
   static constexpr double epsilon = 0x1p-98;
   static constexpr double slack = 1 + 0x1p-40;  // for rounding of errors
   static constexpr double largest = 0x1p480;
-  static constexpr double underflow = 0x1p-900;
+  static constexpr double underflow = 0x1p-900;  ///< exceeds the error of products by underflow
 
   DoubleDoubleBall(const elementary::DoubleDouble& value, double error)
       : value_(value), error_(error * slack) {

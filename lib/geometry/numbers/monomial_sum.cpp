@@ -106,7 +106,7 @@ int MonomialSum::sign() const {
 // once.
 int MonomialSum::quick_sign() const {
   constexpr double error = 2 * most * std::numeric_limits<double>::epsilon();
-  constexpr double underflow = 0x1p-800;
+  constexpr double underflow = 0x1p-800;  // exceeds the error of terms that underflow
   int top = std::numeric_limits<int>::min();
   for (std::size_t i = 0; i < count_; ++i) top = std::max(top, terms_[i].exponent);
   double sum = 0, size = 0;

@@ -96,7 +96,7 @@ class MultiprecisionBall {
   friend MultiprecisionBall operator*(const MultiprecisionBall& a, const MultiprecisionBall& b);
 
  private:
-  static constexpr std::size_t length = 8;
+  static constexpr std::size_t length = 8;  ///< words of 64 bits
   static constexpr std::int64_t bits = 64 * length;
   using Digits = std::array<std::uint64_t, length>;  ///< least significant first
 

@@ -301,7 +301,7 @@ int normals_cross(const Triangle& first, const Triangle& second, int coordinate)
 }
 
 std::vector<Index> degenerate_faces(const Mesh& mesh) {
-  constexpr std::size_t faces_per_task = 4096;
+  constexpr std::size_t faces_per_task = 4096;  // affects time only
   std::vector<char> is_degenerate(mesh.faces.size());
   parallel_for(mesh.faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) {

@@ -1,3 +1,6 @@
+// Finds the pairs of overlapping boxes of one or two hierarchies, which are descended
+// simultaneously. Cost: O(n + k) for k pairs of usual boxes. Parallel; the lists of pairs do not
+// depend on the number of threads.
 #include <algorithm>
 #include <cstdint>
 
@@ -15,8 +18,9 @@ using Layer = std::vector<BoxQuad>;
 /// Number of tasks to aim for, independent of the number of threads. Enough to keep all threads
 /// busy until the end; more tasks cost time to prepare. A choice.
 constexpr std::size_t task_count = 1024;
+/// Pairs in a buffer before they are processed; affects time only.
 constexpr std::size_t pairs_at_once = 1024;
-constexpr std::size_t most_of_quads = 16;
+constexpr std::size_t most_of_quads = 16;  ///< pairs of boxes of two quads
 
 /// Two quads of a layer whose pairs are searched. For pairs within a quad, both are the same.
 struct Task {

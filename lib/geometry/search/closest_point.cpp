@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t bucket_size = 2;
+constexpr std::size_t bucket_size = 2;  ///< faces per leaf; affects time only
 
 /// Least cosine of the angle between normals that counts as less than 90 degrees. Exceeds the
 /// rounding error of a right angle.

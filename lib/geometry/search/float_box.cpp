@@ -10,7 +10,9 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t boxes_per_task = 4096;
+constexpr std::size_t boxes_per_task = 4096;  ///< affects time only
+/// Number of points from which quantiles are estimated. A choice: the origin of boxes affects time
+/// only.
 constexpr std::size_t most_sampled_points = 1024;
 constexpr double smallest_usual = 1e-30;  ///< floats hardly distinguish smaller values
 

@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t boxes_per_task = 4096;
+constexpr std::size_t boxes_per_task = 4096;  ///< affects time only
 constexpr unsigned axes = 3;
 
 constexpr unsigned rotate_left(unsigned octant, unsigned by) {
@@ -143,8 +143,8 @@ class HilbertSort {
 
  private:
   using Key = std::uint64_t;
-  static constexpr int coarse_bits = 12;
-  static constexpr int digit_bits = 12;
+  static constexpr int coarse_bits = 12;  ///< bits per axis in a key
+  static constexpr int digit_bits = 12;   ///< bits per pass of the radix sort
   static constexpr std::size_t digits = std::size_t{1} << digit_bits;
   static constexpr int key_bits = 64;
   static constexpr std::size_t few = 1024;      ///< fewer keys are sorted by comparison

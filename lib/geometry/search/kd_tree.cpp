@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t bucket_size = 8;
+constexpr std::size_t bucket_size = 8;  ///< points per leaf; affects time only
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Candidate {
