@@ -15,7 +15,7 @@ namespace {
 
 /// Least distance of the edges of the prism's base from its center, in diagonals of the mesh. The
 /// mesh reaches at most half a diagonal from there. A choice: any value above 1/2 gives the same
-/// cut.
+/// cut, up to rounding.
 constexpr double reach = 4;
 
 /// Returns two directions perpendicular to a unit normal; these are axes if the normal is one.

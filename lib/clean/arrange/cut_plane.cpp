@@ -65,7 +65,8 @@ class PlaneCutter : public PlaneFacets {
   std::vector<char> is_reversed_;  ///< per face: 1 if oriented opposite to the first face
   PlanarTriangulation triangulation_;
   DefinitionTable known_points_;
-  std::vector<Index> border_stamp_;  ///< per edge: k + 1 for the last face k that it bounds, or 0
+  std::vector<Index> border_stamp_;  ///< per edge: 1 + index of the last coplanar face whose
+                                     ///< boundary contains the edge, or 0
   std::vector<Cover> covers_;        ///< faces that cover each facet
   std::array<Index, 3> corner_facets_{};
 };

@@ -12,8 +12,8 @@
 namespace transformesh {
 namespace {
 
-// Returns the corners of a triangle around the box, at 8 to 12 times its extent. The corners lie in
-// the plane up to rounding to doubles.
+// Returns the corners of a triangle around the box, at about 12 times its extent. The corners lie
+// in the plane up to rounding to doubles.
 std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec3& low,
                              const Vec3& high) {
   const Vec3 middle = low + (high - low) / 2;

@@ -76,9 +76,9 @@ bool BoxPart::complete_planes() {
   return has_more;
 }
 
-// Throws GoalError unless the mesh contains all faces around the complete ones. This holds for
-// faces in the first two rings around own faces. Planes may add other faces, for which the region
-// must hold the surrounding cells.
+// Throws GoalError unless the mesh contains all faces around the complete ones. The mesh always
+// contains the faces around the first two rings. Planes may add other complete faces; the region
+// must hold the cells around these.
 void BoxPart::check_held() const {
   FacesAround around(mesh_, is_own_, grid_, options_.coordinate);
   for (int ring = 0; ring < rings_of_complete; ++ring) around.grow();

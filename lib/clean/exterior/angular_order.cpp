@@ -13,7 +13,7 @@ struct Spoke {
   Triangle triangle;
   bool is_forward;
   Index halfedge;
-  int sign;  ///< -1 if the normal of `triangle` has to be reversed, else 1
+  int sign;  ///< -1 if the normal of `triangle` has to be reversed, otherwise 1
   /// 0: in the direction of the first spoke; 2: opposite; 1 and 3: the half-planes between.
   int half = 0;
 };

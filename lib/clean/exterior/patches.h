@@ -34,7 +34,8 @@ class Patches {
   const Arrangement& arrangement_;
 };
 
-/// Returns true if `halfedges` are the halfedges of all pieces at an edge.
+/// Returns true if `halfedges` are the halfedges of all pieces at an edge, and false if some of
+/// these pieces are missing.
 using IsWholeEdge = std::function<bool(std::span<const Index> halfedges)>;
 
 /// Joins the sides of patches that bound the same cell of space next to a common edge. Side 2 *

@@ -1,6 +1,6 @@
-/// Collapses edges shorter than the tolerance of flat regions. Also removes vertices of faces with
-/// such edges, if the surface around them is flat (flat_vertices.h). Short edges would keep
-/// unneeded vertices on the outlines of regions.
+/// Collapses edges shorter than half the tolerance of flat regions. Also removes vertices of faces
+/// with edges shorter than the tolerance, if the surface around them is flat (flat_vertices.h).
+/// Short edges would keep unneeded vertices on the outlines of regions.
 ///
 /// Guarantees for an oriented manifold: the result has the same topology, and no vertex moves. If a
 /// changed face intersects another face, the mesh does not change. Deterministic. Cost: that of

@@ -24,7 +24,7 @@
 /// homotopy that does not pass a point keeps its winding number. Parts that take no part in an
 /// intersection do not move, except near broken faces. The algorithm terminates: it throws after 16
 /// rounds, or if the number of intersecting pairs exceeds four times the pairs and faces of the
-/// input. Deterministic.
+/// input. Deterministic. Cost: that of at most 16 clean passes.
 ///
 /// References: Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002;
 /// Valque & Lazard, "Removing self-intersections in 3D meshes while preserving floating-point

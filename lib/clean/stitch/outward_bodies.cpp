@@ -126,7 +126,8 @@ bool Bodies::is_in_open(Index inner) const {
   return false;
 }
 
-// Each component follows the smallest outermost component around it, or itself if there is none.
+// A component is inward if the smallest outermost component around it is inside out. A component
+// that no other contains is inward if it is inside out itself.
 std::vector<char> Bodies::inward() const {
   const std::vector<std::vector<Index>> around = containers();
   std::vector<char> is_inward(around.size(), 0);

@@ -7,7 +7,7 @@ __extension__ using Twice = unsigned __int128;
 
 }  // namespace
 
-// Drops digits below the last word. The count must be less than `bits`.
+// Drops digits below the last word. The count must be at most `bits`.
 void MultiprecisionBall::shift_right(std::int64_t count) {
   const auto words = static_cast<std::size_t>(count / 64);
   const auto rest = static_cast<unsigned>(count % 64);
