@@ -63,7 +63,7 @@ class DoubleDoubleBall {
  private:
   /// Exceeds the relative error of sums, products and quotients of double-doubles.
   static constexpr double epsilon = 0x1p-98;
-  static constexpr double slack = 1 + 0x1p-40;  // for rounding of errors
+  static constexpr double slack = 1 + 0x1p-40;  // factor that covers the rounding of errors
   static constexpr double largest = 0x1p480;
   static constexpr double underflow = 0x1p-900;  ///< exceeds the error of products by underflow
 
