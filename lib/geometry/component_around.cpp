@@ -48,7 +48,6 @@ ComponentAround component_around(const Mesh& mesh, const Vec3& point) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces");
   const Components all = connected_components(mesh);
 
-  // Compute the distance of each component.
   const double scale = safe_scale(mesh, point);
   std::vector<std::vector<Index>> faces(all.components.size());
   std::vector<double> distance(faces.size(), std::numeric_limits<double>::infinity());

@@ -19,7 +19,6 @@ namespace transformesh {
 /// Returns the place on a face that is nearest to the point.
 SourcePoint source_point_on(const Mesh& source, Index face, const Vec3& point);
 
-/// Returns the position of a place on the source.
 Vec3 position_of(const Mesh& source, const SourcePoint& place);
 
 /// True if both vertices and faces have the columns.

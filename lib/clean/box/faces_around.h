@@ -21,7 +21,6 @@ class FacesAround {
   /// Returns the current faces. next() returns them with one more ring.
   const std::vector<bool>& faces() const { return faces_; }
   std::vector<bool> next() const;
-  /// Moves out the cells of the current faces.
   CellMarks take_cells() { return std::move(marks_); }
 
  private:

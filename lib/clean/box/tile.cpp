@@ -28,7 +28,6 @@ std::string text_of(const TileName& name) {
          std::to_string(name.mesh);
 }
 
-/// Reads the words of a comment.
 class Words {
  public:
   Words(const std::string& comment, std::string_view key)

@@ -11,7 +11,6 @@
 
 namespace transformesh {
 
-/// Identifies a tile of a mesh.
 struct TileName {
   std::uint64_t mesh = 0;  ///< hash of all faces of the whole mesh
   std::size_t number = 0;  ///< in [0, count)

@@ -31,7 +31,6 @@ class RoundingZone {
   bool contains(const Vec3& point) const;
   /// Returns an upper bound of the movement of a surface at a point, along each axis.
   Vec3 margins_at(const Vec3& point) const;
-  /// Returns the largest margin of all triangles and axes.
   double largest_margin() const;
 
  private:

@@ -138,7 +138,6 @@ void RegionGrowingWinding::grow_from_cut_faces() {
   }
 }
 
-// Casts a ray from the facet at the corner.
 int RegionGrowingWinding::cast_at_corner(const RayCastFrontWinding& ray, Index face,
                                          Index i) const {
   int w = 0;

@@ -40,7 +40,6 @@ class FlatOutlines {
   /// Faces without region in `of_face` do not change.
   FlatOutlines(const FlatSurface& surface, std::span<const Index> of_face);
 
-  /// Returns the outlines of a region.
   RegionOutlines of(const FlatRegion& region);
   /// True if a vertex of the region is removed.
   bool changes(const FlatRegion& region) const;

@@ -23,7 +23,6 @@ constexpr unsigned cells_per_axis = 128;
 /// A face in more cells is large, and counts as near every sample.
 constexpr std::size_t many_cells = 64;
 
-/// Set of marked grid cells, one bit each.
 class MarkedCells {
  public:
   explicit MarkedCells(const CornerCells& cells)

@@ -36,7 +36,6 @@ struct Contacts {
   std::array<std::int8_t, 3> first_sides{}, second_sides{};
 };
 
-/// Two faces that meet, with their contacts.
 struct Meeting {
   Index first;
   Index second;
@@ -57,7 +56,6 @@ bool triangles_meet(const Triangle& first, const Triangle& second);
 PointDefinition contact_definition(const WeldedMesh& welded, Index first, Index second,
                                    Contact contact);
 
-/// Returns the exact point of a contact.
 ExactPoint contact_point(const WeldedMesh& welded, const ExactGeometry& geometry, Index first,
                          Index second, Contact contact);
 

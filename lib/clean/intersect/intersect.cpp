@@ -114,7 +114,6 @@ void list_others(const WeldedMesh& welded, std::span<const Index> faces,
 
 namespace {
 
-// Appends the meetings of the pairs that intersect.
 void add_meetings(const WeldedMesh& welded, std::span<const FacePair> pairs,
                   std::vector<Meeting>& meetings) {
   for (const auto& [f, g] : pairs) {

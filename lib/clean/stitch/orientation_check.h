@@ -24,7 +24,6 @@ int sum_along(std::span<const Face> faces, std::span<const Index> halfedges);
 /// to a vertex twice. Cost: O(n log n).
 Problem find_misorientation(const Mesh& mesh);
 
-/// Returns the sentence of find_misorientation().
 std::string describe_misorientation(const Mesh& mesh);
 
 }  // namespace transformesh

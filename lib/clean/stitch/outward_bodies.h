@@ -11,7 +11,6 @@
 
 namespace transformesh {
 
-/// True if at least one body is inside out.
 bool has_inward_bodies(const Mesh& mesh);
 
 /// Reverses all components of bodies that are inside out, so that cavities remain cavities. Returns

@@ -18,7 +18,7 @@
 
 namespace transformesh {
 
-/// the weight is positive
+/// Exact coordinates; the weight is positive.
 struct ExactCoordinates : HomogeneousPoint<CGAL::Mpzf> {};
 
 /// Coordinates with twice the precision of a double, if these can be computed. If magnitudes in the
@@ -287,7 +287,6 @@ ExactPoint ExactGeometry::three_planes(Index f, Index g, Index h) const {
 
 namespace {
 
-// Computes the fraction of a definition in a number type.
 template <class Number>
 Fraction<Number> fraction_of(const PointDefinition& definition, std::span<const Vec3> positions,
                              std::span<const Face> faces) {

@@ -62,7 +62,6 @@ HomogeneousPoint<Number> homogeneous_point(const Vec3& u, const Vec3& v,
   return {{x(0), x(1), x(2)}, dot(plane.normal, way)};
 }
 
-/// Returns the intersection of three planes.
 template <class Number>
 HomogeneousPoint<Number> homogeneous_point(const HomogeneousPlane<Number>& f,
                                            const HomogeneousPlane<Number>& g,

@@ -50,7 +50,7 @@ class WideBound {
   }
 
  private:
-  // For rounding errors, and for shifts that are limited to 100.
+  // Factor that covers rounding errors, and shifts that are limited to 100.
   static constexpr double slack = 1 + 0x1p-50;
 
   bool is_finite() const { return number_ < 4; }

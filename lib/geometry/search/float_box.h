@@ -52,7 +52,6 @@ inline double center(const FloatBox& box, std::size_t axis) {
   return (low + high) / 2;
 }
 
-/// Returns the box of each face.
 std::vector<FloatBox> face_boxes(const Mesh& mesh);
 /// Returns the boxes of the given faces, in their order.
 std::vector<FloatBox> face_boxes(const Mesh& mesh, std::span<const Index> faces);
