@@ -1,18 +1,18 @@
-/// Aligns a mesh that lies near a target with the target's sharp edges: a vertex at every corner,
-/// vertices along every sharp edge, and mesh edges from one to the next, where the mesh before ran
-/// across, which cuts sharp edges off.
+/// Aligns a mesh that lies near a target with the target's sharp edges. A mesh edge that crosses a
+/// sharp edge cuts it off. Afterwards there is a vertex at each corner of the target, and vertices
+/// and mesh edges along each sharp edge.
 ///
-/// Vertices are moved onto the nearest sharp edge where one of their edges crosses it, nearest ones
-/// first; edges are flipped where that brings their middles nearer to the target; then short edges
-/// are collapsed, the rest relaxes onto the target, and what is on a sharp edge slides along it.
-/// (As in Kobbelt, Botsch, Schwanecke & Seidel, "Feature sensitive surface extraction from volume
-/// data", SIGGRAPH 2001, but for vertices that exist.)
+/// Moves vertices onto the nearest sharp edge if one of their edges crosses it, the nearest
+/// vertices first. Flips edges if this brings their midpoints nearer to the target. Collapses short
+/// edges, relaxes the other vertices onto the target, and slides aligned vertices along their sharp
+/// edges. Reference: Kobbelt, Botsch, Schwanecke & Seidel, "Feature sensitive surface extraction
+/// from volume data", SIGGRAPH 2001, who insert new vertices instead of moving existing ones.
 ///
-/// Guarantees what remesh() does: an oriented manifold of the same topology, no self-intersection
-/// made (embedding_guard.h), poor triangles not made poorer by moves, attributes blended. Not
-/// guaranteed: that all sharp edges are met; where a step would break a guarantee they stay cut
-/// off. Sharp edges nearer to each other than the mesh's edges are merged at best. Deterministic;
-/// O(n log n).
+/// Guarantees of remesh(): an oriented manifold of the same topology, no new self-intersection
+/// (embedding_guard.h), interpolated attributes. Moves do not make poor triangles poorer. Not
+/// guaranteed: that all sharp edges are met. A step that would break a guarantee is left out. Sharp
+/// edges that are nearer to each other than the mesh's edge length are merged at best.
+/// Deterministic; O(n log n).
 #pragma once
 
 #include "transformesh/control.h"
@@ -21,9 +21,9 @@
 namespace transformesh {
 
 struct AlignOptions {
-  double feature_angle_deg = 40;        ///< sharp edges: faces turn by more; in (0, 180)
-  double min_edge = 0;                  ///< shortest edges of the mesh; input units, > 0
-  double max_edge = 0;                  ///< longest edges of the mesh; input units
+  double feature_angle_deg = 40;  ///< least angle between the normals at a sharp edge; in (0, 180)
+  double min_edge = 0;            ///< shortest edges of the mesh; input units; > 0
+  double max_edge = 0;            ///< longest edges of the mesh; input units
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
 };
 
@@ -34,12 +34,12 @@ struct AlignResult {
   StaleColumns columns;
 };
 
-/// Whether the target has sharp edges for certain, and not by noise or coarseness: edges by 60
-/// degrees and more are at least a fiftieth of the length of all.
+/// True if the target certainly has sharp edges, not only noise or coarse curvature. Edges of at
+/// least 60 degrees must make up more than 1/50 of the length of all edges.
 bool has_features(const Mesh& target);
 
-/// Throws UsageError for options out of range, InputError for what is no oriented manifold or has
-/// no faces. A target without sharp edges changes nothing.
+/// Throws UsageError for options out of range. Throws InputError if the mesh is not an oriented
+/// manifold or has no faces. Does nothing if the target has no sharp edges.
 AlignResult align_features(Mesh& mesh, const Mesh& target, const AlignOptions& options,
                            const Progress& progress = {});
 

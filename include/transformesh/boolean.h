@@ -1,17 +1,17 @@
 /// Boolean operations on solids: the boundary of their union, intersection, difference or symmetric
-/// difference, in one arrangement of all operands. An operand is the solid { p : w(p) >= 1 }, w
-/// being its own winding number, so it may overlap itself, be nested, touch or equal others.
+/// difference, in one arrangement of all operands. An operand is the solid { p : w(p) >= 1 }, where
+/// w is its own winding number. Operands may overlap themselves, touch, and be nested or equal.
 ///
-/// Guarantees: the result is closed, oriented outwards and manifold. It is the boundary of exactly
-/// that region, without walls of no thickness. Rounded to `coordinate`, it has no self-intersection
-/// and no face without area. Faces that meet no other operand keep coordinates, columns and order,
-/// unless `merge_flat` covers their flat region anew. Faces of subtracted operands are reversed.
-/// Pieces have the columns of their faces; missing ones are as columns.h says. An empty region is
-/// an empty mesh. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for solid
-/// geometry", ACM TOG 35(4), 2016. Throws InputError, naming the operand, if one is not closed and
-/// oriented, and GoalError if rounding cannot be repaired. Deterministic for any number of threads.
-/// Cost: that of clean() for all operands together; where an operand intersects itself beside
-/// others, and for the symmetric difference, hidden pieces are cut as well.
+/// Guarantees: the result is closed, oriented outwards and manifold. It is exactly the boundary of
+/// that region, without walls of zero thickness. Rounded to `coordinate`, it has no
+/// self-intersection and no face without area. Faces that meet no other operand keep coordinates,
+/// columns and order, unless `merge_flat` retriangulates their flat region. Faces of subtracted
+/// operands are reversed. Pieces have the columns of their faces; columns.h defines missing values.
+/// An empty region gives an empty mesh. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh
+/// arrangements for solid geometry", ACM TOG 35(4), 2016. Throws InputError, naming the operand, if
+/// one is not closed and oriented, and GoalError if rounding cannot be repaired. Deterministic.
+/// Cost: that of clean() for all operands. For `exclude`, and if one of several operands intersects
+/// itself, hidden pieces are cut too.
 #pragma once
 
 #include <optional>
@@ -36,24 +36,24 @@ struct Operand {
 };
 
 struct BooleanOptions {
-  bool merge_flat = true;               ///< merge what lies in one plane at cuts (clean.h)
+  bool merge_flat = true;               ///< merge coplanar pieces at cuts (clean.h)
   bool source_operand = false;          ///< write the operand of each face as source_operand
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
 };
 
 struct BooleanResult : CleanResult {
-  std::optional<ErrorKind> reason{};      ///< why it is empty, by clean() of all operands
-  std::vector<std::size_t> inside_out{};  ///< operands that enclose nothing: w < 0
-  std::vector<std::size_t> canceling{};   ///< operands that enclose nothing: w = 0, with faces
+  std::optional<ErrorKind> reason{};      ///< if it is empty: kind of error of clean()
+  std::vector<std::size_t> inside_out{};  ///< operands that enclose nothing, with w < 0
+  std::vector<std::size_t> canceling{};   ///< operands with faces that enclose nothing, with w = 0
 };
 
-/// The counts are of all operands together. `operands` is not empty.
+/// All counts are sums over the operands. `operands` must not be empty.
 BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& operands,
                       const BooleanOptions& options = {}, const Progress& progress = Progress());
 
 enum class SheetSide { outside, inside };
-/// The part of a sheet outside or inside of a solid, cut along the surface of the solid. Throws as
-/// boolean() does, for the solid.
+/// Returns the part of a sheet outside or inside of a solid, cut along the surface of the solid.
+/// Throws as boolean() does, for the solid.
 BooleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,
                         const BooleanOptions& options = {}, const Progress& progress = Progress());
 

@@ -1,11 +1,11 @@
-/// Checks whether a mesh is an oriented 2-manifold and, on request, closed, free of
-/// self-intersections, and the boundary of { p : w(p) >= winding level } of another mesh. Each
-/// property is checked by code that shares nothing with the operations that establish it.
+/// Checks whether a mesh is an oriented 2-manifold. On request also checks whether it is closed,
+/// free of self-intersections, and the boundary of { p : w(p) >= winding level } of another mesh.
+/// The code that checks a property is independent of the operations that establish it.
 ///
 /// The last property is tested at sample points in front of and behind faces. The winding number of
-/// the mesh at a sample must be 1 if that of the other mesh is >= winding level, and 0 if it is
-/// not. A sample is undecided if rounding may have moved faces over it. If the other mesh is open,
-/// its winding numbers are no integers; then each new face must be a piece of one of its faces.
+/// the mesh at a sample must be 1 if that of the other mesh is >= winding level, else 0. A sample
+/// is undecided if rounding may have moved faces across it. If the other mesh is open, its winding
+/// numbers are not integers. Then each face must be a piece of a face of the other mesh.
 ///
 /// Cost: O(n) for the manifold, that of find_intersections(), and O(log n) per sample on usual
 /// meshes. Deterministic for any number of threads.
@@ -29,11 +29,11 @@ struct CheckMeshOptions {
 };
 
 struct Certificate {
-  bool input_is_closed = false;  ///< if equal positions are joined
-  std::size_t samples = 0;       ///< samples that were decided, wrong ones included
+  bool input_is_closed = false;  ///< after equal positions are joined
+  std::size_t samples = 0;       ///< decided samples, including wrong ones
   std::size_t undecided = 0;
   std::size_t wrong = 0;
-  double margin = 0;    ///< the farthest that rounding may have moved a new face unnoticed
+  double margin = 0;    ///< bound on how far rounding may have moved a face unnoticed; input units
   std::string problem;  ///< the first wrong sample, or too many undecided ones; empty if none
 
   double undecided_share() const;

@@ -1,23 +1,24 @@
 /// TransforMesh (paper 3): the boundary of { p : w(p) >= winding level } of a closed oriented mesh,
-/// w being the winding number, as a closed 2-manifold that is oriented outwards. Level 1 removes
+/// where w is the winding number, as a closed 2-manifold that is oriented outwards. Level 1 removes
 /// every self-intersection, inverted region and overlap; surfaces merge, split, open and close.
 ///
 /// Guarantees: every output face is an input face or a piece of one. Faces without intersection
-/// keep coordinates, columns and order, except beside faces that rounding breaks. A manifold with
+/// keep coordinates, columns and order, except near faces that rounding breaks. A manifold with
 /// nothing to clean is unchanged. Equal positions are one point. Rounded to `coordinate`, the
 /// output has no self-intersection (coincident vertices and edges may touch) and no face without
-/// area. In a mesh with borders, the closed part is cleaned as if it were alone. Open components
-/// lose what lies inside of it and what another one has behind it along a curve
-/// (docs/design/open-meshes.md). Throws InputError if the mesh is not oriented, and UsageError for
-/// static_test on an open mesh. Throws GoalError if no point reaches the level, if rounding cannot
-/// be repaired, or if `refuse` forbids a change. Deterministic. Cost: O(n log n + k log k).
+/// area. In a mesh with borders, the closed part is cleaned as if it were alone. An open component
+/// loses its parts inside the closed part, and its parts behind another open component along a
+/// common curve (docs/design/open-meshes.md). Throws InputError if the mesh is not oriented, and
+/// UsageError for static_test on an open mesh. Throws GoalError if no point reaches the level, if
+/// rounding cannot be repaired, or if `refuse` forbids a change. Deterministic. Cost:
+/// O(n log n + k log k).
 ///
 /// A `box` restricts cleaning to faces whose first vertex is in it (paper 4.6). A box includes its
-/// lower sides and excludes its upper ones. The pieces of boxes side by side are together those of
-/// the whole mesh. If rounding has to be repaired in a box, its pieces are taken from the cleaned
-/// whole mesh. A box needs a closed oriented mesh (InputError), and excludes static_test,
-/// `outermost`, `merge_flat` and `separate` (UsageError). Cost: that of the faces in and around the
-/// box, and O(n log n) for the mesh.
+/// lower sides and excludes its upper ones. The pieces of adjacent boxes together form the cleaned
+/// whole mesh. If rounding has to be repaired in a box, its pieces are taken from the cleaned whole
+/// mesh. A box needs a closed oriented mesh (InputError), and excludes static_test, `outermost`,
+/// `merge_flat` and `separate` (UsageError). Cost: that of the faces in and around the box, and
+/// O(n log n) for the mesh.
 ///
 /// `merge_flat` covers flat regions around cuts with as few triangles as their outlines need. Then
 /// the surface moves by `merge_displacement`; sharp edges and borders of face columns stay.
@@ -42,12 +43,12 @@ struct CleanOptions {
   ExteriorMethod method = ExteriorMethod::grow;
   int winding_level = 1;                ///< 1 is the union, 2 the intersection of two operands
   bool outermost = false;               ///< drop cavities, and components inside them
-  bool merge_flat = false;              ///< merge what lies in one plane at cuts
-  bool refuse = false;                  ///< throw rather than change anything
+  bool merge_flat = false;              ///< merge coplanar pieces at cuts
+  bool refuse = false;                  ///< throw GoalError instead of changing anything
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
-  double separate = 0;                  ///< distance between copies of a vertex; 0: do not move
+  double separate = 0;  ///< distance between copies of a vertex; input units; 0: do not move them
   CleanSources sources = CleanSources::none;
-  std::optional<Box> box = {};  ///< clean the faces of this box alone
+  std::optional<Box> box = {};  ///< clean only the faces in this box
   bool only = false;            ///< needs `box`; leave out faces that do not belong to it
 };
 

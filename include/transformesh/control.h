@@ -10,8 +10,8 @@
 
 namespace transformesh {
 
-/// Reports the progress of an operation. An operation calls its Progress at the start of each phase
-/// with fraction 0 and then, at least every few milliseconds of work, with a growing fraction. If
+/// Reports the progress of an operation. An operation calls its Progress with fraction 0 at the
+/// start of each phase, then at least every few milliseconds of work with a growing fraction. If
 /// the callback returns false, the operation throws CancelledError and leaves its arguments valid
 /// but unspecified. The callback is called from one thread at a time.
 class Progress {

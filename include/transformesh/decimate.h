@@ -1,12 +1,13 @@
-/// Fewer faces: collapses the edges whose collapse changes the surface least, by the squared
-/// distances from the planes of the input's faces, until as many faces are left as are wanted, or
-/// until each further collapse would exceed an error. An edge becomes the point of the least sum,
-/// its middle or one of its ends. Reference: Garland & Heckbert, "Surface simplification using
-/// quadric error metrics", SIGGRAPH 1997; every collapse keeps what remesh.h promises: the
-/// topology, an embedding without self-intersections (embedding_guard.h), attributes blended. With
-/// an error, each point of the input is within it of the result and vice versa (error_bound.h), and
-/// flat faces are merged first (merge_flat.h). Deterministic; O(n log n) for n faces; about 300
-/// bytes per face, 550 with an error.
+/// Decimation: collapses the edges that change the surface least until the wanted number of faces
+/// is left, or until each further collapse would exceed an error. The cost is the sum of squared
+/// distances from the planes of the input's faces. An edge is collapsed to the point of least cost,
+/// to its midpoint or to one of its ends. Reference: Garland & Heckbert, "Surface simplification
+/// using quadric error metrics", SIGGRAPH 1997.
+///
+/// Guarantees of remesh.h: topology, no new self-intersections (embedding_guard.h), interpolated
+/// attributes. With an error, each point of the input is within this distance of the result and
+/// vice versa (error_bound.h), and flat faces are merged first (merge_flat.h). Deterministic;
+/// O(n log n) for n faces; about 300 bytes per face, 550 with an error.
 #pragma once
 
 #include <optional>
@@ -17,26 +18,27 @@
 namespace transformesh {
 
 struct DecimateOptions {
-  std::size_t faces = 0;           ///< wanted; >= 4, or with an error 0: as few as that allows
-  double feature_angle_deg = 180;  ///< edges sharper than this stay; in (0, 180], 180: none are
-  bool keep_border = false;        ///< leave border vertices and edges alone
+  std::size_t faces = 0;  ///< wanted number; >= 4; with `error` also 0: as few as the error allows
+  double feature_angle_deg = 180;  ///< sharper edges are kept; in (0, 180]; 180: no edge is sharp
+  bool keep_border = false;        ///< keep border vertices and edges
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
-  KeepOutOptions keep_out = {};         ///< no collapse comes nearer to it than its gap
-  /// Largest distance of the input and the result in both directions; >= 0. With 0, flat faces are
-  /// merged, which moves the surface by rounding errors, and nothing else is done.
+  KeepOutOptions keep_out = {};         ///< collapses keep this gap
+  /// Largest distance between input and result in both directions; input units; >= 0. With 0, only
+  /// flat faces are merged, which moves the surface by rounding errors.
   std::optional<double> error = {};
 };
 
 struct DecimateResult {
   std::size_t collapses = 0;
-  /// Left: those wanted or one less; all if there were no more. Merging alone may leave fewer.
+  /// Faces of the result: the wanted number or one less, or all if the input has fewer. Merging of
+  /// flat faces alone may leave fewer.
   std::size_t faces = 0;
-  std::size_t merged_faces = 0;   ///< faces that merging flat ones removed
-  std::size_t error_refused = 0;  ///< collapses refused because of `error`, tried again or not
-  double error_bound = 0;         ///< the surfaces are within this of each other; 0 without `error`
-  std::size_t kept_out = 0;       ///< collapses refused because of `keep_out`
-  std::size_t near_keep_out = 0;  ///< faces of the input nearer than its gap
-  StaleColumns columns;           ///< normals, and lists of texture coordinates, as of remesh()
+  std::size_t merged_faces = 0;   ///< faces removed by merging flat faces
+  std::size_t error_refused = 0;  ///< refusals because of `error`; repeated attempts count again
+  double error_bound = 0;    ///< bound on the distance between both surfaces; 0 without `error`
+  std::size_t kept_out = 0;  ///< collapses refused because of `keep_out`
+  std::size_t near_keep_out = 0;  ///< input faces that are nearer than the gap
+  StaleColumns columns;           ///< normals, and lists of texture coordinates, as in remesh()
 };
 
 /// Throws UsageError for options out of range, and InputError if the mesh is no oriented manifold

@@ -1,12 +1,13 @@
-/// One explicit step of an evolution (paper 5.1.1, second step): every vertex p moves by
-/// time_step * velocity(p), but by no more than alpha * e_avg(p), e_avg(p) being the mean length of
-/// the edges at p (paper 5.1.2).
+/// One explicit step of an evolution (paper 5.1.1, second step). Every vertex p moves by
+/// time_step * velocity(p), but by at most alpha * e_avg(p) (paper 5.1.2). e_avg(p) is the mean
+/// length of the edges at p.
 ///
-/// Changes positions, and normals with them (surface_columns.h): topology, order and other columns
-/// stay. The result may intersect itself; that is what clean() is for. A vertex without edges does
-/// not move, because its clamp is 0. Edges on a border count half in e_avg. A velocity may have any
-/// finite size: what overflows is clamped. Throws GoalError where most vertices go so far that
-/// coordinates are farther apart than edges. Cost: O(n), in parallel; deterministic.
+/// Changes positions, and normals with them (surface_columns.h). Topology, order and other columns
+/// stay. The result may intersect itself; clean() removes the self-intersections. A vertex without
+/// edges does not move, because its clamp is 0. Border edges count half in e_avg. Velocities may
+/// have any finite size; a displacement that overflows is clamped. Throws GoalError if most
+/// vertices would move so far that the spacing of their coordinates exceeds e_avg. Cost: O(n), in
+/// parallel; deterministic.
 #pragma once
 
 #include <span>
@@ -18,27 +19,27 @@ namespace transformesh {
 
 struct DisplaceOptions {
   double time_step = 1;  ///< t; finite, either sign
-  double alpha = 0.2;    ///< clamp as a fraction of e_avg(p); >= 0, the paper has 0.1 to 0.3
-  KeepOutOptions keep_out = {};  ///< no face comes nearer to it than its gap (limit_movements.h)
-  Scalar coordinate = Scalar::float64;  ///< positions near it are rounded to this type
+  double alpha = 0.2;    ///< clamp as a fraction of e_avg(p); >= 0; the paper uses 0.1 to 0.3
+  KeepOutOptions keep_out = {};         ///< faces keep this gap (limit_movements.h)
+  Scalar coordinate = Scalar::float64;  ///< new positions near `keep_out` are rounded to this type
 };
 
 /// Lengths in input units.
 struct DisplaceResult {
   std::size_t moved = 0;          ///< vertices whose position changed
-  std::size_t clamped = 0;        ///< vertices that wanted to go farther
-  std::size_t held_back = 0;      ///< vertices that went less far because of `keep_out`
-  std::size_t near_keep_out = 0;  ///< faces nearer to it than its gap before the step
-  double max_displacement = 0;    ///< of any vertex
-  double rms_displacement = 0;    ///< over all vertices
+  std::size_t clamped = 0;        ///< vertices whose movement the clamp shortened
+  std::size_t held_back = 0;      ///< vertices whose movement `keep_out` shortened
+  std::size_t near_keep_out = 0;  ///< faces nearer to the obstacle than the gap before the step
+  double max_displacement = 0;    ///< largest movement of a vertex
+  double rms_displacement = 0;    ///< root mean square movement of all vertices
   double max_clamp_share = 0;     ///< largest movement as a fraction of the vertex's own clamp
-  double mean_edge = 0;           ///< before the step, over all edges
-  bool new_normals = false;       ///< there are normals, which were computed anew
+  double mean_edge = 0;           ///< mean length of all edges before the step
+  bool new_normals = false;       ///< normals were recomputed
 };
 
-/// Throws UsageError for options out of range and for a number of velocities other than that of the
-/// vertices, InputError for a velocity that is not finite, with the vertex, and where the mesh
-/// meets the surface to keep out of.
+/// Throws UsageError for options out of range, and if the number of velocities differs from that of
+/// the vertices. Throws InputError, naming the vertex, for a velocity that is not finite, and if
+/// the mesh intersects the obstacle.
 DisplaceResult displace(Mesh& mesh, std::span<const Vec3> velocities,
                         const DisplaceOptions& options = {});
 

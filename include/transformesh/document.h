@@ -1,4 +1,4 @@
-/// A mesh with everything else that its file holds, so that it can be written as it was read.
+/// A mesh with all other contents of its file, so that it can be written as it was read.
 #pragma once
 
 #include <cstddef>
@@ -21,19 +21,19 @@ struct OtherElement {
   Columns columns;
 };
 
-/// How the file was written. The defaults are the pipe format.
+/// Encoding of the file. The defaults are the pipe format.
 struct Style {
   Format format = Format::ply_little;
   Scalar coordinate = Scalar::float64;       ///< float32 or float64
   std::vector<std::string> comments;         ///< without the keyword `comment `
   std::vector<std::string> obj_info;         ///< without the keyword `obj_info `
-  std::string face_list = "vertex_indices";  ///< or vertex_index, as it came
+  std::string face_list = "vertex_indices";  ///< vertex_indices or vertex_index
   Scalar face_list_count = Scalar::uint8;
   Scalar face_list_index = Scalar::int32;
-  std::size_t position_column = 0;   ///< vertex properties that come before x y z
-  std::size_t face_list_column = 0;  ///< face properties that come before the index list
-  /// Names of the PLY elements in the order of the file; empty: vertex, face, then the others.
-  /// Where it leaves out `face`, none is written while the mesh has no faces (a point cloud).
+  std::size_t position_column = 0;   ///< number of vertex properties before x y z
+  std::size_t face_list_column = 0;  ///< number of face properties before the index list
+  /// Names of the PLY elements in the order of the file; empty: vertex, face, then the others. If
+  /// `face` is missing and the mesh has no faces (a point cloud), no face element is written.
   std::vector<std::string> element_order;
   bool sized_type_names = false;  ///< PLY types are float32, uint8, not float, uchar
 };
@@ -42,13 +42,13 @@ struct Document {
   Mesh mesh;
   Style style;
   std::vector<OtherElement> other_elements;
-  std::string texture = {};  ///< a PNG file that GLB holds; other formats have it beside them
+  std::string texture = {};  ///< PNG file embedded in GLB; other formats refer to a separate file
 };
 
 /// Appends a document to another: vertices, faces, columns and further elements in their order. A
 /// column gets a type that holds the values of both; missing values are zero. Comments are joined
-/// without repetition, and the first reference edge stays. Returns one line for each column that is
-/// a list in one document and a number in the other. O(n).
+/// without repetition, and the reference edge of the first document stays. Returns one line for
+/// each column that is a list in one document and a number in the other. O(n).
 std::vector<std::string> append(Document& all, const Document& other);
 
 /// Returns the name of a format: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp, 3mf or xyz.

@@ -7,10 +7,10 @@ enum class ErrorKind {
   other,                ///< a problem without a special remedy
   not_closed,           ///< the mesh has borders
   not_joined,           ///< border edges coincide: the mesh is a soup of triangles
-  not_oriented,         ///< faces run along a common edge in the same direction
+  not_oriented,         ///< two faces traverse their common edge in the same direction
   not_orientable,       ///< no reversal of faces orients the mesh
   overlapping_sheets,   ///< only splitting coincident sheets orients the mesh
-  one_sided,            ///< the surface has one side only, like a Moebius strip
+  one_sided,            ///< the surface is not orientable, like a Moebius strip
   not_manifold,         ///< the mesh is not an oriented manifold
   self_intersections,   ///< faces intersect
   inside_out,           ///< faces are oriented inwards
@@ -26,15 +26,15 @@ enum class ErrorKind {
   float_rounding_failed,     ///< faces intersect when coordinates are rounded to float
   double_rounding_failed,    ///< faces intersect when coordinates are rounded to double
   coordinates_too_large,     ///< intersections are beyond the range of coordinates
-  needs_cleaning,            ///< the mesh would change, which the caller refuses
+  needs_cleaning,            ///< cleaning would change the mesh, which the caller forbids
   box_in_open_mesh,          ///< only a closed mesh can be cleaned in a box
   static_test_of_open_mesh,  ///< winding numbers are integers in closed meshes only
-  decimation_stuck,          ///< no further edge can be collapsed
+  decimation_stuck,          ///< no further edge can be collapsed without breaking a guarantee
   meets_keep_out,            ///< the mesh intersects the surface to keep out of
   bad_reference_edge,        ///< the comment of a mesh holds no positive length
   unknown_format,            ///< the bytes are in no known mesh format
   no_velocity,               ///< the mesh has no velocity
-  no_source_points,          ///< the mesh does not state where it comes from
+  no_source_points,          ///< the mesh has no columns with source points
   no_segments,               ///< a file holds no line segments
   no_color_property,         ///< a range of colors is given without a property
   texture_too_small,         ///< the charts do not fit in the texture
@@ -43,7 +43,7 @@ enum class ErrorKind {
   source_apart,              ///< the source does not overlap all of the target
   edges_too_long,            ///< edges are too long for the target
   uniform_edges_too_long,    ///< edges are too long at narrow places and have one length
-  surface_explodes,          ///< the surface of a reconstruction explodes
+  surface_explodes,          ///< the surface of a reconstruction falls apart
   outside_hull,              ///< the mesh is outside of the visual hull
   scene_behind_cameras,      ///< the coordinate system of the cameras is left-handed
   views_disagree,            ///< many silhouettes do not fit the visual hull

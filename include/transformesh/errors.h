@@ -12,7 +12,7 @@
 
 namespace transformesh {
 
-/// Facts that a sentence states, as values.
+/// Values that the sentence states.
 struct ErrorData {
   std::vector<std::size_t> faces = {};                  ///< indices
   std::optional<std::array<std::size_t, 2>> edge = {};  ///< indices of its vertices

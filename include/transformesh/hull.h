@@ -1,7 +1,8 @@
-/// The visual hull: the largest object that has the given silhouettes, as a mesh.
-/// Reference: Laurentini, "The visual hull concept for silhouette-based image understanding", PAMI
-/// 16 (1994). The surface is the zero set of F(X), the maximum over views of (distance of the image
-/// of X from the contour, in pixels, positive outside) * depth / focal length.
+/// The visual hull: the largest object with the given silhouettes, as a mesh. Reference:
+/// Laurentini, "The visual hull concept for silhouette-based image understanding", PAMI 16, 1994.
+/// The surface is the zero set of F(X), the maximum over the views of d(X) times depth / focal
+/// length. Here d(X) is the signed distance of the image of X from the contour, in pixels, positive
+/// outside.
 ///
 /// A view does not carve at points outside of its image or behind its camera. Points that no view
 /// carves belong to the hull if they are in the box.
@@ -16,37 +17,40 @@
 namespace transformesh {
 
 /// Meaning of silhouettes: the object's outline, or a region that the object covers at least, to
-/// within a pixel, such as a threshold finds.
+/// within a pixel, such as the result of a threshold.
 enum class SilhouetteMeaning { exact, least };
 
-/// How a silhouette is found in a photograph of a bright object before a dark background.
+/// Extraction of a silhouette from a photograph of a bright object in front of a dark background.
 struct ThresholdOptions {
   std::optional<double> intensity =
       std::nullopt;     ///< least intensity of the object; default: Otsu's
-  double blur = 1.5;    ///< deviation of a Gaussian that is applied before, pixels; >= 0
+  double blur = 1.5;    ///< standard deviation of the Gaussian prefilter; pixels; >= 0
   double close = 0.01;  ///< radius of the closing, as a fraction of the larger image side; [0, 1]
 };
 
 struct HullOptions {
-  std::optional<Box> box = std::nullopt;  ///< to search in; default: bounded by the silhouettes
+  std::optional<Box> box = std::nullopt;  ///< search box; default: bounded by the silhouettes
   int resolution = 100;                   ///< cells along the longest side of the box, [4, 4096]
-  std::optional<double> edge = std::nullopt;  ///< size of a cell, > 0, instead of `resolution`
-  /// Components with less than this fraction of the largest one's volume are dropped, [0, 1]. Few
-  /// views leave phantoms, at places that are inside of all silhouettes.
+  std::optional<double> edge = std::nullopt;  ///< size of a cell; input units; > 0; replaces
+                                              ///< `resolution`
+  /// Components are dropped if their volume is less than this fraction of the largest volume; [0,
+  /// 1]. A small number of views leaves phantoms, components where all silhouettes happen to
+  /// overlap.
   double keep = 1;
 };
 
 struct HullResult {
   Mesh mesh;  ///< closed, oriented 2-manifold without self-intersection
-  Box box;    ///< that was searched
+  Box box;    ///< searched box
   double cell = 0;
   std::size_t dropped_components = 0;
 };
 
 /// Computes the hull of the views that have a silhouette. Throws UsageError for options out of
 /// range and for more than 2^28 cells. Throws InputError if no view has a silhouette, if
-/// silhouettes do not bound the object, or if their hull is empty. Measures cells near the surface
-/// only: 0.25 s for 16 views of 640x480 and 100^3 cells, 4 bytes a cell. Parallel; deterministic.
+/// silhouettes do not bound the object, or if their hull is empty. Evaluates F only near the
+/// surface: 0.25 s for 16 views of 640x480 and 100^3 cells. Memory: 4 bytes per cell. Parallel;
+/// deterministic.
 HullResult visual_hull(const Views& views, const HullOptions& options = {},
                        const Progress& progress = {});
 

@@ -1,4 +1,4 @@
-/// Images in memory.
+/// Images in memory, and their files.
 #pragma once
 
 #include <array>
@@ -38,17 +38,17 @@ struct Raster {
   }
 };
 
-/// Red, green, blue (sRGB) and alpha, which is not multiplied in.
+/// Red, green, blue (sRGB) and straight (not premultiplied) alpha.
 using Pixel = std::array<std::uint8_t, 4>;
 using Image = Raster<Pixel>;
 
-/// One float a pixel, with pixel centers at integers. Photographs hold the intensities of their
-/// file, 0 to 255, without gamma; silhouettes hold 0 outside, 255 inside, and values between at
-/// soft edges.
+/// One float per pixel, with pixel centers at integers. Photographs hold the intensities of their
+/// file, 0 to 255, without gamma correction. Silhouettes hold 0 outside, 255 inside, and values
+/// between at soft edges.
 using GrayImage = Raster<float>;
 
 /// Decodes a JPEG, PNG, TIFF or PNM file: intensity 0.299 R + 0.587 G + 0.114 B. Throws InputError,
-/// naming the file, if the bytes are no image, incomplete, damaged or of another format.
+/// naming the file, if the bytes are incomplete, damaged, or not in one of these formats.
 GrayImage decode_photograph(std::string_view bytes, const std::string& name);
 
 /// Returns the bytes of a PNG file: RGB if every pixel is opaque, else RGBA; 8 bits, sRGB. Throws

@@ -1,7 +1,7 @@
-/// Finds self-intersections (paper 3.1): all pairs of faces that meet anywhere but in corners and
-/// edges that they share. Two faces share a corner if its coordinates are equal, whatever its
-/// indices are. Touching counts: a corner on a face or an edge, two edges that cross or overlap,
-/// coplanar overlaps, coincident faces. Faces without area take no part.
+/// Finds self-intersections (paper 3.1): all pairs of faces that meet outside their common corners
+/// and edges. Two faces share a corner if its coordinates are equal, regardless of the indices.
+/// Touching counts: a corner on a face or an edge, two edges that intersect or overlap, coplanar
+/// overlaps, coincident faces. Faces without area are ignored.
 ///
 /// Exact for any finite coordinates. The paper sweeps boxes and perturbs contacts (4.3). This
 /// search leaves out faces that cannot meet, searches a bounding volume hierarchy of the others,
@@ -23,7 +23,7 @@ using FacePair = std::pair<Index, Index>;
 std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress = Progress());
 
 /// Returns the segments in which the given pairs of faces intersect, in the order of the pairs.
-/// Both ends are equal if two faces touch in a point only. Coplanar pairs have no segment.
+/// Both ends are equal if two faces touch only in a point. Coplanar pairs have no segment.
 std::vector<std::pair<Vec3, Vec3>> intersection_segments(const Mesh& mesh,
                                                          const std::vector<FacePair>& pairs);
 

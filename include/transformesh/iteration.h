@@ -1,10 +1,10 @@
 /// One iteration of an evolution (paper 5.1, Fig. 8): every vertex takes a step, clean() removes
 /// the self-intersections that the step made, remesh() keeps the surface well sampled.
 ///
-/// Guarantees: the result is an oriented manifold, and free of self-intersections as far as
-/// remesh() promises. Columns are carried. After each stage coordinates and columns are rounded to
-/// the types in which they will be written, as between filters on pipes. Throws what the stages
-/// throw. Deterministic for any number of threads.
+/// Guarantees: the result is an oriented manifold. It has no self-intersections, subject to the
+/// limits that remesh() states. Columns are carried. After each stage coordinates and columns are
+/// rounded to the types in which they will be written, as between filters on pipes. Throws as the
+/// stages do. Deterministic for any number of threads.
 #pragma once
 
 #include "transformesh/displace.h"
@@ -20,7 +20,7 @@ using Velocity = std::function<std::vector<Vec3>(const Mesh& mesh, const Progres
 /// Moves the vertices and changes nothing else.
 using Step = std::function<DisplaceResult(Mesh& mesh, const Progress& progress)>;
 
-/// Returns the step that displace() makes of a velocity.
+/// Returns a step that calls displace() with this velocity.
 Step step_along(Velocity velocity, const DisplaceOptions& options = {});
 
 /// Returns options that smooth by a factor in [0, 1] of the Laplace-Beltrami operator
@@ -30,7 +30,7 @@ RemeshOptions smoothed_by(double factor);
 struct IterationOptions {
   Length min_edge{0.7, Length::Unit::reference_edge};
   Length max_edge{1.5, Length::Unit::reference_edge};
-  double reference_edge = 0;                ///< input units; 0: mean edge when the evolution begins
+  double reference_edge = 0;                ///< input units; 0: mean edge of the initial mesh
   double edge_factor = 1;                   ///< both lengths are multiplied by this
   RemeshOptions remesh = smoothed_by(0.1);  ///< lengths and type of coordinates are not used
   bool outermost = true;                    ///< CleanOptions::outermost
@@ -44,7 +44,7 @@ struct Topology {
 };
 
 struct IterationResult {
-  std::size_t vertices = 0;  ///< that took the step
+  std::size_t vertices = 0;  ///< vertices that took the step
   std::size_t faces = 0;     ///< after the iteration
   std::size_t pairs = 0;     ///< intersecting pairs of faces that were removed
   bool was_cleaned = false;  ///< clean() changed the mesh

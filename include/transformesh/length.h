@@ -12,17 +12,18 @@ namespace transformesh {
 struct Length {
   enum class Unit { absolute, diagonal, reference_edge };
 
-  double value = 0;  ///< as a factor: 1% is 0.01
+  double value = 0;  ///< in units of the basis: 1% is 0.01
   Unit unit = Unit::absolute;
 
-  /// Input units, given both bases. A base that the unit does not use may be anything.
+  /// Returns the length in input units, given both bases. A basis that the unit does not use is
+  /// ignored.
   double resolve(double diagonal, double reference_edge) const;
-  /// The spelling that parse_length reads back.
+  /// Returns text that parse_length() reads as the same length.
   std::string text() const;
 };
 
-/// Reads a finite number with an optional `%` or `x`. Throws UsageError naming the text otherwise.
-/// The sign is the caller's to judge. Independent of the locale.
+/// Parses a finite number with an optional `%` or `x`. Throws UsageError, naming the text,
+/// otherwise. Accepts negative numbers. Independent of the locale.
 Length parse_length(std::string_view text);
 
 }  // namespace transformesh

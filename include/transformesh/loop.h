@@ -1,9 +1,9 @@
-/// How the loop of an evolution runs, and what it leaves on disk: its state, a CSV file with a row
-/// for each iteration, and meshes as frames.
+/// Controls the loop of an evolution and its files: the state, a CSV file with a row for each
+/// iteration, and meshes as frames.
 ///
-/// The state is a folder with the last mesh and what the loop remembers. It is replaced at once
-/// after each iteration. A run that was ended in any way, even killed, continues from its state to
-/// the same bytes. The CSV file loses the rows after that state.
+/// The state is a folder with the last mesh and the variables of the loop. It is replaced
+/// atomically after each iteration. A run that was ended in any way, even killed, continues from
+/// its state to the same bytes. The CSV file then loses the rows after that state.
 #pragma once
 
 #include <functional>
@@ -13,21 +13,21 @@
 
 namespace transformesh {
 
-/// Names that are empty are not written.
+/// Files with an empty name are not written.
 struct RecordOptions {
   std::string state;       ///< folder of the state
-  std::string settings;    ///< determines the result: a run continues only with equal settings
+  std::string settings;    ///< text that determines the result; runs continue only with equal text
   bool resume = false;     ///< continue from the state if there is one
   bool restart = false;    ///< delete the state of an interrupted run and begin again
   std::string frames;      ///< folder for frame-00000.ply and so on; empty meshes are not written
   std::size_t every = 10;  ///< iterations from one frame to the next
   std::string csv;         ///< CSV file
-  bool is_alone = false;   ///< refuse to run while another process uses the state
-  bool keep_state_at_end = false;  ///< the caller calls remove_state() when the result is safe
+  bool is_alone = false;   ///< fail if another process uses the state
+  bool keep_state_at_end = false;  ///< the caller calls remove_state() after saving the result
 };
 
 struct LoopOptions {
-  std::size_t iterations = 1000;  ///< limit, with iterations of earlier runs
+  std::size_t iterations = 1000;  ///< limit, including iterations of earlier runs
   std::function<void(const std::string& message)> on_iteration = {};
   /// Loops throw UsageError if the state has other settings, or is of an interrupted run and
   /// neither `resume` nor `restart` is set. They throw InputError if the folder holds no state, and

@@ -1,6 +1,7 @@
-/// Whether a mesh is an oriented 2-manifold, with or without borders, and where it is not.
-/// Vertices are the same when their indices are. Lists ascend. Faces without area are no matter of
-/// topology: degenerate_faces() in geometry finds them. Cost: O(n); deterministic.
+/// Checks whether a mesh is an oriented 2-manifold, with or without borders, and lists the places
+/// where it is not. Vertices are identified by index, not by position. All lists are ascending.
+/// Faces without area do not matter for topology; degenerate_faces() in geometry finds them. Cost:
+/// O(n); deterministic.
 #pragma once
 
 #include <string>
@@ -16,11 +17,12 @@ struct ManifoldReport {
   std::vector<Index> misoriented_edges;  ///< a halfedge of each edge whose two faces traverse it in
                                          ///< the same direction
   std::vector<Index> nonmanifold_vertices;  ///< vertices whose faces are not one umbrella or disk
-  std::vector<Index> collapsed_faces;       ///< faces that name a vertex twice: no triangles
-  std::vector<Index> border_halfedges;      ///< halfedges without a face across
-  std::vector<Index> isolated_vertices;     ///< used by no face
+  std::vector<Index> collapsed_faces;       ///< faces with a repeated vertex index
+  std::vector<Index> border_halfedges;      ///< halfedges without an opposite face
+  std::vector<Index> isolated_vertices;     ///< vertices that no face uses
   std::size_t boundary_loops = 0;
-  std::size_t touching_borders = 0;  ///< border edges that lie upon others (touching_borders.h)
+  std::size_t touching_borders = 0;  ///< border edges that coincide with others
+                                     ///< (touching_borders.h)
 
   bool is_manifold() const {
     return nonmanifold_edges.empty() && nonmanifold_vertices.empty() && collapsed_faces.empty();
@@ -31,8 +33,8 @@ struct ManifoldReport {
 
 ManifoldReport check_manifold(const Mesh& mesh);
 
-/// Returns the first problem of manifoldness, orientation and, on request, closedness. The sentence
-/// has face and vertex ids and coordinates; it is empty if there is no problem.
+/// Returns the first problem of manifoldness, of orientation, and of closedness if `closed` is set.
+/// The sentence has face and vertex indices and coordinates; it is empty if there is no problem.
 Problem manifold_problem(const Mesh& mesh, const ManifoldReport& report, bool closed);
 
 /// Returns the sentence of manifold_problem().

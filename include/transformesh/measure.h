@@ -1,6 +1,6 @@
-/// Sizes of a mesh: lengths in input units, angles in degrees. Degenerate faces count with area 0
-/// and angle 0. Sums run in face order: the same result for any number of threads. Coordinates of
-/// any size do; an area or volume that no double can hold is infinite.
+/// Measures of a mesh: lengths in input units, angles in degrees. Degenerate faces count with area
+/// 0 and angle 0. Sums are in face order: the same result for any number of threads. Coordinates of
+/// any size are allowed; an area or volume that no double can represent is infinite.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,20 +12,21 @@ namespace transformesh {
 
 using Box = Eigen::AlignedBox3d;
 
-/// The length of the diagonal; 0 for an empty box. Cannot overflow on the way.
+/// Returns the length of the diagonal; 0 for an empty box. Intermediate values do not overflow.
 double diagonal_of(const Box& box);
 
-/// The box of all vertices that faces use; of all vertices if there is no face. If there is no
-/// vertex, both corners are the origin.
+/// Returns the box of all vertices that faces use, or of all vertices if there is no face. If there
+/// is no vertex, both corners are the origin.
 Box bounding_box(const Mesh& mesh);
 
-/// Area of one face; 0 if it is degenerate.
+/// Area of one face; 0 if the face is degenerate.
 double face_area(const Mesh& mesh, Index face);
 /// Twice the area times the unit normal.
 Vec3 face_normal(const Mesh& mesh, Index face);
 /// Sum of the areas of all faces.
 double surface_area(const Mesh& mesh);
-/// Enclosed volume with sign, by the divergence theorem; positive where faces look outwards.
+/// Signed enclosed volume, by the divergence theorem; positive for faces that are oriented
+/// outwards.
 double volume(const Mesh& mesh);
 
 struct EdgeLengths {
@@ -45,7 +46,7 @@ Angles angles(const Mesh& mesh);
 /// Unit normals per vertex, weighted by angle (Baerentzen & Aanaes 2005); zero where undefined.
 std::vector<Vec3> vertex_normals(const Mesh& mesh);
 
-/// Share of interior vertices with six edges.
+/// Fraction of interior vertices with six edges; [0, 1].
 double valence_six_share(const Mesh& mesh);
 
 }  // namespace transformesh

@@ -1,7 +1,7 @@
 /// The data model: indexed triangles with named columns per vertex and per face. Plain data without
-/// invariants of its own: algorithms state what they need (closed, oriented, manifold) and build
-/// the connectivity that they use. A halfedge is named 3 * face + i: the edge of the face from its
-/// corner i to its corner (i + 1) % 3.
+/// invariants: each algorithm documents the properties that it needs (closed, oriented, manifold)
+/// and builds its own connectivity. A halfedge has the index 3 * face + i: the edge of the face
+/// from its corner i to its corner (i + 1) % 3.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,7 +32,7 @@ struct KeepOutOptions {
   double gap = 0;                 ///< least distance from the obstacle; input units; > 0
 };
 
-/// True if a face names a vertex twice and so is no triangle.
+/// True if a face has a repeated vertex index, and so is not a triangle.
 inline bool is_collapsed(const Face& face) {
   return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
 }

@@ -1,9 +1,9 @@
-/// Evolves a surface until it lies on a target (paper 5.2): morph_step(), clean() and remesh(),
-/// repeatedly. The surface merges and splits, and finds the components of the target it overlaps.
+/// Evolves a surface until it coincides with a target (paper 5.2) by repeating morph_step(),
+/// clean() and remesh(). It merges, splits, and reaches the target's components that it overlaps.
 ///
-/// The morph has converged if nothing improves, and mesh and target are near each other all over
-/// and have the same topology; else it has stalled. Then the mesh is aligned with sharp edges of
-/// the target, and cleaned. Columns are carried. Deterministic for any number of threads.
+/// The morph has converged if nothing improves, mesh and target are near each other everywhere, and
+/// their topology is the same; otherwise it has stalled. The final mesh is aligned with sharp edges
+/// and cleaned. Columns are carried. Deterministic for any number of threads.
 #pragma once
 
 #include <functional>
@@ -17,11 +17,11 @@
 
 namespace transformesh {
 
-/// Whether to align with sharp edges; automatic: if has_features() of align_features.h.
+/// Alignment with sharp edges; `automatic`: if has_features() of align_features.h.
 enum class Features { automatic, on, off };
 
 struct MorphOptions {
-  MorphStepOptions step;       ///< `gap_edges`: the target's thickness is measured unless known
+  MorphStepOptions step;       ///< `gap_edges`: the target's thickness is measured if absent
   IterationOptions iteration;  ///< `reference_edge` 0: mean edge of the source
   Features features = Features::automatic;
   int scales = 1;  ///< begin with edges 2^(scales - 1) times as long; 1 to 10
@@ -32,26 +32,26 @@ struct MorphResult {
   MorphStop stop = MorphStop::iteration_limit;
   std::size_t iterations = 0;  ///< including earlier runs
   Topology topology;
-  std::optional<Topology> expected;  ///< topology of the target without cavities, if known
+  std::optional<Topology> expected;  ///< target's topology without cavities, if known
   std::size_t left_out = 0;          ///< components of the target that are cavities or inside them
-  MorphStepResult distances;         ///< distances of the result
-  std::string fault;                 ///< disagreement of result and target; empty if there is none
+  MorphStepResult distances;         ///< distances of the result before alignment
+  std::string fault;                 ///< difference of result and target; empty if there is none
   std::optional<double> to_target, from_target;  ///< Hausdorff distances, to a target with faces
   Problem cause;                                 ///< cause of `fault`
   std::size_t aligned = 0;                       ///< vertices on the target's sharp edges
 };
 
-/// Morphs a document. Throws what the stages throw, and GoalError if no surface is left; the
-/// document is then that of the last good iteration.
+/// Morphs a document. Throws as the stages do, and GoalError if no surface is left; the document is
+/// then that of the last successful iteration.
 MorphResult morph(Document& document, const Target& target, const MorphOptions& options = {},
                   const LoopOptions& loop = {}, const Progress& progress = Progress());
 
 struct TrackResult {
-  std::size_t frames = 0, converged = 0;  ///< numbers of targets, and of targets that were reached
+  std::size_t frames = 0, converged = 0;  ///< number of targets, and of targets that were reached
 };
 
-/// Follows a target that moves (paper 5.2.3, Fig. 11): morphs to the targets that `target_of`
-/// returns; `names` are for messages. Tries again with short edges at narrow places if that fails.
+/// Follows a moving target (paper 5.2.3, Fig. 11): morphs to the targets that `target_of` returns.
+/// `names` are for messages. Repeats a failed morph with short edges at narrow places.
 TrackResult track(Document& document, const std::vector<std::string>& names,
                   const std::function<Target(std::size_t frame)>& target_of,
                   const MorphOptions& options = {}, const LoopOptions& loop = {},

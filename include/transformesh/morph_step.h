@@ -1,10 +1,11 @@
 /// One step of a morph (paper 5.2 with the step of 5.1.1): every vertex p moves by -phi(p) along
-/// its normal. phi is a signed distance to the target. Movements are clamped as by displace(). The
-/// part of a surface outside of the target shrinks, the part inside grows (Breen & Whitaker, "A
-/// level-set approach for the metamorphosis of solid models", TVCG 2001). A component of the target
-/// that the source does not overlap stays unfound; a component of the source outside of the target
-/// shrinks. Distances at which every movement is clamped are estimated to a few percent; movements
-/// are those of exact distances. Cost: O(n log m). Deterministic for any number of threads.
+/// its normal, where phi is a signed distance to the target. Movements are clamped as in
+/// displace(). The part of a surface outside of the target shrinks, the part inside grows.
+/// Reference: Breen & Whitaker, "A level-set approach for the metamorphosis of solid models", TVCG
+/// 2001. A component of the target that the source does not overlap is not reached; a component of
+/// the source outside of the target shrinks. Distances at which every movement is clamped are
+/// estimated to a few percent; movements are those of exact distances. Cost: O(n log m).
+/// Deterministic for any number of threads.
 #pragma once
 
 #include <optional>
@@ -16,23 +17,23 @@
 
 namespace transformesh {
 
-/// How phi(p) is computed.
+/// Definition of phi(p).
 enum class MorphDistance {
   surface,  ///< to the closest point of the target's faces
-  vertex,  ///< ((q - p) . n), q being the nearest vertex and n its normal, as in the paper; needs a
-           ///< target sampled as finely as the source, and vanishes beside sharp edges
-  points   ///< like `vertex`, but twelve planes decide the side of far points (Kolluri,
-           ///< "Provably good moving least squares", TALG 4(2), 2008)
+  vertex,   ///< ((q - p) . n) for the nearest vertex q and its normal n, as in the paper; needs a
+            ///< target that is sampled as finely as the source; vanishes near sharp edges
+  points    ///< like `vertex`, but twelve planes decide the side of far points (Kolluri, "Provably
+            ///< good moving least squares", TALG 4(2), 2008)
 };
 
 struct MorphStepOptions {
   std::optional<MorphDistance> distance;  ///< default: `surface` for a mesh, else `points`
   DisplaceOptions displace;
-  std::string mask;  ///< vertex column by which velocities are multiplied; empty: none
-  /// > 0, if the target's thickness is measured: number of edges across narrow places, for which
-  /// the vertex column `size` is set to an edge length.
+  std::string mask;  ///< vertex column that multiplies the velocities; empty: none
+  /// Number of edges across narrow places. If > 0 and the target's thickness is measured, the
+  /// vertex column `size` is set to an edge length.
   double gap_edges = 0;
-  double largest_size = 0;  ///< largest value of `size`; input units; the smallest is a twentieth
+  double largest_size = 0;  ///< largest value of `size`; input units; the least is 1/20 of this
   const Target* goal = nullptr;  ///< vertices to reach, for `from_target`; null: all of the target
 };
 
@@ -41,14 +42,14 @@ struct DistanceSummary {
 };
 
 struct MorphStepResult {
-  MorphDistance distance = MorphDistance::surface;  ///< that was used
+  MorphDistance distance = MorphDistance::surface;  ///< definition that was used
   DistanceSummary to_target;    ///< over vertices of the mesh, before the movement; input units
   DistanceSummary from_target;  ///< over at most 1024 vertices of the target
   DisplaceResult displaced;
 };
 
-/// Moves the vertices. Throws as displace() does, InputError for a mesh without faces, UsageError
-/// if distances to the surface of points are asked for.
+/// Moves the vertices. Throws as displace() does, InputError for a mesh without faces, and
+/// UsageError if `surface` is set for a target of points.
 MorphStepResult morph_step(Mesh& mesh, const Target& target, const MorphStepOptions& options = {},
                            const Progress& progress = Progress());
 

@@ -12,28 +12,28 @@ namespace transformesh {
 
 enum class Interpolation { bilinear, catmull_rom };
 enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient`: the paper's, depends on units
-enum class PairOrder { both, rising, falling };       ///< which view of a pair is the reference
+enum class PairOrder { both, rising, falling };       ///< order of reference views in a pair
 
-struct CorrelationOptions {    ///< windows that are compared by normalized cross-correlation cc
+struct CorrelationOptions {    ///< comparison of windows by normalized cross-correlation cc
   int radius = 3;              ///< pixels; 1 to 5
-  double noise_variance = 25;  ///< added to both variances, squared intensities; > 0
-  double contrast = 25;        ///< variance at which a window has weight 1/2; 0: all weigh 1
-  double robust = 0;           ///< 1 - cc at which a window pulls by a quarter; 0: all pull alike
+  double noise_variance = 25;  ///< added to both variances; squared intensities; > 0
+  double contrast = 25;        ///< variance at which a window has weight 1/2; 0: equal weights
+  double robust = 0;  ///< 1 - cc at which the pull is reduced to a quarter; 0: no reduction
 };
 struct PhotoconsistencyOptions {
   CorrelationOptions correlation;
   Interpolation interpolation = Interpolation::catmull_rom;
-  double depth_tolerance = 0.005;  ///< relative depth by which hidden points are behind; >= 0
+  double depth_tolerance = 0.005;  ///< relative depth difference of hidden points; >= 0
 };
-struct PairOptions {          ///< pairs of views that are compared, as seen from the scene
+struct PairOptions {          ///< pairs of views to compare; angles at the scene
   std::size_t neighbors = 4;  ///< largest number for each view
   double minimum_angle_deg = 4, maximum_angle_deg = 50;
-  double spread = std::numeric_limits<double>::infinity();  ///< most, times the best angle; >= 1
+  double spread = std::numeric_limits<double>::infinity();  ///< largest over best angle; >= 1
 };
 struct PhotoStepOptions {
   PhotoStepRule rule = PhotoStepRule::gauss_newton;
-  double alpha = 0.5;      ///< clamp as a fraction of the local mean edge; >= 0; the paper: 0.1
-  double stiffness = 1;    ///< weight of a thin plate, in median curvatures of the energy; >= 0
+  double alpha = 0.5;      ///< clamp as a fraction of the local mean edge; >= 0; 0.1 in the paper
+  double stiffness = 1;    ///< weight of the thin plate, in median curvatures of the energy; >= 0
   double damping = 0.006;  ///< in compared pixels per squared pixel; >= 0
   double time_step = 0.001, smoothing = 0.1;  ///< for `gradient`: length^4, >= 0; and [0, 1]
   double silhouettes = 1;                     ///< weight of silhouettes against photographs; >= 0
@@ -43,16 +43,16 @@ struct PhotoStepOptions {
   PhotoconsistencyOptions photographs = {};
 };
 struct PhotoStepResult {
-  double energy = 0, dissimilarity = 0;  ///< sum, and mean, of 1 - cc over windows, before the step
-  std::size_t pixels = 0;                ///< compared, over all pairs
-  double coverage = 0;                   ///< the same as a fraction of those that show the surface
+  double energy = 0, dissimilarity = 0;  ///< sum and mean of 1 - cc before the step
+  std::size_t pixels = 0;                ///< compared pixels, summed over all pairs
+  double coverage = 0;                   ///< `pixels` over the pixels that show the surface; [0, 1]
   std::size_t unseen = 0, outside = 0;   ///< vertices in no pair; outside of a silhouette
   double mean_share = 0;                 ///< mean movement as a fraction of the local mean edge
   DisplaceResult displaced;
 };
 
 /// Moves vertices by images that are `scale` times smaller, >= 1. Throws UsageError for options out
-/// of range, InputError if no pair of views observes the surface.
+/// of range, and InputError if no pair of views observes the surface.
 PhotoStepResult photo_step(Mesh& mesh, const Views& views, double scale,
                            const PhotoStepOptions& = {}, const PairOptions& = {},
                            const Progress& = {});

@@ -1,8 +1,8 @@
-/// A calibrated photograph's camera without distortion: K [R | t] from the world to pixels.
-/// Reference: Hartley & Zisserman, "Multiple View Geometry in Computer Vision", chapter 6.
+/// The camera of a calibrated photograph without lens distortion: K [R | t] maps the world to
+/// pixels. Reference: Hartley & Zisserman, "Multiple View Geometry in Computer Vision", chapter 6.
 ///
-/// With q = K (R X + t) the pixel is (q1 / q3, q2 / q3), x to the right and y down, integers at
-/// pixel centers; q3 is the depth in units of the world. The ray of a pixel is scaled so that
+/// With q = K (R X + t) the pixel is (q1 / q3, q2 / q3), x to the right and y down, with pixel
+/// centers at integers. q3 is the depth in input units. The ray of a pixel is scaled so that
 /// X = center() + depth * ray(x, y).
 #pragma once
 
@@ -20,23 +20,27 @@ struct PinholeCamera {
 
   Vec3 center() const;
   Vec3 ray(double x, double y) const;
-  /// K [R | t].
+  /// Returns K [R | t].
   Eigen::Matrix<double, 3, 4, Eigen::DontAlign> projection() const;
-  /// Pixels per unit of length at depth 1: the mean of both axes.
+  /// Returns the pixels per unit of length at depth 1: the mean of both axes.
   double focal_length() const;
-  /// The camera of the image made `factor` times smaller each way (> 0): pixel areas stay aligned.
+  /// Returns the camera of the image reduced by `factor` > 0 in each direction; pixel areas stay
+  /// aligned.
   PinholeCamera shrunk(double factor) const;
-  /// The camera that has the reflected world, z for -z, on the same pixels: what was behind it is
-  /// before it. Where cameras are of a left-handed world, the scene lies behind all of them.
+  /// Returns the camera that maps the reflected world (z replaced by -z) to the same pixels: points
+  /// behind the camera come in front of it. Needed for cameras of a left-handed world, where the
+  /// scene lies behind all cameras.
   PinholeCamera mirrored() const;
 };
 
-/// The point nearest to all viewing axes, in the sense of least squares; where that leaves it open
-/// (one camera, parallel axes), the nearest such point to the mean of the cameras' centers.
+/// Returns the point with the least sum of squared distances from all viewing axes. If this point
+/// is not unique (one camera, parallel axes), returns the one nearest to the mean of the camera
+/// centers.
 Vec3 viewed_point(std::span<const PinholeCamera> cameras);
 
-/// The length of a pixel's side at the point, in input units: depth by focal length, the median
-/// over the cameras that have the point in front of them. Throws InputError where none has.
+/// Returns the side length of a pixel at the point, in input units: depth divided by focal length.
+/// Takes the median over the cameras that have the point in front of them. Throws InputError if
+/// there are none.
 double pixel_size(std::span<const PinholeCamera> cameras, const Vec3& point);
 
 }  // namespace transformesh

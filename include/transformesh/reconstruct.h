@@ -1,12 +1,13 @@
-/// Reconstructs a closed surface without self-intersection from calibrated photographs (paper 5.3):
-/// the visual hull, or a given mesh, evolves towards agreement of the photographs, from coarse to
+/// Reconstructs a closed surface without self-intersection from calibrated photographs (paper 5.3).
+/// The visual hull, or a given mesh, evolves towards agreement of the photographs, from coarse to
 /// fine. A sweep is remesh(), steps towards the photographs (photo_step.h), and clean(). The
-/// topology follows the photographs: the loop separates what the hull joins.
+/// topology follows the photographs: the loop separates parts that the hull joins.
 ///
-/// If the first scale fails or loses thin parts, and was not asked for, the loop starts again at
-/// the next finer scale. If the surface explodes, it starts again four times as stiff, twice at
-/// most. The vertex column `doubt` is the disagreement of photographs beyond their noise, from 0 to
-/// 1, and 1 at vertices that fewer than two views observe. Deterministic for any number of threads.
+/// If the first scale fails or loses thin parts, and was not set by the caller, the loop restarts
+/// at the next finer scale. If the surface explodes (falls apart or leaves the silhouettes), the
+/// loop restarts with four times the stiffness, at most twice. The vertex column `doubt` is the
+/// disagreement of photographs beyond their noise, in [0, 1]. It is 1 at vertices that fewer than
+/// two views observe. Deterministic for any number of threads.
 #pragma once
 
 #include <string>
@@ -18,16 +19,16 @@
 
 namespace transformesh {
 
-/// Neighboring vertices with a doubt above one half.
+/// A connected set of vertices with a doubt above 0.5.
 struct DoubtfulPlace {
   Vec3 center = Vec3::Zero();
   double area = 0;       ///< squared pixels, >= 25
-  bool is_thin = false;  ///< most of it has another side of the surface within six pixels
+  bool is_thin = false;  ///< most of it has an opposite side of the surface within six pixels
 };
 
 struct ReconstructionResult {
   std::size_t sweeps = 0;  ///< sweeps, with those of earlier runs
-  std::string fault;       ///< why the result is not converged; empty if it is
+  std::string fault;       ///< reason why the result is not converged; empty if it is
   Topology topology;
   std::size_t crumbs = 0;   ///< components that were dropped at the end
   std::size_t handles = 0;  ///< handles that were removed
@@ -42,9 +43,9 @@ struct ReconstructionResult {
   std::vector<DoubtfulPlace> doubtful_places;  ///< the largest first
 };
 
-/// Reconstructs into `document`, which holds the mesh to begin with if that is given. Views without
-/// silhouettes get some by threshold. Throws what the stages throw, with the number of the sweep,
-/// and GoalError if the surface explodes; the document is then that of the last good sweep.
+/// Reconstructs into `document`, which contains the initial mesh if one is given. Views without
+/// silhouettes get some by threshold. Throws as the stages do, with the number of the sweep, and
+/// GoalError if the surface explodes. The document is then that of the last successful sweep.
 ReconstructionResult reconstruct(Document& document, Views& views,
                                  const ReconstructionOptions& options = {},
                                  const RecordOptions& record = {},

@@ -9,21 +9,21 @@
 
 namespace transformesh {
 
-/// The surface to begin with.
+/// Options of the initial mesh.
 struct InitialMeshOptions {
-  bool is_given = false;      ///< begin with the document's mesh instead of the visual hull
+  bool is_given = false;      ///< start from the document's mesh instead of the visual hull
   std::string name = {};      ///< name of the given mesh in messages
   bool clips_by_hull = true;  ///< intersect the given mesh with the hull of exact silhouettes
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   /// For views without silhouettes. Default: Otsu's scale, or no silhouettes if a mesh is given.
   std::optional<ThresholdOptions> threshold = std::nullopt;
   double keep = 1;            ///< HullOptions::keep
-  bool opens_hollows = true;  ///< open the hull by depth maps
+  bool opens_hollows = true;  ///< carve hollows of the hull by depth maps
   double least_agreement =
       0.7;  ///< least overlap of thresholded silhouettes with their hull; [0, 1]
 };
 
-/// Scales: photographs that are this many times smaller.
+/// Scales: factors by which photographs are reduced.
 struct ScaleOptions {
   std::optional<double> coarsest = std::nullopt;  ///< >= 1; default: photographs 28 pixels wide
   double edge = 3;                                ///< edge length in pixels of the scale; >= 1

@@ -1,13 +1,13 @@
-/// Keeps a surface well sampled while it evolves (paper 5.1.2): edges between two lengths, vertices
-/// of valence 6, round triangles. Each iteration splits, collapses, flips and smooths, in the order
-/// of Botsch & Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004.
+/// Keeps an evolving surface well sampled (paper 5.1.2): edge lengths in an interval, vertices of
+/// valence 6, round triangles. Each iteration splits, collapses, flips and smooths, in the order of
+/// Botsch & Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004.
 ///
 /// Guarantees for an oriented manifold with or without borders: the result is one too. Genus and
 /// number of components change only by small components that are removed. No step adds a
 /// self-intersection or a face without area; intersections of the input stay. Slivers are removed
 /// first. Surviving vertices and faces keep their order, attributes are interpolated. Not
-/// preserved: lists of texture coordinates. Not guaranteed: that every edge reaches the interval.
-/// Deterministic for any number of threads; O(n log n); about 150 bytes per face.
+/// preserved: lists of texture coordinates. Not guaranteed: that every edge length is in the
+/// interval. Deterministic for any number of threads; O(n log n); about 150 bytes per face.
 #pragma once
 
 #include "transformesh/control.h"
@@ -16,12 +16,12 @@
 namespace transformesh {
 
 enum class Smoothing { none, tangential, laplace, bilaplace };
-enum class FlipRule { none, valence, angle };  ///< towards valence 6, or larger least angles
+enum class FlipRule { none, valence, angle };  ///< prefers valence 6; maximizes the least angle
 
 struct RemeshOptions {
   double min_edge = 0;        ///< shorter edges are collapsed; input units, > 0
   double max_edge = 0;        ///< longer edges are split; input units, >= 1.5 min_edge
-  std::string size_column;    ///< vertex column by which both lengths are multiplied; empty: none
+  std::string size_column;    ///< vertex column that multiplies both lengths; empty: none
   double adaptive_error = 0;  ///< > 0: edge lengths follow the curvature to keep this distance
   int iterations = 1;         ///< >= 0; 0 removes only small components and degenerate faces
   bool only_smooth = false;   ///< no splits, collapses and flips
@@ -45,7 +45,7 @@ struct RemeshResult {
   std::size_t refused = 0;             ///< steps of the last iteration that would break a guarantee
   std::size_t kept_out = 0;            ///< steps refused because of `keep_out`
   std::size_t near_keep_out = 0;       ///< faces of the input that are nearer than its gap
-  std::size_t degenerate_faces = 0;    ///< left: lower than a thousandth of their longest edge
+  std::size_t degenerate_faces = 0;    ///< remaining faces with height < longest edge / 1000
   std::size_t slivers_kept = 0;        ///< degenerate faces whose height is a few spacings
   Vec3 first_sliver = Vec3::Zero();    ///< a corner of the first sliver
   std::size_t faces_without_area = 0;  ///< slivers that have no area and could not be removed
@@ -53,7 +53,7 @@ struct RemeshResult {
   StaleColumns columns;
 };
 
-/// Throws UsageError for options out of range. Throws InputError for a mesh that is no oriented
+/// Throws UsageError for options out of range. Throws InputError if the mesh is not an oriented
 /// manifold, has no faces or sizes, or meets the obstacle. Throws GoalError if no face is left.
 RemeshResult remesh(Mesh& mesh, const RemeshOptions& options, const Progress& progress = {});
 

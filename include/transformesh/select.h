@@ -17,7 +17,7 @@
 
 namespace transformesh {
 
-/// Conditions on faces, if they are set.
+/// Conditions on faces. Conditions that are not set hold for every face.
 struct SelectionOptions {
   std::optional<std::size_t> largest;       ///< number of components to keep, largest first
   double at_least = 0;                      ///< least size of a component; 0: any
@@ -25,8 +25,8 @@ struct SelectionOptions {
   /// `COLUMN OP NUMBER`, with OP one of < <= = != >= >, for a face column, else for a vertex column
   /// at all three corners of a face.
   std::string where;
-  std::optional<Box> box;  ///< contains all corners of a selected face; sides included
-  /// The component that contains this point, the innermost if several do, else the closest one.
+  std::optional<Box> box;  ///< contains all corners of a selected face; closed box
+  /// Selects the innermost component that contains this point, or the closest one.
   std::optional<Vec3> around;
   std::optional<std::vector<bool>> mask;  ///< true for each face that may be selected
   bool invert = false;                    ///< select the faces that do not meet the conditions
@@ -34,27 +34,27 @@ struct SelectionOptions {
 
 struct SelectionResult {
   std::size_t selected_faces = 0, dropped_faces = 0;
-  std::optional<bool> contains_point;  ///< whether the component of `around` contains the point
+  std::optional<bool> contains_point;  ///< true if the component of `around` contains the point
   double distance = 0;                 ///< from the point of `around` to the surface; input units
 };
 
-/// Keeps the selected faces. Throws UsageError for a condition that is none, InputError if there is
-/// no such column or the mask has the wrong length, GoalError if no face is selected.
+/// Keeps the selected faces. Throws UsageError for an invalid condition, InputError if there is no
+/// such column or the mask has the wrong length, and GoalError if no face is selected.
 SelectionResult select(Mesh& mesh, const SelectionOptions& options);
 
-/// The plane normal * x = offset. A cut keeps what its normal points to.
+/// The plane normal * x = offset. A cut keeps the side to which the normal points.
 struct CutPlane {
   Vec3 normal;
   double offset;
 };
 
-/// Cuts faces in two, drops their lists of texture coordinates, and returns whether there were any.
-/// These throw UsageError for a normal without direction, GoalError if nothing is left.
+/// Cuts faces along the plane. Drops lists of texture coordinates and returns whether there were
+/// any. Both cuts throw UsageError for a normal of length 0, and GoalError if nothing is left.
 bool cut_open(Mesh& mesh, const CutPlane& plane);
-/// Closes the cut, as clean() does. Throws InputError if the mesh is not closed.
+/// Cuts, and closes the cut as clean() does. Throws InputError if the mesh is not closed.
 void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate = Scalar::float64,
                 const Progress& progress = Progress());
-/// Segments in which faces meet the plane; closed curves if the mesh is closed.
+/// Returns the segments in which faces meet the plane; closed curves if the mesh is closed.
 std::vector<std::pair<Vec3, Vec3>> plane_section(const Mesh& mesh, const CutPlane& plane);
 
 }  // namespace transformesh

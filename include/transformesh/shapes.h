@@ -1,12 +1,12 @@
-/// Generated meshes: sources, targets and workloads for evolutions, tests and measurements. Every
-/// one is closed, consistently oriented, without isolated vertices or columns, and its signed
-/// volume is positive. Lengths are in the units of the mesh. Most shapes are about 2.4 wide.
+/// Generated meshes: sources, targets and workloads for evolutions, tests and measurements. All
+/// shapes are closed and consistently oriented, with positive volume, without isolated vertices or
+/// columns. Lengths are in input units. Most shapes are about 2.4 wide.
 ///
-/// sphere dented ellipsoid box cylinder cone hull torus genus torus-knot bowl figure are free of
-/// self-intersections; dumbbell for neck > 0, two-spheres and tori for gap > 0 also. Others are
-/// not: two-spheres folded tangle many-spheres, tori and dumbbell (gap, neck < 0) in general
-/// position, boxes and pinch as degenerately as they can. Deterministic: the same options give the
-/// same bytes for any number of threads.
+/// Free of self-intersections: sphere, dented, ellipsoid, box, cylinder, cone, hull, torus, genus,
+/// torus-knot, bowl, figure; dumbbell for neck > 0, two-spheres and tori for gap > 0.
+/// Self-intersecting in general position: two-spheres, folded, tangle, many-spheres, tori and
+/// dumbbell (gap, neck < 0). Self-intersecting in degenerate ways: boxes, pinch. Deterministic: the
+/// same options give the same bytes for any number of threads.
 #pragma once
 
 #include <cstdint>
@@ -25,33 +25,36 @@ struct ShapeOptions {
   /// genus: N; torus-knot, tangle: P Q; ellipsoid, box: A B C; cylinder, cone: RADIUS HEIGHT;
   /// figure: T; folded: sphere or torus.
   std::vector<std::string> parameters;
-  std::optional<std::size_t> faces;  ///< how many, about; default 10000
-  std::optional<double> edge;        ///< or the mean edge length, about; > 0
-  std::optional<double> radius;  ///< of a sphere (dented too), of the ring of a torus or knot; > 0
-  std::optional<double> tube;    ///< of a torus or knot; > 0
-  std::optional<double> gap;     ///< two-spheres, tori; negative where the two overlap
-  std::optional<double> neck;    ///< dumbbell: radius; negative where it is inverted
+  std::optional<std::size_t> faces;  ///< approximate number; default 10000
+  std::optional<double> edge;        ///< approximate mean edge, instead of `faces`; > 0
+  std::optional<double> radius;      ///< of a sphere (also dented), or of the ring of a torus or
+                                     ///< knot; > 0
+  std::optional<double> tube;        ///< tube radius of a torus or knot; > 0
+  std::optional<double> gap;         ///< two-spheres, tori; negative: the two overlap
+  std::optional<double> neck;        ///< radius of a dumbbell's neck; negative: inverted
   std::optional<std::size_t> count;  ///< many-spheres, boxes
-  std::optional<double> noise;       ///< amplitude; >= 0; default 0, folded: 38 % of its box
-  std::uint64_t seed = 1;            ///< of the noise and of random shapes
-  std::optional<Box> around;         ///< sphere: contains this box with a little room
-  std::vector<Vec3> points;          ///< hull: the points to go around
-  Vec3 center = Vec3::Zero();        ///< where the shape's own origin goes
+  std::optional<double> noise;       ///< amplitude; >= 0; default 0, folded: 38 % of the diagonal
+  std::uint64_t seed = 1;            ///< seed of the noise and of random shapes
+  std::optional<Box> around;         ///< the sphere contains this box with a margin of at least 5 %
+  std::vector<Vec3> points;          ///< points of the hull
+  Vec3 center = Vec3::Zero();        ///< position of the shape's origin
 };
 
-/// The names of all kinds, in the order of the manual.
+/// Returns the names of all kinds, in the order of the manual.
 const std::vector<std::string>& shape_kinds();
 
-/// The mesh asked for. The number of faces is within a few percent of `faces` where the kind allows
-/// (an icosahedron has 20, box and boxes have 12 each). Throws UsageError for options that the kind
-/// does not have, or that make no sense, for fewer faces than a genus needs, for more than 10^9,
-/// and for shapes too far from the origin, or with tubes too thin, for their coordinates. O(faces).
+/// Generates a mesh. The number of faces is within a few percent of `faces` if the kind allows (an
+/// icosahedron has 20, box and boxes have 12 each). Throws UsageError for options that are invalid
+/// or that the kind does not have, for fewer faces than a genus needs, and for more than 10^9. Also
+/// throws it if the spacing of coordinates is too coarse, for shapes far from the origin or thin
+/// tubes. O(faces).
 Mesh make_shape(const ShapeOptions& options, const Progress& progress = {});
 
-/// The diagonal of the bounding box of that shape, estimated by a coarse version.
+/// Returns the diagonal of the shape's bounding box, estimated from a coarse mesh.
 double shape_diagonal(ShapeOptions options);
 
-/// An icosahedron with each face cut into n^2 (geodesic, class I), n chosen for `faces` = 20 n^2.
+/// Returns an icosahedron whose faces are divided into n^2 each (geodesic, class I), n chosen for
+/// `faces` = 20 n^2.
 Mesh make_sphere(const Vec3& center, double radius, std::size_t faces);
 
 }  // namespace transformesh

@@ -20,7 +20,7 @@ struct Target {
   std::vector<double> thickness;       ///< local thickness at each vertex if measured, else empty
   bool has_spatial_order = false;      ///< faces are sorted for quick searches
   std::vector<std::string> notes;      ///< changes while reading, one line each
-  bool is_prepared = false;            ///< read from a file that holds a checked target
+  bool is_prepared = false;            ///< read from a file of a target that was already checked
 
   bool is_mesh() const { return !mesh.faces.empty(); }
 };
@@ -36,10 +36,10 @@ Target make_target(Mesh mesh);
 /// in messages. Throws InputError as read_mesh() and make_target() do.
 Target read_target(std::string_view bytes, const std::string& name, const ReadOptions& = {});
 
-/// Checks that a morph can reach a target, since only the orientation of faces says on which side
-/// of the target a vertex is. Throws InputError if neighboring faces disagree, and for a closed
-/// mesh that is inside out. Returns one line for each reason to doubt a result: the target is open,
-/// or intersects itself. O(n log n).
+/// Checks that a morph can reach a target; only the orientation of faces decides on which side of
+/// the target a vertex is. Throws InputError if neighboring faces disagree, and for a closed mesh
+/// that is inside out. Returns a warning for each reason to doubt a result: the target is open, or
+/// intersects itself. O(n log n).
 std::vector<Problem> check_target(const Target& target, const std::string& name,
                                   const Progress& progress = Progress());
 

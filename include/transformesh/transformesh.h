@@ -45,7 +45,7 @@
 #include "transformesh/transform.h"
 #include "transformesh/velocity.h"
 
-// Not installed with a library that is built without photographs.
+// These headers are not installed with a library that is built without photographs.
 #if __has_include("transformesh/views.h")
 #include "transformesh/color.h"
 #include "transformesh/hull.h"

@@ -13,38 +13,40 @@
 namespace transformesh {
 
 struct VelocityOptions {
-  std::optional<std::vector<Vec3>> given;  ///< taken instead of the columns vx, vy and vz
+  std::optional<std::vector<Vec3>> given;  ///< replaces the columns vx, vy and vz
   std::optional<double> normal_speed;      ///< input units per time; negative: inwards
   double curvature_speed = 0;              ///< squared input units per time
   std::string mask;                        ///< vertex column that multiplies the sum; empty: none
 };
 
-/// The sum of the velocities given, or else of the columns if the mesh has them, and of those by
-/// the two speeds. Throws InputError (no_velocity) if there are none of these, and for a mesh whose
-/// border edges coincide if there is a speed. Throws UsageError for a wrong number of velocities.
+/// Returns the sum of the given velocities, or else of the columns if the mesh has them, and of
+/// those of the two speeds. Throws InputError (no_velocity) if there are none of these, or if a
+/// speed is set and border edges of the mesh coincide. Throws UsageError for a wrong number of
+/// velocities.
 std::vector<Vec3> velocities_of(const Mesh& mesh, const VelocityOptions& options);
 
-/// The vertex columns vx, vy and vz. Throws InputError naming those that are missing.
+/// Returns the vertex columns vx, vy and vz. Throws InputError naming the missing ones.
 std::vector<Vec3> column_velocities(const Mesh& mesh);
 bool has_column_velocities(const Mesh& mesh);
 
-/// speed * N(p), N(p) the angle-weighted vertex normal: a positive speed grows a closed mesh.
+/// Returns speed * N(p), where N(p) is the angle-weighted vertex normal. A positive speed enlarges
+/// a closed mesh.
 std::vector<Vec3> normal_velocities(const Mesh& mesh, double speed);
 
-/// Mean-curvature flow: speed * H(p) along the mean-curvature normal, H the mean curvature, so that
-/// a sphere of radius r shrinks by speed / r. Reference: Meyer, Desbrun, Schroeder & Barr,
+/// Mean-curvature flow: speed * H(p) along the mean-curvature normal, H being the mean curvature,
+/// so that a sphere of radius r shrinks by speed / r. Reference: Meyer, Desbrun, Schroeder & Barr,
 /// "Discrete differential-geometry operators for triangulated 2-manifolds", 2003 (cotangents over
-/// mixed areas). Angles count as at least 5 degrees, the weight of an edge as at least 0. Zero on
-/// borders and where there is no area.
+/// mixed areas). Angles are clamped to at least 5 degrees, edge weights to at least 0. Zero on
+/// borders and where the area is 0.
 std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed);
 
-/// The mean curvature H itself, of the same formula, with a sign: positive where the surface is
-/// convex as seen from outside, 1 / r on a sphere of radius r. 0 on borders, where there is no area
-/// and where no number holds it.
+/// Returns the signed mean curvature H of the same formula. H is positive where the surface is
+/// convex as seen from outside, and 1 / r on a sphere of radius r. H is 0 on borders, where the
+/// area is 0, and if it overflows.
 std::vector<double> mean_curvatures(const Mesh& mesh);
 
-/// Multiplies each velocity by the vertex column of that name: 0 holds a vertex fast. Throws
-/// InputError where there is none.
+/// Multiplies each velocity by the vertex column of that name; a value of 0 fixes the vertex.
+/// Throws InputError if there is no such column.
 void apply_mask(const Mesh& mesh, std::string_view column, std::vector<Vec3>& velocities);
 
 }  // namespace transformesh

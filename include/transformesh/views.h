@@ -14,8 +14,8 @@ namespace transformesh {
 
 struct View;  // private
 
-/// A list of photographs with their cameras. A photograph takes 4 bytes a pixel, or 1 if
-/// read_views() read it.
+/// Photographs with their cameras. A photograph takes 4 bytes per pixel, or 1 if read_views() read
+/// it.
 class Views {
  public:
   Views();
@@ -40,19 +40,20 @@ class Views {
   std::unique_ptr<std::vector<View>> views_;
 };
 
-/// Places of files. Each is a file, a folder or a pattern.
+/// Paths of input files. Each is a file, a folder or a pattern.
 struct ViewSources {
   std::string cameras;      ///< Middlebury, COLMAP, Bundler, OpenCV, Metashape, RealityCapture, 3x4
   std::string images;       ///< empty: no photographs
   std::string silhouettes;  ///< empty: no silhouettes
-  bool mirror = false;      ///< cameras are of a left-handed world
-  std::function<void(const std::string& note)> on_note = {};  ///< gets notes on how masks were read
+  bool mirror = false;      ///< the cameras' world is left-handed
+  std::function<void(const std::string& note)> on_note = {};  ///< called with notes on how masks
+                                                              ///< were read
 };
 
-/// Reads views in the order of the cameras. Images belong to the camera that has their name if the
-/// camera file names images, else they are paired by the numbers in their names. Lens distortion is
-/// removed. Throws InputError, naming the file, if a file cannot be read, images and cameras cannot
-/// be paired, sizes disagree, or a silhouette is empty. Parallel; deterministic.
+/// Reads views in the order of the cameras. If the camera file names images, images are paired with
+/// cameras by name, otherwise by the numbers in their names. Lens distortion is removed. Throws
+/// InputError, naming the file, if a file cannot be read, images and cameras cannot be paired,
+/// sizes disagree, or a silhouette is empty. Parallel; deterministic.
 Views read_views(const ViewSources& sources);
 
 }  // namespace transformesh
