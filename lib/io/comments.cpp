@@ -17,7 +17,7 @@ constexpr std::string_view planarity_key = "tm:planarity";
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
-// `tm-name 1.2.3` and anything after a space.
+// Matches `tm-name 1.2.3`, optionally followed by a space and more text.
 bool is_provenance(const std::string& comment) {
   if (!comment.starts_with("tm-")) return false;
   const std::size_t name_end = comment.find(' ');

@@ -1,5 +1,5 @@
-/// The comments that go with a mesh through an evolution. They hold which programs made it, the
-/// mean edge length when it began, and how far merging of flat faces moved its surface.
+/// Comments that accompany a mesh through an evolution: the programs that made it, the reference
+/// edge, and a bound on how far merging of flat faces moved its surface.
 #pragma once
 
 #include <optional>
@@ -8,26 +8,28 @@
 
 namespace transformesh {
 
-/// Appends a line such as `tm-remesh 0.1.0 --min-edge 0.7x` and keeps only the last 20, so that a
-/// loop's header does not grow.
+/// Appends a line such as `tm-remesh 0.1.0 --min-edge 0.7x`. Keeps only the last 20 such lines, so
+/// that the header of a loop does not grow.
 void add_provenance(std::vector<std::string>& comments, const std::string& line);
 
-/// The length in the last `tm:reference-edge` comment. Throws InputError where it is no length.
+/// Returns the length in the last `tm:reference-edge` comment. Throws InputError if it is not a
+/// length.
 std::optional<double> reference_edge_of(const std::vector<std::string>& comments);
 
-/// Drops those that are no length, and returns their number.
+/// Drops `tm:reference-edge` comments that do not hold a length, and returns their number.
 std::size_t drop_bad_reference_edges(std::vector<std::string>& comments);
 
 /// Replaces all `tm:reference-edge` comments by one.
 void set_reference_edge(std::vector<std::string>& comments, double length);
 
-/// The largest length in a `tm:planarity` comment: a bound of how far flat faces moved; else 0.
+/// Returns the largest length in a `tm:planarity` comment, 0 if there is none: a bound on how far
+/// merging of flat faces moved the surface, in input units.
 double planarity_of(const std::vector<std::string>& comments);
 
-/// Replaces all `tm:planarity` comments by one of their largest length and a further movement.
+/// Replaces all `tm:planarity` comments by one: their largest length plus `movement`.
 void add_planarity(std::vector<std::string>& comments, double movement);
 
-/// Scales the lengths of both.
+/// Scales the lengths in `tm:reference-edge` and `tm:planarity` comments.
 void scale_lengths(std::vector<std::string>& comments, double factor);
 
 }  // namespace transformesh

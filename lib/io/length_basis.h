@@ -1,4 +1,4 @@
-/// What relative lengths refer to: the diagonal for 1%, the reference edge for 0.7x.
+/// The bases of relative lengths: the diagonal for 1%, the reference edge for 0.7x.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,27 @@
 
 namespace transformesh {
 
-/// The mean edge; throws InputError where it is no positive finite length.
+/// Returns the mean edge. Throws InputError if it is not positive and finite.
 double measured_reference_edge(const Mesh& mesh);
 
 class LengthBasis {
  public:
-  /// `choice` is empty, `auto` or a length.
+  /// `choice` is the text of an option: empty, `auto` or a length.
   explicit LengthBasis(std::string choice) : choice_(std::move(choice)) {}
 
-  /// The mesh read, as long as it is as read: bases are taken from it when first needed.
+  /// Sets the input document. The bases are computed from it at first use, so it must not change
+  /// before.
   void set_document(const Document* document) { document_ = document; }
   void set_diagonal(double diagonal) { diagonal_ = diagonal; }
 
-  /// Both throw UsageError without a mesh and InputError where it has no size.
+  /// Compute a basis at first use. Throw UsageError without a document, and InputError if the mesh
+  /// has no size.
   double diagonal();
   double reference_edge();
-  /// In input units; asks only for the basis that the length uses.
+  /// Returns the length in input units. Computes only the basis that the length uses.
   double resolve(const Length& length);
 
-  /// Whether it was asked for, so that it belongs into the output's comments.
+  /// True if the reference edge was used, so that the output needs its comment.
   bool has_reference_edge() const { return reference_edge_.has_value(); }
   bool is_reference_edge_chosen() const { return !choice_.empty(); }
 

@@ -1,6 +1,6 @@
-/// Reads and writes a 4x4 matrix as text: 16 numbers row by row, with blanks, commas or line ends
-/// between them; what follows # is comment. Throws InputError with the line for anything else.
-/// Locale-free.
+/// Reads and writes a 4x4 matrix as text: 16 numbers by rows, separated by blanks, commas or line
+/// ends. Text from # to the end of the line is a comment. Throws InputError, with the line, for
+/// anything else. Independent of the locale.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@ namespace transformesh {
 
 Eigen::Matrix4d parse_matrix(std::string_view bytes, const std::string& name);
 
-/// Four lines of four numbers, which parse_matrix() reads back exactly.
+/// Returns four lines of four numbers, which parse_matrix() reads back exactly.
 std::string matrix_text(const Eigen::Matrix4d& matrix);
 
 }  // namespace transformesh

@@ -23,7 +23,7 @@
 namespace transformesh {
 namespace {
 
-/// In the header of binary STL the mark is a part of the name.
+/// Removes a UTF-8 byte order mark. In the header of binary STL these bytes are part of the name.
 std::string_view without_byte_order_mark(std::string_view bytes) {
   constexpr std::string_view mark = "\xef\xbb\xbf";
   const bool is_marked = bytes.starts_with(mark) && !is_binary_stl_by_size(bytes);

@@ -1,5 +1,5 @@
-/// Segments in a PLY: the element `edge`, whose numbers vertex1 and vertex2 name the vertices at
-/// their ends, as in files of the curves along which a mesh intersects itself.
+/// Segments in a PLY file: rows of the element `edge`, whose properties vertex1 and vertex2 are the
+/// indices of their ends. Files of self-intersection curves have this form.
 #pragma once
 
 #include <utility>
@@ -11,11 +11,11 @@ namespace transformesh {
 
 using Segment = std::pair<Vec3, Vec3>;
 
-/// In the order of the file. Throws InputError, calling the file `name`, where there is no such
-/// element and where a vertex is named that does not exist.
+/// Returns the segments in the order of the file. Throws InputError, naming the file `name`, if
+/// there is no such element or an index is out of range.
 std::vector<Segment> segments_of(const Document& document, const std::string& name);
 
-/// The bytes of a binary PLY that holds the segments, each with vertices of its own.
+/// Returns the bytes of a binary PLY file with the segments. Segments share no vertices.
 std::string segment_file(const std::vector<Segment>& segments);
 
 }  // namespace transformesh

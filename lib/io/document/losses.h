@@ -1,4 +1,4 @@
-/// Names what a format cannot hold, once each.
+/// Names the columns and comments that a format cannot store, once each.
 #pragma once
 
 #include <initializer_list>
@@ -10,22 +10,22 @@
 
 namespace transformesh {
 
-/// What a format other than PLY keeps of a document.
+/// Contents of a document that a format other than PLY stores.
 struct Keeps {
-  std::string format;  ///< as messages call it: OFF
+  std::string format;  ///< name in messages, such as OFF
   std::vector<std::string_view> vertex_columns;
   std::vector<std::string_view> face_columns;
-  std::size_t comments = static_cast<std::size_t>(-1);  ///< how many it can hold
+  std::size_t comments = static_cast<std::size_t>(-1);  ///< largest number of comments
 };
 
 std::vector<std::string> losses(const Document& document, const Keeps& keeps);
 
-/// Whether a program of this suite wrote the comment: options and the reference edge. Every file
-/// gets them anew, and nobody misses them.
+/// True if a program of this suite wrote the comment (options, reference edge). Every output gets
+/// new ones, so that dropping them needs no note.
 bool is_own_comment(const std::string& comment);
 
-/// Whether all of these columns are there and no lists, and all their numbers finite: formats other
-/// than PLY have no others.
+/// True if all of these columns exist, are not lists, and hold finite numbers only. Formats other
+/// than PLY store no other columns.
 bool has_columns(const Columns& columns, std::initializer_list<std::string_view> names);
 
 }  // namespace transformesh

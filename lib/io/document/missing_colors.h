@@ -1,4 +1,4 @@
-/// Colors that one of two meshes lacks, and that become white where the meshes are joined.
+/// Notes on colors that one of two meshes lacks, and that become white when the meshes are joined.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-/// One line for vertices and one for faces, if only one of two meshes has colors of theirs.
+/// Returns one line for vertices and one for faces, if exactly one of the meshes has such colors.
 std::vector<std::string> notes_of_missing_colors(const Mesh& first, const Mesh& second);
 
 }  // namespace transformesh

@@ -12,7 +12,7 @@
 
 namespace transformesh {
 
-/// Calls f with a zero of the C++ type that `type` names, and returns what it returns.
+/// Calls f with a zero of the C++ type of `type`, and returns the result of f.
 template <class Function>
 decltype(auto) with_scalar(Scalar type, Function&& f) {
   switch (type) {
@@ -41,15 +41,15 @@ inline std::size_t byte_size(Scalar type) {
 
 inline bool is_floating(Scalar type) { return type == Scalar::float32 || type == Scalar::float64; }
 
-/// The PLY name, as `uchar` or, sized, as `uint8`.
+/// Returns the PLY name of a type: `uchar`, or `uint8` if `sized`.
 std::string_view scalar_name(Scalar type, bool sized);
-/// Takes both spellings; nothing for other words.
+/// Returns the type of a PLY name in either spelling; nothing for other words.
 std::optional<Scalar> scalar_of_name(std::string_view name);
 
-/// The integer type itself while it holds `largest`, else the next wider one that does.
+/// Returns the integer type if it can represent `largest`, else the narrowest wider one that can.
 Scalar widened(Scalar type, std::uint64_t largest);
 
-/// The nearest value that T holds; integers are rounded and clamped, NaN becomes 0.
+/// Returns the nearest value of type T. Integers are rounded and clamped, NaN becomes 0.
 template <class T>
 T to_scalar(double value) {
   if constexpr (std::is_floating_point_v<T>) {

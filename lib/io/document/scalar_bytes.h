@@ -1,4 +1,4 @@
-/// Scalars as bytes in files, in the byte order of this machine or, swapped, in the other.
+/// Loads and stores scalars as bytes of a file, in native or swapped byte order.
 #pragma once
 
 #include <bit>
@@ -25,7 +25,8 @@ T byte_swapped(T value) {
 template <class T>
 T load_scalar(const char* from, bool swapped) {
   T value;
-  if constexpr (sizeof(T) == 4) {  // swap before the bits become a float: a copy may change NaNs
+  if constexpr (sizeof(T) == 4) {  // Swapped as an integer: copying a float may change the bits of
+                                   // a NaN.
     std::uint32_t bits = 0;
     std::memcpy(&bits, from, sizeof(bits));
     return std::bit_cast<T>(swapped ? byte_swapped(bits) : bits);

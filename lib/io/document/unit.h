@@ -1,5 +1,5 @@
-/// The unit of a document's coordinates. A file that states a unit has it as the comment `tm:unit`,
-/// which goes with the mesh through the programs of a pipeline.
+/// The unit of a document's coordinates. The unit that a file states is the comment `tm:unit`,
+/// which accompanies the mesh through the programs of a pipeline.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,25 @@
 namespace transformesh {
 
 struct Unit {
-  std::string_view name;        ///< in the spelling of 3MF: millimeter
-  std::string_view short_name;  ///< mm
-  double millimeters = 1;       ///< in one of the unit
+  std::string_view name;        ///< name in 3MF, such as millimeter
+  std::string_view short_name;  ///< abbreviation, such as mm
+  double millimeters = 1;       ///< length of the unit in millimeters
 };
 
 /// The units of 3MF: micron, millimeter, centimeter, inch, foot, meter.
 std::span<const Unit> all_units();
 
-/// Returns the unit of a name, short or long, or null.
+/// Returns the unit with this name or abbreviation, or null.
 const Unit* find_unit(std::string_view name);
 
-/// Returns the unit that the comment states, else millimeter for STL, which has no others by
-/// convention, else null.
+/// Returns the unit of the `tm:unit` comment. Without one, returns millimeter for STL, its usual
+/// unit, else null.
 const Unit* unit_of(const Document& document);
 
-/// Replaces the comment by one that states this unit.
+/// Replaces the `tm:unit` comment.
 void set_unit(Document& document, const Unit& unit);
 
-/// Appends a line for a format that cannot state the document's unit, unless the unit is `usual`.
+/// Appends a note for a format that cannot store the document's unit, unless the unit is `usual`.
 void note_lost_unit(const Document& document, const std::string& format, std::string_view usual,
                     std::vector<std::string>& notes);
 

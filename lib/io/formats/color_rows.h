@@ -1,4 +1,4 @@
-/// The colors of rows of text, whose number of channels and type show only at the end of the file.
+/// Colors of text rows. The number of channels and the type are known only at the end of the file.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@ class ColorRows {
   static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   static constexpr Color no_color{missing, missing, missing, missing};
 
-  /// Rows in growing order; those left out have no color. A color is bad and becomes zeros if one
-  /// of its first `channels` values is NaN.
+  /// Sets the color of a row. Call in order of rows; skipped rows have no color. A color with NaN
+  /// in its first `channels` values is bad and becomes zeros.
   void set(std::size_t row, const Color& color, std::size_t channels);
-  /// Shows a number as it is written: a point or an exponent makes all colors floating point.
+  /// Call for each number as written: a point or an exponent makes all colors floating point.
   void see_word(std::string_view word);
 
-  /// Adds red green blue (alpha), or color_index where rows have one number only. Integers become
-  /// uchar (an index int) where they fit, then int, else double. Rows without color get zeros,
+  /// Adds red green blue (alpha), or color_index if rows have only one number. Integers become
+  /// uchar (an index int) if they fit, then int, else double. Rows without a color get zeros; rows
   /// without alpha are opaque.
   void add_columns(std::size_t rows, Columns& columns);
   std::size_t missing_rows() const;

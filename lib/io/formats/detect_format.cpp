@@ -39,7 +39,7 @@ bool has_extension(const Source& source, std::string_view extension) {
          std::string_view(name).substr(name.size() - extension.size()) == extension;
 }
 
-/// The first word outside of comments, which begin with #.
+/// Returns the first word outside of comments, which start with #.
 std::string_view first_word(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n\v\f";
   std::size_t first = text.find_first_not_of(blanks);
@@ -52,14 +52,14 @@ std::string_view first_word(std::string_view text) {
   return text.substr(first, last - first);
 }
 
-/// Whether `ply` stands alone on the first line.
+/// True if the first line is `ply`.
 bool is_ply_start(std::string_view bytes) {
   if (bytes.substr(0, 3) != "ply") return false;
   const std::size_t next = bytes.find_first_not_of(" \t", 3);
   return next == std::string_view::npos || bytes[next] == '\r' || bytes[next] == '\n';
 }
 
-/// Many binary files start with `solid` too: only text goes on with `facet` or `endsolid`.
+/// Many binary files start with `solid` too, but only text continues with `facet` or `endsolid`.
 bool is_ascii_stl(std::string_view bytes) {
   const std::string start = lower_case(bytes.substr(0, 2000));
   if (first_word(start) != "solid" || start.find('\0') != std::string::npos) return false;
@@ -77,7 +77,7 @@ bool is_obj_start(std::string_view bytes, std::string_view word) {
   return has_values && std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
-/// Whether a line near the start is `v` and three numbers, behind lines that OBJ does not have.
+/// True if a line near the start is `v` with three numbers, after lines that are not OBJ.
 bool has_obj_vertex(std::string_view bytes) {
   constexpr std::size_t searched = 4096;
   const Source start{bytes.substr(0, searched), ""};
@@ -92,8 +92,8 @@ bool has_obj_vertex(std::string_view bytes) {
   return false;
 }
 
-/// Whether every second of the first bytes is 0 and the others are ASCII, or there is a byte order
-/// mark of UTF-16.
+/// True if there is a byte order mark of UTF-16, or if every second of the first bytes is 0 and the
+/// others are ASCII.
 bool is_utf16(std::string_view bytes) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return true;
   constexpr std::size_t looked_at = 16;
@@ -107,8 +107,8 @@ bool is_utf16(std::string_view bytes) {
   return (zeros[0] == half && letters[1] == half) || (zeros[1] == half && letters[0] == half);
 }
 
-/// Whether the bytes are exactly as many as the count of facets says. Other formats have that
-/// number there by chance only.
+/// True if the size of the file matches its facet count exactly. Other formats match only by
+/// coincidence.
 bool is_stl_of_stated_size(std::string_view bytes) {
   if (bytes.size() < stl_header_size) return false;
   const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, !host_is_little);
@@ -124,7 +124,7 @@ std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   if (is_vtk(bytes)) return FileKind::vtk;
   if (is_vtk_xml(bytes)) return FileKind::vtp;
   if (is_pcd(bytes)) return FileKind::pcd;
-  // No text has the size that its characters would mean.
+  // The characters of a text would denote a facet count that no text has the size for.
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
   if (is_off_keyword(word)) return FileKind::off;
   if (is_ascii_stl(bytes)) return FileKind::stl_ascii;
@@ -147,7 +147,7 @@ bool is_binary_stl_by_size(std::string_view bytes) {
   const bool swapped = !host_is_little;
   const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, swapped);
   const std::size_t rest = bytes.size() - stl_header_size;
-  // Programs that write while they compute may leave 0, which no text has there.
+  // Programs that stream their output may leave a count of 0, which text never has at this place.
   const bool is_left_open = facets == 0 && rest % stl_facet_size == 0;
   return rest == stl_facet_size * facets || is_left_open;
 }

@@ -20,14 +20,15 @@ enum class FileKind {
   point_table
 };
 
-/// The name's extension decides only where bytes cannot: OFF without its keyword, binary STL of the
-/// wrong size, files of comments. Throws InputError showing the first bytes where nothing fits.
+/// Detects the format. The extension of the name decides only if the bytes cannot: OFF without its
+/// keyword, binary STL of a wrong size, files of comments only. Throws InputError, showing the
+/// first bytes, if no format fits.
 FileKind detect_format(const Source& source);
 
-/// Throws InputError of kind unknown_format that shows the first bytes and names all formats.
+/// Throws InputError (unknown_format) that shows the first bytes and names all formats.
 [[noreturn]] void refuse_unknown_format(const Source& source);
 
-/// Whether the bytes have the size that they say as binary STL, whose header may be anything.
+/// True if the number of bytes matches the facet count of binary STL. The header may hold anything.
 bool is_binary_stl_by_size(std::string_view bytes);
 
 }  // namespace transformesh

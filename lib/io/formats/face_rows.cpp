@@ -11,13 +11,13 @@
 
 namespace transformesh {
 
-/// Most polygons are fans and take a byte each.
+/// Results of triangulation. Most polygons are fans, which need only one byte each.
 struct FaceRows::Cuts {
   enum class Kind : std::uint8_t { fan, not_finite, other };
 
-  std::vector<Kind> kinds;                ///< of the polygons
-  std::vector<std::size_t> numbers;       ///< of the other polygons
-  std::vector<PolygonTriangles> results;  ///< theirs
+  std::vector<Kind> kinds;                ///< kind of each polygon
+  std::vector<std::size_t> numbers;       ///< indices of the polygons of kind `other`
+  std::vector<PolygonTriangles> results;  ///< triangles of these polygons
 };
 
 void FaceRows::add(std::span<const Index> corners) {

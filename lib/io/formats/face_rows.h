@@ -1,5 +1,5 @@
-/// Gathers the faces of a file, which may come before their vertices, and makes triangles of them.
-/// Polygons are triangulated without folds (polygons/triangulate_polygon.h).
+/// Collects the faces of a file, which may precede their vertices, and triangulates them without
+/// folds (polygons/triangulate_polygon.h).
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@ namespace transformesh {
 class FaceRows {
  public:
   void reserve(std::size_t faces) { triangles_.reserve(faces); }
-  /// Appends a triangle; inline, for the tight loops.
+  /// Appends a triangle. Inline for tight loops.
   void add(const Face& triangle) {
     triangles_.push_back(triangle);
     ++rows_;
   }
-  /// Appends a polygon of any size; with fewer than three corners it only counts as dropped.
+  /// Appends a polygon of any size. A polygon with fewer than three corners is dropped and counted.
   void add(std::span<const Index> corners);
   std::uint32_t rows() const { return rows_; }
 
-  /// Moves the faces into the mesh, whose vertices are complete and whose face columns have one row
-  /// for each row added. Face columns get one row for each triangle (of texture coordinates, those
-  /// of its corners). Vertices with a coordinate that is not finite are dropped with the rows that
-  /// use them. `notes` say what was cut or dropped; they count faces from `first_number`.
+  /// Moves the faces into the mesh. Its vertices must be complete, and its face columns must have
+  /// one row for each added row. Face columns then get one row per triangle; texture coordinates
+  /// are those of its corners. Vertices with a non-finite coordinate are dropped with the rows that
+  /// use them. `notes` state how many faces were cut or dropped, numbered from `first_number`.
   void move_into(Mesh& mesh, const std::string& format, std::vector<std::string>& notes,
                  std::uint32_t first_number = 0);
 
  private:
   struct Polygon {
     std::uint32_t row;
-    std::size_t first;  ///< of its corners in `corners_`
+    std::size_t first;  ///< first of its corners in `corners_`
   };
   struct Cuts;
 
@@ -49,7 +49,7 @@ class FaceRows {
 
   std::vector<Face> triangles_;    ///< rows with three corners, in order
   std::vector<Polygon> polygons_;  ///< rows with any other number of corners, in order
-  std::vector<Index> corners_;     ///< of the polygons
+  std::vector<Index> corners_;     ///< corners of the polygons
   std::uint32_t rows_ = 0;
 };
 

@@ -13,7 +13,7 @@ bool is_ply(Format format) {
   return format == Format::ply_ascii || format == Format::ply_little || format == Format::ply_big;
 }
 
-// In lower case, with the dot; empty without one.
+// Returns the extension in lower case, with the dot; empty if there is none.
 std::string extension_of(std::string_view name) {
   std::string extension(name.substr(std::min(name.rfind('.'), name.size())));
   std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
@@ -61,7 +61,7 @@ std::string unknown_ending(std::string_view name, const std::vector<std::string>
 
 std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate) {
   Style& style = document.style;
-  // The standard of glTF has meters, and the convention of STL millimeters.
+  // The glTF standard uses meters; STL uses millimeters by convention.
   if (const Unit* unit = unit_of(document); unit != nullptr && format == Format::glb)
     set_unit(document, *unit);
   style.format = format;

@@ -1,17 +1,19 @@
 /// glTF 2.0 (ISO/IEC 12113:2022) in the axes of the mesh: read as binary (GLB) and as text, written
-/// as GLB. One primitive is written, of triangles, or of points if there are no faces. Coordinates
-/// are floats. Kept are all vertex columns that are numbers a float can hold: `nx ny nz` as NORMAL,
-/// of unit length, `red green blue (alpha)` as COLOR_0, bytes or floats from 0 to 1, `s t` (or `u
-/// v`, `texture_u texture_v`) as TEXCOORD_0, whose v runs downwards; any other as the attribute
-/// `_NAME` of floats. The face column `texcoord` (obj.h) is TEXCOORD_0 instead: a vertex whose
-/// corners have several places in the texture is repeated behind the others. Document::texture is
-/// the base color, shown as it is, since photographs have their light in them
-/// (KHR_materials_unlit). If the mesh is closed, oriented and manifold, EXT_mesh_manifold (E.
-/// Lalish, Khronos glTF extensions, 2024) says so and which repeated vertices are one. Comments are
-/// in the extras of `asset`.
+/// as GLB.
 ///
-/// Reading joins all meshes of the scene, moved by their nodes: see gltf_mesh.h for what of a mesh
-/// is read. Colors of vertices and materials are taken as the numbers that they are, without a
+/// Writes one primitive of triangles, or of points if there are no faces. Coordinates are floats.
+/// All numeric vertex columns in the range of float are kept. `nx ny nz` become NORMAL, of unit
+/// length. `red green blue (alpha)` become COLOR_0, as bytes or floats from 0 to 1. `s t` (or `u
+/// v`, `texture_u texture_v`) become TEXCOORD_0, whose v runs downwards. Any other column becomes
+/// the float attribute `_NAME`. If the face column `texcoord` (obj.h) exists, it is TEXCOORD_0
+/// instead. A vertex with several texture coordinates is then repeated after the other vertices.
+/// Document::texture is the base color, shown unlit (KHR_materials_unlit), because photographs
+/// already contain the lighting. For a closed, oriented manifold, EXT_mesh_manifold (E. Lalish,
+/// Khronos glTF extensions, 2024) records this and which repeated vertices are one. Comments are in
+/// the extras of `asset`.
+///
+/// Reading joins all meshes of the scene, transformed by their nodes; gltf_mesh.h lists the
+/// attributes that are read. Colors of vertices and materials are taken unchanged, without a
 /// conversion between linear and sRGB.
 #pragma once
 
@@ -21,10 +23,11 @@
 
 namespace transformesh {
 
-/// See read_mesh. Buffers in files of their own are read from `folder`; an empty name refuses them.
+/// Reads as read_mesh() does. External buffers are read from `folder`; if it is empty, they are
+/// rejected.
 ReadResult read_glb(const Source& source, const std::string& folder);
 
-/// Throws GoalError where the file would be longer than the 4 GB that its header can state.
+/// Throws GoalError if the file would exceed 4 GB, the limit of its header.
 WriteResult write_glb(const Document& document);
 
 }  // namespace transformesh

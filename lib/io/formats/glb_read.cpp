@@ -48,13 +48,13 @@ class GlbReader {
         result_.document.style.comments.push_back(comment.get<std::string>());
   }
 
-  /// Lengths are in meters, says the standard; comments of this suite may say otherwise.
+  /// glTF lengths are in meters, unless a comment of this suite states another unit.
   void set_missing_unit() {
     if (unit_of(result_.document) == nullptr) set_unit(result_.document, *find_unit("meter"));
   }
 
   void add_instance(const GltfInstance& instance) {
-    // Visiting costs, even of a mesh without anything in it.
+    // A visit takes time even if the mesh is empty.
     constexpr std::size_t cost_of_visit = 64;
     budget_.spend(cost_of_visit);
     Document part;
@@ -75,12 +75,12 @@ class GlbReader {
     for (const std::string& line : append(result_.document, part)) note(line);
   }
 
-  /// A mirror image has its faces turned, so that outside stays outside.
+  /// Faces of a mirror image are reversed, so that the outside stays outside.
   static void place(const Eigen::Affine3d& to_scene, Mesh& mesh) {
     for (Vec3& position : mesh.positions) position = to_scene * position;
     const Eigen::Matrix3d linear = to_scene.linear();
     const double sign = linear.determinant() < 0 ? -1 : 1;
-    // Up to a factor, this is the inverse transposed, and needs no division.
+    // The inverse transpose up to a factor, without a division.
     Eigen::Matrix3d normal_matrix;
     normal_matrix << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
         linear.col(0).cross(linear.col(1));

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The standard's numbers for what things are.
+// Constants of the glTF standard.
 constexpr int as_points = 0;
 constexpr int as_triangles = 4;
 constexpr int array_buffer = 34962;
@@ -60,7 +60,7 @@ bool are_in_unit_range(const Column& column) {
                      [](double value) { return value >= 0 && value <= 1; });
 }
 
-/// Gives the corners of each vertex one place in the texture, by the columns s and t.
+/// Repeats vertices so that each one has a single texture coordinate, in the columns s and t.
 Mesh split_at_seams(const Mesh& mesh, const Column& lists) {
   Mesh split = mesh;
   std::vector<Index> rows(mesh.positions.size());
@@ -130,7 +130,7 @@ class GlbWriter {
     json["nodes"] = {{{"mesh", 0}}};
     json["meshes"] = {{{"primitives", {primitive}}}};
     if (is_manifold_) add_manifold(primitive, json);
-    // By default a surface would be of metal, and invisible from behind.
+    // The default material is metallic and invisible from behind.
     json["materials"] = {
         {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"doubleSided", true}}};
     if (!document_.texture.empty()) add_picture(json);
@@ -153,8 +153,8 @@ class GlbWriter {
     json["extensionsUsed"].push_back("KHR_materials_unlit");
   }
 
-  /// The manifold primitive has the indices of the primitive, in which the sparse part of its
-  /// accessor replaces vertices repeated for the texture.
+  /// Adds the manifold primitive. Its accessor has the indices of the drawn primitive, and a sparse
+  /// part that replaces vertices repeated for the texture.
   void add_manifold(const Json& primitive, Json& json) {
     const std::size_t indices = primitive["indices"];
     Json manifold = {{"attributes", {{"POSITION", primitive["attributes"]["POSITION"]}}},
@@ -227,7 +227,7 @@ class GlbWriter {
     for (std::size_t row = 0; row < mesh_.positions.size(); ++row) {
       const Vec3 normal(group[0]->values[row], group[1]->values[row], group[2]->values[row]);
       const Vec3 unit = normal.stableNormalized();
-      if (unit.isZero()) return;  // which the standard has no normals for
+      if (unit.isZero()) return;  // the standard does not allow zero normals
       for (const double x : unit) values.push_back(static_cast<float>(x));
     }
     keep(group);
@@ -248,7 +248,7 @@ class GlbWriter {
 
   template <class T>
   std::size_t add_color_rows(const ColumnGroup& group, T opaque) {
-    constexpr std::size_t channels = 4;  // three bytes would not be aligned
+    constexpr std::size_t channels = 4;  // three bytes would not be aligned to 4
     std::vector<T> values;
     for (std::size_t row = 0; row < mesh_.positions.size(); ++row)
       for (std::size_t i = 0; i < channels; ++i)
@@ -291,8 +291,8 @@ class GlbWriter {
     for (const Column* column : group) kept_.push_back(column->name);
   }
 
-  /// Stores values, `width` of them to an element, and returns the number of their accessor. A
-  /// target of 0 says that they are neither vertices nor corners.
+  /// Stores values, `width` of them per element, and returns the index of their accessor. `target`
+  /// is 0 for values that are neither vertices nor indices.
   template <class T>
   std::size_t add(const std::vector<T>& values, std::size_t width, int target) {
     const std::size_t start = binary_.size();

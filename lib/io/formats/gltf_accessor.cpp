@@ -14,7 +14,8 @@ namespace {
 
 using Json = GltfFile::Json;
 
-/// Calls f with a zero of the type that a number of the standard names; false for other numbers.
+/// Calls f with a zero of the type that a component type of the standard denotes; returns false for
+/// other numbers.
 template <class Function>
 bool with_component(std::size_t type, const Function& f) {
   switch (type) {
@@ -35,7 +36,8 @@ bool with_component(std::size_t type, const Function& f) {
   }
 }
 
-/// Section 3.6.2.2: the smallest integer of a signed type stands for -1 as its neighbor does.
+/// Converts a component. Normalized integers follow section 3.6.2.2: the least and the second least
+/// value of a signed type both become -1.
 template <class T>
 double value_of(T stored, bool is_normalized) {
   const auto value = static_cast<double>(stored);
@@ -118,7 +120,7 @@ class AccessorReader {
          });
   }
 
-  /// Calls keep(element, component, value) for all numbers. A stride of 0 packs them tightly.
+  /// Calls keep(element, component, value) for all numbers. A stride of 0 means tightly packed.
   template <class Keep>
   void load(std::string_view bytes, std::size_t start, std::size_t stride, std::size_t count,
             std::size_t type, std::size_t width, bool is_normalized, const Keep& keep) const {

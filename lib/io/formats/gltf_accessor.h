@@ -1,4 +1,4 @@
-/// Numbers that an accessor of glTF names (ISO/IEC 12113:2022, section 3.6).
+/// Numbers of a glTF accessor (ISO/IEC 12113:2022, section 3.6).
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace transformesh {
 
 struct GltfNumbers {
-  std::vector<double> values;  ///< `width` for each element; normalized integers are from -1 to 1
+  std::vector<double> values;  ///< `width` per element; normalized integers are in [-1, 1]
   std::size_t width = 1;
   bool is_byte = false;      ///< stored as unsigned bytes
   bool is_floating = false;  ///< stored as floats
@@ -17,8 +17,9 @@ struct GltfNumbers {
   std::size_t size() const { return values.size() / width; }
 };
 
-/// Returns the numbers of an accessor of scalars or vectors. Throws InputError if it leaves its
-/// buffer, if an index of its sparse part is out of range, and for more than `most` elements.
+/// Returns the numbers of an accessor of scalars or vectors. Throws InputError if the accessor
+/// exceeds its buffer, if an index of its sparse part is out of range, and for more than `most`
+/// elements.
 GltfNumbers gltf_numbers(const GltfFile& file, std::size_t accessor, std::size_t most);
 
 }  // namespace transformesh

@@ -20,7 +20,7 @@ constexpr std::size_t chunk_header_size = 8;
 constexpr std::string_view json_chunk = "JSON";
 constexpr std::string_view binary_chunk("BIN\0", 4);
 
-/// Extensions whose absence leaves the shape as it is: they are about light and pictures.
+/// True for extensions that do not affect the shape, such as lights and textures.
 bool is_about_looks(std::string_view extension) {
   for (const std::string_view start : {"KHR_materials_", "KHR_texture_", "KHR_lights_",
                                        "EXT_texture_", "KHR_xmp", "MSFT_texture_"})
@@ -34,7 +34,7 @@ std::string compression_name(std::string_view extension) {
   return {};
 }
 
-/// Replaces %20 and the like by the bytes that they stand for.
+/// Decodes percent escapes such as %20.
 std::string without_escapes(std::string_view uri) {
   const auto digit = [](char c) {
     constexpr std::string_view digits = "0123456789abcdef0123456789ABCDEF";
@@ -54,7 +54,7 @@ std::string without_escapes(std::string_view uri) {
 }  // namespace
 
 bool is_gltf_text(std::string_view bytes) {
-  constexpr std::size_t searched = 1U << 16U;  // writers put the asset first, or behind few nodes
+  constexpr std::size_t searched = 1U << 16U;  // writers put `asset` first, or after a few nodes
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || bytes[first] != '{') return false;
   const std::string_view start = bytes.substr(0, searched);
@@ -124,7 +124,8 @@ void GltfFile::check_version() const {
     fail("version " + transformesh::quoted(version) + " is not read, only 2");
 }
 
-/// Extensions that the file merely uses have a fallback for readers without them.
+/// Throws for required extensions that are not supported. Extensions that are only used have a
+/// fallback.
 void GltfFile::check_extensions() const {
   const auto list = json_.find("extensionsRequired");
   if (list == json_.end() || !list->is_array()) return;
@@ -192,8 +193,8 @@ std::string GltfFile::read_uri(std::size_t index, const std::string& uri) const 
   return *bytes;
 }
 
-/// A name must not lead out of the folder, neither by itself nor by a symbolic link, and not to a
-/// device, whose bytes may have no end.
+/// Rejects names that leave the folder, by themselves or by a symbolic link, and devices, whose
+/// data may be endless.
 std::string GltfFile::read_beside(const std::string& name) const {
   const fs::path path(name);
   const bool leaves = path.is_absolute() || name.find("://") != std::string::npos ||

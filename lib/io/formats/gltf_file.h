@@ -1,5 +1,5 @@
-/// A file of glTF 2.0 (ISO/IEC 12113:2022), binary (GLB) or text: its JSON and its buffers, of
-/// which no number is trusted.
+/// A glTF 2.0 file (ISO/IEC 12113:2022), binary (GLB) or text: its JSON and its buffers. Every
+/// number in the file is checked.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -16,24 +16,26 @@ class GltfFile {
  public:
   using Json = nlohmann::json;
 
-  /// Reads the container and the buffers. Files that it names are read from `folder` and the
-  /// folders in it; an empty folder refuses them. Throws InputError.
+  /// Reads the container and the buffers. External files are read from `folder` and its subfolders;
+  /// if `folder` is empty, they are rejected. Throws InputError.
   GltfFile(const Source& source, std::string folder);
 
   const Source& source() const { return source_; }
   const Json& json() const { return json_; }
-  /// Bytes behind the end that the header of a GLB file states.
+  /// Returns the number of bytes after the end that the GLB header states.
   std::size_t rest() const { return rest_; }
 
-  /// Returns the number of elements of an array of the file: nodes, meshes, and so on.
+  /// Returns the number of elements of a top-level array: nodes, meshes, and so on.
   std::size_t count(const char* array) const;
-  /// Returns an element of such an array. Throws InputError if there is none or it is no object.
+  /// Returns an element of such an array. Throws InputError if there is none or it is not an
+  /// object.
   const Json& element(const char* array, std::size_t index) const;
-  /// Returns a member that is a whole number of 0 or more, or `fallback` if it is missing. Throws
-  /// InputError if it is something else, or is missing without a fallback; `what` has it.
+  /// Returns a member that is a nonnegative integer, or `fallback` if it is missing. Throws
+  /// InputError if it is something else, or if it is missing and there is no fallback. `what` names
+  /// the object in messages.
   std::size_t whole(const Json& object, const char* key, const std::string& what,
                     std::optional<std::size_t> fallback = {}) const;
-  /// Returns the bytes of a buffer view. Throws InputError if it leaves its buffer.
+  /// Returns the bytes of a buffer view. Throws InputError if the view exceeds its buffer.
   std::string_view view(std::size_t index) const;
 
   [[noreturn]] void fail(const std::string& what) const { source_.fail("glTF: " + what); }
@@ -51,13 +53,13 @@ class GltfFile {
   Source source_;
   std::string folder_;
   Json json_;
-  std::string_view binary_;           ///< the binary chunk of GLB
-  bool has_binary_ = false;           ///< there is one
-  std::vector<std::string> buffers_;  ///< bytes of the buffers that are not the binary chunk
+  std::string_view binary_;  ///< the binary chunk of GLB
+  bool has_binary_ = false;
+  std::vector<std::string> buffers_;  ///< bytes of the buffers other than the binary chunk
   std::size_t rest_ = 0;
 };
 
-/// True if the bytes are JSON that states the version of glTF in its first kilobytes.
+/// True if the bytes are JSON that states a glTF version in its first kilobytes.
 bool is_gltf_text(std::string_view bytes);
 
 }  // namespace transformesh

@@ -14,7 +14,7 @@ namespace {
 
 using Json = GltfFile::Json;
 
-// The standard's numbers for what a primitive is: 0 points, 1 to 3 lines, 4 to 6 triangles.
+// Primitive modes of the standard: 0 points, 1 to 3 lines, 4 to 6 triangles.
 constexpr std::size_t as_points = 0;
 constexpr std::size_t as_triangles = 4;
 constexpr std::size_t as_strip = 5;
@@ -116,7 +116,9 @@ class MeshReader {
       add_colors(found, columns);
     } else if (key == "TEXCOORD_0" && found.width == 2) {
       add_group({"s", "t"}, found, columns);
-      for (double& value : columns.find("t")->values) value = 1 - value;  // their v runs downwards
+      for (double& value : columns.find("t")->values)
+        value = 1 - value;  // v runs downwards in
+                            // glTF
     } else if (key.starts_with('_') && key.size() > 1 && found.width == 1) {
       const std::string name = column_name(lower_case(key.substr(1)));
       add_group({name.c_str()}, found, columns);
@@ -134,7 +136,7 @@ class MeshReader {
     }
   }
 
-  /// Bytes stay bytes. Opaque vertices have no alpha.
+  /// Bytes stay bytes. If all vertices are opaque, there is no alpha column.
   static void add_colors(const GltfNumbers& found, Columns& columns) {
     bool is_opaque = true;
     for (std::size_t i = 0; i < found.size() && found.width == 4; ++i)
@@ -211,7 +213,7 @@ class MeshReader {
     return color;
   }
 
-  /// White stands for no color.
+  /// White means that a face has no color.
   void add_face_colors() {
     const Color white{1, 1, 1, 1};
     const auto is_white = [&](const Color& color) { return color == white; };
@@ -227,8 +229,8 @@ class MeshReader {
 
   // --- EXT_mesh_manifold -------------------------------------------------------------------------
 
-  /// Takes the corners of the manifold primitive, which are those of all primitives in turn with
-  /// copies of a vertex replaced by one of them.
+  /// Takes the corners of the manifold primitive. They are those of all primitives in order, with
+  /// repeated vertices replaced by one of them.
   void merge() {
     const Json& extension = member(member(entry_, "extensions"), "EXT_mesh_manifold");
     const Json& primitive = member(extension, "manifoldPrimitive");
@@ -297,7 +299,7 @@ class MeshReader {
   ExpansionBudget& budget_;
   GltfLosses& losses_;
   Json attributes_;        ///< attributes of the vertices read last
-  std::size_t first_ = 0;  ///< the first of these vertices
+  std::size_t first_ = 0;  ///< first vertex of these
   bool are_triangles_ = true;
   std::vector<Color> face_colors_;
   Mesh mesh_;

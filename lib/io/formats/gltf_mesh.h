@@ -1,4 +1,4 @@
-/// One mesh of a glTF file, all of its primitives together.
+/// One mesh of a glTF file, with all of its primitives.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace transformesh {
 
-/// Counts of what a mesh cannot hold.
+/// Numbers of items that a mesh cannot represent.
 struct GltfLosses {
   std::size_t line_primitives = 0;
   std::size_t unread_attributes = 0;
@@ -18,8 +18,8 @@ struct GltfLosses {
 };
 
 /// Returns the triangles of a mesh, or its points. NORMAL becomes nx ny nz, COLOR_0 red green blue
-/// alpha of vertices, TEXCOORD_0 s t, and an attribute _NAME of scalars a column. The base colors
-/// of materials become those of faces. Vertices that EXT_mesh_manifold merges are one; their
+/// alpha of vertices, TEXCOORD_0 s t, and a scalar attribute _NAME a column. Base colors of
+/// materials become face colors. Vertices that EXT_mesh_manifold merges are one vertex, and their
 /// texture coordinates become the face column `texcoord`. Throws InputError.
 Mesh gltf_mesh(const GltfFile& file, std::size_t mesh, ExpansionBudget& budget, GltfLosses& losses);
 

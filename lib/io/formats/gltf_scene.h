@@ -1,4 +1,4 @@
-/// The nodes of a glTF scene that have a mesh.
+/// The nodes with a mesh in a glTF scene.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,12 +10,12 @@ namespace transformesh {
 
 struct GltfInstance {
   std::size_t mesh = 0;
-  Eigen::Affine3d to_scene;  ///< from the coordinates of the mesh to those of the scene
+  Eigen::Affine3d to_scene;  ///< maps mesh coordinates to scene coordinates
 };
 
-/// Returns the instances of the default scene, else of the first one, else of all nodes, in the
-/// order of a walk that visits parents before children. Throws InputError for a node that is
-/// reached twice: the standard allows trees alone, and circles would have no end.
+/// Returns the instances of the default scene, or else of the first one, or else of all nodes. The
+/// order is that of a preorder traversal. Throws InputError for a node that is reached twice: the
+/// standard allows only trees, and a cycle would not terminate.
 std::vector<GltfInstance> gltf_instances(const GltfFile& file);
 
 }  // namespace transformesh

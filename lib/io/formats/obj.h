@@ -1,14 +1,14 @@
-/// OBJ, the polygon files of Wavefront: positions with optional colors (0 to 1), faces, texture
-/// coordinates, groups, objects and materials. Normals are left out, which the notes say.
+/// OBJ, the polygon format of Wavefront: positions with optional colors (0 to 1), faces, texture
+/// coordinates, groups, objects and materials. Normals are dropped with a note.
 ///
-/// Texture coordinates are the face column `texcoord`, u and v of each corner in a list that is
-/// empty where a face has none; floats where those give back the text. Where every corner has the
-/// texture coordinates of its vertex's number, they are the vertex columns `s t` instead. Written
+/// Texture coordinates become the face column `texcoord`: lists of (u, v) per corner, empty for
+/// faces without them. They are floats if floats reproduce the text. If the texture coordinate of
+/// every corner has the number of its vertex, they become the vertex columns `s t` instead. Written
 /// are `texcoord`, else `s t`, `u v` or `texture_u texture_v`.
 ///
-/// `g`, `o` and `usemtl` are the integer face columns `group`, `object` and `material`: a name that
-/// is a number is that number, others get numbers from 1 on, and comments `tm:group 1 wing` say
-/// which. 0 is none. `mtllib` is the comment `tm:mtllib FILE`.
+/// `g`, `o` and `usemtl` become the integer face columns `group`, `object` and `material`. A name
+/// that is a number is kept as this number. Other names get numbers from 1, and comments such as
+/// `tm:group 1 wing` record them. 0 means no name. `mtllib` becomes the comment `tm:mtllib FILE`.
 #pragma once
 
 #include "io/streams/source.h"
@@ -17,7 +17,7 @@
 
 namespace transformesh {
 
-/// See read_mesh and write_mesh. Coordinates are double.
+/// See read_mesh() and write_mesh(). Coordinates are double.
 ReadResult read_obj(const Source& source);
 WriteResult write_obj(const Document& document);
 

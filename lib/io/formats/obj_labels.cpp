@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// The number that a name is; nothing for `007`, which it would not be when written again.
+/// Returns the number that a name denotes. Nothing for `007`, which would be written as `7`.
 std::optional<std::int32_t> number_named(std::string_view name) {
   std::int32_t number = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -26,7 +26,7 @@ std::string comment_of(const ObjLabelKind& kind, long number, const std::string&
   return comment_start(kind) + std::to_string(number) + ' ' + name;
 }
 
-/// Numbers of 1 or more that are not taken, in growing order.
+/// Returns numbers >= 1 that are not taken, in ascending order.
 class FreeNumbers {
  public:
   explicit FreeNumbers(std::set<long> taken) : taken_(std::move(taken)) {}
@@ -60,7 +60,7 @@ const Column* labels_in(const Document& document, const ObjLabelKind& kind) {
   return are_numbers ? column : nullptr;
 }
 
-/// The number and the name that a comment gives; nothing for names that mean another number.
+/// Parses a label comment. Returns nothing if the name is a different number.
 std::optional<std::pair<long, std::string>> label_in(const std::string& comment,
                                                      const ObjLabelKind& kind) {
   const std::string start = comment_start(kind);
@@ -74,7 +74,7 @@ std::optional<std::pair<long, std::string>> label_in(const std::string& comment,
   return std::pair(long{*number}, std::move(name));
 }
 
-/// All numbers of a document with what they are called.
+/// Returns all label numbers of a document with their names.
 std::map<long, std::string> called(const Document& document, const ObjLabelKind& kind) {
   std::map<long, std::string> names = obj_label_names(kind, document.style.comments);
   for (const double value : labels_in(document, kind)->values)
@@ -82,8 +82,8 @@ std::map<long, std::string> called(const Document& document, const ObjLabelKind&
   return names;
 }
 
-/// The numbers that the later labels get: those of the earlier where they are called the same,
-/// free ones where the earlier call another label so.
+/// Returns new numbers for later labels. A label with the name of an earlier one gets its number. A
+/// label whose number has another name in the earlier document gets a free number.
 std::map<long, long> changes_between(const std::map<long, std::string>& earlier,
                                      const std::map<long, std::string>& later) {
   std::map<std::string, long> numbers;

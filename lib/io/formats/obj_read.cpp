@@ -15,7 +15,7 @@
 namespace transformesh {
 namespace {
 
-/// The statements that the format knows besides vertices and faces.
+/// True for the statements of the format other than vertices and faces.
 bool is_other_keyword(std::string_view word) {
   constexpr std::array<std::string_view, 37> words{
       "bevel", "bmat",     "bsp",    "bzp",        "c_interp", "call",  "cdc",  "cdp",
@@ -103,7 +103,7 @@ class ObjReader {
     ++texture_points_;
   }
 
-  /// Reads the statement where it is one.
+  /// Reads the statement if it is a label, and returns whether it is one.
   bool is_label(std::string_view keyword) {
     for (std::size_t i = 0; i < obj_label_kinds.size(); ++i) {
       if (keyword != obj_label_kinds[i].keyword) continue;
@@ -122,7 +122,7 @@ class ObjReader {
   }
 
   /// A corner is `vertex`, `vertex/texture`, `vertex//normal` or `vertex/texture/normal`. Indices
-  /// start at 1; negative ones count back from the last vertex read.
+  /// start at 1; negative ones are relative to the last vertex read.
   Index read_corner(std::string_view word) {
     const char* first = word.data();
     const char* last = first + word.size();
@@ -148,7 +148,7 @@ class ObjReader {
     return is_number && (first == last || *first == '/') ? number : 0;
   }
 
-  /// A face may come before its vertices, so that only the end of the file can tell.
+  /// A face may precede its vertices, so its indices can only be checked at the end of the file.
   void remember_largest(Index index) {
     if (largest_index_place_ && index <= largest_index_) return;
     largest_index_ = index;
@@ -166,7 +166,7 @@ class ObjReader {
            ", but " + there_are(mesh().positions.size(), "vertex");
   }
 
-  /// Colors that are whole 255ths in every vertex come from bytes, and become bytes.
+  /// If all color values are multiples of 1/255, they come from bytes, and become bytes.
   void add_colors() {
     Columns& columns = mesh().vertex_columns;
     colors_.see_word(".");
@@ -190,7 +190,8 @@ class ObjReader {
     }
   }
 
-  /// Those that have statements of their own belong to another time of the mesh.
+  /// Comments that OBJ expresses as statements are dropped: they describe an earlier version of the
+  /// mesh.
   void add_comments() {
     std::vector<std::string>& comments = result_.document.style.comments;
     comments = std::move(rows_.comments);
@@ -253,7 +254,7 @@ class ObjReader {
 }  // namespace
 
 ReadResult read_obj(const Source& source) {
-  // Programs that write strings of C leave their last byte.
+  // Some programs write the terminating zero of a C string at the end.
   const std::size_t size = source.bytes.find_last_not_of('\0') + 1;
   if (size < source.bytes.size() && source.is_strict)
     source.fail_at_byte(source.begin() + size, "the text ends in a byte of value 0");

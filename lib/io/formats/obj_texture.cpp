@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-/// Whether a float writes the same digits, so that nothing is lost by taking one.
+/// True if the value, converted to float, has the same text, so that float loses nothing.
 bool is_text_of_float(double value) {
   std::array<char, 32> text{};
   const auto [end, error] =

@@ -1,4 +1,4 @@
-/// Gathers the texture coordinates of an OBJ file, which corners name by numbers of their own.
+/// Collects the texture coordinates of an OBJ file, which corners reference by separate indices.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@ namespace transformesh {
 
 class ObjTexture {
  public:
-  /// One that is not finite is taken as one that is not there.
+  /// Adds a texture coordinate. A non-finite one counts as missing.
   void add_point(double u, double v) { points_.push_back({u, v}); }
-  /// For each corner of a face the number in the file, from 1 on, or negative and counted back from
-  /// the last read; 0 for none.
+  /// Adds the texture indices of a face: from 1, or negative and relative to the last coordinate
+  /// read; 0 if a corner has none.
   void add_face(std::uint32_t row, std::span<const Index> corners,
                 std::span<const std::int64_t> numbers);
-  /// Whether a face names any.
+  /// True if a face has texture indices.
   bool is_used() const { return !offsets_.empty(); }
-  /// Adds columns to a mesh whose faces are still the rows: see obj.h.
+  /// Adds columns as described in obj.h. The faces of the mesh must still be the rows of the file.
   void move_into(Mesh& mesh, std::uint32_t rows, std::vector<std::string>& notes);
 
  private:
@@ -33,7 +33,7 @@ class ObjTexture {
 
   std::vector<std::array<double, 2>> points_;
   std::vector<Index> corners_;
-  std::vector<std::size_t> offsets_;  ///< from the first face on that names some
+  std::vector<std::size_t> offsets_;  ///< from the first face with texture indices on
   bool has_numbers_of_vertices_ = true;
 };
 

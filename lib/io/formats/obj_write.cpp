@@ -18,7 +18,7 @@ std::vector<const Column*> color_columns(const Columns& columns) {
   return {columns.find("red"), columns.find("green"), columns.find("blue")};
 }
 
-/// A column of labels with what to call them; the name written last stays in force.
+/// A column of labels with their names. The statement written last stays in force.
 struct Labels {
   const ObjLabelKind* kind = nullptr;
   const Column* column = nullptr;
@@ -38,7 +38,9 @@ class ObjWriter {
 
   WriteResult write() {
     add_comment_lines();
-    if (mesh_.positions.empty()) text_.add("o empty\n");  // else the format could not be told
+    if (mesh_.positions.empty())
+      text_.add("o empty\n");  // otherwise the format could not be
+                               // detected
     add_vertices();
     find_texture();
     find_labels();
@@ -113,7 +115,7 @@ class ObjWriter {
     text_.add('\n');
   }
 
-  /// Points that are equal to the last bit are written once.
+  /// Writes texture coordinates. Coordinates with identical bits are written once.
   void add_corner_texture(const Column& lists) {
     using Bits = std::pair<std::uint64_t, std::uint64_t>;
     const auto hash = [](const Bits& bits) {
@@ -178,7 +180,7 @@ class ObjWriter {
   const Mesh& mesh_;
   TextBuffer text_;
   Keeps keeps_{"OBJ", {}, {}};
-  std::vector<std::uint64_t> texture_corners_;  ///< three for each face, 0 for none; or nothing
+  std::vector<std::uint64_t> texture_corners_;  ///< three per face, 0 for none; or empty
   std::vector<Labels> labels_;
 };
 

@@ -1,6 +1,6 @@
-/// OFF, the Object File Format of Geomview, and its variants with colors (COFF), normals (NOFF)
-/// and texture coordinates (STOFF), as text. Extra values become the columns red green blue alpha,
-/// nx ny nz and s t; the single number of a face color becomes color_index.
+/// OFF, the Object File Format of Geomview, and its variants with colors (COFF), normals (NOFF) and
+/// texture coordinates (STOFF), as text. Additional values become the columns red green blue alpha,
+/// nx ny nz and s t. A face color that is a single number becomes color_index.
 #pragma once
 
 #include "io/streams/source.h"
@@ -9,10 +9,11 @@
 
 namespace transformesh {
 
-/// Whether a word starts an OFF file: OFF, COFF, STCNOFF..., perhaps with a count glued to it.
+/// True if a word starts an OFF file: OFF, COFF, STCNOFF and so on, optionally followed by a count
+/// without a blank.
 bool is_off_keyword(std::string_view word);
 
-/// See read_mesh and write_mesh. Coordinates are double.
+/// See read_mesh() and write_mesh(). Coordinates are double.
 ReadResult read_off(const Source& source);
 WriteResult write_off(const Document& document);
 

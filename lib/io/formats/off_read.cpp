@@ -12,13 +12,13 @@
 namespace transformesh {
 namespace {
 
-/// What the letters in front of OFF announce.
+/// The vertex properties that the prefix of OFF announces.
 struct OffVariant {
   bool texture = false;
   bool color = false;
   bool normal = false;
   bool is_known = false;
-  std::string_view rest;  ///< what follows the keyword
+  std::string_view rest;  ///< text after the keyword
 };
 
 bool take_prefix(std::string_view& text, std::string_view prefix) {
@@ -27,7 +27,7 @@ bool take_prefix(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-/// Geomview's order is ST C N, MeshLab writes N C ST: any order is taken.
+/// Accepts prefixes in any order: Geomview uses ST C N, MeshLab writes N C ST.
 OffVariant off_variant(std::string_view word) {
   OffVariant variant;
   for (;;) {
@@ -138,7 +138,7 @@ class OffReader {
     }
   }
 
-  /// What the header does not announce but the first vertex has must be a color.
+  /// Values of the first vertex that the header does not announce are a color.
   void decide_layout(std::size_t words) {
     const std::size_t announced = 3 + (variant_.normal ? 3 : 0) + (variant_.texture ? 2 : 0);
     channels_ = words < announced ? 0 : words - announced;
@@ -192,7 +192,7 @@ class OffReader {
     polygons_.move_into(mesh, "off", result_.notes);
   }
 
-  /// As in Geomview, a face has the index of a color, or three or four channels.
+  /// Reads a face color as in Geomview: a color index, or three or four channels.
   void read_face_color() {
     const std::size_t words = rows_.words_left();
     if (words == 1 || words == 3 || words == 4) return read_color(words, face_colors_);
@@ -239,7 +239,7 @@ class OffReader {
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;
   std::size_t row_ = 0;
-  std::size_t channels_ = 0;  ///< numbers that are the color of a vertex
+  std::size_t channels_ = 0;  ///< number of values of a vertex color
   ColorRows vertex_colors_;
   Columns texture_;
   FaceRows polygons_;

@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-/// The columns that OFF can hold, in its order.
+/// Returns the color columns that OFF can store, in its order.
 std::vector<std::string_view> color_names(const Columns& columns) {
   if (!has_columns(columns, {"red", "green", "blue"})) return {};
   if (!has_columns(columns, {"alpha"})) return {"red", "green", "blue"};
@@ -78,7 +78,8 @@ class OffWriter {
     }
   }
 
-  /// Whether colors are floating point shows in their spelling alone, and is so for all channels.
+  /// Writes colors. In OFF only the spelling distinguishes floating-point from integer colors, for
+  /// all channels together.
   void add_colors(const Columns& columns, const std::vector<std::string_view>& names,
                   std::size_t row) {
     const bool are_decimal = std::any_of(names.begin(), names.end(), [&](std::string_view name) {

@@ -22,15 +22,15 @@ struct Field {
   std::string name;
   char kind = 'F';             ///< F floating, I signed, U unsigned
   std::size_t bytes = 4;       ///< size of a number
-  std::size_t count = 1;       ///< numbers of a point
-  std::size_t offset = 0;      ///< of the first number in a point, in bytes
+  std::size_t count = 1;       ///< numbers per point
+  std::size_t offset = 0;      ///< offset of the first number in a point; bytes
   std::vector<double> values;  ///< the first number of each point
 
   bool is_color() const { return (name == "rgb" || name == "rgba") && bytes == 4; }
   std::size_t size() const { return bytes * count; }
 };
 
-/// Calls f with a zero of the type of the field; false if there is none.
+/// Calls f with a zero of the field's type; returns false if there is no such type.
 template <class Function>
 bool with_type(const Field& field, const Function& f) {
   if (field.kind == 'F' && field.bytes == 4) return f(float{}), true;
@@ -96,7 +96,7 @@ class PcdReader {
   void check_fields() {
     if (points_ == 0) points_ = width_ * height_;
     for (Field& field : fields_) {
-      constexpr std::size_t most_numbers = 1U << 16U;  // descriptors have some hundreds
+      constexpr std::size_t most_numbers = 1U << 16U;  // descriptors have a few hundred
       if (field.count > most_numbers)
         rows_.fail("the PCD field " + transformesh::quoted(field.name) + " has " +
                    counted(field.count, "number"));
@@ -141,7 +141,7 @@ class PcdReader {
       if (!field.is_color()) fit_to_type(field);
   }
 
-  /// Numbers as text become what the type of the field holds, or doubles if that are others.
+  /// Converts numbers of a text file to the field's type, or to double if a number does not fit.
   static void fit_to_type(Field& field) {
     bool is_held = true;
     with_type(field, [&](auto zero) {
@@ -157,7 +157,8 @@ class PcdReader {
     if (!is_held) field.kind = 'F', field.bytes = 8;
   }
 
-  /// A color as text is a float whose bits are the color, or these bits as a whole number.
+  /// Reads a number. A color in a text file is a float whose bits encode the color, or these bits
+  /// as an integer.
   double text_value(const Field& field, std::size_t point) {
     const auto name = [&] { return field.name + " of point " + std::to_string(point); };
     const double value = rows_.number_or_nan<double>(name);
@@ -177,7 +178,7 @@ class PcdReader {
     load(expanded(bytes), 0, points_);
   }
 
-  /// Compressed data holds each field of all points in turn.
+  /// Decompresses the data, which then has each field of all points in turn.
   std::string expanded(std::string_view bytes) const {
     constexpr std::size_t header = 8;
     if (bytes.size() < header) fail_short(bytes.size());
@@ -191,7 +192,7 @@ class PcdReader {
     return *result;
   }
 
-  /// Loads the fields of points that are `step` bytes apart; if it is 0, each field is in a block
+  /// Loads the fields of points that are `step` bytes apart. If `step` is 0, each field has a block
   /// of its own, of `block` points.
   void load(std::string_view bytes, std::size_t step, std::size_t block) {
     for (Field& field : fields_)
@@ -251,7 +252,7 @@ class PcdReader {
     return Scalar::float64;
   }
 
-  /// The bits are alpha, red, green and blue, highest first.
+  /// From the highest byte, the bits are alpha, red, green and blue.
   static void add_colors(const Field& field, Columns& columns) {
     constexpr std::array<unsigned, 4> shifts{16, 8, 0, 24};
     for (std::size_t c = 0; c < (field.name == "rgba" ? 4U : 3U); ++c) {

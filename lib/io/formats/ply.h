@@ -1,4 +1,4 @@
-/// PLY: Greg Turk, The PLY Polygon File Format (Stanford, 1994), ASCII and both binary encodings.
+/// PLY (Greg Turk, "The PLY Polygon File Format", Stanford, 1994): ASCII and both binary encodings.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct PlyProperty {
 
 struct PlyElement {
   std::string name;
-  std::uint64_t rows = 0;  ///< as claimed
+  std::uint64_t rows = 0;  ///< as stated in the header
   std::vector<PlyProperty> properties;
 };
 
@@ -25,16 +25,16 @@ struct PlyHeader {
   Style style;  ///< format, comments, names of elements
   std::vector<PlyElement> elements;
   std::size_t size = 0;               ///< where the data starts
-  std::size_t unmarked_comments = 0;  ///< of the style's comments, those without their keyword
+  std::size_t unmarked_comments = 0;  ///< number of comments without the keyword `comment`
 };
 
-/// Reads the header alone. Throws InputError naming the line.
+/// Reads only the header. Throws InputError, with the line.
 PlyHeader read_ply_header(const Source& source);
 
-/// The text of a header with the format, comments and spelling of the style.
+/// Returns the text of a header with the format, comments and type names of the style.
 std::string ply_header_text(const Style& style, const std::vector<PlyElement>& elements);
 
-/// See read_mesh and write_mesh.
+/// See read_mesh() and write_mesh().
 ReadResult read_ply(const Source& source);
 WriteResult write_ply(const Document& document);
 

@@ -4,7 +4,7 @@
 namespace transformesh {
 namespace {
 
-/// Reads row after row from text.
+/// Reads rows from text.
 class TextCursor {
  public:
   TextCursor(TextRows& rows, PlyTable& table) : rows_(rows), table_(table) {}
@@ -16,7 +16,7 @@ class TextCursor {
          std::to_string(table_.element.rows));
   }
 
-  /// Headers that leave out the last properties are common, so further values are counted only.
+  /// Headers that omit the last properties are common, so additional values are only counted.
   void end_row() {
     if (!rows_.has_more()) return;
     if (table_.long_rows++ == 0) table_.first_long_row = rows_.place();
@@ -50,7 +50,8 @@ class TextCursor {
   [[noreturn]] void fail(const std::string& what) const { rows_.fail(what); }
 
  private:
-  /// Some programs write integers as 255.000. What is no integer would not survive, and is refused.
+  /// Throws if a value is not an integer of its type, since it would not survive. Some programs
+  /// write integers as 255.000, which is accepted.
   void check_integer(const PlyProperty& property, Scalar type, double value) const {
     const double kept = with_scalar(
         type, [&](auto zero) { return static_cast<double>(to_scalar<decltype(zero)>(value)); });

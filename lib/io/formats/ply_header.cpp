@@ -31,7 +31,8 @@ class HeaderReader {
  private:
   [[noreturn]] void fail(const std::string& what) const { source_.fail_at_line(line_start_, what); }
 
-  /// Takes line ends of Unix, DOS and old Macintoshes: the first line decides.
+  /// Moves to the next line. Accepts line ends of Unix, DOS and old Macintoshes; the first line
+  /// decides.
   void next_line() {
     line_start_ = place_;
     const std::string_view rest =
@@ -49,7 +50,7 @@ class HeaderReader {
     words_ = line_;
   }
 
-  /// Whether the line is this word, with or without blanks behind it.
+  /// True if the line is this word, optionally followed by blanks.
   bool is_line(std::string_view word) const {
     return line_.starts_with(word) &&
            line_.find_first_not_of(" \t", word.size()) == std::string_view::npos;
@@ -80,8 +81,8 @@ class HeaderReader {
     }
   }
 
-  /// Before the first element such a line can only be a comment without its keyword; behind, it may
-  /// describe data.
+  /// Handles an unknown line. Before the first element it can only be a comment without keyword;
+  /// after it, it may describe data.
   void read_unknown(std::string_view keyword) {
     if (source_.is_strict || !header_.elements.empty())
       fail("unknown word in the PLY header: " + quoted(keyword));
@@ -159,9 +160,9 @@ class HeaderReader {
   bool is_mac_ = false;
   bool has_format_ = false;
   std::string_view line_;
-  std::string_view words_;  ///< of the line, not read yet
+  std::string_view words_;  ///< unread words of the line
   PlyHeader header_;
-  std::unordered_set<std::string> names_;  ///< of its elements
+  std::unordered_set<std::string> names_;  ///< names of the elements
 };
 
 void add_header_line(const std::string& keyword, std::string text, std::string& header) {

@@ -113,7 +113,7 @@ class PlyReader {
     faces_ = std::move(table.polygons);
   }
 
-  /// Faces may come before vertices.
+  /// Runs after the last element, because faces may precede vertices.
   void finish_faces() {
     const bool are_strips = faces_.rows() == 0 && strips_.triangles > 0;
     if (are_strips) {
@@ -154,8 +154,8 @@ class PlyReader {
                              list->list_offsets[row + 1] - list->list_offsets[row]));
   }
 
-  /// -1 ends a strip. Every second triangle is turned; one that names a vertex twice only moves the
-  /// strip on.
+  /// Adds the triangles of a strip. -1 ends a strip. Every second triangle is reversed; a triangle
+  /// with a repeated vertex is skipped, but advances the strip.
   void add_strip(const PlyTable& table, std::size_t row, std::span<const double> vertices) {
     std::size_t length = 0;
     std::array<Index, 3> last{};
@@ -181,7 +181,7 @@ class PlyReader {
     return table;
   }
 
-  /// Makes a column of every property that is neither coordinate nor list of corners.
+  /// Creates a column for every property that is neither a coordinate nor the list of corners.
   static void add_columns(PlyTable& table) {
     for (std::size_t i = 0; i < table.targets.size(); ++i) {
       if (table.targets[i].kind != PlyTable::Target::column) continue;
@@ -216,8 +216,8 @@ class PlyReader {
                             " on; the rest of each is left out");
   }
 
-  /// Refuses a count that the bytes left cannot hold, before anything is allocated for it. As text
-  /// a value takes a digit and, but for the last one, a separator.
+  /// Rejects a row count that the remaining bytes cannot hold, before memory is allocated for it.
+  /// In text a value takes at least a digit and, except for the last one, a separator.
   void check_claim(const PlyTable& table, bool is_text) const {
     const char* place = is_text ? rows_.rest() : place_;
     const auto left = static_cast<std::size_t>(source_.end() - place);
@@ -250,8 +250,8 @@ class PlyReader {
 
   const Source& source_;
   PlyHeader header_;
-  TextRows rows_;                ///< the data as text
-  const char* place_ = nullptr;  ///< in the data as bytes
+  TextRows rows_;                ///< position in text data
+  const char* place_ = nullptr;  ///< position in binary data
   std::uint64_t vertex_count_ = 0;
   FaceRows faces_;
   struct {

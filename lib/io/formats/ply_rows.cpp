@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// Faces between two looks at the memory in use. Each may bring in some pages of 4 KB: with 16
-/// times as many, a mesh whose vertices are in no order would fill a gigabyte in between.
+/// Number of faces read between two checks of the memory in use. Each face may load some pages of 4
+/// KB. With 16 times as many, a mesh with vertices in random order would fill 1 GB between checks.
 constexpr std::size_t faces_between_releases = 1024;
 
 double load(Scalar type, const char* from, bool is_swapped) {
@@ -33,7 +33,7 @@ bool is_corner_list(const PlyProperty& property) {
          (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-/// Bytes of a row whose list holds three corners.
+/// Returns the bytes of a property; a list counts as three corners.
 std::size_t size_of(const PlyProperty& property) {
   if (!property.count_type) return byte_size(property.type);
   return byte_size(*property.count_type) + 3 * byte_size(property.type);

@@ -1,5 +1,5 @@
-/// The rows of a binary PLY file, read where they are needed: for meshes larger than memory. All
-/// rows of an element have one size, so that each is found by its number.
+/// Random access to the rows of a binary PLY file, for meshes larger than memory. All rows of an
+/// element have the same size, so that a row is found by its index.
 #pragma once
 
 #include "io/formats/ply.h"
@@ -10,9 +10,9 @@ namespace transformesh {
 
 class PlyRows {
  public:
-  /// Throws InputError if the path is no regular file of binary PLY, or if a list holds anything
-  /// but corners of triangles. Throws it also if there are other elements than vertices and faces,
-  /// or if the size is not that which the header announces.
+  /// Throws InputError in these cases: the path is not a regular file of binary PLY; a list other
+  /// than the corners of triangles exists; there are elements other than vertices and faces; the
+  /// size differs from that of the header.
   explicit PlyRows(const std::string& path);
 
   const PlyHeader& header() const { return header_; }
@@ -20,28 +20,28 @@ class PlyRows {
   const PlyElement& face_element() const { return header_.elements[faces_.element]; }
   std::size_t vertex_count() const { return vertices_.count; }
   std::size_t face_count() const { return faces_.count; }
-  /// The type in which coordinates are written.
+  /// Returns the type of the coordinates.
   Scalar coordinate() const;
 
   /// Throws InputError if a coordinate is not finite.
   Vec3 position(std::size_t vertex) const;
-  /// Throws InputError for a polygon, and for an index out of range. Gives pages of the file back
-  /// now and then.
+  /// Throws InputError for a polygon, and for an index out of range. Occasionally releases pages of
+  /// the file.
   Face face(std::size_t face) const;
   Triangle triangle(const Face& face) const;
 
-  /// Appends the row of a vertex, and that of a face with other corners in `index_type`.
+  /// Append the row of a vertex, and the row of a face with other corners of type `index_type`.
   void append_vertex(std::size_t vertex, std::string& bytes) const;
   void append_face(std::size_t face, const Face& corners, Scalar index_type,
                    std::string& bytes) const;
-  /// The header for so many rows, with the index type of the corners.
+  /// Returns the header for these numbers of rows, with the given index type of the corners.
   std::string header_text(const std::vector<std::string>& comments, std::size_t vertices,
                           std::size_t faces, Scalar index_type) const;
   Scalar index_type() const { return face_element().properties[list_].type; }
 
  private:
   struct Table {
-    std::size_t element = 0;  ///< of the header
+    std::size_t element = 0;  ///< index in the header
     std::size_t count = 0;
     std::size_t stride = 0;
     const char* first = nullptr;
@@ -59,8 +59,8 @@ class PlyRows {
   Table vertices_, faces_;
   std::array<std::size_t, 3> axis_offset_{};
   std::array<Scalar, 3> axis_type_{};
-  std::size_t list_ = 0;         ///< the property of the corners
-  std::size_t list_offset_ = 0;  ///< offset of its count in a row
+  std::size_t list_ = 0;         ///< property of the corners
+  std::size_t list_offset_ = 0;  ///< offset of the corner count in a row; bytes
   bool is_swapped_ = false;
   mutable std::size_t reads_ = 0;
 };

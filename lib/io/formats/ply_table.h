@@ -1,4 +1,4 @@
-/// One PLY element on its way from the file into a mesh: which property goes where, and the loop
+/// One PLY element while it is read into a mesh: the destination of each property, and the loop
 /// over rows that both encodings share.
 #pragma once
 
@@ -15,34 +15,35 @@ namespace transformesh {
 struct PlyTable {
   struct Target {
     enum Kind { coordinate, face_list, column } kind = column;
-    std::size_t index = 0;  ///< the axis or the number of the column
+    std::size_t index = 0;  ///< axis, or index of the column
   };
 
   PlyElement element;
   std::vector<Target> targets;     ///< one per property
-  std::uint64_t vertex_count = 0;  ///< what a face may refer to
-  std::vector<Vec3> positions;     ///< of the vertices
-  FaceRows polygons;               ///< of the faces
+  std::uint64_t vertex_count = 0;  ///< limit of the vertex indices in faces
+  std::vector<Vec3> positions;     ///< positions, if these are the vertices
+  FaceRows polygons;               ///< faces, if these are the faces
   Columns columns;
-  std::size_t long_rows = 0;  ///< lines of text with more values than there are properties
+  std::size_t long_rows = 0;  ///< text lines with more values than properties
   const char* first_long_row = nullptr;
 
-  /// Bytes of a binary row whose face has so many corners and whose other lists are empty.
+  /// Returns the bytes of a binary row whose face has this many corners and whose other lists are
+  /// empty.
   std::size_t row_size(std::size_t corner_count) const;
 
-  /// How messages name a row: `vertex 12`, or `row 12 of element 'edge'`.
+  /// Returns the name of a row in messages: `vertex 12`, or `row 12 of element 'edge'`.
   std::string row_name(std::size_t row) const;
   std::string value_name(std::size_t row, const PlyProperty& property) const;
   [[nodiscard]] std::string bad_index(std::size_t row, double index) const;
 };
 
-/// Both read the rows of the table, of which there are enough bytes if all lists are empty. The
-/// first returns where the rows end, the second leaves the text there. Throw InputError.
+/// Both read the rows of the table. The data must have the least size of these rows, with empty
+/// lists. The first returns the end of the rows; the second advances `rows`. Throw InputError.
 const char* read_binary_rows(const Source& source, const char* place, bool swapped,
                              PlyTable& table);
 void read_text_rows(TextRows& rows, PlyTable& table);
 
-/// Reads one row through a cursor, which has `double scalar(property)`, `double
+/// Reads one row through a cursor that provides `double scalar(property)`, `double
 /// coordinate(property)`, `std::uint64_t count(property)` and `fail(message)`.
 template <class Cursor>
 void read_ply_row(Cursor& cursor, PlyTable& table, std::size_t row, std::vector<Index>& corners) {

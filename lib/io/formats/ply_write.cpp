@@ -12,15 +12,15 @@
 namespace transformesh {
 namespace {
 
-/// One property as it is written: a scalar for each row, or a list.
+/// One property as written: a scalar for each row, or a list.
 struct OutProperty {
   std::string name;
   Scalar type = Scalar::float64;
   std::optional<Scalar> count_type;
-  const double* values = nullptr;  ///< every step-th is a row's, or lists end to end
+  const double* values = nullptr;  ///< value of each row, `step` apart; or lists, concatenated
   std::size_t step = 1;
-  const std::size_t* offsets = nullptr;  ///< where the lists start
-  const Face* faces = nullptr;           ///< instead of values
+  const std::size_t* offsets = nullptr;  ///< starts of the lists
+  const Face* faces = nullptr;           ///< used instead of `values`
 };
 
 struct OutElement {
@@ -29,7 +29,7 @@ struct OutElement {
   std::vector<OutProperty> properties;
 };
 
-/// The count type of the column, or a wider one where a list is too long for it.
+/// Returns the count type of the column, or a wider one if a list is too long for it.
 Scalar count_type_of(const Column& column) {
   std::uint64_t longest = 0;
   for (std::size_t row = 0; row + 1 < column.list_offsets.size(); ++row) {
@@ -92,7 +92,7 @@ OutElement other_element(const OtherElement& other) {
   return element;
 }
 
-/// The names of all elements, in the order in which they are written.
+/// Returns the names of all elements in the order in which they are written.
 std::vector<std::string> element_names(const Document& document) {
   std::vector<std::string> names = document.style.element_order;
   std::unordered_set<std::string> known(names.begin(), names.end());
@@ -179,7 +179,7 @@ void add_text_rows(const OutElement& element, TextBuffer& text) {
   }
 }
 
-/// Stores one value for each row, `stride` bytes apart.
+/// Stores one value per row, `stride` bytes apart.
 template <class T, class ValueOfRow>
 void store_rows(char* to, std::size_t stride, std::size_t rows, bool swapped,
                 const ValueOfRow& value_of_row) {
@@ -214,7 +214,7 @@ void store_faces(const OutProperty& property, char* to, std::size_t stride, std:
   });
 }
 
-/// Writes rows of one size, by a loop for each property.
+/// Writes rows of one size, by one loop per property.
 void add_fixed_rows(const OutElement& element, bool swapped, std::string& bytes) {
   std::size_t stride = 0;
   for (const OutProperty& property : element.properties) stride += fixed_size(property);

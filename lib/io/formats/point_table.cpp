@@ -30,7 +30,7 @@ bool is_number(std::string_view word) {
   return parse_number(first, last, value) == Parsed::ok && first == last;
 }
 
-/// The column of this suite for a name in a header.
+/// Returns the column name of this suite for a name in a header.
 std::string column_of(std::string_view word) {
   std::string name;
   for (const char c : word)
@@ -53,7 +53,7 @@ Names words_of(TextRows& rows) {
   return words;
 }
 
-/// The names of the columns in the first line, or those that a number of points stands for.
+/// Returns the column names in the first line, or default names if the line is a number of points.
 Names header_of(const std::string& text) {
   const Source source{text, ""};
   TextRows rows(source, 0, rules);

@@ -1,6 +1,6 @@
-/// Points as text with a header: a line of names such as `x y z nx ny nz` or `X,Y,Z,R,G,B`, perhaps
-/// behind `//`. Files of scanners (.pts) have the number of points alone in the first line instead.
-/// Blanks, commas and semicolons separate. Read only.
+/// Point files with a header line of names, such as `x y z nx ny nz` or `X,Y,Z,R,G,B`, optionally
+/// after `//`. Scanner files (.pts) instead have only the number of points in the first line.
+/// Blanks, commas and semicolons separate values. Read only.
 #pragma once
 
 #include "io/streams/source.h"
@@ -13,7 +13,7 @@ bool is_point_table(const Source& source);
 
 /// Reads a mesh without faces. Normals become nx ny nz, colors red green blue alpha, and every
 /// other name a column. Lines without names are x y z, x y z intensity, x y z red green blue, or
-/// all of these seven. Throws InputError with the line for anything else.
+/// all seven. Throws InputError, with the line, for anything else.
 ReadResult read_point_table(const Source& source);
 
 }  // namespace transformesh

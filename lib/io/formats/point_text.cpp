@@ -29,7 +29,7 @@ bool is_number(std::string_view word) {
   return parse_number(first, last, value) == Parsed::ok && first == last;
 }
 
-// The number of words in the row: three or six. Throws for any other.
+// Returns the number of words in the row, three or six. Throws for any other number.
 std::size_t row_length(const TextRows& rows) {
   const std::size_t length = rows.words_left();
   if (length != 3 && length != 6) {
@@ -49,7 +49,8 @@ std::array<double, 6> read_row(TextRows& rows, std::size_t length, std::size_t p
   return values;
 }
 
-// Normals have unit length as far as their digits go; colors are bytes, or shares that are not.
+// True if the three columns are colors: bytes, or fractions without unit length. Normals have unit
+// length within their precision.
 bool are_colors(const std::array<std::vector<double>, 3>& columns) {
   double largest = 0;
   bool are_bytes = true, are_shares = true, are_unit = true;

@@ -1,7 +1,7 @@
-/// Points as plain text without a header, as .P3D, .xyz and .pts files hold them: lines of x y z,
-/// or of x y z nx ny nz. Where the last three are colors, whole
-/// numbers up to 255 or shares of no unit length, there are no normals. Empty lines and what
-/// follows a # are skipped.
+/// Points as text without a header, as in .p3d, .xyz and .pts files: lines of x y z, or of x y z
+/// and three more numbers. These are a color if they are integers up to 255 or fractions without
+/// unit length; otherwise they are a normal. Colors are not kept as normals. Empty lines and text
+/// after # are skipped.
 #pragma once
 
 #include "io/streams/source.h"
@@ -10,17 +10,17 @@
 
 namespace transformesh {
 
-/// Whether the first line holds three or six numbers. An .off file without its keyword begins so
-/// too, and is detected by its name.
+/// True if the first line holds three or six numbers. An .off file without its keyword begins like
+/// this, too, and is detected by its name.
 bool is_point_text(const Source& source);
 
-/// Throws InputError where the first line holds numbers and commas only, but no point: it says what
-/// is wrong with them.
+/// Throws InputError, stating the reason, if the first line holds only numbers and commas but is
+/// not a point.
 void check_point_text(const Source& source);
 
-/// A mesh without faces, with vertex columns nx ny nz where lines have six numbers. Points that are
-/// not finite are dropped and normals that are not become 0, with a note, as in read_mesh(). Throws
-/// InputError with the line for anything else, and for lines of different lengths.
+/// Reads a mesh without faces, with vertex columns nx ny nz if lines have six numbers. Non-finite
+/// points are dropped and non-finite normals become 0, with a note, as in read_mesh(). Throws
+/// InputError, with the line, for anything else, and for lines of different lengths.
 ReadResult read_point_text(const Source& source);
 
 }  // namespace transformesh

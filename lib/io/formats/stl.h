@@ -1,6 +1,6 @@
-/// STL of stereolithography, as text and as bytes: triangles that share nothing, in float. They are
-/// read as what they are, three vertices for each face; stitch() joins them. The name in the first
-/// line or header is a comment; bytes for attributes become the face column `attribute`.
+/// STL of stereolithography, as text and binary: separate triangles with float coordinates. Each
+/// face gets its own three vertices; stitch() joins them. The name in the first line or in the
+/// header becomes a comment; attribute bytes become the face column `attribute`.
 #pragma once
 
 #include "io/streams/source.h"
@@ -9,7 +9,7 @@
 
 namespace transformesh {
 
-/// See read_mesh and write_mesh.
+/// See read_mesh() and write_mesh().
 ReadResult read_stl_text(const Source& source);
 ReadResult read_stl_binary(const Source& source);
 WriteResult write_stl(const Document& document);

@@ -55,7 +55,7 @@ class TextReader {
   }
 
  private:
-  /// Moves to the next word, in lower case; line ends mean nothing.
+  /// Moves to the next word, in lower case. Line ends have no meaning.
   bool next_word(bool is_needed) {
     while (!rows_.has_more()) {
       if (rows_.next_row()) continue;
@@ -98,7 +98,8 @@ class TextReader {
     has_no_end_ = true;
   }
 
-  /// The normal follows from the corners, and programs write anything there.
+  /// Reads a facet. Its normal is ignored: it follows from the corners, and files often contain
+  /// arbitrary values.
   void read_facet() {
     need("normal");
     for (int i = 0; i < 3; ++i) next_word(true);
@@ -148,7 +149,7 @@ class TextReader {
 
 constexpr bool swapped = !host_is_little;
 
-/// The header without its padding, where it is ASCII text.
+/// Returns the header without padding if it is ASCII text.
 std::string header_text(const Source& source) {
   std::string text(source.bytes.substr(0, header_size));
   text.resize(std::min(text.find('\0'), text.size()));
@@ -158,7 +159,7 @@ std::string header_text(const Source& source) {
   return is_text ? text : std::string();
 }
 
-/// Programs that write while they compute may leave 0 in the header.
+/// Returns the number of facets. Programs that stream their output may leave 0 in the header.
 std::size_t checked_facet_count(const Source& source, std::vector<std::string>& notes) {
   if (source.bytes.size() < facets_start) {
     source.fail("not an STL file: neither the word 'solid' nor a binary header of 84 bytes");
@@ -185,7 +186,8 @@ const char* facet_at(const Source& source, std::size_t row) {
   return source.begin() + facets_start + row * facet_size;
 }
 
-/// Appends the corners of a facet. Whether they are finite; strict reading demands it.
+/// Appends the corners of a facet and returns whether they are finite. Throws if they are not and
+/// reading is strict.
 bool read_facet(const Source& source, std::size_t row, std::vector<Vec3>& positions) {
   constexpr std::size_t normal_size = 12;
   const char* place = facet_at(source, row) + normal_size;
@@ -204,7 +206,7 @@ bool read_facet(const Source& source, std::size_t row, std::vector<Vec3>& positi
   return is_finite;
 }
 
-/// Returns the rows that are finite.
+/// Reads all facets and returns the indices of the finite ones.
 std::vector<std::uint32_t> read_facets(const Source& source, std::size_t count, Mesh& mesh) {
   std::vector<std::uint32_t> rows;
   rows.reserve(count);

@@ -69,7 +69,7 @@ const char* TextRows::find_line_end(const char* from) const {
   return found ? static_cast<const char*>(found) + 1 : source_->end();
 }
 
-/// The mark in `1.#QNAN` starts no comment.
+/// Finds the start of a comment. The mark in `1.#QNAN` does not start one.
 const char* TextRows::find_comment(const char* start) const {
   const char* mark = std::find(start, line_end_, rules_.comment);
   while (mark != line_end_ && mark != start && mark[-1] == '.' &&
@@ -78,7 +78,7 @@ const char* TextRows::find_comment(const char* start) const {
   return mark;
 }
 
-/// A row is a line up to its comment. A backslash joins lines, but not inside a comment.
+/// Finds the next row: a line up to its comment. A backslash joins lines, but not inside a comment.
 void TextRows::find_row() {
   line_end_ = next_;
   for (;;) {

@@ -1,4 +1,4 @@
-/// Goes through text line by line and, within a line, word by word. Blank lines are skipped.
+/// Reads text by rows and words. Blank lines are skipped.
 #pragma once
 
 #include <cmath>
@@ -15,50 +15,50 @@ namespace transformesh {
 class TextRows {
  public:
   struct Rules {
-    char comment = '\0';           ///< starts a comment that runs to the end of the line
-    bool backslash_joins = false;  ///< a backslash at the end of a line joins the next one to it
+    char comment = '\0';           ///< starts a comment up to the end of the line
+    bool backslash_joins = false;  ///< a backslash at the end of a line continues it
   };
 
   TextRows(const Source& source, std::size_t start, Rules rules);
 
-  /// Moves to the next line that holds a word. False at the end of the text.
+  /// Moves to the next row with a word. Returns false at the end of the text.
   bool next_row();
-  /// Whether the row holds a further word.
+  /// True if the row has a further word.
   bool has_more();
-  /// The next word, empty at the end of the row.
+  /// Returns the next word; empty at the end of the row.
   std::string_view word();
-  /// What word() would return, and how many words are left in the row.
+  /// Return the result of the next word(), and the number of words left in the row.
   std::string_view peek() const;
   std::size_t words_left() const;
-  /// Leaves out what is left of the row, and returns it without blanks around it.
+  /// Skips the rest of the row, and returns it without surrounding blanks.
   std::string_view skip_row();
-  /// The word that was read last, as number or as word.
+  /// Returns the word or number that was read last, as text.
   std::string_view last_word() const;
-  /// The number that the next word is. Throws InputError where it is none; what() names it there.
+  /// Reads the next word as a number. Throws InputError, naming what(), if it is not one.
   template <class T, class What>
   T number(const What& what);
-  /// As number, and finite.
+  /// Does the same as number(), and requires a finite number.
   template <class T, class What>
   T finite_number(const What& what);
-  /// Returns finite_number() if the source is read strictly. Otherwise returns NaN for a number
-  /// that is not finite or too large for T.
+  /// Returns finite_number() if reading is strict. Otherwise returns NaN for a number that is not
+  /// finite or exceeds the range of T.
   template <class T, class What>
   T number_or_nan(const What& what);
-  /// Throws InputError where the row goes on; row() names it there.
+  /// Throws InputError, naming row(), if the row has a further word.
   template <class What>
   void end_row(const What& row) {
     if (has_more()) fail_rest(row());
   }
 
-  /// Where the row that next_row finds may start at the earliest.
+  /// Returns a lower bound of the start of the next row.
   const char* rest() const { return line_end_; }
-  /// Where the last word or number starts.
+  /// Returns the start of the last word or number.
   const char* place() const { return place_; }
   [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(place_, what); }
 
-  /// Whole lines of comment met so far, without the mark and one space behind it.
+  /// Comment lines so far, without the mark and one following space.
   std::vector<std::string> comments;
-  /// Comments behind data, which are not kept.
+  /// Number of comments after data, which are dropped.
   std::size_t trailing_comments = 0;
 
  private:
@@ -78,10 +78,10 @@ class TextRows {
   const Source* source_;
   Rules rules_;
   char terminator_;
-  const char* place_;     ///< what was read last, for messages
-  const char* next_;      ///< the rest of the row
-  const char* row_end_;   ///< without comment
-  const char* line_end_;  ///< of the text line
+  const char* place_;     ///< last word or number, for messages
+  const char* next_;      ///< rest of the row
+  const char* row_end_;   ///< end of the row, before a comment
+  const char* line_end_;  ///< end of the text line
 };
 
 inline const char* TextRows::word_start(const char* from) const {

@@ -13,7 +13,7 @@ namespace {
 
 using Node = pugi::xml_node;
 
-/// The name of an element or attribute without the prefix of its namespace.
+/// Returns the name of an element or attribute without its namespace prefix.
 std::string_view local_name(std::string_view name) {
   const std::size_t colon = name.find(':');
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
@@ -31,8 +31,8 @@ Node child(const Node& node, std::string_view name) {
   return {};
 }
 
-/// Extensions that may be required: without slices, beams and identifiers for production, the
-/// triangles are the shape all the same.
+/// True for extensions that a file may require. Slices, beams and production identifiers are
+/// ignored; the triangles still define the shape.
 bool is_read(std::string_view name_space) {
   for (const std::string_view part :
        {"/core/2015/02", "/material/2015/02", "/production/2015/06", "/slice/2015/07",
@@ -41,7 +41,7 @@ bool is_read(std::string_view name_space) {
   return false;
 }
 
-/// `#RRGGBB` or `#RRGGBBAA`.
+/// Parses `#RRGGBB` or `#RRGGBBAA`.
 std::optional<ByteColor> color_in(std::string_view text) {
   if ((text.size() != 7 && text.size() != 9) || text[0] != '#') return std::nullopt;
   ByteColor color{0, 0, 0, 255};
@@ -183,7 +183,8 @@ class ModelReader {
     return static_cast<Index>(value);
   }
 
-  /// Missing attributes are those of the object, or of the first corner.
+  /// Returns the colors of the corners. Missing attributes default to those of the object, or of
+  /// the first corner.
   std::array<std::optional<ByteColor>, 3> colors_of(const Node& triangle,
                                                     const Node& object) const {
     std::array<std::optional<ByteColor>, 3> result;
@@ -210,7 +211,7 @@ class ModelReader {
             transform(attribute(node, "transform"))};
   }
 
-  /// Twelve numbers: the rows of a matrix that row vectors are multiplied by.
+  /// Parses twelve numbers: the rows of a matrix that multiplies row vectors from the right.
   Eigen::Affine3d transform(const std::string& text) const {
     Eigen::Affine3d result = Eigen::Affine3d::Identity();
     if (text.empty()) return result;
@@ -224,7 +225,7 @@ class ModelReader {
 
   const Source& source_;
   const std::string& part_;
-  std::string object_;  ///< name in messages of the object that is read
+  std::string object_;  ///< name in messages of the current object
   std::map<std::string, std::vector<ByteColor>> colors_;
   ThreeMfModel model_;
 };

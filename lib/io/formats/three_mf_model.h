@@ -1,4 +1,4 @@
-/// One model part of a 3MF archive: its objects and the colors that they use.
+/// One model part of a 3MF archive: its objects and their colors.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,13 +14,13 @@
 
 namespace transformesh {
 
-/// Red, green, blue and alpha, from 0 to 255.
+/// Red, green, blue and alpha; [0, 255].
 using ByteColor = std::array<std::uint8_t, 4>;
 
 struct ThreeMfComponent {
-  std::string object;         ///< its identifier
-  std::string part;           ///< part that has the object; empty: the same one
-  Eigen::Affine3d to_parent;  ///< to the coordinates of what contains it
+  std::string object;         ///< identifier of the object
+  std::string part;           ///< part with the object; empty: this part
+  Eigen::Affine3d to_parent;  ///< maps to the coordinates of the parent
 };
 
 struct ThreeMfObject {
@@ -28,20 +28,20 @@ struct ThreeMfObject {
   std::vector<Face> faces;
   std::vector<std::array<std::optional<ByteColor>, 3>> colors;  ///< of the corners of each face
   std::vector<ThreeMfComponent> components;
-  bool is_other = false;  ///< its type says that it is no part of the model
+  bool is_other = false;  ///< its type excludes it from the model
 };
 
 struct ThreeMfModel {
   std::string unit = "millimeter";
   std::string description;  ///< metadata
   std::size_t other_metadata = 0;
-  std::map<std::string, ThreeMfObject> objects;  ///< their keys are identifiers
-  std::vector<ThreeMfComponent> items;           ///< of the build
-  std::size_t unread_properties = 0;  ///< groups of materials that are no colors, such as textures
+  std::map<std::string, ThreeMfObject> objects;  ///< by identifier
+  std::vector<ThreeMfComponent> items;           ///< items of the build
+  std::size_t unread_properties = 0;  ///< groups of materials other than colors, such as textures
   std::size_t beam_lattices = 0;
 };
 
-/// Reads a model part. `source` has its XML, and the name of the archive. Throws InputError.
+/// Reads a model part. `source` holds its XML and the name of the archive. Throws InputError.
 ThreeMfModel read_three_mf_model(const Source& source, const std::string& part);
 
 }  // namespace transformesh

@@ -47,7 +47,7 @@ class ThreeMfReader {
 
   // --- Parts of the archive ----------------------------------------------------------------------
 
-  /// The target of the relationship of type 3dmodel; else the usual name.
+  /// Returns the target of the 3dmodel relationship, or the usual name.
   std::string root_part() const {
     const std::optional<std::string> list = archive_.read("_rels/.rels");
     if (!list) return "3D/3dmodel.model";
@@ -91,7 +91,7 @@ class ThreeMfReader {
 
   void add(const ThreeMfComponent& component, const std::string& from,
            const Eigen::Affine3d& to_build) {
-    constexpr std::size_t deepest = 256;  // a level takes half a kilobyte of the stack
+    constexpr std::size_t deepest = 256;  // a level needs 512 bytes of stack
     constexpr std::size_t cost_of_visit = 64;
     budget_.spend(cost_of_visit);
     const std::string part = component.part.empty() ? from : without_slash(component.part);
@@ -110,7 +110,7 @@ class ThreeMfReader {
     open_.erase(&object);
   }
 
-  /// A mirror image has its faces turned, so that outside stays outside.
+  /// Adds a mesh. Faces of a mirror image are reversed, so that the outside stays outside.
   void add_mesh(const ThreeMfObject& object, const Eigen::Affine3d& transform) {
     Mesh& mesh = result_.document.mesh;
     budget_.spend(object.positions.size() * sizeof(Vec3) +
@@ -156,7 +156,7 @@ class ThreeMfReader {
     set_columns(of_vertices, mesh.face_columns);
   }
 
-  /// A mesh of one color has it in its vertices, where all formats can keep it.
+  /// A mesh of one color stores it at its vertices, which all formats can represent.
   bool is_of_one_color() const {
     return std::all_of(colors_.begin(), colors_.end(),
                        [&](const CornerColors& colors) { return colors[0] == colors_[0][0]; });
@@ -204,7 +204,7 @@ class ThreeMfReader {
   ZipReader archive_;
   std::string root_;
   std::map<std::string, ThreeMfModel> models_;
-  std::set<const ThreeMfObject*> open_;  ///< objects that contain the one that is added
+  std::set<const ThreeMfObject*> open_;  ///< ancestors of the current object
   std::vector<CornerColors> colors_;
   std::size_t meshes_ = 0, other_objects_ = 0, unread_properties_ = 0, beam_lattices_ = 0;
   ReadResult result_;

@@ -1,4 +1,4 @@
-/// The legacy format of VTK (The VTK User's Guide, 11th ed., "VTK File Formats"), text and binary:
+/// The legacy VTK format (The VTK User's Guide, 11th ed., "VTK File Formats"), text and binary:
 /// PolyData of versions 1 to 5.1, and the polygons of unstructured grids. Read only.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace transformesh {
 /// True if the first line is that of the format.
 bool is_vtk(std::string_view bytes);
 
-/// See read_mesh.
+/// See read_mesh().
 ReadResult read_vtk(const Source& source);
 
 }  // namespace transformesh

@@ -131,7 +131,7 @@ class Converter {
     }
   }
 
-  /// Every second triangle is turned.
+  /// Adds the triangles of a strip. Every second triangle is reversed.
   void add_strip(const std::vector<Index>& corners, std::uint32_t row) {
     for (std::size_t i = 2; i < corners.size(); ++i) {
       const std::size_t turned = i % 2;

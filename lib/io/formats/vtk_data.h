@@ -1,4 +1,4 @@
-/// PolyData of VTK on its way from a file into a mesh, for the legacy and the XML format.
+/// VTK PolyData while it is read into a mesh, for the legacy and the XML format.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct VtkArray {
 struct VtkCells {
   std::vector<std::uint64_t> offsets{0};
   std::vector<std::uint64_t> connectivity;
-  std::vector<std::size_t> rows;  ///< their rows in the arrays of cells
+  std::vector<std::size_t> rows;  ///< indices of the cells in the cell arrays
 
   std::size_t size() const { return offsets.size() - 1; }
 };
@@ -30,20 +30,20 @@ struct VtkPiece {
   VtkArray points;  ///< three components
   VtkCells polygons;
   VtkCells strips;
-  std::size_t cells = 0;        ///< of all kinds
-  std::size_t other_cells = 0;  ///< lines, and cells of volumes
+  std::size_t cells = 0;        ///< number of cells of all kinds
+  std::size_t other_cells = 0;  ///< lines and volume cells
   std::vector<VtkArray> point_arrays;
   std::vector<VtkArray> cell_arrays;
 };
 
 /// Returns the mesh of a piece. Arrays become columns: Normals nx ny nz, TCoords s t, three or four
-/// bytes red green blue alpha, any other of several components a list. Throws InputError for an
-/// index out of range and for an array of another length.
+/// bytes red green blue alpha; any other array of several components a list. Throws InputError for
+/// an index out of range and for an array of wrong length.
 ReadResult mesh_of_vtk(const Source& source, VtkPiece piece);
 
-/// Sets the type of an array whose numbers have a type of VTK of so many bytes. Numbers are rounded
-/// to floats if that is the type. Integers of 64 bits, and integers as text that their type does
-/// not hold, have the type int32 if all fit, else double.
+/// Sets the type of an array from a VTK type of `bytes` bytes. Numbers are rounded to float if that
+/// is the type. 64-bit integers, and text integers that exceed their type, become int32 if all fit,
+/// else double.
 void set_type(bool is_floating, bool is_signed, std::size_t bytes, VtkArray& array);
 
 }  // namespace transformesh

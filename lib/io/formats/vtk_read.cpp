@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view first_line = "# vtk DataFile Version ";
 
-// Numbers of cell types: vtkCellType.h.
+// Cell types of vtkCellType.h.
 constexpr std::uint64_t triangle = 5;
 constexpr std::uint64_t triangle_strip = 6;
 constexpr std::uint64_t polygon = 7;
@@ -72,7 +72,7 @@ class VtkReader {
     if (type != "float") piece_.points.type = Scalar::float64;
   }
 
-  /// Refuses counts whose products could overflow.
+  /// Rejects counts so large that products of them could overflow.
   std::uint64_t checked(std::uint64_t count) const {
     if (count > source_.bytes.size())
       stream_.fail(std::to_string(count) + " elements are announced, but there are only " +
@@ -82,7 +82,8 @@ class VtkReader {
 
   // --- Cells -------------------------------------------------------------------------------------
 
-  /// Up to version 4 a list of counts and indices; from 5 on two arrays.
+  /// Reads cells. Versions up to 4 have one list of counts and indices; from version 5 there are
+  /// two arrays.
   void read_cells(VtkCells& cells) {
     const std::uint64_t count = checked(stream_.count("the number of cells"));
     const std::uint64_t size = checked(stream_.count("the size of the cells"));
@@ -115,7 +116,7 @@ class VtkReader {
     types_ = stream_.indices("int", count, "the cell types");
   }
 
-  /// Numbers the cells as the arrays of cells do: vertices, lines, polygons, strips.
+  /// Collects the cells in the order of the cell arrays: vertices, lines, polygons, strips.
   void gather_cells() {
     if (is_grid_) return sort_grid();
     piece_.other_cells = lines_.size();
@@ -204,7 +205,7 @@ class VtkReader {
     return components;
   }
 
-  /// Bytes, which are numbers from 0 to 1 in text.
+  /// Reads color scalars: bytes in binary files, numbers from 0 to 1 in text files.
   void read_color_scalars() {
     VtkArray array{std::string(stream_.raw_word()), "Scalars", {}, 1, {}};
     array.components = checked_components();
@@ -232,8 +233,8 @@ class VtkReader {
     arrays_->push_back(std::move(array));
   }
 
-  /// Arrays of a field belong to points or cells if they have a row for each; those before the
-  /// points belong to the whole and are left out.
+  /// Reads the arrays of a field. An array belongs to points or cells if it has a row for each of
+  /// them. Arrays before the points belong to the whole file and are ignored.
   void read_field() {
     stream_.raw_word();
     const std::uint64_t count = checked(stream_.count("the number of arrays"));
@@ -255,7 +256,7 @@ class VtkReader {
     }
   }
 
-  /// Metadata ends with an empty line.
+  /// Skips metadata, which ends with an empty line.
   void skip_metadata() {
     stream_.line();
     while (!stream_.line().empty()) {
@@ -268,7 +269,7 @@ class VtkReader {
   bool is_grid_ = false;
   VtkCells vertices_, lines_, polygons_, strips_, grid_;
   std::vector<std::uint64_t> types_;
-  std::vector<VtkArray>* arrays_ = nullptr;  ///< arrays of points or cells, whose attributes follow
+  std::vector<VtkArray>* arrays_ = nullptr;  ///< current arrays: of points or of cells
   std::uint64_t rows_ = 0;                   ///< length of these arrays
   VtkPiece piece_;
 };

@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Calls f with a zero of the type of this name; false for other names.
+/// Calls f with a zero of the type of this name; returns false for other names.
 template <class Function>
 bool with_vtk_type(const std::string& name, const Function& f) {
   if (name == "float") return f(float{}), true;
@@ -78,7 +78,7 @@ void VtkStream::numbers(const std::string& type, std::uint64_t count, VtkArray& 
   const auto left = static_cast<std::size_t>(source_->end() - place_);
   const bool is_known = with_vtk_type(type, [&](auto zero) {
     using T = decltype(zero);
-    // A number as text takes a digit and a blank.
+    // A number as text has at least a digit and a blank.
     const std::size_t size = is_binary_ ? sizeof(T) : 2;
     if (count > left / size + 1)
       fail(counted(count, "number") + " of " + quoted(array.name) + " are announced, but only " +
@@ -103,7 +103,7 @@ void VtkStream::read_text(std::uint64_t count, VtkArray& array) {
   }
 }
 
-/// The bytes start behind the end of the line.
+/// The bytes start after the end of the line.
 template <class T>
 void VtkStream::read_bytes(std::uint64_t count, VtkArray& array) {
   line();
@@ -123,7 +123,7 @@ std::vector<std::uint64_t> VtkStream::indices(const std::string& type, std::uint
   numbers(type, count, array);
   std::vector<std::uint64_t> result;
   result.reserve(array.values.size());
-  constexpr double most = 9007199254740992.0;  // 2^53, up to which doubles hold all whole numbers
+  constexpr double most = 9007199254740992.0;  // 2^53: doubles represent all integers up to this
   for (const double value : array.values) {
     if (!(value >= 0 && value <= most) || value != std::floor(value))
       fail(what + " has an index that is no whole number of 0 or more");

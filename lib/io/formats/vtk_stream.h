@@ -1,4 +1,4 @@
-/// Words and blocks of numbers of a legacy VTK file, in turn.
+/// Reads the words and blocks of numbers of a legacy VTK file.
 #pragma once
 
 #include <string>
@@ -14,23 +14,24 @@ class VtkStream {
  public:
   explicit VtkStream(const Source& source) : source_(&source), place_(source.begin()) {}
 
-  /// The next word in lower case; empty at the end.
+  /// Returns the next word in lower case; empty at the end.
   std::string word();
-  /// The next word as it is.
+  /// Returns the next word unchanged.
   std::string_view raw_word();
   /// True if the line has a further word.
   bool has_word_in_line() const;
-  /// The rest of the line, and moves behind it.
+  /// Returns the rest of the line, and moves past it.
   std::string_view line();
-  /// A word that is a whole number. Throws InputError.
+  /// Reads a word that is a nonnegative integer. Throws InputError.
   std::uint64_t count(const std::string& what);
   void set_binary(bool is_binary) { is_binary_ = is_binary; }
   bool is_binary() const { return is_binary_; }
 
-  /// Reads numbers of a type such as `float`, big-endian from the next line on if the file is
-  /// binary, and sets type and values of `array`. Throws InputError if they are not all there.
+  /// Reads numbers of a type such as `float`, and sets type and values of `array`. In binary files
+  /// the numbers are big-endian and start in the next line. Throws InputError if the data ends too
+  /// early.
   void numbers(const std::string& type, std::uint64_t count, VtkArray& array);
-  /// The same for whole numbers of 0 or more.
+  /// Reads nonnegative integers like numbers().
   std::vector<std::uint64_t> indices(const std::string& type, std::uint64_t count,
                                      const std::string& what);
 

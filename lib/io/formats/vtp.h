@@ -1,8 +1,8 @@
-/// VTP: PolyData of VTK as XML (docs.vtk.org, "VTK XML Formats"). Written in one piece, inline in
-/// base64; read in all encodings and byte orders, compressed by zlib or not, with pieces joined.
-/// Columns of vertices are PointData and columns of faces CellData. Normals (nx ny nz), colors (red
-/// green blue, with alpha) and texture coordinates (s t) are arrays of several components. So are
-/// lists of one length for all rows.
+/// VTP: VTK PolyData as XML (docs.vtk.org, "VTK XML Formats"). Written in one piece, inline in
+/// base64. Read in all encodings and byte orders, compressed by zlib or not, with pieces joined.
+/// Vertex columns are PointData, face columns CellData. Normals (nx ny nz), colors (red green blue,
+/// with alpha), texture coordinates (s t) and lists of constant length are arrays of several
+/// components.
 #pragma once
 
 #include "io/streams/source.h"
@@ -11,7 +11,7 @@
 
 namespace transformesh {
 
-/// See read_mesh and write_mesh.
+/// See read_mesh() and write_mesh().
 ReadResult read_vtp(const Source& source);
 WriteResult write_vtp(const Document& document);
 

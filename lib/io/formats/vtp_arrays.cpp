@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// Calls f with a zero of the type of this name; false for other names.
+/// Calls f with a zero of the type of this name; returns false for other names.
 template <class Function>
 bool with_xml_type(const std::string& name, const Function& f) {
   if (name == "Float32") return f(float{}), true;
@@ -33,7 +33,7 @@ void set_type_of(VtkArray& array) {
   set_type(std::is_floating_point_v<T>, std::is_signed_v<T>, sizeof(T), array);
 }
 
-/// How many characters of base64 hold so many bytes, with padding.
+/// Returns the number of base64 characters for this many bytes, with padding.
 std::size_t text_size(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
 std::string without_blanks(std::string_view text) {
@@ -71,7 +71,7 @@ std::vector<std::uint64_t> VtpArrays::indices(const pugi::xml_node& element) con
   const VtkArray array = read(element);
   std::vector<std::uint64_t> result;
   result.reserve(array.values.size());
-  constexpr double most = 9007199254740992.0;  // 2^53, up to which doubles hold all whole numbers
+  constexpr double most = 9007199254740992.0;  // 2^53: doubles represent all integers up to this
   for (const double value : array.values) {
     if (!(value >= 0 && value <= most) || value != std::floor(value))
       source_.fail("the array " + quoted(array.name) +
@@ -102,7 +102,8 @@ void VtpArrays::read_text(const pugi::xml_node& element, VtkArray& array) const 
 
 // --- Bytes ---------------------------------------------------------------------------------------
 
-/// In base64 a compressed array has its header and its blocks encoded one after the other.
+/// Returns the bytes of an array. In base64, header and blocks of a compressed array are encoded
+/// one after the other.
 std::string VtpArrays::bytes_of(const pugi::xml_node& element, const std::string& what) const {
   std::string_view data = element.text().get();
   bool is_text = true;
@@ -158,8 +159,8 @@ std::string VtpArrays::plain_block(std::string_view bytes, const std::string& wh
   return std::string(bytes.substr(0, size));
 }
 
-/// The header is: number of blocks, size of a block, size of the last block if that is smaller, and
-/// the compressed size of each block.
+/// Decompresses the blocks. The header has the number of blocks, the size of a block, and the size
+/// of the last block if that is smaller (else 0). The compressed size of each block follows.
 std::string VtpArrays::compressed_blocks(std::string_view header, std::string_view data,
                                          const std::string& what) const {
   const std::uint64_t blocks = header_number(header, 0, what);

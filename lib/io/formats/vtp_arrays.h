@@ -1,4 +1,4 @@
-/// DataArray elements of VTK's XML format: numbers as text, in base64, or appended to the XML.
+/// DataArray elements of the VTK XML format: numbers as text, in base64, or in appended data.
 #pragma once
 
 #include <pugixml.hpp>
@@ -12,13 +12,13 @@
 
 namespace transformesh {
 
-/// How a file stores numbers, by the attributes of its first element.
+/// Encoding of numbers in a file, from the attributes of its first element.
 struct VtpEncoding {
   bool is_big_endian = false;
-  bool has_wide_headers = false;  ///< sizes are 64 bits, not 32
-  bool is_compressed = false;     ///< arrays are blocks compressed by zlib
-  bool is_appended_text = false;  ///< the appended data is base64
-  std::string_view appended{};    ///< the appended data
+  bool has_wide_headers = false;  ///< headers have 64-bit numbers, not 32-bit
+  bool is_compressed = false;     ///< arrays are zlib-compressed blocks
+  bool is_appended_text = false;  ///< appended data is base64
+  std::string_view appended{};
 };
 
 class VtpArrays {
@@ -28,7 +28,7 @@ class VtpArrays {
 
   /// Returns the array of an element. Throws InputError.
   VtkArray read(const pugi::xml_node& element) const;
-  /// Returns an array of whole numbers of 0 or more.
+  /// Returns an array of nonnegative integers like read().
   std::vector<std::uint64_t> indices(const pugi::xml_node& element) const;
 
  private:

@@ -13,7 +13,7 @@
 namespace transformesh {
 namespace {
 
-/// Names of other bytes could make XML that no reader takes.
+/// True if all characters are printable ASCII. Other names could give invalid XML.
 bool is_printable(std::string_view name) {
   return std::all_of(name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
@@ -51,7 +51,7 @@ const char* type_name(Scalar type) {
   }
 }
 
-/// How many components all rows of a column have; 0 where they differ or have none.
+/// Returns the number of components of all rows of a column; 0 if it differs between rows.
 std::size_t components_of(const Column& column, std::size_t rows) {
   if (!column.list_count_type) return 1;
   const std::size_t width = column.values.size() / rows;
@@ -101,7 +101,7 @@ class VtpWriter {
     text_.add('"');
   }
 
-  /// An array of T, of which value(i) is the number at i.
+  /// Adds an array of type T; value(i) is its number i.
   template <class T, class Value>
   void add_array(const char* type, std::string_view name, std::size_t components, std::size_t size,
                  const Value& value) {
@@ -123,7 +123,7 @@ class VtpWriter {
     text_.add("\n</DataArray>\n");
   }
 
-  /// Of the columns in turn, all of one type.
+  /// Adds columns of one type as the components of one array.
   void add_group(std::string_view name, const ColumnGroup& group, std::size_t components) {
     const std::size_t width = group.size();
     const Scalar type = group[0]->type;
@@ -135,7 +135,7 @@ class VtpWriter {
     });
   }
 
-  /// Returns the names of those kept.
+  /// Adds columns and returns the names of those that were kept.
   Names add_columns(const std::string& element, const Columns& columns, std::size_t rows) {
     Names kept;
     if (rows == 0) {  // vertex cells have rows of their own
@@ -179,7 +179,7 @@ class VtpWriter {
     text_.add("</Points>\n");
   }
 
-  /// Faces, or every point.
+  /// Adds the faces, or one cell per point.
   void add_cells(const std::string& kind, std::size_t cells, std::size_t corners) {
     text_.add('<' + kind + ">\n");
     add_array<std::int64_t>("Int64", "connectivity", 1, cells * corners, [&](std::size_t i) {

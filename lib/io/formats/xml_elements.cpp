@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Next node in the order of the file, below `top`.
+/// Returns the next node below `top` in document order.
 pugi::xml_node next_node(pugi::xml_node node, const pugi::xml_node& top) {
   if (const pugi::xml_node child = node.first_child()) return child;
   while (node != top && !node.next_sibling()) node = node.parent();

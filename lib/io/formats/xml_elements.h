@@ -1,4 +1,4 @@
-/// Elements of XML files, which pugixml parses.
+/// Elements of XML files, parsed by pugixml.
 #pragma once
 
 #include <optional>
@@ -19,11 +19,10 @@ std::vector<pugi::xml_node> xml_elements(const pugi::xml_node& node, const char*
 /// Returns the first of these elements, or a null node.
 pugi::xml_node xml_element(const pugi::xml_node& node, const char* name);
 
-/// Returns the value of an attribute, if the element has it.
+/// Returns the value of an attribute, if present.
 std::optional<std::string> xml_attribute(const pugi::xml_node& element, const char* name);
 
-/// Reads finite numbers that blanks separate. Throws InputError, which names `what`, for other
-/// text.
+/// Parses finite numbers separated by blanks. Throws InputError, naming `what`, for other text.
 std::vector<double> xml_numbers(const std::string& text, const std::string& what,
                                 const Source& source);
 

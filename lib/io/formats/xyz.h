@@ -1,5 +1,5 @@
 /// Points as text: lines of x y z, or of x y z nx ny nz if vertices have normals, with comments
-/// behind `#`. Read by point_text.h.
+/// after `#`. point_text.h reads them.
 #pragma once
 
 #include "transformesh/document.h"
@@ -7,7 +7,7 @@
 
 namespace transformesh {
 
-/// See write_mesh.
+/// See write_mesh().
 WriteResult write_xyz(const Document& document);
 
 }  // namespace transformesh

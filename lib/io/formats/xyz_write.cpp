@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-/// Adds the numbers of a row, separated by blanks; as floats if they are.
+/// Appends the numbers of a row, separated by blanks, as float or double text.
 class RowText {
  public:
   RowText(bool is_single, TextBuffer& text) : is_single_(is_single), text_(text) {}

@@ -21,12 +21,12 @@ struct VertexInfo {
   std::uint32_t visits = 0;  ///< number of corners of the outline at this point
 };
 
-/// Arrays are indexed like the neighbors and vertices of the face.
+/// Per-face data. Arrays are indexed as the neighbors and vertices of the face.
 struct FaceInfo {
   int winding = 0;
   bool is_reached = false;
-  std::array<int, 3> turns{};  ///< edges of the outline that have the face on their left, less
-                               ///< those that have it on their right
+  std::array<int, 3> turns{};  ///< number of outline edges with the face on their left, minus those
+                               ///< with the face on their right
   CornerTriangle corners{};
 };
 
@@ -42,7 +42,7 @@ using FaceHandle = Triangulation::Face_handle;
 constexpr int ccw(int i) { return (i + 1) % 3; }
 constexpr int cw(int i) { return (i + 2) % 3; }
 
-/// An edge of the triangulation that is a part of an edge of the outline.
+/// A triangulation edge that is part of an outline edge.
 struct Part {
   Vertex from, to;
   FaceHandle left, right;
@@ -50,7 +50,7 @@ struct Part {
 
 class OutlineTriangulation {
  public:
-  /// `next`: the place of the corner behind each one.
+  /// `next[i]` is the place in `outline` of the corner after place i.
   OutlineTriangulation(std::span<const Eigen::Vector2d> points,
                        std::span<const std::uint32_t> outline, std::span<const std::size_t> next)
       : points_(points), outline_(outline), next_(next) {}
@@ -65,8 +65,8 @@ class OutlineTriangulation {
   }
 
  private:
-  /// Whether the points span the plane. Three that do are inserted first: as long as all points are
-  /// on one line, CGAL searches it from end to end.
+  /// Returns true if the points span the plane. Inserts three points that span it first, because
+  /// CGAL searches collinear points linearly.
   bool insert_points() {
     std::vector<Kernel::Point_2> points;
     points.reserve(outline_.size());
@@ -87,8 +87,8 @@ class OutlineTriangulation {
     return true;
   }
 
-  /// The places of a point that differs from the first one and of one that is not on the line of
-  /// both; the number of points if there is none.
+  /// Returns the places of a point that differs from the first one and of a point that is not
+  /// collinear with both. A place is the number of points if there is none.
   static std::array<std::size_t, 2> spanning_points(const std::vector<Kernel::Point_2>& points) {
     std::array<std::size_t, 2> found{1, 1};
     while (found[0] < points.size() && points[found[0]] == points[0]) ++found[0];
@@ -100,7 +100,8 @@ class OutlineTriangulation {
   }
 
   void insert(const std::vector<Kernel::Point_2>& points, std::size_t place) {
-    // Inserting at a vertex would go around it, even if that has many neighbors.
+    // CGAL's insertion at an existing vertex would circulate around it, which is slow at high
+    // valence.
     Triangulation::Locate_type type{};
     int i = 0;
     const FaceHandle face = triangulation_.locate(points[place], type, i, near_);
@@ -113,8 +114,8 @@ class OutlineTriangulation {
     if (info.visits++ == 0 || outline_[place] < info.corner) info.corner = outline_[place];
   }
 
-  /// The parts of the edge that starts at a place of the outline. The search begins at the end with
-  /// fewer visits, as it goes around the point.
+  /// Returns the parts of the edge that starts at a place of the outline. The search starts at the
+  /// end with fewer visits, because it circulates around that vertex.
   std::vector<Part> parts_of(std::size_t place) const {
     Vertex from = vertices_[place];
     Vertex to = vertices_[next_[place]];
@@ -135,14 +136,14 @@ class OutlineTriangulation {
     return parts;
   }
 
-  /// Whether no edges cross and few run through other corners.
+  /// Returns true if no edges intersect and few pass through other corners.
   bool insert_edges() {
     std::size_t touches = 0;
     for (std::size_t place = 0; place < outline_.size(); ++place) {
       Vertex from = vertices_[place];
       Vertex to = vertices_[next_[place]];
       if (from == to) {
-        // An outline of one corner, or an edge without length.
+        // The outline has one corner, or the edge has length 0.
         if (next_[place] != place) result_.crossing.push_back(outline_[place]);
         continue;
       }
@@ -196,8 +197,8 @@ class OutlineTriangulation {
     }
   }
 
-  /// Names the corners of each triangle. If several corners lie at one point, each one gets the
-  /// triangles between its two edges.
+  /// Assigns corners to each triangle. If several corners coincide, each one gets the triangles
+  /// between its two edges.
   void name_corners() {
     for (const FaceHandle face : triangulation_.finite_face_handles())
       for (int i = 0; i < 3; ++i)
@@ -243,8 +244,8 @@ class OutlineTriangulation {
   std::span<const std::uint32_t> outline_;
   std::span<const std::size_t> next_;
   Triangulation triangulation_;
-  FaceHandle near_;               ///< where the last point is
-  std::vector<Vertex> vertices_;  ///< of the outline
+  FaceHandle near_;               ///< a face at the last point, as a hint
+  std::vector<Vertex> vertices_;  ///< vertices of the outline
   PlanarTriangles result_;
 };
 

@@ -1,7 +1,7 @@
-/// Triangulates closed outlines in the plane without new points, by exact predicates: a constrained
-/// Delaunay triangulation of their edges, of which the triangles with a winding number other than 0
-/// are kept. An outline may visit a point again: a bridge that runs to a hole and back leaves the
-/// hole open. Cost: O(n log n) for outlines that occur; deterministic.
+/// Triangulates closed outlines in the plane without new points, by exact predicates. Computes the
+/// constrained Delaunay triangulation of the edges and keeps the triangles with a winding number
+/// other than 0. An outline may visit a point several times: a bridge to a hole and back leaves the
+/// hole open. Cost: O(n log n) on usual outlines; deterministic.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,30 +12,32 @@
 
 namespace transformesh {
 
-/// Three corners of a polygon, by their numbers.
+/// Three corners of a polygon, by index.
 using CornerTriangle = std::array<std::uint32_t, 3>;
 
 struct PlanarTriangles {
-  /// Together they have the oriented boundary of the outline; empty unless `is_complete`. A
-  /// triangle with winding number w comes |w| times, clockwise if w is negative.
+  /// The triangles. Together they have the oriented boundary of the outline; empty unless
+  /// `is_complete`. A triangle with winding number w occurs |w| times, clockwise if w is negative.
   std::vector<CornerTriangle> triangles;
-  /// Triangles without area, where an edge runs through another corner of the outline.
+  /// Triangles without area. They occur if an edge passes through another corner of the outline.
   std::vector<CornerTriangle> flat;
-  /// Number of `triangles` that have the rarer orientation or copy an earlier one.
+  /// Number of `triangles` that have the less frequent orientation or repeat an earlier one.
   std::size_t folds = 0;
-  /// Corners whose edge to the next corner has no length or crosses the edge of an earlier corner.
+  /// Corners whose edge to the next corner has length 0 or intersects the edge of an earlier
+  /// corner.
   std::vector<std::uint32_t> crossing;
-  /// False if edges cross, if all points are collinear, or if there would be more triangles than
-  /// twice the corners of the outline.
+  /// False if edges intersect, if all points are collinear, or if there would be more triangles
+  /// than twice the corners of the outline.
   bool is_complete = false;
 };
 
-/// `points` are all corners of a polygon, `outline` those that are still part of it, in order.
+/// `points` are all corners of a polygon; `outline` lists the remaining ones in order.
 PlanarTriangles triangulate_outline(std::span<const Eigen::Vector2d> points,
                                     std::span<const std::uint32_t> outline);
 
-/// The same for several outlines that do not cross, such as those of a part and of its holes, which
-/// are clockwise then. Two corners are an edge that the triangles have, one is a point.
+/// Triangulates several outlines that do not intersect each other, such as an outer boundary and
+/// its holes, which are clockwise. An outline of two corners is an edge constraint, one of one
+/// corner a point.
 PlanarTriangles triangulate_outlines(std::span<const Eigen::Vector2d> points,
                                      const std::vector<std::vector<std::uint32_t>>& outlines);
 

@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-/// For each point the lowest number of those that are equal to it.
+/// Returns, for each point, the lowest index of a point equal to it.
 std::vector<std::uint32_t> lowest_equal(std::span<const Eigen::Vector2d> points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);

@@ -1,5 +1,5 @@
-/// The corners of a polygon that are not cut off yet, in a circle, while it is triangulated in one
-/// projection.
+/// The corners of a polygon that are not yet cut off while it is triangulated in one projection, as
+/// a circular list.
 #pragma once
 
 #include <span>
@@ -16,27 +16,26 @@ class RemainingCorners {
   RemainingCorners(std::span<const Vec3> positions, std::span<const Index> vertices,
                    std::span<const Eigen::Vector2d> points);
 
-  /// The corners in order.
+  /// Returns the remaining corners in order.
   std::vector<std::uint32_t> corners() const;
   std::size_t size() const { return size_; }
-  /// Whether corners of different vertices have the same point.
+  /// True if corners of different vertices have the same projection.
   bool has_twins() const;
 
-  /// Cuts off corners until no two consecutive ones and no two neighbors of a corner have the same
-  /// point.
+  /// Cuts off corners until no two consecutive corners, and no two neighbors of a corner, coincide.
   void remove_coincident();
-  /// Cuts off the end of the edge from `corner` that has the smaller triangle, and `count - 1`
-  /// corners behind.
+  /// Cuts off that end of the edge from `corner` whose triangle is smaller, and `count - 1` more
+  /// corners after it.
   void cut_edge(std::uint32_t corner, std::size_t count);
-  /// Cuts off all corners, as a fan from the first.
+  /// Cuts off all corners as a fan from the first one.
   void cut_fan();
 
   /// Appends a triangle without area in the projection.
   void add_flat(const CornerTriangle& triangle) { add(triangle, upright); }
 
-  std::vector<CornerTriangle> triangles;  ///< that were cut off or added
-  std::size_t folds = 0;    ///< of them: cut off at an edge or as a fan, with an area in space
-  std::size_t upright = 0;  ///< of them: without area in the projection, with one in space
+  std::vector<CornerTriangle> triangles;  ///< triangles that were cut off or added
+  std::size_t folds = 0;    ///< triangles cut off at an edge or in a fan, with an area in space
+  std::size_t upright = 0;  ///< triangles without area in the projection, but with one in space
 
  private:
   void cut(std::uint32_t corner, std::size_t& kind);
@@ -48,12 +47,12 @@ class RemainingCorners {
   std::span<const Index> vertices_;
   std::span<const Eigen::Vector2d> points_;
   std::vector<std::uint32_t> next_, previous_;
-  std::vector<std::uint32_t> place_;  ///< the lowest corner at the same point
+  std::vector<std::uint32_t> place_;  ///< lowest index of a corner at the same point
   std::size_t size_;
-  std::uint32_t first_ = 0;  ///< a corner that is there
+  std::uint32_t first_ = 0;  ///< index of a remaining corner
 };
 
-/// Whether three points are on one line in space; exact.
+/// True if three points are collinear in space; exact.
 bool is_collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace transformesh

@@ -16,15 +16,15 @@ namespace {
 
 using Point = Eigen::Vector2d;
 
-/// Coordinates of a point in the plane are its products with both vectors. They are the doubles of
-/// the point itself if the vectors are axes.
+/// A projection to the plane by products with two vectors. If the vectors are axes, projected
+/// coordinates equal the original doubles.
 struct Projection {
   Vec3 u, v;
 
   Point operator()(const Vec3& position) const { return {u.dot(position), v.dot(position)}; }
 };
 
-/// Newell's normal of the polygon, scaled to coordinates of at most 1.
+/// Returns Newell's normal of the polygon, for coordinates scaled to at most 1.
 Vec3 normal_of(std::span<const Vec3> positions) {
   double largest = 0;
   for (const Vec3& position : positions)
@@ -45,14 +45,14 @@ Projection along_axis(Eigen::Index axis) {
   return {Vec3::Unit((axis + 1) % 3), Vec3::Unit((axis + 2) % 3)};
 }
 
-/// The last of equally near axes.
+/// Ties are decided in favor of the last axis.
 Eigen::Index axis_nearest_to(const Vec3& normal) {
   const Vec3 size = normal.cwiseAbs();
   if (size[2] >= size[0] && size[2] >= size[1]) return 2;
   return size[1] >= size[0] ? 1 : 0;
 }
 
-/// Along the normal, if it has a direction, and along the axes other than the nearest.
+/// Projections along the normal, if it is not zero, and along the axes other than `nearest`.
 std::vector<Projection> other_projections(const Vec3& normal, Eigen::Index nearest) {
   std::vector<Projection> others;
   const Vec3 direction = normal.stableNormalized();
@@ -70,8 +70,8 @@ int orientation(const Point& a, const Point& b, const Point& c) {
   return CGAL::orientation(Exact(a[0], a[1]), Exact(b[0], b[1]), Exact(c[0], c[1]));
 }
 
-/// Decides whether the triangles of the fan from the first corner turn one way in a projection,
-/// less than once around it, and all have an area in space.
+/// Decides whether the fan from the first corner has triangles of one orientation in a projection,
+/// turns by less than 360 degrees, and has no triangle without area in space.
 class FanCheck {
  public:
   FanCheck(std::span<const Vec3> positions, const Projection& projected)
@@ -100,7 +100,7 @@ class FanCheck {
     if (turn != 0 && turn != sign_) return false;
     last_ = corner;
     const int side = sign_ * orientation(apex_, *first_, corner);
-    if (is_beyond_half_ && side >= 0) return false;  // once around
+    if (is_beyond_half_ && side >= 0) return false;  // more than 360 degrees
     is_beyond_half_ = side < 0;
     return true;
   }
@@ -120,8 +120,8 @@ PolygonTriangles fan_of(std::size_t size) {
   return fan;
 }
 
-/// Each triangle from its lowest corner, in ascending order: whatever the order in which they were
-/// found.
+/// Rotates each triangle to begin with its lowest corner, and sorts the triangles: a canonical
+/// order.
 void sort_triangles(std::vector<CornerTriangle>& triangles) {
   for (CornerTriangle& triangle : triangles)
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
@@ -131,7 +131,7 @@ void sort_triangles(std::vector<CornerTriangle>& triangles) {
 
 using Edge = std::pair<Index, Index>;
 
-/// The edges between different vertices, without pairs that run forth and back.
+/// Returns the edges between different vertices, without pairs of opposite edges.
 std::vector<Edge> boundary_of(std::vector<Edge> edges) {
   const auto without_direction = [](const Edge& edge) {
     return Edge(std::minmax(edge.first, edge.second));
@@ -150,8 +150,8 @@ std::vector<Edge> boundary_of(std::vector<Edge> edges) {
   return boundary;
 }
 
-/// Whether the triangles have the boundary of the outline. Where edges lie upon each other, corners
-/// of different vertices at one point may be mistaken for each other.
+/// True if the triangles have the boundary of the outline. If edges coincide, corners of different
+/// vertices at one point may have been confused.
 bool bounds(const PlanarTriangles& result, std::span<const std::uint32_t> outline,
             std::span<const Index> vertices) {
   std::vector<Edge> inside, around;
@@ -164,8 +164,8 @@ bool bounds(const PlanarTriangles& result, std::span<const std::uint32_t> outlin
   return boundary_of(std::move(inside)) == boundary_of(std::move(around));
 }
 
-/// Cuts off the corners at edges that cross others, in each round a longer part of the outline
-/// there, until the rest crosses nothing.
+/// Cuts off the corners at edges that intersect others, in each round a longer part of the outline
+/// there, until the rest has no intersections.
 PolygonTriangles triangulate_along(const Projection& projected, std::span<const Vec3> positions,
                                    std::span<const Index> vertices) {
   constexpr std::size_t growth = 4;
@@ -185,7 +185,7 @@ PolygonTriangles triangulate_along(const Projection& projected, std::span<const 
   }
   if (rest.is_complete) {
     for (const CornerTriangle& triangle : rest.flat) outline.add_flat(triangle);
-  } else {  // nothing is left that shows its area in the projection
+  } else {  // no remaining triangle has area in the projection
     outline.folds += std::exchange(outline.upright, 0);
   }
   PolygonTriangles result{std::move(outline.triangles), outline.folds + rest.folds,

@@ -1,14 +1,19 @@
 /// Triangulates a polygon in space without new vertices. The polygon is projected along the
-/// coordinate axis nearest to its normal (Newell), so that the coordinates stay the doubles that
-/// they are and all predicates are exact; the normal itself and the other axes are tried if the
-/// projection intersects itself. Guarantees:
+/// coordinate axis nearest to its normal (Newell). The projected coordinates are then the original
+/// doubles, and all predicates are exact. If this projection intersects itself, the normal and the
+/// other axes are tried.
+///
+/// Guarantees:
 /// - Together the triangles have the oriented boundary of the polygon.
-/// - A polygon whose first projection meets itself in points and along bridges only is triangulated
-///   without overlaps, by triangles of one orientation and of positive area, unless an edge of it
-///   runs through another corner.
-/// - The fan from the first corner is kept if it has no fold there and no triangle without area.
+/// - Suppose that the first projection touches itself only in points and along bridges, and no edge
+///   passes through another corner. Then the triangles do not overlap and have positive area and
+///   equal orientation.
+/// - The fan from the first corner is kept if it has no fold in that projection and no triangle
+///   without area.
 /// - Any other polygon is triangulated in the projection with the fewest folds and upright
-/// triangles. Cost: O(n log n) for polygons that occur. Deterministic.
+///   triangles.
+///
+/// Cost: O(n log n) on usual polygons. Deterministic.
 #pragma once
 
 #include <span>
@@ -19,19 +24,19 @@
 namespace transformesh {
 
 struct PolygonTriangles {
-  std::vector<CornerTriangle> triangles;  ///< numbers of corners; no triangle names a vertex twice
-  /// Triangles that overlap others in the best projection. 0 for every polygon that has a
-  /// projection along an axis or its normal without overlaps.
+  std::vector<CornerTriangle> triangles;  ///< indices of corners; no triangle has a vertex twice
+  /// Number of triangles that overlap others in the best projection. 0 for every polygon whose
+  /// projection along an axis or its normal has no overlaps.
   std::size_t folds = 0;
-  /// Triangles without area in that projection, but with one in space.
+  /// Number of triangles without area in that projection, but with one in space.
   std::size_t upright = 0;
 };
 
-/// Whether the fan from the first corner is kept, so that its triangles are (0, i - 1, i).
+/// True if the fan from the first corner is kept: its triangles are (0, i - 1, i).
 bool is_unfolded_fan(std::span<const Vec3> positions);
 
 /// `positions` are those of the corners, `vertices` their indices; all coordinates are finite. A
-/// corner whose neighbors are the same vertex is a spike, bounds nothing and is left out.
+/// corner whose two neighbors are the same vertex is a spike and is left out.
 PolygonTriangles triangulate_polygon(std::span<const Vec3> positions,
                                      std::span<const Index> vertices);
 

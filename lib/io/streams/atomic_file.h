@@ -1,10 +1,9 @@
 /// Files that appear under their names complete or not at all. The bytes are written to a temporary
-/// file in the same folder, which is then renamed: a reader sees the old file or the new one, also
-/// where the process is killed in between. A symbolic link stays and its target is replaced; the
-/// permissions of a file replaced stay. What is not a regular file (/dev/null, a FIFO, /dev/fd/3)
-/// is written directly when it is committed, and never replaced; `-` is stdout, which is closed.
-/// Nothing is flushed to the disk itself, so a failure of the machine may lose what a failure of
-/// the process does not.
+/// file in the same folder, which is then renamed. A reader finds the old file or the new one, even
+/// if the process is killed in between. A symbolic link is kept and its target replaced. A replaced
+/// file keeps its permissions. Paths of other kinds (/dev/null, a FIFO, /dev/fd/3) are never
+/// replaced; their bytes are written by commit(). `-` is stdout, which is then closed. Data is not
+/// synchronized to the disk (fsync), so a crash of the machine may lose it.
 #pragma once
 
 #include <string>
@@ -17,28 +16,29 @@ namespace transformesh {
 
 class AtomicFile {
  public:
-  /// Writes all bytes to where they wait for commit(). Throws OutputError.
+  /// Stores all bytes until commit(). Throws OutputError.
   AtomicFile(const std::string& path, std::string bytes);
-  /// Opens an empty file, for outputs larger than memory. One that is written directly is opened by
-  /// the first append(). Throws OutputError.
+  /// Opens an empty file, for outputs larger than memory. A path that is written directly is opened
+  /// by the first append(). Throws OutputError.
   explicit AtomicFile(const std::string& path);
-  /// Removes what was not committed.
+  /// Removes the temporary file unless it was committed.
   ~AtomicFile();
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   AtomicFile& operator=(AtomicFile&&) = delete;
 
-  /// Appends bytes to a file that was opened empty, and finish() closes it. Throw OutputError.
+  /// Append bytes to a file that was opened empty, and close it. Throw OutputError.
   void append(std::string_view bytes);
   void finish();
 
-  /// Gives the file its name, or writes what is written directly. Throws OutputError.
+  /// Renames the temporary file, or writes the bytes of a path that is written directly. Throws
+  /// OutputError.
   void commit();
   bool is_direct() const { return is_direct_; }
-  /// Where the file will be: the end of the path's symbolic links.
+  /// Returns the path of the final file, with symbolic links resolved.
   const std::string& target() const { return target_; }
-  /// The same for all paths that lead to it.
+  /// Returns a name that is equal for all paths to this file.
   std::string place() const { return place_of(target_); }
 
  private:
@@ -46,25 +46,25 @@ class AtomicFile {
 
   std::string target_;
   bool is_direct_;
-  std::string bytes_;      ///< to be written directly
-  std::string temporary_;  ///< empty once there is none
-  int descriptor_ = -1;    ///< open while a file grows
+  std::string bytes_;      ///< bytes to be written directly by commit()
+  std::string temporary_;  ///< name of the temporary file; empty if there is none
+  int descriptor_ = -1;    ///< open while bytes are appended
   bool is_finished_ = false;
 };
 
-/// The whole file at once. Throws OutputError.
+/// Writes a whole file. Throws OutputError.
 void write_file(const std::string& path, std::string_view bytes);
 
-/// Where it is missing, with the folders above it. Throws OutputError.
+/// Creates a folder and its parents if they are missing. Throws OutputError.
 void make_folder(const std::string& path);
 
-/// Throws OutputError at once where writing this file cannot work: for before a long computation.
+/// Throws OutputError if the file certainly cannot be written. Call before a long computation.
 void check_writable(const std::string& path);
 
-/// Removes all files that wait for their commit: for a handler of signals that ends the process,
-/// and async-signal-safe. Files are written by one thread at a time.
+/// Removes all temporary files that are not committed. For signal handlers that end the process:
+/// async-signal-safe. Requires that only one thread writes files.
 void remove_temporary_files() noexcept;
-/// From now on also this folder, where there is nothing in it.
+/// Adds an empty folder to the paths that remove_temporary_files() removes.
 void remove_folder_at_signal(const std::string& path);
 
 }  // namespace transformesh

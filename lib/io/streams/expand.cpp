@@ -10,10 +10,10 @@
 namespace transformesh {
 namespace {
 
-constexpr int gzip_window = 15 + 16;  // the largest window; 16 asks zlib for a header of gzip
+constexpr int gzip_window = 15 + 16;  // the largest window; 16 selects the gzip header in zlib
 constexpr int zlib_window = 15;
 
-/// A stream of zlib over bytes in memory, which appends to `to`.
+/// A zlib decompressor of bytes in memory, which appends to a string.
 class Inflater {
  public:
   Inflater(std::string_view from, int window) : from_(from) {
@@ -28,7 +28,7 @@ class Inflater {
   bool has_more() const { return used_ < from_.size(); }
 
   /// Runs to the end of the stream, or until `to` exceeds `most` bytes. Returns zlib's code:
-  /// Z_STREAM_END at the end, Z_OK beyond the limit, Z_BUF_ERROR if the input ends before.
+  /// Z_STREAM_END at the end, Z_OK beyond the limit, Z_BUF_ERROR if the input is incomplete.
   int run(std::string& to, std::uint64_t most) {
     int code = Z_OK;
     std::size_t size = to.size();
@@ -42,13 +42,13 @@ class Inflater {
   }
 
  private:
-  static constexpr std::size_t least_room = 1U << 16U;  // fewer bytes mean more calls of zlib
+  static constexpr std::size_t least_room = 1U << 16U;  // a smaller buffer needs more calls of zlib
 
   int step(std::string& to, std::size_t& size) {
     constexpr std::size_t most_at_once = std::numeric_limits<uInt>::max();
     const auto given = static_cast<uInt>(std::min(from_.size() - used_, most_at_once));
     const auto room = static_cast<uInt>(std::min(to.size() - size, most_at_once));
-    // zlib only reads through this pointer.
+    // The cast is safe: zlib only reads through this pointer.
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(from_.data() + used_));
     stream_.avail_in = given;
     stream_.next_out = reinterpret_cast<Bytef*>(to.data() + size);
@@ -74,10 +74,10 @@ std::size_t without_padding(std::string_view rest) { return rest.find_last_not_o
 }  // namespace
 
 std::uint64_t expansion_limit(std::size_t size) {
-  // Meshes as text shrink to a third, rarely to a fiftieth. Below the ratio regular grids would be
-  // refused; without it a file could take a thousand times its size, which is Deflate's maximum.
+  // Text meshes usually compress to a third, rarely to a fiftieth. A smaller ratio would reject
+  // regular grids. Without a ratio a file could grow by a factor of 1000, the maximum of Deflate.
   constexpr std::uint64_t ratio = 200;
-  // Small files may shrink more, and this much memory hurts nobody.
+  // Small files may compress better; this much memory (64 MB) is always allowed.
   constexpr std::uint64_t always_allowed = std::uint64_t{1} << 26U;
   return std::max(always_allowed, ratio * size);
 }

@@ -1,6 +1,5 @@
-/// A file that grows by lines, each of which is one write. What is not a regular file (a FIFO,
-/// /dev/stderr, /dev/fd/63) stays open from the first line to the last, so that its reader sees one
-/// stream.
+/// A file that grows by lines, each written by one call. A FIFO, /dev/stderr or /dev/fd/63 stays
+/// open from the first line to the last, so that its reader gets one stream.
 #pragma once
 
 #include <string>
@@ -10,7 +9,7 @@ namespace transformesh {
 
 class LineFile {
  public:
-  /// With these lines to begin with, complete or not at all. Throws OutputError.
+  /// Creates the file with these lines, complete or not at all. Throws OutputError.
   LineFile(std::string path, std::string_view beginning);
   ~LineFile();
   LineFile(const LineFile&) = delete;

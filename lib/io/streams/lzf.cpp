@@ -6,7 +6,7 @@ namespace transformesh {
 
 std::optional<std::string> expand_lzf(std::string_view data, std::size_t size) {
   std::string bytes;
-  constexpr std::size_t largest_ratio = 88;  // three bytes repeat 264 at most
+  constexpr std::size_t largest_ratio = 88;  // three bytes repeat at most 264 bytes
   bytes.reserve(std::min(size, largest_ratio * data.size()));
   std::size_t at = 0;
   const auto next = [&]() -> std::size_t { return static_cast<unsigned char>(data[at++]); };
@@ -25,7 +25,7 @@ std::optional<std::string> expand_lzf(std::string_view data, std::size_t size) {
     const std::size_t back = control % 32 * 256 + next() + 1;
     count += 2;
     if (back > bytes.size() || count > size - bytes.size()) return std::nullopt;
-    // The bytes repeated may overlap those that are appended.
+    // Source and destination may overlap, so the bytes are copied one by one.
     for (std::size_t i = 0; i < count; ++i) bytes += bytes[bytes.size() - back];
   }
   return bytes.size() == size ? std::optional(std::move(bytes)) : std::nullopt;

@@ -1,5 +1,5 @@
-/// LZF, by which PCD files are compressed (M. A. Lehmann, LibLZF 3.6): a byte below 32 is followed
-/// by so many bytes and one more as they are; any other repeats bytes that came before.
+/// LZF, the compression of PCD files (M. A. Lehmann, LibLZF 3.6). A control byte n < 32 is followed
+/// by n + 1 literal bytes; any other control byte repeats earlier output.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace transformesh {
 
-/// Returns the expanded bytes; nothing if they are not exactly `size`, or the data is damaged.
+/// Returns the decompressed bytes; nothing if their number is not `size` or the data is damaged.
 std::optional<std::string> expand_lzf(std::string_view data, std::size_t size);
 
 }  // namespace transformesh

@@ -15,14 +15,15 @@
 namespace transformesh {
 namespace {
 
-/// Half as much would often be read again, and twice as much be half of a small machine.
+/// A choice: half of it would cause repeated reads, twice of it would be half of a small machine's
+/// memory.
 constexpr std::size_t most_resident_bytes = std::size_t{256} << 20;
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
   throw InputError(input_name(path) + ": cannot be read: " + reason);
 }
 
-/// Bytes of files that are in memory for this process.
+/// Returns the bytes of file pages that are resident for this process.
 std::size_t resident_file_bytes() {
   std::ifstream file("/proc/self/statm");
   std::size_t total = 0, resident = 0, shared = 0;

@@ -1,6 +1,5 @@
-/// A file whose bytes are read where they are needed, for files larger than memory. The system can
-/// drop the pages that hold them at any time, so they do not count as memory of the process; still
-/// release() keeps their number small.
+/// A memory-mapped file, for files larger than memory. The system can drop its pages at any time,
+/// so they do not count as memory of the process. release() nevertheless keeps their number small.
 #pragma once
 
 #include <string>
@@ -10,14 +9,14 @@ namespace transformesh {
 
 class MappedFile {
  public:
-  /// Throws InputError if the path is no regular file or cannot be read.
+  /// Throws InputError if the path is not a regular file or cannot be read.
   explicit MappedFile(const std::string& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
   std::string_view bytes() const { return bytes_; }
-  /// Gives the pages back if this process holds more than 256 MB of any files.
+  /// Releases the pages if mapped files occupy more than 256 MB of this process.
   void release() const;
 
  private:

@@ -5,7 +5,7 @@
 namespace transformesh {
 
 bool is_below_one(std::string_view number) {
-  // Of an exponent that does not fit an int, the sign alone decides: no number has as many digits.
+  // If the exponent overflows an int, its sign alone decides: no number has that many digits.
   const std::size_t exponent_mark = number.find_first_of("eE");
   int exponent = 0;
   if (exponent_mark != std::string_view::npos) {
@@ -14,7 +14,7 @@ bool is_below_one(std::string_view number) {
     if (parse_number(first, number.data() + number.size(), exponent) != Parsed::ok) return negative;
   }
 
-  // Else it is the place of the first digit that is not zero, moved by the exponent, that counts.
+  // Otherwise the place of the first nonzero digit, shifted by the exponent, decides.
   const std::string_view digits = number.substr(0, exponent_mark);
   const std::size_t first_digit = digits.find_first_of("123456789");
   if (first_digit == std::string_view::npos) return true;

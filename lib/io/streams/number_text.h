@@ -1,4 +1,4 @@
-/// Numbers as text: independent of the locale, shortest that reads back the same.
+/// Numbers as text: independent of the locale, the shortest text that reads back as the same value.
 #pragma once
 
 #include <charconv>
@@ -11,17 +11,17 @@ namespace transformesh {
 
 enum class Parsed { ok, malformed, out_of_range };
 
-/// Whether the magnitude of a decimal number, well formed, is below 1.
+/// True if the magnitude of a well-formed decimal number is below 1.
 bool is_below_one(std::string_view number);
 
-/// Length of the ending that older C libraries of Microsoft write behind `1.` for NaN and infinity:
-/// `#QNAN`, `#SNAN`, `#IND` or `#INF`, perhaps with digits. 0 if [first, last) does not start with
-/// it.
+/// Returns the length of the ending that old Microsoft C libraries write after `1.` for NaN and
+/// infinity: `#QNAN`, `#SNAN`, `#IND` or `#INF`, optionally followed by digits. Returns 0 if
+/// [first, last) does not start with one.
 std::size_t special_ending(const char* first, const char* last);
 
-/// Reads the number at the start of [first, last) and moves `first` behind it. Takes a plus sign.
-/// Floating point takes nan and inf too, also as `1.#QNAN` and `1.#INF`, which both become NaN;
-/// what is too small becomes zero, what is too large is out_of_range.
+/// Parses the number at the start of [first, last) and moves `first` past it. Accepts a plus sign.
+/// Floating-point types also accept nan, inf, and `1.#QNAN` and `1.#INF`, which both become NaN.
+/// Underflow becomes zero; overflow returns out_of_range.
 template <class T>
 Parsed parse_number(const char*& first, const char* last, T& value) {
   const char* start = first;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_name = 255;
 constexpr int most_links = 40;
 
-// The number of an open descriptor, where the path is a name of it.
+// Returns the descriptor that a path such as /dev/fd/3 names.
 std::optional<int> descriptor_named(std::string_view path) {
   if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -38,7 +38,7 @@ std::optional<int> descriptor_named(std::string_view path) {
 
 bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-// FNV-1a.
+// The FNV-1a hash (Fowler, Noll & Vo).
 std::uint64_t hash_of(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
@@ -91,7 +91,7 @@ int open_directly(const std::string& path) {
 
 std::string name_beside(const std::string& path, const std::string& prefix,
                         const std::string& suffix) {
-  const std::size_t begin = path.rfind('/') + 1;  // 0 where there is none
+  const std::size_t begin = path.rfind('/') + 1;  // 0 if there is no slash
   const std::string folder = path.substr(0, begin);
   std::string name = path.substr(begin);
   if (prefix.size() + name.size() + suffix.size() > longest_name) {

@@ -1,34 +1,34 @@
-/// Where the bytes of an output go that is named by a path, and names beside it.
+/// Resolves the path of an output, and makes temporary names beside it.
 #pragma once
 
 #include <string>
 
 namespace transformesh {
 
-/// Where the path's symbolic links lead, be it to no file yet; at most to the name of an open
-/// descriptor such as /dev/stdout or /dev/fd/63. Throws OutputError where they run in a circle.
+/// Resolves the symbolic links of a path, even if the final file does not exist. Stops at names of
+/// open descriptors such as /dev/stdout or /dev/fd/63. Throws OutputError for a cycle of links.
 std::string end_of_links(const std::string& path);
 
-/// The same for all paths that lead to the same file; the path itself where that is not known.
+/// Returns a name that is equal for all paths to the same file; the path itself if this is unknown.
 std::string place_of(const std::string& path);
 
-/// Whether both lead to the same file.
+/// True if both paths lead to the same file.
 bool is_same_place(const std::string& first, const std::string& second);
 
-/// What is not to be replaced: stdout as `-`, devices, FIFOs, and names of open descriptors.
+/// True for targets that must not be replaced: stdout as `-`, devices, FIFOs, and names of open
+/// descriptors.
 bool is_written_directly(const std::string& path);
 
-/// A descriptor for such a path; one that is open already is duplicated, so that nothing of what it
-/// was appended to is lost. Throws OutputError.
+/// Opens a path that is written directly. A descriptor that is already open is duplicated, so that
+/// earlier output is not truncated. Throws OutputError.
 int open_directly(const std::string& path);
 
-/// A further name in the same folder: prefix, the path's own name, suffix. A long name is cut, as
-/// 255 bytes is what file systems allow, and distinguished from others by a number that is computed
-/// from it.
+/// Returns a name in the same folder: prefix, the path's file name, suffix. A name that exceeds 255
+/// bytes, the limit of file systems, is cut and made unique by a hash.
 std::string name_beside(const std::string& path, const std::string& prefix,
                         const std::string& suffix);
 
-/// Throws the OutputError that errno means.
+/// Throws an OutputError for errno.
 [[noreturn]] void throw_not_written(const std::string& path);
 
 }  // namespace transformesh

@@ -9,7 +9,7 @@ namespace transformesh {
 void Source::fail(const std::string& what) const { throw InputError(what + " (" + name + ")"); }
 
 std::size_t Source::line_of(const char* place) const {
-  // Files of old Macintoshes end their lines with a carriage return alone.
+  // Files of old Macintoshes end lines with a carriage return only.
   const char line_end = bytes.find('\n') == std::string_view::npos ? '\r' : '\n';
   return 1 + static_cast<std::size_t>(std::count(begin(), place, line_end));
 }

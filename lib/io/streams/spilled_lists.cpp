@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// A block is 64 KB. Smaller ones take more calls; larger ones take memory for each list.
+/// A block is 64 KB. Smaller blocks need more system calls; larger ones need more memory per list.
 constexpr std::size_t block = std::size_t{1} << 14;
 constexpr std::size_t block_bytes = block * sizeof(std::uint32_t);
 

@@ -1,4 +1,4 @@
-/// Lists of indices that grow together and are kept in a nameless file rather than in memory.
+/// Lists of indices that grow in turn and are stored in an unnamed file instead of memory.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,21 @@ namespace transformesh {
 
 class SpilledLists {
  public:
-  /// Makes empty lists, in a file in this folder that has no name and ends with the process.
-  /// Throws OutputError.
+  /// Creates `count` empty lists in an unnamed file in this folder, which disappears with the
+  /// process. Throws OutputError.
   SpilledLists(std::string folder, std::size_t count);
   ~SpilledLists();
   SpilledLists(const SpilledLists&) = delete;
   SpilledLists& operator=(const SpilledLists&) = delete;
 
-  /// Appends to a list. Throws OutputError, as if the disk is full.
+  /// Appends to a list. Throws OutputError, for example if the disk is full.
   void add(std::size_t list, std::uint32_t index);
-  /// Returns a list.
   std::vector<std::uint32_t> read(std::size_t list) const;
 
  private:
   struct List {
-    std::vector<std::uint32_t> last;     ///< indices that are not yet in the file
-    std::vector<std::uint64_t> offsets;  ///< places of full blocks in the file
+    std::vector<std::uint32_t> last;     ///< indices not yet written to the file
+    std::vector<std::uint64_t> offsets;  ///< positions of full blocks in the file
   };
 
   void write(List& list);

@@ -37,7 +37,8 @@ class Descriptor {
   throw InputError(input_name(path) + ": cannot be read: " + std::strerror(errno));
 }
 
-// Waits where the other side made the descriptor non-blocking; false for a real error.
+// Returns true if the call can be repeated. Waits if the other process made the descriptor
+// non-blocking.
 bool may_retry(int descriptor, short events) {
   if (errno == EINTR) return true;
   if (errno != EAGAIN) return false;
@@ -46,14 +47,15 @@ bool may_retry(int descriptor, short events) {
   return true;
 }
 
-// Fewer switches between the programs of a pipeline; harmless where it is refused.
+// A larger pipe means fewer context switches between the programs of a pipeline. Failure does no
+// harm.
 void widen_pipe([[maybe_unused]] int descriptor) {
 #ifdef F_SETPIPE_SZ
   fcntl(descriptor, F_SETPIPE_SZ, static_cast<int>(block));
 #endif
 }
 
-// One more than the size of a regular file, so that one read sees the end; else a block.
+// Size of a regular file plus 1, so that one read reaches the end; otherwise one block.
 std::size_t first_read_size(int descriptor) {
   struct stat status {};
   if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return block;
@@ -64,7 +66,8 @@ std::size_t first_read_size(int descriptor) {
 
 char* Bytes::reserve(std::size_t size) {
   if (capacity_ - size_ < size) {
-    // Programs prepare memory for what is new, but not for what is reallocated.
+    // Lets a program prepare memory if it replaces operator new, which realloc() does not call. The
+    // programs of this suite no longer replace it.
     if (data_ == nullptr && size > block) ::operator delete(::operator new(size));
     const std::size_t capacity = std::max(size_ + size, 2 * capacity_);
     char* data = static_cast<char*>(std::realloc(data_.get(), capacity));

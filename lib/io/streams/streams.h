@@ -1,4 +1,4 @@
-/// Bytes from and to files, pipes and terminals. Nothing seeks and nothing trusts a file size.
+/// Bytes from and to files, pipes and terminals. No function seeks or relies on a file size.
 #pragma once
 
 #include <cstdlib>
@@ -8,10 +8,10 @@
 
 namespace transformesh {
 
-/// A block of bytes that grows without being cleared or, where it is large, copied.
+/// A buffer that grows without being zeroed, and without being copied if it is large.
 class Bytes {
  public:
-  /// Room for `size` more bytes after the present ones; throws std::bad_alloc.
+  /// Returns room for `size` more bytes after the present ones. Throws std::bad_alloc.
   char* reserve(std::size_t size);
   void grow(std::size_t size) { size_ += size; }
   std::string_view view() const { return {data_.get(), size_}; }
@@ -25,17 +25,17 @@ class Bytes {
   std::size_t capacity_ = 0;
 };
 
-/// All of a file, or of stdin for `-`. Throws InputError.
+/// Reads a whole file, or stdin for `-`. Throws InputError.
 Bytes read_all(const std::string& path);
 
-/// What messages call an input.
+/// Returns the name of an input in messages.
 std::string input_name(const std::string& path);
 
-/// The folder of a file that is given by its name, `.` for one here. Empty for `-`, and for what is
-/// no regular file.
+/// Returns the folder of a regular file, `.` if the path has none. Empty for `-` and for other
+/// kinds of paths.
 std::string input_folder(const std::string& path);
 
-/// Writes all bytes; false with errno set on failure.
+/// Writes all bytes; returns false, with errno set, on failure.
 bool write_all(int descriptor, std::string_view bytes);
 
 }  // namespace transformesh

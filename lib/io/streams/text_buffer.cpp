@@ -3,7 +3,8 @@
 namespace transformesh {
 namespace {
 
-/// Line ends would end the comment, and bytes that no text has could make the file look binary.
+/// True for line ends, which would end the comment, and for control bytes, which would make the
+/// file look binary.
 bool is_blanked(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte < '\t' || byte == '\n' || byte == '\r';

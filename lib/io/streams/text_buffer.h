@@ -1,4 +1,4 @@
-/// Text that grows by appending words and numbers, fast: numbers are formatted in place.
+/// Text that grows by words and numbers. Numbers are formatted in place, which is fast.
 #pragma once
 
 #include <charconv>
@@ -20,15 +20,16 @@ class TextBuffer {
     ensure(text.size());
     end_ = text.copy(end_, text.size()) + end_;
   }
-  /// Integers as they are, float and double as the shortest text that reads back as the same.
+  /// Appends an integer, or a float or double as the shortest text that reads back as the same
+  /// value.
   template <class T>
   void add_number(T value) {
     ensure(longest_number);
     end_ = std::to_chars(end_, end_ + longest_number, value).ptr;
   }
-  /// As add_number, with a point or an exponent even where the value is whole.
+  /// Does the same as add_number(), but with a point or an exponent even for whole numbers.
   void add_decimal(double value);
-  /// Hands the text over.
+  /// Returns the text and empties the buffer.
   std::string take();
 
  private:
@@ -43,8 +44,8 @@ class TextBuffer {
   char* end_ = nullptr;
 };
 
-/// Appends one line for each comment: the mark, a space, the text, with blanks for line ends and
-/// for bytes below the tab.
+/// Appends one line per comment: the mark, a space, the text. Line ends and bytes below the tab
+/// become blanks.
 void add_comments(std::string_view mark, const std::vector<std::string>& comments,
                   TextBuffer& text);
 

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// Bytes that minizip takes for a file: read from `given`, or written to `written`.
+/// A file in memory for minizip: reads from `given`, or writes to `written`.
 struct MemoryFile {
   std::string_view given;
   std::string written;

@@ -1,4 +1,4 @@
-/// Files in a ZIP archive in memory, by minizip. Reference: PKWARE APPNOTE 6.3 (ISO/IEC 21320-1).
+/// ZIP archives in memory, by minizip. Reference: PKWARE APPNOTE 6.3 (ISO/IEC 21320-1).
 #pragma once
 
 #include <memory>
@@ -11,19 +11,19 @@
 
 namespace transformesh {
 
-/// True if the bytes start as a ZIP archive does.
+/// True if the bytes start with the signature of ZIP.
 bool is_zip(std::string_view bytes);
 
 class ZipReader {
  public:
-  /// Throws InputError if the bytes hold no list of files.
+  /// Throws InputError if the bytes have no directory of files.
   ZipReader(const Source& source, ExpansionBudget& budget);
   ~ZipReader();
   ZipReader(const ZipReader&) = delete;
   ZipReader& operator=(const ZipReader&) = delete;
 
-  /// Returns the bytes of a file, in whose name upper and lower case are the same. Nothing if there
-  /// is none. Throws InputError for damage, and beyond the budget.
+  /// Returns the bytes of a file; nothing if there is none. Names are case-insensitive. Throws
+  /// InputError for damaged data and beyond the budget.
   std::optional<std::string> read(const std::string& name) const;
 
  private:
@@ -40,9 +40,9 @@ class ZipWriter {
   ZipWriter(const ZipWriter&) = delete;
   ZipWriter& operator=(const ZipWriter&) = delete;
 
-  /// Appends a compressed file, dated 1980 so that the same files give the same bytes.
+  /// Appends a compressed file. Its date is 1980, so that the same files give the same bytes.
   void add(const std::string& name, std::string_view bytes);
-  /// Ends the archive and hands it over.
+  /// Ends the archive and returns its bytes.
   std::string finish();
 
  private:
