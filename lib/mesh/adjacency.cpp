@@ -5,7 +5,7 @@
 namespace transformesh {
 namespace {
 
-/// Calls visit(vertex) once for each vertex that the face names.
+/// Calls visit(vertex) once for each distinct vertex of the face.
 template <class Visit>
 void for_each_distinct_corner(const Face& face, const Visit& visit) {
   visit(face[0]);
@@ -13,9 +13,9 @@ void for_each_distinct_corner(const Face& face, const Visit& visit) {
   if (face[2] != face[0] && face[2] != face[1]) visit(face[2]);
 }
 
-/// Whether the faces at each vertex go around it once. Pre: every halfedge has an opposite.
+/// True if the faces at each vertex form a single umbrella. Pre: every halfedge has an opposite.
 bool has_single_umbrellas(const Mesh& mesh, std::span<const Index> opposites) {
-  std::vector<char> is_reached(opposites.size(), 0);  // per halfedge, by the vertex it leaves
+  std::vector<char> is_reached(opposites.size(), 0);  // per outgoing halfedge
   std::vector<char> has_umbrella(mesh.positions.size(), 0);
   for (Index first = 0; first < opposites.size(); ++first) {
     if (is_reached[first]) continue;
@@ -46,7 +46,7 @@ std::vector<Index> opposite_halfedges(const Mesh& mesh) {
 }
 
 VertexFaces::VertexFaces(const Mesh& mesh) : offsets_(mesh.positions.size() + 2, 0) {
-  // A counting sort whose counts stand one slot ahead, so that filling leaves the offsets in place.
+  // A counting sort. Counts are shifted by one slot, so that the offsets are correct after filling.
   for (const Face& face : mesh.faces)
     for_each_distinct_corner(face, [&](Index vertex) { ++offsets_[vertex + 2]; });
   for (std::size_t i = 1; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];

@@ -1,4 +1,4 @@
-/// Which halfedge lies across each halfedge, and which faces meet at each vertex.
+/// Opposite halfedges, and the faces at each vertex.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@
 
 namespace transformesh {
 
-/// For every halfedge (3 * face + corner) the one that has the opposite direction along the same
-/// edge. It is no_index on a border, on an edge with more than two faces, and if both faces
-/// traverse the edge in the same direction. Vertices are the same when their indices are. O(n);
-/// deterministic.
+/// Returns, for every halfedge 3 * face + corner, the halfedge that traverses the same edge in the
+/// opposite direction. The value is no_index on a border, on an edge with more than two faces, and
+/// if both faces traverse the edge in the same direction. Vertices are identified by index, not by
+/// position. O(n); deterministic.
 std::vector<Index> opposite_halfedges(const Mesh& mesh);
 
-/// These, where they are those of a closed oriented manifold; nothing where that is none.
+/// Returns `opposites` if they are those of a closed oriented manifold, otherwise nothing.
 std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, std::vector<Index> opposites);
 
-/// The faces around each vertex in ascending order, as one array with offsets.
+/// The faces at each vertex in ascending order, stored as one array with offsets.
 class VertexFaces {
  public:
   explicit VertexFaces(const Mesh& mesh);

@@ -16,7 +16,7 @@ bool is_color(const Column& column) {
 
 bool is_floating(Scalar type) { return type == Scalar::float32 || type == Scalar::float64; }
 
-/// Whether `type` holds every value of the other type.
+/// True if `type` can represent every value of `other`.
 bool holds(Scalar type, Scalar other) {
   constexpr std::array<int, 8> bits{7, 8, 15, 16, 31, 32, 24, 53};
   constexpr std::array<bool, 8> is_signed{true, false, true, false, true, false, true, true};
@@ -25,7 +25,7 @@ bool holds(Scalar type, Scalar other) {
   return bits[t] >= bits[o] && (is_signed[t] || !is_signed[o]);
 }
 
-/// The first type that holds all values of both.
+/// Returns a type that can represent all values of both.
 Scalar united(Scalar first, Scalar second) {
   for (const Scalar type : {first, second, Scalar::int16, Scalar::int32})
     if (holds(type, first) && holds(type, second)) return type;
@@ -41,14 +41,14 @@ void append_list(Column& to, const Column& from, std::uint32_t row) {
   const std::size_t first = from.list_offsets[row];
   const std::size_t last = from.list_offsets[row + 1];
   for (std::size_t i = first; i < last; ++i) {
-    const double value = from.values[i];  // a copy, as `to` may be `from`
+    const double value = from.values[i];  // a copy, because `to` may alias `from`
     to.values.push_back(value);
   }
   to.list_offsets.push_back(to.values.size());
 }
 
 double blended_value(const Column& column, const RowBlend& row) {
-  if (row.weight[0] == 1) return column.values[row.source[0]];  // a sum would lose -0
+  if (row.weight[0] == 1) return column.values[row.source[0]];  // a sum would turn -0 into 0
   const bool rounded = !is_floating(column.type) && is_color(column);
   if (!is_floating(column.type) && !rounded) return column.values[heaviest_source(row)];
   double sum = 0;
@@ -72,7 +72,8 @@ Column empty_copy(const Column& column) {
   return copy;
 }
 
-/// Colors are white, as black would look like a color of the mesh.
+/// Returns the default of a missing value. Colors are white: black would look like a color of the
+/// mesh.
 double missing_value(const Column& column) {
   if (!is_color(column)) return 0;
   return is_floating(column.type) ? 1 : 255;
@@ -96,7 +97,7 @@ void append_column(Column& to, const Column& from) {
   }
 }
 
-/// The first of each name.
+/// Maps each name to its first column.
 std::unordered_map<std::string_view, const Column*> by_name(const std::vector<Column>& columns) {
   std::unordered_map<std::string_view, const Column*> found;
   for (const Column& column : columns) found.emplace(column.name, &column);
@@ -112,7 +113,7 @@ Column* Columns::find(std::string_view name) {
 }
 
 const Column* Columns::find(std::string_view name) const {
-  return const_cast<Columns*>(this)->find(name);  // NOLINT: the mutable overload reads only
+  return const_cast<Columns*>(this)->find(name);  // NOLINT: the mutable overload only reads
 }
 
 Column& Columns::get(std::string_view name, Scalar type, std::size_t rows) {

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// Six times the signed volume between the face and the reference point.
+/// Returns six times the signed volume of the tetrahedron of face and reference point.
 double volume_under_face(const Mesh& mesh, const Face& face, const Vec3& reference) {
   const Vec3 a = mesh.positions[face[0]] - reference;
   const Vec3 b = mesh.positions[face[1]] - reference;
@@ -18,7 +18,7 @@ double volume_under_face(const Mesh& mesh, const Face& face, const Vec3& referen
   return a.dot(b.cross(c));
 }
 
-/// Numbers the components in order of their first face.
+/// Finds the components, in order of their first face.
 Components numbered_components(const Mesh& mesh) {
   DisjointSets vertices(mesh.positions.size());
   for (const Face& face : mesh.faces) {
@@ -38,7 +38,7 @@ Components numbered_components(const Mesh& mesh) {
   return result;
 }
 
-/// The middle of the box around the vertices that faces use: whoever counts them knows these.
+/// Returns the center of the bounding box of the vertices that faces use.
 Vec3 middle_of(const Mesh& mesh, const std::vector<char>& is_used) {
   Box box(Vec3::Zero(), Vec3::Zero());
   bool is_empty = true;
@@ -53,7 +53,7 @@ Vec3 middle_of(const Mesh& mesh, const std::vector<char>& is_used) {
   return box.min() + (box.max() - box.min()) / 2;
 }
 
-/// Counts faces and vertices, and sums up volumes.
+/// Counts faces and vertices, and sums the volumes, of each component.
 void count_faces(const Mesh& mesh, Components& result) {
   std::vector<char> is_used(mesh.positions.size(), 0);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -93,7 +93,7 @@ Components connected_components(const Mesh& mesh) {
   return result;
 }
 
-// A manifold hangs together across edges.
+// In a manifold, faces of one component are connected across edges.
 Connectivity connect(std::vector<Index> opposites) {
   const std::size_t faces = opposites.size() / 3;
   std::vector<Index> component_of(faces, no_index);
@@ -133,7 +133,6 @@ long Components::genus() const {
 }
 
 Mesh select_faces(const Mesh& mesh, const std::vector<bool>& keep) {
-  // Find the rows to keep and the new number of each vertex.
   std::vector<Index> kept_faces;
   std::vector<Index> new_vertex(mesh.positions.size(), no_index);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {

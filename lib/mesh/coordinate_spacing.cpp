@@ -21,7 +21,7 @@ bool has_collapsed(std::span<const Vec3> positions, const Face& face) {
   return a == b || b == c || c == a;
 }
 
-/// The unit normal, whatever the size of the face; zero where it has no area.
+/// Returns the unit normal, without overflow or underflow; zero if the face has no area.
 Vec3 direction(std::span<const Vec3> positions, const Face& face) {
   const Vec3& a = positions[face[0]];
   const Vec3 ab = (positions[face[1]] - a).stableNormalized();

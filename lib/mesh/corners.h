@@ -1,4 +1,4 @@
-/// Corners 0, 1 and 2 of a face, and its halfedges 3 * face + i from corner i to the next.
+/// Indices of corners: 0, 1 and 2 of a face. Halfedge 3 * face + i goes from corner i to the next.
 #pragma once
 
 #include "transformesh/mesh.h"

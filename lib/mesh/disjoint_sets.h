@@ -1,5 +1,5 @@
-/// A partition of 0 .. n-1 that grows coarser by joining. The smallest element stands for its set,
-/// so the result does not depend on the order of the joins.
+/// Union-find on 0 .. n - 1. The smallest element represents its set, so that the result does not
+/// depend on the order of the joins.
 #pragma once
 
 #include <numeric>
@@ -23,7 +23,7 @@ class DisjointSets {
     return element;
   }
 
-  /// False where both were in the same set already.
+  /// Joins two sets. Returns false if they were already the same.
   bool join(Index first, Index second) {
     first = find(first);
     second = find(second);

@@ -1,4 +1,4 @@
-/// Some faces less, with their rows of columns. Vertices stay. Cost: O(n).
+/// Removes faces, with their rows of columns. Vertices stay. Cost: O(n).
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace transformesh {
 
-/// Returns the number of marked faces, which are dropped.
+/// Drops the marked faces and returns their number.
 std::size_t drop_faces(Mesh& mesh, const std::vector<char>& is_dropped);
 
 }  // namespace transformesh

@@ -6,8 +6,8 @@
 namespace transformesh {
 namespace {
 
-/// A halfedge as filed under the smaller of its two vertices: one number that holds the larger
-/// vertex and then the halfedge, so that numbers sort by both.
+/// A halfedge in the bucket of its smaller vertex. The larger vertex occupies the upper bits and
+/// the halfedge the lower ones, so that integers sort by both.
 using Entry = std::uint64_t;
 static_assert(2 * sizeof(Index) == sizeof(Entry));
 constexpr int index_bits = 32;
@@ -30,7 +30,7 @@ void for_each_halfedge(std::span<const Face> faces, const Visit& visit) {
   }
 }
 
-/// Buckets hold three entries on average, where inserting beats any general sort.
+/// Buckets have three entries on average; insertion sort is the fastest for these.
 void sort_bucket(Entry* first, Entry* last) {
   if (last - first > 32) return std::sort(first, last);
   for (Entry* entry = first; entry != last; ++entry) {
@@ -44,7 +44,7 @@ void sort_bucket(Entry* first, Entry* last) {
 }  // namespace
 
 Edges::Edges(std::span<const Face> faces, std::size_t vertices) {
-  // A counting sort by the smaller vertex comes first.
+  // Counting sort by the smaller vertex.
   std::vector<Index> bucket_end(vertices + 1, 0);
   for_each_halfedge(faces, [&](Index smaller, Index, Index) { ++bucket_end[smaller + 1]; });
   for (std::size_t v = 1; v < bucket_end.size(); ++v) bucket_end[v] += bucket_end[v - 1];
@@ -53,7 +53,7 @@ Edges::Edges(std::span<const Face> faces, std::size_t vertices) {
     entries[bucket_end[smaller]++] = entry_of(larger, halfedge);
   });
 
-  // Each bucket is sorted by the larger vertex, and a new edge starts where that changes.
+  // Sort each bucket by the larger vertex; a new edge starts at each change of that vertex.
   halfedges_.resize(entries.size());
   offsets_.clear();
   offsets_.reserve(entries.size() / 2 + 2);

@@ -1,8 +1,8 @@
-/// The undirected edges of a mesh, each with the halfedges along it. Vertices are the same
-/// when their indices are. A halfedge from a vertex to itself (a face that names a vertex twice) is
-/// no edge and appears nowhere.
-/// Edges are sorted by their smaller vertex, then by their larger one; the halfedges of an edge
-/// ascend. Cost: O(n) for vertices of bounded valence, O(n log n) at worst; deterministic.
+/// The undirected edges of a mesh, each with its halfedges. Vertices are identified by index, not
+/// by position. A halfedge from a vertex to itself (in a face with a repeated vertex) is ignored.
+/// Edges are sorted by their smaller vertex, then by their larger one; the halfedges of an edge are
+/// in ascending order. Cost: O(n) for vertices of bounded valence, O(n log n) at worst;
+/// deterministic.
 #pragma once
 
 #include <span>
@@ -28,11 +28,12 @@ class Edges {
   std::vector<Index> offsets_{0};
 };
 
-/// For every halfedge the other one of its edge if that has exactly two, in any directions;
-/// else no_index.
+/// Returns, for every halfedge, the other halfedge of its edge if the edge has exactly two, in any
+/// directions; otherwise no_index.
 std::vector<Index> neighbors_across(const Edges& edges, std::size_t faces);
 
-/// The same faces, but those that name a vertex twice name one vertex only, and so have no edges.
+/// Returns the same faces, but replaces all corners of a face with a repeated vertex by one vertex,
+/// so that the face has no edges.
 std::vector<Face> without_collapsed(std::span<const Face> faces);
 
 }  // namespace transformesh

@@ -20,7 +20,7 @@ std::vector<double> sizes_of(const Mesh& mesh, const Components& all, ComponentS
   return sizes;
 }
 
-/// The components from the largest to the smallest; of equal ones the first comes first.
+/// Returns the components in descending order of size; ties keep their order.
 std::vector<std::size_t> by_size(const std::vector<double>& sizes) {
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -29,7 +29,7 @@ std::vector<std::size_t> by_size(const std::vector<double>& sizes) {
   return order;
 }
 
-/// The vertices of each component, in order.
+/// Returns the vertices of each component, in ascending order.
 std::vector<std::vector<Index>> vertices_of(const Mesh& mesh, const Components& all) {
   std::vector<Index> component(mesh.positions.size(), no_index);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
@@ -40,7 +40,7 @@ std::vector<std::vector<Index>> vertices_of(const Mesh& mesh, const Components& 
   return vertices;
 }
 
-/// These faces and vertices; writes new numbers of the vertices.
+/// Returns a mesh of these faces and vertices. Writes the new vertex indices to `new_vertex`.
 Mesh part_of(const Mesh& mesh, const std::vector<Index>& faces, const std::vector<Index>& vertices,
              std::vector<Index>& new_vertex) {
   Mesh part;

@@ -4,7 +4,7 @@
 
 namespace transformesh {
 
-/// The length of a vector, also where squares overflow or vanish.
+/// Returns the length of a vector without overflow or underflow of squares.
 inline double length_of(const Vec3& vector) {
   constexpr double small = 1e-60, large = 1e60;
   const double length = vector.norm();

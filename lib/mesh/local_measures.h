@@ -1,4 +1,4 @@
-/// Measures of a mesh that other operations start from, without a search for edges.
+/// Measures of a mesh that need no edge search.
 #pragma once
 
 #include <span>
@@ -10,11 +10,12 @@ namespace transformesh {
 /// Returns the positions of the vertices that faces use, in their order.
 std::vector<Vec3> used_positions(const Mesh& mesh);
 
-/// Lengths over all halfedges: an edge of two faces counts twice.
+/// Lengths over all halfedges; an edge of two faces counts twice.
 struct HalfedgeLengths {
   double mean = 0;
   double maximum = 0;
-  std::vector<double> vertex_mean;  ///< of the edges at each vertex; 0 if there is none
+  std::vector<double> vertex_mean;  ///< mean at each vertex over the halfedges that start or end
+                                    ///< there; 0 if none
 };
 HalfedgeLengths halfedge_lengths(const Mesh& mesh);
 

@@ -1,4 +1,4 @@
-/// Locations in the words of a message and in the data of an error.
+/// Locations as text for messages, and as data for errors.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ inline std::array<double, 3> position_data(const Vec3& point) {
   return {point.x(), point.y(), point.z()};
 }
 
-/// Returns the face, the edge and its first vertex's position.
+/// Returns the face, the edge and the position of its first vertex.
 ErrorData edge_data(const Mesh& mesh, Index halfedge);
 
 }  // namespace transformesh

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Lists the edges that have one face, three or more, or two that have the same direction.
+/// Lists the edges with one face, with three or more, or with two that have the same direction.
 void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto halfedges = edges.halfedges(edge);
@@ -28,7 +28,7 @@ void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   std::sort(report.misoriented_edges.begin(), report.misoriented_edges.end());
 }
 
-/// A vertex is bad with more than one umbrella, and at an edge of three or more faces.
+/// A vertex is non-manifold if it has more than one umbrella, or an edge of three or more faces.
 void check_vertices(const Mesh& mesh, const Umbrellas& umbrellas, ManifoldReport& report) {
   std::vector<bool> is_bad(mesh.positions.size(), false);
   for (const Index halfedge : report.nonmanifold_edges) {
@@ -64,7 +64,7 @@ Problem edge_problem(ErrorKind kind, const std::string& what, const Mesh& mesh,
   return {kind, what + and_more(halfedges.size(), "edges"), std::move(data)};
 }
 
-/// Joining comes first: patches would fill the gap between border edges that coincide.
+/// Coincident border edges have priority: they must be joined, because patches would fill the gap.
 Problem border_problem(const Mesh& mesh, const ManifoldReport& report) {
   const std::vector<Index>& borders = report.border_halfedges;
   Problem problem = edge_problem(ErrorKind::not_closed,

@@ -19,12 +19,13 @@ namespace {
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 constexpr std::size_t faces_per_task = 4096;
 
-/// Squares and products of three of coordinates between these neither overflow nor vanish.
+/// If coordinates are in this range, squares and products of three of them neither overflow nor
+/// vanish.
 constexpr double large = 1e60;
 constexpr double small = 1e-60;
 
-/// Of the power of two that brings coordinates near 1 where they are very large or small; else 0,
-/// so that usual results keep their last digits.
+/// Returns the exponent of the power of two that scales extreme coordinates to about 1. Returns 0
+/// for usual coordinates, so that their results are not rounded differently.
 int extreme_exponent(const Mesh& mesh) {
   double largest = 0;
   for (const Vec3& point : mesh.positions)
@@ -43,7 +44,7 @@ Mesh scaled_down(const Mesh& mesh, int exponent) {
   return scaled;
 }
 
-/// The angle between two vectors in [0, pi]; accurate for small and for flat ones.
+/// Returns the angle between two vectors, in [0, pi]; accurate near 0 and pi.
 double angle_between(const Vec3& u, const Vec3& v) {
   return elementary::atan2(u.cross(v).norm(), u.dot(v));
 }
@@ -54,7 +55,7 @@ double corner_angle(const Mesh& mesh, const Face& face, int corner) {
                        mesh.positions[face[(corner + 2) % 3]] - apex);
 }
 
-/// The smallest angle of a face lies across its shortest edge.
+/// Returns the angle opposite to the shortest edge, which is the smallest angle.
 double smallest_angle(const Mesh& mesh, const Face& face) {
   int apex = 0;
   double shortest = std::numeric_limits<double>::infinity();
@@ -69,11 +70,12 @@ double smallest_angle(const Mesh& mesh, const Face& face) {
   return corner_angle(mesh, face, apex);
 }
 
-// Of values, where std::min compares references: these take an instruction each.
+// By value: unlike std::min, which takes references, these compile to single instructions.
 double lesser(double a, double b) { return a < b ? a : b; }
 double greater(double a, double b) { return a > b ? a : b; }
 
-/// Corners are compared with each other first, so that a face waits once for the one before.
+/// Compares the corners with each other first, which shortens the dependency chain between faces to
+/// one operation.
 void extend(Box& box, const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int axis = 0; axis < 3; ++axis) {
     const double low = lesser(lesser(a[axis], b[axis]), c[axis]);
@@ -127,8 +129,7 @@ double surface_area(const Mesh& mesh) {
 double volume(const Mesh& mesh) {
   if (const int exponent = extreme_exponent(mesh); exponent != 0)
     return std::ldexp(volume(scaled_down(mesh, exponent)), 3 * exponent);
-  // Tetrahedra end in the middle of the mesh, because with the origin far away they would cancel
-  // out.
+  // The apex of all tetrahedra is the center of the mesh: with a distant origin they would cancel.
   const Box box = bounding_box(mesh);
   const Vec3 apex = box.min() + (box.max() - box.min()) / 2;
   double sum = 0;
@@ -241,7 +242,6 @@ Vec3 vertex_normal(const Mesh& mesh, Index vertex, std::span<const Index> faces)
 }
 
 double valence_six_share(const Mesh& mesh) {
-  // Count the edges at each vertex, and mark those on a border.
   const Edges edges(mesh);
   std::vector<Index> valence(mesh.positions.size(), 0);
   std::vector<bool> is_border(mesh.positions.size(), false);

@@ -1,5 +1,5 @@
-/// Some faces of a mesh as a mesh of their own, with the vertices that they use and no columns.
-/// Vertices are in the order in which the faces name them. Cost: O(n) for n vertices of the whole.
+/// Extracts faces of a mesh as a new mesh, with the vertices that they use and without columns.
+/// Vertices are in order of their first use. Cost: O(n) for n vertices of the whole mesh.
 #pragma once
 
 #include <vector>

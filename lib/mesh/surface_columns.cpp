@@ -11,7 +11,7 @@ namespace {
 
 using NormalColumns = std::array<Column*, 3>;
 
-// Nothing where one of the three is missing or a list.
+// Returns the normal columns; nothing if one of the three is missing or a list.
 std::optional<NormalColumns> normal_columns(Columns& columns) {
   const NormalColumns found{columns.find("nx"), columns.find("ny"), columns.find("nz")};
   for (const Column* column : found)
@@ -25,7 +25,7 @@ void set_row(const NormalColumns& columns, std::size_t row, const Vec3& normal) 
     columns[axis]->values[row] = normal[static_cast<Eigen::Index>(axis)];
 }
 
-// Appends the values that the list of a row has for three corners, `width` for each.
+// Appends the values of three corners from the list of a row, `width` per corner.
 void append_corners(Column& to, const Column& from, std::size_t row,
                     const std::array<std::uint32_t, 3>& corners, std::size_t width) {
   for (const std::uint32_t corner : corners)

@@ -1,8 +1,8 @@
-/// Columns that describe the surface where it stands, and so go stale where it changes: normals
-/// (the numbers nx ny nz of vertices or faces), corner lists (texture coordinates of faces:
-/// floating-point list columns with `tex` or `uv` in their names, which hold as many values for
-/// each corner, in the order of the corners), and source points (where vertices and faces come
-/// from: geometry/source_points.h). Cost: O(n), nothing without such columns.
+/// Columns that describe the surface and become stale if the surface changes. Normals are the
+/// columns nx ny nz of vertices or faces. Corner lists are the texture coordinates of faces:
+/// floating-point list columns with `tex` or `uv` in their names, with the same number of values
+/// for each corner, in the order of the corners. Source points are described in
+/// geometry/source_points.h. Cost: O(n), none without such columns.
 #pragma once
 
 #include <array>
@@ -15,47 +15,48 @@
 
 namespace transformesh {
 
-/// Computes normals anew, weighted by angle, unless they are undefined. Returns whether any are.
+/// Recomputes existing normals, weighted by angle; undefined normals keep their values. Returns
+/// true if there are normals.
 bool refresh_normals(Mesh& mesh);
 
-/// Turns normals the other way, as all faces were.
+/// Negates all normals. Call if all faces were reversed.
 void reverse_normals(Mesh& mesh);
 
-/// Exchanges what corner lists have for the last two corners of a face.
+/// Exchanges the values of the last two corners of a face in corner lists.
 void reverse_corner_lists(Mesh& mesh, Index face);
 
-/// Turns all faces around, with their normals and corner lists.
+/// Reverses all faces, with their normals and corner lists.
 void reverse_faces(Mesh& mesh);
 
 bool is_corner_list(const Column& column);
 
-/// For faces that are no longer the same: erases corner lists, and returns their names.
+/// Erases corner lists and returns their names. Call if faces have changed.
 std::vector<std::string> drop_corner_lists(Columns& face_columns);
 
-/// The columns of source points, in this order.
+/// Names of the columns of source points, in this order.
 inline constexpr std::array<const char*, 3> source_point_names{"source_face", "source_u",
                                                                "source_v"};
 
-/// True if all three are there, as numbers.
+/// True if all three columns of source points exist and are numbers.
 bool has_source_columns(const Columns& columns);
 
-/// Erases source points, as vertices or faces are no longer the same. Returns whether any were.
+/// Erases source points. Returns true if there were any. Call if vertices or faces have changed.
 bool drop_source_points(Mesh& mesh);
 
-/// A triangle that a polygon was cut into: the polygon's row and number of corners, and which of
-/// them the triangle has.
+/// A triangle of a triangulated polygon: row and number of corners of the polygon, and the corners
+/// that the triangle has.
 struct PolygonTriangle {
   std::uint32_t row = 0;
   std::uint32_t size = 3;
   std::array<std::uint32_t, 3> corners{0, 1, 2};
 };
 
-/// After polygons were cut into triangles, whose rows have the whole lists of their polygon: leaves
-/// each triangle the values of its three corners. Lists that do not have as many values for each
-/// corner of the polygon stay.
+/// Reduces the corner lists of triangulated polygons. Each triangle has the whole list of its
+/// polygon, and keeps the values of its three corners. Lists that do not have the same number of
+/// values for each corner of the polygon stay.
 void split_corner_lists(Columns& face_columns, std::span<const PolygonTriangle> triangles);
 
-/// All of it, after faces were made or moved.
+/// Updates all of these columns after faces were created or moved.
 inline StaleColumns refresh_columns(Mesh& mesh) {
   return {refresh_normals(mesh), drop_corner_lists(mesh.face_columns), drop_source_points(mesh)};
 }

@@ -10,9 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// False only if the mesh has no border. At every vertex, the targets of the halfedges that leave
-/// and the sources of those that arrive are the same vertices if each edge has a face on both
-/// sides, and so have the same sum.
+/// Returns false only if the mesh has no border. If each edge has a face on both sides, outgoing
+/// and incoming halfedges of a vertex lead to the same vertices, so the sums of indices are equal.
 bool may_have_borders(const Mesh& mesh) {
   std::vector<Index> difference(mesh.positions.size(), 0);
   for (const Face& face : mesh.faces) {
@@ -31,7 +30,8 @@ std::vector<Index> border_halfedges(const Mesh& mesh) {
   return borders;
 }
 
-/// For each end of a halfedge, source and target in turn, the number of its position.
+/// Returns the index of the position of each halfedge end, source and target in turn. Equal
+/// positions have equal indices.
 std::vector<Index> numbered_places(const Mesh& mesh, const std::vector<Index>& halfedges) {
   std::vector<std::pair<Vec3, std::size_t>> ends;
   for (const Index h : halfedges) {

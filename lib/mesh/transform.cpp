@@ -19,7 +19,8 @@ namespace {
 
 using Matrix3 = Eigen::Matrix3d;
 
-constexpr double rounding = 1e-12;  ///< what products of rotations leave of a scale of 1
+constexpr double rounding = 1e-12;  ///< bound on the error of a scale of 1 after products of
+                                    ///< rotations
 
 Matrix4 affine(const Matrix3& linear, const Vec3& way) {
   Matrix4 matrix = Matrix4::Identity();
@@ -41,7 +42,7 @@ Vec3 unit(const Vec3& direction, const char* what) {
   return direction.stableNormalized();
 }
 
-/// Sine and cosine; of quarter turns exactly.
+/// Returns sine and cosine; exact for multiples of 90 degrees.
 std::pair<double, double> sine_and_cosine(double angle_deg) {
   const double turn = std::remainder(angle_deg, 360);
   const double quarters = std::round(turn / 90);
@@ -59,8 +60,8 @@ std::pair<double, double> sine_and_cosine(double angle_deg) {
   }
 }
 
-/// The sign of the determinant; 0 where it is singular. Rows and columns are scaled to about 1, so
-/// that a flat scaling is not taken for a singular one.
+/// Returns the sign of the determinant, 0 if the matrix is singular. Rows and columns are scaled to
+/// about 1 first, so that a strongly anisotropic scaling does not count as singular.
 int sign_of_determinant(Matrix3 linear) {
   for (Eigen::Index i = 0; i < 3; ++i) {
     const double size = linear.row(i).cwiseAbs().maxCoeff();
@@ -87,7 +88,7 @@ int checked_sign(const Matrix4& matrix) {
   return sign;
 }
 
-/// Applies `map` to the vectors in three columns of numbers, where there are such.
+/// Applies `map` to the vectors in three numeric columns, if they exist.
 void map_vectors(Columns& columns, const std::array<const char*, 3>& names, const auto& map) {
   std::array<Column*, 3> found{};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -21,9 +21,9 @@ inline Triangle triangle_of(const Mesh& mesh, Index face) {
 /// Twice the area times the unit normal.
 inline Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
-/// The cotangent of the angle between two vectors, which counts as 5 to 175 degrees.
+/// Returns the cotangent of the angle between two vectors, clamped to 5 to 175 degrees.
 inline double clamped_cotangent(const Vec3& a, const Vec3& b) {
-  constexpr double largest = 11.430052302761343;  // of 5 degrees
+  constexpr double largest = 11.430052302761343;  // cotangent of 5 degrees
   const double cross = a.cross(b).norm();
   const double dot = a.dot(b);
   if (std::abs(dot) >= largest * cross) return dot < 0 ? -largest : largest;

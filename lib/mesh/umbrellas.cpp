@@ -8,8 +8,8 @@ namespace transformesh {
 
 Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> across,
                          std::span<const char> included) {
-  // Two halfedges that start at the same vertex join their corners there, others their opposite
-  // ends.
+  // If two halfedges start at the same vertex, their sources are joined and their targets;
+  // otherwise each source is joined with the other's target.
   DisjointSets corners(3 * faces.size());
   for (Index h = 0; h < across.size(); ++h) {
     const Index other = across[h];
@@ -19,7 +19,6 @@ Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> acr
     corners.join(next_halfedge(h), have_same_direction ? next_halfedge(other) : other);
   }
 
-  // Umbrellas are numbered by their first corners.
   Umbrellas umbrellas;
   umbrellas.of_corner.assign(3 * faces.size(), no_index);
   for (Index corner = 0; corner < umbrellas.of_corner.size(); ++corner) {
@@ -50,7 +49,6 @@ std::vector<Index> boundary_loops(const Edges& edges, const Umbrellas& umbrellas
     loops.join(umbrellas.of_corner[h], umbrellas.of_corner[next_halfedge(h)]);
   }
 
-  // The lowest halfedge of each set stands for its loop.
   std::sort(border.begin(), border.end());
   std::vector<Index> firsts;
   std::vector<bool> is_counted(umbrellas.vertex_of.size(), false);

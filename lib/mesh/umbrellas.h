@@ -1,5 +1,5 @@
-/// The umbrellas of a mesh: faces around a vertex that hang together across edges (the umbrellas of
-/// the paper, 3.3). A vertex of a manifold has one; a singular one has several. Cost: O(n);
+/// Umbrellas of a mesh (paper 3.3): maximal sets of faces at a vertex that are connected across
+/// edges. A vertex of a manifold has one umbrella; a singular vertex has several. Cost: O(n);
 /// deterministic.
 #pragma once
 
@@ -12,22 +12,22 @@
 namespace transformesh {
 
 struct Umbrellas {
-  std::vector<Index> of_corner;  ///< per corner 3 * face + i; no_index where its face is left out
-  std::vector<Index> vertex_of;  ///< per umbrella, in the order of their first corners
+  std::vector<Index> of_corner;  ///< per corner 3 * face + i; no_index if its face is left out
+  std::vector<Index> vertex_of;  ///< vertex of each umbrella, in order of their first corners
 };
 
-/// `across`: where the surface goes on beyond each halfedge, or no_index; the two may have opposite
-/// directions or the same one. Faces without included[face] are left out; an empty list includes
-/// all.
+/// Finds the umbrellas. `across` is the halfedge across each halfedge where the surface continues,
+/// or no_index. Both may have opposite directions or the same. Faces with included[face] = 0 are
+/// left out; an empty list includes all.
 Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> across,
                          std::span<const char> included = {});
 
-/// The umbrellas of a mesh whose surface goes on across edges with exactly two faces, of any
-/// orientation.
+/// Finds the umbrellas of a mesh whose surface continues across edges with exactly two faces, of
+/// any orientation.
 Umbrellas find_umbrellas(const Mesh& mesh, const Edges& edges);
 
-/// The lowest border halfedge (one on an edge with a single face) of each boundary loop. Where
-/// several umbrellas meet at a vertex, loops follow the umbrella.
+/// Returns the lowest border halfedge (on an edge of one face) of each boundary loop. If several
+/// umbrellas meet at a vertex, each loop stays within one umbrella there.
 std::vector<Index> boundary_loops(const Edges& edges, const Umbrellas& umbrellas);
 
 }  // namespace transformesh

@@ -17,7 +17,7 @@ struct PlyProperty {
 
 struct PlyElement {
   std::string name;
-  std::uint64_t rows = 0;  ///< as stated in the header
+  std::uint64_t rows = 0;  ///< row count stated in the header
   std::vector<PlyProperty> properties;
 };
 

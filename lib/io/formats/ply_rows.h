@@ -10,9 +10,8 @@ namespace transformesh {
 
 class PlyRows {
  public:
-  /// Throws InputError in these cases: the path is not a regular file of binary PLY; a list other
-  /// than the corners of triangles exists; there are elements other than vertices and faces; the
-  /// size differs from that of the header.
+  /// Requires a regular file of binary PLY that has only vertices and faces, no lists except the
+  /// corners of triangles, and the size that the header implies. Throws InputError otherwise.
   explicit PlyRows(const std::string& path);
 
   const PlyHeader& header() const { return header_; }

@@ -35,7 +35,7 @@ struct ThreeMfModel {
   std::string unit = "millimeter";
   std::string description;  ///< metadata
   std::size_t other_metadata = 0;
-  std::map<std::string, ThreeMfObject> objects;  ///< by identifier
+  std::map<std::string, ThreeMfObject> objects;  ///< keys are identifiers
   std::vector<ThreeMfComponent> items;           ///< items of the build
   std::size_t unread_properties = 0;  ///< groups of materials other than colors, such as textures
   std::size_t beam_lattices = 0;
