@@ -1,6 +1,6 @@
-/// Finds the faces near a box in a mesh to which faces are added: a few trees (bvh.h), each over at
-/// least twice as many faces as the next. Cost: O(log n) amortized to add a face; a search is that
-/// of O(log n) trees. Deterministic.
+/// Finds the faces near a box in a mesh that grows. Maintains several bounding volume hierarchies
+/// (bvh.h), each over at least twice as many faces as the next. Cost: amortized O(log n) to add a
+/// face; a search visits O(log n) trees. Deterministic.
 #pragma once
 
 #include <vector>
@@ -16,15 +16,15 @@ class FaceSearch {
   /// Keeps a reference to the mesh.
   explicit FaceSearch(const Mesh& mesh);
 
-  /// Takes in the faces that were added behind those known.
+  /// Adds the faces that were appended to the mesh since the last call.
   void update();
-  /// Appends the faces whose boxes touch the box, in no particular order; perhaps some that are
-  /// just beside it.
+  /// Appends the faces whose boxes touch the given box, unordered. May also append faces just
+  /// beside it.
   void append_near(const Vec3& low, const Vec3& high, std::vector<Index>& faces) const;
 
  private:
   struct Tree {
-    Index first;  ///< face
+    Index first;  ///< first face
     Index count;
     Bvh bvh;
   };

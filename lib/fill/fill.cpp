@@ -22,7 +22,7 @@
 namespace transformesh {
 namespace {
 
-using Loop = std::vector<Index>;  ///< border halfedges, each starting where the one before ends
+using Loop = std::vector<Index>;  ///< border halfedges; each starts where the previous one ends
 
 void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& options) {
   if (options.max_edges < 3) throw UsageError("a hole has at least 3 edges");
@@ -32,7 +32,7 @@ void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& opt
                               manifold_problem(mesh, found, false)));
 }
 
-/// The loops of a manifold, in the order of their first halfedges.
+/// Returns the border loops of a manifold, in the order of their first halfedges.
 std::vector<Loop> loops_of(const Mesh& mesh, const std::vector<Index>& border) {
   std::vector<Index> from(mesh.positions.size(), no_index);
   for (const Index h : border) from[halfedge_source(mesh, h)] = h;
@@ -60,15 +60,15 @@ class Filler {
         blends_(mesh.positions.size()) {}
 
   void fill(const Loop& loop);
-  /// Gives rows to columns for what is new.
+  /// Adds column rows for the new vertices and faces.
   FillResult finish();
   FillResult& result() { return result_; }
 
  private:
   bool fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const;
   bool crosses(const HolePatch& patch, const HoleNeighborhood& part) const;
-  /// Adds the first patch that fits. One that may intersect is only looked for unless it is
-  /// allowed.
+  /// Adds the first patch that fits and returns whether there is one. A patch that may intersect is
+  /// added only if the options allow self-intersections.
   bool try_patches(const Loop& loop, const HoleNeighborhood& part, const HolePatches& found,
                    bool may_intersect = false);
   HolePatches patches_of(const HoleNeighborhood& part, Index border, PatchKind finest,
@@ -80,7 +80,7 @@ class Filler {
 
   Mesh& mesh_;
   const FillOptions& options_;
-  VertexFaces around_;  ///< of the input: borders have no vertex in common
+  VertexFaces around_;  ///< of the input; borders share no vertices
   FaceSearch search_;
   std::vector<RowBlend> blends_;
   FillResult result_;
@@ -110,7 +110,7 @@ std::vector<Index> Filler::vertices_of(const Loop& loop) const {
   return vertices;
 }
 
-/// Whether the patch intersects itself or any face of the mesh that is near.
+/// True if the patch intersects itself or a nearby face of the mesh.
 bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const {
   const Mesh& local = part.mesh;
   const auto position = [&](Index v) -> const Vec3& {
@@ -125,7 +125,7 @@ bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
 
-  // Behind them those of the patch. Equal positions are one point.
+  // Append the triangles of the patch as a soup; equal positions count as one point.
   Mesh both = neighborhood_of(mesh_, near).mesh;
   const std::size_t old_faces = both.faces.size();
   for (const Face& face : patch.faces) {
@@ -143,7 +143,7 @@ bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may
   joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
   joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
 
-  // An edge of the patch may be one of the mesh already.
+  // An edge of the patch may already exist in the mesh.
   const ManifoldReport found = check_manifold(joined);
   if (!found.nonmanifold_edges.empty() || !found.misoriented_edges.empty()) return false;
   const std::vector<Index> flat = degenerate_faces(joined);

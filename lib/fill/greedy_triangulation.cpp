@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-/// Cuts off corners, the shortest new edge first.
+/// Cuts off corners, in order of the length of the new edge.
 class GreedyTriangulation {
  public:
   explicit GreedyTriangulation(const HoleBorder& border) : border_(border) {
@@ -35,7 +35,7 @@ class GreedyTriangulation {
 
  private:
   struct Corner {
-    double length;  ///< of the edge that cuts it off, squared
+    double length;  ///< squared length of the edge that cuts off the corner
     Index point, before, after;
     auto operator<=>(const Corner&) const = default;
   };
@@ -64,7 +64,7 @@ class GreedyTriangulation {
   const HoleBorder& border_;
   std::vector<Index> next_, previous_;
   std::set<Corner> waiting_;
-  std::map<std::pair<Index, Index>, Index> apex_;  ///< of the triangle at an edge
+  std::map<std::pair<Index, Index>, Index> apex_;  ///< third corner of the triangle at an edge
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-/// The halfedges that leave each vertex of a closed oriented manifold, counter-clockwise. They stay
-/// right where the faces around a vertex do, whatever is changed elsewhere.
-/// O(n) to make; deterministic.
+/// The outgoing halfedges of each vertex of a closed oriented manifold, counter-clockwise. The star
+/// of a vertex stays valid while the faces at this vertex do not change. O(n) to construct;
+/// deterministic.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ class HalfedgeStars {
 
   const std::vector<Index>& opposites() const { return opposites_; }
 
-  /// Calls visit(halfedge) for each of them, beginning with any.
+  /// Calls visit(halfedge) for each outgoing halfedge, starting anywhere.
   template <class Visit>
   void visit(Index vertex, const Visit& visit) const {
     Index h = leaving_[vertex];
@@ -25,12 +25,12 @@ class HalfedgeStars {
     } while (h != leaving_[vertex]);
   }
 
-  /// All of them, beginning with that to `first`.
+  /// Returns all outgoing halfedges, starting with the one to `first`.
   std::vector<Index> from(const Mesh& mesh, Index vertex, Index first) const;
 
  private:
-  std::vector<Index> opposites_;  ///< of each halfedge
-  std::vector<Index> leaving_;    ///< one of each vertex
+  std::vector<Index> opposites_;  ///< opposite of each halfedge
+  std::vector<Index> leaving_;    ///< an outgoing halfedge of each vertex
 };
 
 }  // namespace transformesh

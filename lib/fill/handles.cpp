@@ -19,8 +19,8 @@ std::vector<Index> checked_opposites(const Mesh& mesh) {
                             manifold_problem(mesh, check_manifold(mesh), true)));
 }
 
-/// Loops that are slit at the same time: far enough from each other that each finds the surface as
-/// it was, and such that handles remain for all of them.
+/// One round: slits loops that are far enough apart that each loop finds the surface unchanged.
+/// Their words must be independent, so that each slit removes a handle.
 class Round {
  public:
   Round(Mesh& mesh, const HandleOptions& options)
@@ -30,7 +30,7 @@ class Round {
         room_(mesh, stars_),
         is_near_(mesh.positions.size(), 0) {}
 
-  /// Counts what this round removes and refuses.
+  /// Returns the numbers of handles removed and refused in this round.
   HandleResult run(const Progress& progress);
 
  private:
@@ -43,7 +43,7 @@ class Round {
   const HandleOptions& options_;
   HalfedgeStars stars_;
   SlitClearance room_;
-  std::vector<char> is_near_;  ///< per vertex: of a loop that was slit, or next to one
+  std::vector<char> is_near_;  ///< per vertex: on a slit or refused loop, or next to a slit one
 };
 
 bool Round::has_room(const ShortLoop& loop) const {
@@ -51,7 +51,7 @@ bool Round::has_room(const ShortLoop& loop) const {
                       [&](Index v) { return is_near_[v]; });
 }
 
-// Before the loop is slit.
+// Call before the loop is slit.
 void Round::take_room(const ShortLoop& loop) {
   for (const Index vertex : loop.vertices) {
     is_near_[vertex] = 1;
@@ -59,7 +59,7 @@ void Round::take_room(const ShortLoop& loop) {
   }
 }
 
-// Unless the handle is removed the mesh stays as it is.
+// The mesh changes only if the handle is removed.
 Round::Outcome Round::remove(const ShortLoop& loop) {
   const SlitSides sides = sides_of(mesh_, loop.vertices, stars_);
   const auto patch = patch_of_slit(mesh_, loop.vertices, sides, stars_);

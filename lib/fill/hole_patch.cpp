@@ -24,10 +24,10 @@ using Vertex = Surface::Vertex_index;
 using Halfedge = Surface::Halfedge_index;
 using FaceNumber = Surface::Face_index;
 
-/// So few that a search among all triangles takes a thousandth of a second.
+/// Up to this size a search among all triangles takes about 1 ms.
 constexpr std::size_t few_edges = 64;
-/// More edges make a search among all triangles slow, and flat ones do so earlier: their
-/// triangulations are equally good but for rounding, so that none can be left out.
+/// Above these sizes a search among all triangles is slow. Flat borders are slow earlier: all their
+/// triangulations are equally good up to rounding, so that no candidate can be skipped.
 constexpr std::size_t many_edges = 512, many_flat_edges = 256;
 
 Surface surface_of(const Mesh& mesh) {
@@ -37,14 +37,14 @@ Surface surface_of(const Mesh& mesh) {
   return surface;
 }
 
-/// The halfedges along the hole, each ending at the point of the same number.
+/// Returns the border halfedges of the hole; halfedge i ends at point i.
 std::vector<Halfedge> border_of(const Surface& surface, Halfedge first) {
   std::vector<Halfedge> border;
   for (const Halfedge h : surface.halfedges_around_face(first)) border.push_back(h);
   return border;
 }
 
-/// Nothing where the hole passes twice through a vertex.
+/// Returns the border; nothing if the hole passes twice through a vertex.
 std::optional<HoleBorder> describe(const Surface& surface, const std::vector<Halfedge>& border) {
   const auto position = [&](Vertex v) -> Vec3 {
     const Point& p = surface.point(v);
@@ -74,7 +74,7 @@ std::optional<HoleBorder> describe(const Surface& surface, const std::vector<Hal
 std::vector<FaceNumber> add_triangles(Surface& surface, const std::vector<Halfedge>& border,
                                       const std::vector<HoleTriangle>& triangles) {
   std::vector<FaceNumber> faces;
-  std::vector<Halfedge> open;  // of patches below triangles to come
+  std::vector<Halfedge> open;  // upper edges of patches whose next triangle follows
   const auto side = [&](Index from, Index to) {
     if (from + 1 == to) return border[to];
     const Halfedge h = open.back();
@@ -94,7 +94,7 @@ std::vector<FaceNumber> add_triangles(Surface& surface, const std::vector<Halfed
   return faces;
 }
 
-/// The edges of the Delaunay tetrahedra of the points, which do not depend on where memory lies.
+/// Returns the edges of the Delaunay tetrahedralization, independent of memory addresses.
 std::vector<std::pair<Index, Index>> delaunay_edges(const std::vector<Vec3>& points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Base = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
@@ -111,7 +111,7 @@ std::vector<std::pair<Index, Index>> delaunay_edges(const std::vector<Vec3>& poi
   return edges;
 }
 
-/// Whether all points lie in one plane.
+/// True if all points are coplanar.
 bool is_flat(const std::vector<Vec3>& points) {
   std::size_t i = 2;
   while (i < points.size() && collinear(points[0], points[1], points[i])) ++i;
@@ -120,7 +120,7 @@ bool is_flat(const std::vector<Vec3>& points) {
   });
 }
 
-/// Decides whether a triangulation is that of Search::all.
+/// Triangulates the hole. Sets `is_of_all` if the result is that of Search::all.
 std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search search,
                                     bool& is_of_all) {
   std::vector<FaceNumber> faces;
@@ -138,7 +138,8 @@ std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search sea
   return add_triangles(surface, border, triangles);
 }
 
-/// Adds what follows the vertices and faces of the mesh, if all points are finite.
+/// Prepends the vertices and faces that were added to the mesh as a patch, if all points are
+/// finite.
 void add_patch(const Surface& surface, const Mesh& mesh, PatchKind kind,
                std::vector<HolePatch>& patches) {
   HolePatch patch{kind, {}, {}};
@@ -183,7 +184,7 @@ HolePatches patch_hole(const Mesh& around, Index border_halfedge, PatchKind fine
     add_patch(surface, around, PatchKind::plain, result.patches);
     if (finest != PatchKind::plain)
       add_finer_patches(surface, around, faces, finest, result.patches);
-  } catch (const CGAL::Failure_exception&) {  // a precondition that rounding broke
+  } catch (const CGAL::Failure_exception&) {  // rounding violated a precondition of CGAL
   }
   return result;
 }

@@ -1,8 +1,9 @@
-/// Patches for one hole: the triangulation of its border with the smallest dihedral angles and then
-/// area; the same refined until its triangles are as dense as those around; and that faired, so
-/// that it continues them smoothly. Reference: Liepa, "Filling holes in meshes", SGP 2003, as CGAL
-/// has it. Cost: that of the triangulation (hole_triangulation.h), nearly O(n log n) for
-/// Search::delaunay of many edges. Deterministic.
+/// Patches for one hole. A plain patch is the triangulation of the border with the least dihedral
+/// angles and then the least area. A refined patch has added vertices, as dense as around the hole.
+/// A faired patch continues the surrounding surface smoothly. Reference: Liepa, "Filling holes in
+/// meshes", SGP 2003, as implemented in CGAL. Triangulations with many border edges are restricted
+/// to Delaunay edges (Search::delaunay). Cost: that of the triangulation (hole_triangulation.h),
+/// nearly O(n log n) for Search::delaunay with many edges. Deterministic.
 #pragma once
 
 #include <cstddef>
@@ -14,26 +15,27 @@ namespace transformesh {
 
 enum class PatchKind { plain, refined, faired };
 
-/// Among which triangles: beyond 64 edges those whose edges are of the Delaunay tetrahedra of the
-/// border; or always all.
+/// Triangles to choose from: all, or for borders of more than 64 edges only those with edges of the
+/// Delaunay tetrahedralization of the border.
 enum class Search { delaunay, all };
 
-/// Search::all is not asked for holes with more edges.
+/// Callers use Search::all only for holes with at most this many edges, since its cost is cubic.
 inline constexpr std::size_t most_edges_of_all = 200;
 
 struct HolePatch {
   PatchKind kind = PatchKind::plain;
-  std::vector<Vec3> points;  ///< new ones: the vertices behind those of the mesh
-  std::vector<Face> faces;   ///< oriented as the faces around
+  std::vector<Vec3> points;  ///< new points; indexed after the vertices of the mesh
+  std::vector<Face> faces;   ///< oriented as the faces around the hole
 };
 
 struct HolePatches {
-  std::vector<HolePatch> patches;  ///< The finest first. One without new points is plain.
-  bool are_of_all = false;         ///< They are those of Search::all.
+  std::vector<HolePatch> patches;  ///< finest first; a patch without new points is plain
+  bool are_of_all = false;         ///< the patches are also those of Search::all
 };
 
-/// For the hole beside the border halfedge of an oriented manifold that holds all faces within two
-/// rings of it: patches of all kinds up to the finest. Kinds that cannot be made are left out.
+/// Returns patches of all kinds up to `finest` for the hole at a border halfedge. Kinds that cannot
+/// be made are missing. `around` is an oriented manifold with all faces within two rings of the
+/// hole.
 HolePatches patch_hole(const Mesh& around, Index border_halfedge, PatchKind finest, Search search);
 
 }  // namespace transformesh

@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Edges to so many of the nearest points are tried.
+/// Number of nearest points to which each point gets an edge. A choice: more edges give better
+/// triangulations and take more time.
 constexpr std::size_t nearest_tried = 24;
 
 bool is_chord(const HoleBorder& border, std::size_t i, std::size_t k) {
@@ -16,7 +17,8 @@ bool is_chord(const HoleBorder& border, std::size_t i, std::size_t k) {
                             std::pair<Index, Index>(i, k));
 }
 
-/// The best parts between points i and k for all pairs, near ones first.
+/// Dynamic programming over all pairs of points i < k, in order of k - i: the best triangulation of
+/// the polygon from i to k.
 class LeastTriangulation {
  public:
   explicit LeastTriangulation(const HoleBorder& border)
@@ -50,9 +52,9 @@ class LeastTriangulation {
   const HoleBorder& border_;
   HoleWeights weigher_;
   std::size_t size_;
-  std::vector<HoleSubpolygon> subpolygons_;  ///< By first and then by second point.
-  /// The angles of the parts once more, which are looked through: in the same order, and by second
-  /// and then by first point.
+  std::vector<HoleSubpolygon> subpolygons_;  ///< by first, then second point
+  /// Angles of the subpolygons, copied for fast searches: by first, then second point; and by
+  /// second, then first point.
   std::vector<double> angles_, angles_before_;
 };
 
@@ -65,7 +67,7 @@ HoleSubpolygon LeastTriangulation::best_between(std::size_t i, std::size_t k) co
     if (m != best.apex && first.weight.is_there() && second.weight.is_there())
       weigher_.improve(i, m, k, first, second, best);
   };
-  // The apexes of shorter pairs are often good, and good ones spare most of the others.
+  // The apexes of shorter subpolygons are often good, and a good candidate excludes most others.
   for (const Index m : {subpolygon(i, k - 1).apex, subpolygon(i + 1, k).apex})
     if (m != no_index) attempt(m);
   for (std::size_t m = i + 1; m < k; ++m)
@@ -73,8 +75,8 @@ HoleSubpolygon LeastTriangulation::best_between(std::size_t i, std::size_t k) co
   return best;
 }
 
-/// The best parts between points that edges join, of those given or of the greedy triangulation;
-/// short ones first.
+/// The same dynamic programming over pairs that are edges, either given or of the greedy
+/// triangulation, in order of k - i.
 class SparseTriangulation {
  public:
   using Edge = std::pair<Index, Index>;
@@ -123,8 +125,8 @@ class SparseTriangulation {
   HoleWeights weigher_;
   Index size_;
   std::vector<Edge> edges_;
-  std::vector<SubpolygonsTo> to_;    ///< Per first point, by ascending second point.
-  std::vector<SubpolygonsTo> from_;  ///< Per second point, by descending first point.
+  std::vector<SubpolygonsTo> to_;    ///< per first point, by ascending second point
+  std::vector<SubpolygonsTo> from_;  ///< per second point, by descending first point
 };
 
 HoleSubpolygon SparseTriangulation::best_between(Index i, Index k) const {

@@ -1,5 +1,5 @@
 /// Triangulations of a closed polygon in space, the border of a hole, without new vertices.
-/// Triangles that are collinear, and edges that the mesh around the hole has already, are not used.
+/// Degenerate triangles, and edges that the surrounding mesh already has, are not used.
 /// Deterministic.
 #pragma once
 
@@ -12,32 +12,32 @@
 namespace transformesh {
 
 struct HoleBorder {
-  std::vector<Vec3> points;  ///< In order around the hole.
-  std::vector<Vec3> across;  ///< Per point, the third corner of the face at the edge to the next.
-  /// Edges of the mesh between points that are not neighbors, the smaller number first. Sorted.
+  std::vector<Vec3> points;  ///< in order around the hole
+  std::vector<Vec3> across;  ///< third corner of the face at the edge from each point to the next
+  /// Edges of the mesh between points that are not neighbors, the smaller index first. Sorted.
   std::vector<std::pair<Index, Index>> chords;
 };
 
-/// Corners i < m < k of a triangle, as numbers of points. Triangles that lie beyond the edges (i,
-/// m) and (m, k), in this order, come before.
+/// Corners i < m < k of a triangle, as indices of points. Triangles across the edges (i, m) and (m,
+/// k) precede it in a triangulation.
 using HoleTriangle = std::array<Index, 3>;
 
-/// The triangulation with the smallest largest dihedral angle and then the smallest area, as Liepa,
-/// "Filling holes in meshes", SGP 2003, and CGAL have it. Empty if there is none.
-/// Cost: O(n^3) comparisons, and O(n^2) angles as a rule: 1,000 points take a tenth of a second.
+/// Returns the triangulation with the least maximal dihedral angle and then the least area, as in
+/// Liepa, "Filling holes in meshes", SGP 2003, and CGAL. Empty if there is none. Cost: O(n^3)
+/// comparisons, usually O(n^2) angles: 1,000 points take 0.1 s.
 std::vector<HoleTriangle> least_triangulation(const HoleBorder& border);
 
-/// The same among the edges to the nearest points and those of greedy_triangulation(), so that it
-/// is at least as good as that. Cost: O(n log n).
+/// Does the same, restricted to edges between near points and those of greedy_triangulation(). The
+/// result is therefore at least as good as greedy_triangulation(). Cost: O(n log n).
 std::vector<HoleTriangle> sparse_triangulation(const HoleBorder& border);
 
-/// The same among edges that are given, as pairs of numbers of points, and those of
+/// Does the same, restricted to the given edges (pairs of indices of points) and those of
 /// greedy_triangulation(). Cost: O(n log n) for edges of bounded valence.
 std::vector<HoleTriangle> triangulation_among(const HoleBorder& border,
                                               std::vector<std::pair<Index, Index>> edges);
 
-/// Cuts off one corner after the other, first where the new edge is shortest. Empty if no corner is
-/// left that may be cut off. Cost: O(n log n).
+/// Cuts off one corner at a time, the one with the shortest new edge. Empty if no corner can be cut
+/// off. Cost: O(n log n).
 std::vector<HoleTriangle> greedy_triangulation(const HoleBorder& border);
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
-/// Weights by which triangulations of a hole are compared, equal to those of CGAL to the last
-/// digit. Private to this folder, as it includes CGAL.
+/// Weights of hole triangulations, equal to those of CGAL bit for bit. Includes CGAL, so only
+/// sources of this folder may include this file.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,8 +12,8 @@
 
 namespace transformesh {
 
-/// The largest angle between normals of neighbors in degrees, infinite if there is no
-/// triangulation; then the area.
+/// Largest angle between normals of neighboring triangles, in degrees, infinite if there is no
+/// triangulation; ties are decided by the area.
 struct HoleWeight {
   double angle = std::numeric_limits<double>::infinity();
   double area = 0;
@@ -23,8 +23,8 @@ struct HoleWeight {
   }
 };
 
-/// The best triangulation found between two points: its weight, and the third corner of its
-/// triangle at the edge between them. The edge to the next point has no triangle.
+/// The best triangulation of the polygon from one point to another: its weight, and the third
+/// corner of its triangle at the edge between both. The edge to the next point has no triangle.
 struct HoleSubpolygon {
   HoleWeight weight;
   Index apex = no_index;
@@ -38,8 +38,8 @@ class HoleWeights {
     for (const Vec3& p : border.across) across_.emplace_back(p.x(), p.y(), p.z());
   }
 
-  /// Puts the triangle i, m, k on top of two parts where that makes a better part than `best`, or
-  /// as good a one with a lower apex. What decides most often is computed first.
+  /// Combines two subpolygons with the triangle (i, m, k), and replaces `best` if the result is
+  /// better, or equally good with a lower apex. The cheapest rejections come first.
   void improve(std::size_t i, std::size_t m, std::size_t k, const HoleSubpolygon& left,
                const HoleSubpolygon& right, HoleSubpolygon& best) const {
     HoleWeight weight{std::max(left.weight.angle, right.weight.angle),
@@ -70,7 +70,7 @@ class HoleWeights {
   std::vector<Point> points_, across_;
 };
 
-/// The triangles of a polygon, given apex(i, k), the third corner of that at each edge.
+/// Lists the triangles of a polygon. apex(i, k) is the third corner of the triangle at each edge.
 template <class Apex>
 std::vector<HoleTriangle> triangles_below(std::size_t size, const Apex& apex) {
   std::vector<HoleTriangle> triangles;

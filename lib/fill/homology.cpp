@@ -6,7 +6,8 @@
 namespace transformesh {
 namespace {
 
-/// The next of a sequence without a pattern (Steele, Lea and Flood, OOPSLA 2014).
+/// Returns pseudorandom number `number` of a sequence (SplitMix64: Steele, Lea & Flood, "Fast
+/// splittable pseudorandom number generators", OOPSLA 2014).
 HomologyWord scattered(HomologyWord number) {
   number = (number + 1) * 0x9e3779b97f4a7c15ULL;
   number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -32,12 +33,13 @@ class Trees {
 
   const Mesh& mesh_;
   const std::vector<Index>& opposites_;
-  std::vector<char> is_taken_;  ///< per halfedge: its edge is in a tree, or crosses one
-  std::vector<Index> up_;       ///< per face: its halfedge towards the root; no_index for that
+  std::vector<char> is_taken_;  ///< per halfedge: its edge is in the vertex tree, or the face tree
+                                ///< crosses it
+  std::vector<Index> up_;       ///< per face: its halfedge towards the root; no_index for the root
   std::vector<Index> depth_;    ///< per face
 };
 
-// Breadth first, as short paths make few words.
+// Breadth first: short paths give fewer nonzero words.
 void Trees::grow_over_vertices() {
   std::vector<char> is_reached(mesh_.positions.size(), 0);
   for (Index root = 0; root < opposites_.size(); ++root) {
@@ -80,7 +82,8 @@ void Trees::grow_over_faces() {
   }
 }
 
-// Across the halfedge, and through the tree of faces from both sides to where these meet.
+// Adds a word along a loop of faces: across the halfedge, and from both faces up the tree to their
+// common ancestor.
 void Trees::add_loop(Index halfedge, HomologyWord word, std::vector<HomologyWord>& words) const {
   const auto cross = [&](Index h) {
     words[h] ^= word;

@@ -1,10 +1,12 @@
-/// Which loops of edges separate a surface: only where no handle holds the two sides together.
-/// Every halfedge gets a word, the same as its opposite; a loop separates its component where the
-/// words along it cancel (exclusive or), but for a chance of 2^-64. Most words are 0. Words of
-/// loops that are independent of each other may be cut along together.
-/// Trees of vertices and of faces whose edges do not cross leave two edges for each handle, and the
-/// loops of faces through these are counted (Eppstein, Dynamic generators of topologically embedded
-/// graphs, SODA 2003). Cost: O(n), and for each handle the depth of a tree. Deterministic.
+/// Decides which loops of edges separate a closed surface. Every halfedge gets a word, equal to
+/// that of its opposite. A loop separates its component if the exclusive or of its words is 0, with
+/// an error probability of 2^-64. Most words are 0. The surface stays connected if it is cut along
+/// several loops whose words are linearly independent over GF(2).
+///
+/// A spanning tree of vertices and a spanning tree of faces that do not cross leave two edges per
+/// handle. Each of these edges defines a loop of faces, whose words are accumulated. Reference:
+/// Eppstein, "Dynamic generators of topologically embedded graphs", SODA 2003. Cost: O(n), plus the
+/// depth of a tree for each handle. Deterministic.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +18,20 @@ namespace transformesh {
 
 using HomologyWord = std::uint64_t;
 
-/// Of every halfedge. Pre: a closed oriented manifold, and its opposites.
+/// Returns the word of every halfedge. Pre: a closed oriented manifold with its opposite halfedges.
 std::vector<HomologyWord> homology_words(const Mesh& mesh, const std::vector<Index>& opposites);
 
-/// The words of loops that a surface was cut along.
+/// The words of loops along which a surface was cut.
 class IndependentWords {
  public:
-  /// Whether no sum of those added is this word.
+  /// True if no exclusive or of the added words equals this word.
   bool is_new(HomologyWord word) const { return remainder(word) != 0; }
   void add(HomologyWord word);
 
  private:
   HomologyWord remainder(HomologyWord word) const;
 
-  std::vector<HomologyWord> reduced_;  ///< descending; the leading bits differ
+  std::vector<HomologyWord> reduced_;  ///< descending; with distinct leading bits
 };
 
 }  // namespace transformesh

@@ -24,8 +24,8 @@ struct Surface {
   }
 };
 
-/// Shortest paths from a vertex, grown until the shortest loop is found that two of them and an
-/// edge between their ends close, and that does not separate; or up to a length.
+/// Shortest paths from a base vertex. They grow until the shortest non-separating loop is certain
+/// that consists of two paths and an edge between their ends, or up to the limit.
 class Paths {
  public:
   Paths(const Surface& surface, Index base, double max_length);
@@ -45,14 +45,14 @@ class Paths {
   std::vector<Index> path_from(Index vertex) const;
 
   const Surface& surface_;
-  double shortest_;  ///< length of the loop, or the most that it may have
+  double shortest_;  ///< length of the best loop, or the limit
   Index closing_ = no_index;
   std::unordered_map<Index, Reached> reached_;
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
-// Beyond half the length of a loop nothing shorter is closed.
+// Paths longer than half the best loop cannot close a shorter one.
 Paths::Paths(const Surface& surface, Index base, double max_length)
     : surface_(surface), shortest_(max_length) {
   reached_[base] = {};
@@ -93,7 +93,7 @@ std::vector<Index> Paths::path_from(Index vertex) const {
   return path;
 }
 
-// Without the way from the base to where the two paths part.
+// The common part of both paths, from the base to their fork, is left out.
 std::optional<ShortLoop> Paths::shortest_loop() const {
   if (closing_ == no_index) return std::nullopt;
   std::vector<Index> there = path_from(halfedge_source(surface_.mesh, closing_));
@@ -111,7 +111,7 @@ std::optional<ShortLoop> Paths::shortest_loop() const {
   return loop;
 }
 
-/// The vertices of edges with words.
+/// Returns the ends of edges with nonzero words.
 std::vector<Index> bases_of(const Surface& surface) {
   std::vector<Index> bases;
   for (Index h = 0; h < surface.words.size(); ++h)

@@ -1,11 +1,12 @@
-/// Short loops of edges that do not separate a surface: around thin handles, and around the narrow
-/// tunnels beside them.
-/// A loop that does not separate passes an edge with a word (homology.h). From the ends of these
-/// edges shortest paths are grown; an edge whose paths differ in their words closes a loop
-/// (Erickson and Whittlesey, Greedy optimal homotopy and homology generators, SODA 2005). The
-/// shortest one of all is among those found.
-/// Cost: the edges with words, times the size of a ball of half the length of the loop found, or of
-/// the limit. Deterministic for any number of threads.
+/// Short non-separating loops of edges: around thin handles, and around the narrow tunnels beside
+/// them.
+///
+/// A non-separating loop contains an edge with a nonzero word (homology.h). Shortest paths are
+/// grown from the ends of these edges. An edge between two paths with different words closes a
+/// loop. The shortest of all loops is among those found. Reference: Erickson & Whittlesey, "Greedy
+/// optimal homotopy and homology generators", SODA 2005. Cost: the number of edges with words,
+/// times the size of a ball with half the length of the loop or of the limit. Deterministic for any
+/// number of threads.
 #pragma once
 
 #include <vector>
@@ -17,13 +18,13 @@
 namespace transformesh {
 
 struct ShortLoop {
-  std::vector<Index> vertices;  ///< in order, each once; at least three
+  std::vector<Index> vertices;  ///< in order, distinct; at least three
   double length = 0;
-  HomologyWord word = 0;  ///< of all its edges; not 0
+  HomologyWord word = 0;  ///< exclusive or of the words of its edges; not 0
 };
 
-/// At most one for each such vertex, of at most that length; the shortest ones come first, of equal
-/// ones that of the lower vertices.
+/// Returns at most one loop per end of an edge with a word, of at most `max_length`. The shortest
+/// loops come first; ties are decided by the vertex indices.
 std::vector<ShortLoop> short_loops(const Mesh& mesh, const HalfedgeStars& stars, double max_length,
                                    const Progress& progress = Progress());
 

@@ -7,7 +7,8 @@ namespace {
 
 constexpr double drawn_back = 1.0 / 3;
 
-/// Adds the side of a vertex, where the halfedges from it are given, that along the loop first.
+/// Adds the data of a vertex to a side. `corners` are its outgoing halfedges on this side, starting
+/// with the one along the loop.
 void add_vertex(const Mesh& mesh, const std::vector<Index>& loop, std::vector<Index> corners,
                 SlitSide& side) {
   const Index vertex = halfedge_source(mesh, corners.front());

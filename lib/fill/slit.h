@@ -1,6 +1,5 @@
-/// A slit in a surface along a loop of edges: every vertex of the loop becomes two, one for the
-/// faces on either side.
-/// Cost: O(faces around the loop). Deterministic.
+/// A slit in a surface along a loop of edges: every vertex of the loop is duplicated, so that the
+/// faces on either side have their own vertices. Cost: O(faces around the loop). Deterministic.
 #pragma once
 
 #include <utility>
@@ -11,25 +10,27 @@
 
 namespace transformesh {
 
-/// What lies on one side of the loop, per vertex of it.
+/// The faces on one side of the loop, per vertex of the loop.
 struct SlitSide {
-  std::vector<std::vector<Index>> corners;  ///< 3 * face + corner, counter-clockwise
-  /// Where it is drawn back to: a third of the way to the middle of the vertices next to it on this
-  /// side; where it is, if there are none but those of the loop.
+  std::vector<std::vector<Index>> corners;  ///< outgoing halfedges 3 * face + corner,
+                                            ///< counter-clockwise
+  /// Position after moving away from the slit: a third of the way to the mean of the neighbors on
+  /// this side. Unchanged if all neighbors are on the loop.
   std::vector<Vec3> drawn_back;
-  std::vector<std::pair<Index, Index>> chords;  ///< edges between vertices of the loop, both ways
+  std::vector<std::pair<Index, Index>> chords;  ///< edges between vertices of the loop, in both
+                                                ///< directions
 };
 
 struct SlitSides {
   SlitSide left, right;
 };
 
-/// Pre: `loop` is a simple loop of edges, and since the stars were taken the faces at its
-/// vertices are the same.
+/// Pre: `loop` is a simple loop of edges, and the faces at its vertices have not changed since the
+/// stars were computed.
 SlitSides sides_of(const Mesh& mesh, const std::vector<Index>& loop, const HalfedgeStars& stars);
 
-/// Gives new vertices to the faces on the right: behind the others in the order of the loop, at the
-/// same places and with the same columns.
+/// Gives the faces on the right new vertices: appended in the order of the loop, with equal
+/// positions and columns.
 void slit_along(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides);
 
 }  // namespace transformesh

@@ -34,7 +34,7 @@ bool intersect(const std::vector<Triangle>& first, const std::vector<Triangle>& 
   });
 }
 
-/// Between the two patches.
+/// Returns the boundary of the slab between the two patches.
 Mesh slab_of(const ClosedSlit& slit) {
   Mesh slab;
   append(slab, slit.left_patch());
@@ -49,7 +49,8 @@ Mesh slab_of(const ClosedSlit& slit) {
 
 }  // namespace
 
-// Returns the vertices of the loop and their neighbors, ascending.
+// Returns the vertices of the loop and their neighbors, in ascending order. Loop vertices may occur
+// several times.
 std::vector<Index> SlitClearance::near_vertices(const std::vector<Index>& loop) const {
   std::vector<Index> near = loop;
   for (const Index v : loop)
@@ -58,7 +59,7 @@ std::vector<Index> SlitClearance::near_vertices(const std::vector<Index>& loop) 
   return near;
 }
 
-// The patches, and the faces that are drawn back.
+// Returns the patches, and the faces at the loop with moved vertices.
 std::vector<Triangle> SlitClearance::surface_of(const std::vector<Index>& loop,
                                                 const SlitSides& sides,
                                                 const ClosedSlit& slit) const {

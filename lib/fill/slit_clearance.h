@@ -1,11 +1,11 @@
-/// Decides whether a slit that is closed and drawn apart (twin_patches.h) keeps clear of all other
-/// parts of the surface. Between its two patches lies a slab that becomes outside, where a bridge
-/// is cut through, or inside, where a tunnel is closed. A cavity or another body that reaches into
-/// the slab would be opened, joined or swallowed by that, and so would another handle.
+/// Decides whether a closed slit (twin_patches.h) stays clear of all other parts of the surface.
+/// The slab between its two patches becomes outside if a bridge is cut, and inside if a tunnel is
+/// closed. This would open, join or swallow a cavity, another body or another handle that reaches
+/// into the slab.
 ///
-/// Faces within two rings of the loop are ignored: where they meet the patches, clean() resolves
-/// it, and nothing else changes. Intersections are decided exactly. Cost: O(n) for the first
-/// question, then that of the faces near the slit. Deterministic.
+/// Faces within two rings of the loop are ignored: clean() resolves their intersections with the
+/// patches, and nothing else changes. Intersections are decided exactly. Cost: O(n) for the first
+/// slit, then that of the faces near each slit. Deterministic.
 #pragma once
 
 #include <vector>
@@ -19,12 +19,12 @@ namespace transformesh {
 
 class SlitClearance {
  public:
-  /// Keeps references. The faces that the mesh has now are those of the surface.
+  /// Keeps references. The present faces of the mesh are the surface.
   SlitClearance(const Mesh& mesh, const HalfedgeStars& stars) : mesh_(mesh), stars_(stars) {}
 
-  /// Whether nothing is in the way of a slit, of those taken before neither.
+  /// True if a slit meets neither the surface nor an earlier slit.
   bool is_free(const std::vector<Index>& loop, const SlitSides& sides, const ClosedSlit& slit);
-  /// To be called for a slit that is made, before it is.
+  /// Records a slit. Call before the mesh is slit.
   void take(const std::vector<Index>& loop, const SlitSides& sides, const ClosedSlit& slit);
 
  private:
@@ -35,7 +35,7 @@ class SlitClearance {
 
   const Mesh& mesh_;
   const HalfedgeStars& stars_;
-  Bvh faces_;  ///< built when the first question is asked
+  Bvh faces_;  ///< built at the first call of is_free()
   std::vector<std::vector<Triangle>> taken_;
 };
 

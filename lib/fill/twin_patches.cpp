@@ -16,7 +16,7 @@ std::vector<Index> sorted_faces(const SlitSide& side) {
   return faces;
 }
 
-/// Within two rings of the loop, without what lies on the right of it.
+/// Returns the faces within two rings of the loop, except those on its right.
 std::vector<Index> faces_on_left(const Mesh& mesh, const std::vector<Index>& loop,
                                  const SlitSides& sides, const HalfedgeStars& stars) {
   std::vector<Index> faces = faces_around(mesh, loop, [&](Index v, std::vector<Index>& all) {
@@ -27,7 +27,7 @@ std::vector<Index> faces_on_left(const Mesh& mesh, const std::vector<Index>& loo
   return faces;
 }
 
-/// Whether an edge of the patch is there already, on either side.
+/// True if an edge of the patch already exists on a side.
 bool has_chord(const HolePatch& patch, const SlitSides& sides) {
   const auto is_chord = [](const SlitSide& side, Index from, Index to) {
     const std::pair chord(from, to);
@@ -41,7 +41,7 @@ bool has_chord(const HolePatch& patch, const SlitSides& sides) {
   return false;
 }
 
-/// In the numbers of the mesh.
+/// Replaces vertex indices of the neighborhood by those of the whole mesh.
 void rename(HolePatch& patch, const HoleNeighborhood& part, std::size_t vertices) {
   const auto known = static_cast<Index>(part.vertices.size());
   for (Face& face : patch.faces)
@@ -70,7 +70,8 @@ std::vector<Triangle> triangles_of(const std::vector<Face>& faces, const DrawnSi
   return triangles;
 }
 
-/// Moves the vertices of a loop and adds those within. Returns all of them.
+/// Moves the vertices of a loop and adds the inner vertices of the patch. Returns the indices of
+/// all.
 std::vector<Index> add_vertices(Mesh& mesh, std::vector<Index> loop, const HolePatch& patch,
                                 const DrawnSide& side) {
   std::vector<Index> all = loop;
@@ -134,7 +135,7 @@ void close_slit(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sid
   const std::vector<Index> left = add_vertices(mesh, loop, patch, slit.left);
   const std::vector<Index> right = add_vertices(mesh, std::move(copies), patch, slit.right);
   for (const auto& [a, b, c] : slit.faces) mesh.faces.push_back({left[a], left[b], left[c]});
-  // Seen from the other side a face turns the other way.
+  // The right patch has the opposite orientation.
   for (const auto& [a, b, c] : slit.faces) mesh.faces.push_back({right[a], right[c], right[b]});
 }
 

@@ -1,7 +1,7 @@
-/// Closes both sides of a slit by the same patch (hole_patch.h, not faired), seen from either side
-/// and drawn apart: its border as the slit says, what is within it along the mean of that. Two
-/// patches of their own would pass through each other where the loop is wide and uneven.
-/// Cost: that of the patch, and O(faces around the loop). Deterministic.
+/// Closes both sides of a slit by two copies of one patch (hole_patch.h, not faired), one of them
+/// reversed, moved apart. Vertices on the loop move as in SlitSide::drawn_back, inner vertices by
+/// the mean of these movements. Two separately computed patches would intersect each other if the
+/// loop is wide and uneven. Cost: that of the patch, and O(faces around the loop). Deterministic.
 #pragma once
 
 #include <optional>
@@ -12,31 +12,32 @@
 
 namespace transformesh {
 
-/// A patch for the left side, and so for the right one, before the mesh is slit. Its new points are
-/// the vertices behind those of the mesh. Nothing where none is found, or where each has an edge
-/// that a side has already.
+/// Returns a patch for the left side, whose reverse fits the right side. Call before the mesh is
+/// slit. New points are indexed after the vertices of the mesh. Returns nothing if there is no
+/// patch, or if each one has an edge that already exists on a side.
 std::optional<HolePatch> patch_of_slit(const Mesh& mesh, const std::vector<Index>& loop,
                                        const SlitSides& sides, const HalfedgeStars& stars);
 
-/// Positions of the vertices of one side after it is drawn back from the other.
+/// Positions of the vertices of one side after it is moved away from the slit.
 struct DrawnSide {
   std::vector<Vec3> loop;
-  std::vector<Vec3> within;  ///< those of the patch that are not on the loop
+  std::vector<Vec3> within;  ///< vertices of the patch that are not on the loop
 };
 
 struct ClosedSlit {
-  std::vector<Face> faces;  ///< of the left patch: corners by their place in the loop, then within
+  std::vector<Face> faces;  ///< faces of the left patch: indices of loop vertices, then of inner
+                            ///< ones
   DrawnSide left, right;
   std::vector<Triangle> left_patch() const;
-  std::vector<Triangle> right_patch() const;  ///< looks the other way
+  std::vector<Triangle> right_patch() const;  ///< with reversed triangles
 };
 
-/// The patches as close_slit() makes them. The mesh is not slit yet.
+/// Computes the patches that close_slit() will add. Call before the mesh is slit.
 ClosedSlit drawn_apart(const Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides,
                        const HolePatch& patch, Scalar coordinate);
 
-/// Slits the mesh and closes it. New vertices have columns as documented in fill.h; those of faces
-/// are the caller's.
+/// Slits the mesh and closes the slit. New vertices have columns as documented in fill.h; the
+/// caller adds rows to face columns.
 void close_slit(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides,
                 const HolePatch& patch, const ClosedSlit& slit);
 

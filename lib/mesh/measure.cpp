@@ -70,7 +70,7 @@ double smallest_angle(const Mesh& mesh, const Face& face) {
   return corner_angle(mesh, face, apex);
 }
 
-// By value: unlike std::min, which takes references, these compile to single instructions.
+// Values instead of references: unlike std::min, these functions compile to single instructions.
 double lesser(double a, double b) { return a < b ? a : b; }
 double greater(double a, double b) { return a > b ? a : b; }
 
