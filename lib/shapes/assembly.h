@@ -1,4 +1,4 @@
-/// Putting shapes together from parts.
+/// Assembles shapes from parts.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,14 +7,15 @@
 
 namespace transformesh::shapes {
 
-/// Rotations about skew axes, a different one for each index: parts that are turned by them meet in
-/// general position. Square roots only, hence the same on every machine.
+/// Returns a rotation about a skew axis, different for each index. Parts rotated by different
+/// indices meet in general position. Uses only square roots, hence the result is the same on every
+/// machine.
 Eigen::Matrix3d generic_rotation(unsigned index);
 
 /// Moves every vertex p to linear * p + offset.
 void transform(Mesh& mesh, const Eigen::Matrix3d& linear, const Vec3& offset);
 
-/// Appends the faces of `part`.
+/// Appends the vertices and faces of `part`.
 void append(Mesh& mesh, const Mesh& part);
 
 }  // namespace transformesh::shapes

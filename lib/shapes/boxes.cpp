@@ -13,7 +13,7 @@
 namespace transformesh::shapes {
 namespace {
 
-/// The surface of a lattice of cells, whose points are numbered as they are met.
+/// Builds the surface of a lattice of cells. Points are numbered in the order of their first use.
 class BoxBuilder {
  public:
   BoxBuilder(Vec3 edges, const std::array<std::size_t, 3>& cells)
@@ -73,7 +73,7 @@ class BoxBuilder {
   Mesh mesh_;
 };
 
-/// How many cells of that size, at least one, go along each edge.
+/// Returns the number of cells of this size along each edge, at least one.
 std::array<std::size_t, 3> cells_of(const Vec3& edges, double cell) {
   constexpr double most = 1e9;
   std::array<std::size_t, 3> cells;
@@ -100,7 +100,8 @@ void append_lattice_box(Mesh& mesh, const std::array<long, 3>& low,
 }  // namespace
 
 Mesh box(const Vec3& edges, std::size_t faces) {
-  // The number of faces falls in steps, down to 12, as cells grow: bisection finds the step wanted.
+  // The number of faces is a step function that decreases to 12 as cells grow. Bisection finds the
+  // closest step.
   const auto wanted = static_cast<double>(faces);
   double small = 0;
   double large = edges.maxCoeff();

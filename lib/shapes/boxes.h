@@ -1,4 +1,4 @@
-/// Boxes: one, and many on the integer lattice.
+/// A single box, and random boxes with integer corners.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace transformesh::shapes {
 
-/// Centered at the origin, with those edges; each side is a grid of squares or nearly so, cut in
-/// two along alternating diagonals.
+/// Returns a box centered at the origin with these edge lengths. Each side is a grid of almost
+/// square cells, divided along alternating diagonals.
 Mesh box(const Vec3& edges, std::size_t faces);
 
-/// `count` boxes of 12 faces with integer corners, so dense that sides are coplanar, coincide, and
-/// meet in edges and corners.
+/// Returns `count` boxes of 12 faces with integer corners. They are so dense that sides are
+/// coplanar, coincide, and meet in edges and corners.
 Mesh boxes(std::size_t count, std::uint64_t seed);
 
 }  // namespace transformesh::shapes

@@ -17,7 +17,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Hull = CGAL::Surface_mesh<Kernel::Point_3>;
 using Place = std::array<double, 3>;
 
-/// Numbers the vertices in the order of the points, and sorts the faces, whatever order CGAL has.
+/// Numbers the vertices in the order of the points, and sorts the faces: independent of CGAL's
+/// order.
 Mesh in_order_of(const std::vector<Vec3>& points, const Hull& hull) {
   std::map<Place, Index> numbers;
   for (const auto v : hull.vertices()) {
@@ -62,7 +63,7 @@ Mesh convex_hull(const std::vector<Vec3>& points) {
   std::vector<Kernel::Point_3> all;
   all.reserve(points.size());
   for (const Vec3& p : points) all.emplace_back(p.x(), p.y(), p.z());
-  // Equal points, and -0 beside 0, are one.
+  // Equal points count once, and so do -0 and 0.
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   if (are_coplanar(all)) throw InputError("the points lie in one plane: their hull has no volume");

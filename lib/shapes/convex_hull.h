@@ -1,4 +1,4 @@
-/// The convex hull of points.
+/// Convex hull of points.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,9 @@
 
 namespace transformesh::shapes {
 
-/// The hull as triangles, by exact decisions. Vertices have the order of the points. Throws
-/// InputError if all points lie in one plane. O(n log n).
-/// Reference: Barber, Dobkin & Huhdanpaa, "The quickhull algorithm for convex hulls", ACM TOMS
-/// 22(4), 1996, as implemented by CGAL.
+/// Returns the hull as triangles, computed exactly. Vertices are in the order of the points. Throws
+/// InputError if all points are coplanar. O(n log n). Reference: Barber, Dobkin & Huhdanpaa, "The
+/// quickhull algorithm for convex hulls", ACM TOMS 22(4), 1996, as implemented by CGAL.
 Mesh convex_hull(const std::vector<Vec3>& points);
 
 }  // namespace transformesh::shapes

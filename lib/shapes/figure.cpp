@@ -13,11 +13,11 @@ constexpr double limb = 0.09;    // radius of arms and shins
 constexpr double thigh = 0.115;  // radius
 constexpr double upper_arm = 0.42;
 constexpr double forearm = 0.58;
-constexpr double reach = 0.05;          // largest gap that is bridged
-constexpr double bridge_radius = 0.06;  // of the bridge between forearms
-constexpr double blend = 0.08;          // of one limb into the next
+constexpr double reach = 0.05;          // largest gap between forearms that is bridged
+constexpr double bridge_radius = 0.06;  // radius of the bridge between forearms
+constexpr double blend = 0.08;          // width of the blend between limbs
 
-/// A bone: x points to the figure's left, y up, z forward.
+/// A bone. x points to the figure's left, y up, z forward.
 struct Bone {
   Vec3 begin, end;
 
@@ -29,8 +29,7 @@ struct Bone {
         .norm();
   }
 
-  /// The distance from a point that moves along a bone is convex, so thirds of it close in on the
-  /// nearest one.
+  /// Ternary search: the distance from a point that moves along a bone to another bone is convex.
   double distance(const Bone& other) const {
     double low = 0;
     double high = 1;
@@ -50,12 +49,12 @@ struct Arm {
   double gap(const Arm& other) const { return fore.distance(other.fore) - 2 * limb; }
 };
 
-/// Where an arm's bones point to, x to its side of the body.
+/// Directions of an arm's bones; x points away from the body.
 struct Pose {
   Vec3 upper, fore;
 };
 
-/// The left arm (side 1) crosses before the right one (side -1).
+/// Returns an arm. The left arm (side 1) passes in front of the right one (side -1).
 Arm arm_at(double time, double side) {
   const Pose ahead{{0.6, -0.66, 0.45}, {-0.3, 0.15, 0.95}};
   const Pose raised{{0.62, -0.5, 0.6}, {-0.2, 0.7, 0.7}};
@@ -98,9 +97,9 @@ double arms(const Vec3& point, const Arm& left, const Arm& right, double bridge)
   return smooth_minimum(upper_arms - limb, forearms, blend);
 }
 
-/// The width over which tubes so far apart are to blend for a bridge of that radius; 0 where they
-/// stay apart. At a distance s from the middle of the gap, along it, both are gap / 2 + s^2 / (2 r)
-/// away, and a blend takes a quarter of its width off.
+/// Returns the blend width that joins two tubes with this gap by a bridge of `bridge_radius`; 0 if
+/// the tubes stay separate. At a distance s from the middle of the gap, both tubes are
+/// gap / 2 + s^2 / (2 r) away, and a blend subtracts a quarter of its width.
 double bridge_width(double gap) {
   if (gap >= reach) return 0;
   return 2 * (std::max(gap, 0.0) + bridge_radius * bridge_radius / limb);

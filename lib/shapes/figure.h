@@ -1,4 +1,4 @@
-/// A little figure of tubes that crosses its arms and lets go: the frames of a movie.
+/// A small human figure made of tubes that crosses and raises its arms: the frames of a movie.
 #pragma once
 
 #include "transformesh/control.h"
@@ -6,10 +6,10 @@
 
 namespace transformesh::shapes {
 
-/// The figure at a time from 0 to 1, 2.2 tall, facing z. Its arms, held out ahead at 0, are crossed
-/// before the chest at 0.5 and raised at 1. Forearms less than 0.05 apart are joined by a bridge,
-/// which closes a ring of arms and chest: the genus is 1 then, else 0. But for this bridge the
-/// surface moves continuously.
+/// Returns the figure at a time in [0, 1]. It is 2.2 tall and faces z. The arms are stretched
+/// forward at 0, crossed in front of the chest at 0.5, and raised at 1. Forearms less than 0.05
+/// apart are joined by a bridge. The bridge closes a ring of arms and chest: the genus is then 1,
+/// otherwise 0. Except for the bridge, the surface moves continuously.
 Mesh figure(double time, std::size_t faces, const Progress& progress);
 
 }  // namespace transformesh::shapes

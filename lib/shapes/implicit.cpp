@@ -35,9 +35,10 @@ bool has_topology(const Mesh& mesh, long genus) {
   return parts.components.size() == 1 && parts.components[0].genus() == genus;
 }
 
-/// Looks for the mesh of the right topology whose number of faces is closest to the one wanted. The
-/// number goes with the inverse square of the spacing, apart from how the lattice happens to lie. A
-/// different lattice each time also helps where the shape is hardly resolved.
+/// Searches the mesh of the right topology whose number of faces is closest to the wanted one. The
+/// number is proportional to the inverse square of the spacing, except for the placement of the
+/// lattice. Each attempt places the lattice differently, which also helps if the shape is barely
+/// resolved.
 class MarchSearch {
  public:
   MarchSearch(const ImplicitSolid& solid, const Progress& progress)
@@ -107,7 +108,7 @@ Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress
   MarchSearch search(solid, progress);
   std::optional<Mesh> mesh = search.find(faces, march_attempts);
   if (!mesh) search.refuse(faces);
-  // While everything still moves, one step towards the surface is good enough.
+  // One Newton step is enough while all vertices still move.
   const auto roughly = [&](const Vec3& point) { return projected(solid, point, 1); };
   relax(*mesh, roughly, relax_iterations, progress);
   parallel_for(mesh->positions.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {

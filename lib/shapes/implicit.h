@@ -1,7 +1,8 @@
-/// A mesh of the surface where a function is zero, with well-shaped triangles of equal size.
-/// The lattice is body-centered cubic; its points close to the surface move onto it, which leaves
-/// no slivers when its tetrahedra are cut; edge flips and tangential smoothing on the surface
-/// follow. Reference: Labelle & Shewchuk, "Isosurface stuffing", TOG 2007.
+/// Meshes the zero set of a function with well-shaped triangles of equal size. Points of a
+/// body-centered cubic lattice that are close to the surface are moved onto it, which avoids
+/// slivers when the tetrahedra are cut. Edge flips and tangential smoothing on the surface follow.
+/// Reference: Labelle & Shewchuk, "Isosurface stuffing: fast tetrahedral meshes with good dihedral
+/// angles", TOG 26(3), 2007. O(faces).
 #pragma once
 
 #include <functional>
@@ -11,22 +12,24 @@
 
 namespace transformesh::shapes {
 
-/// A connected solid. Its function is negative inside, never steeper than 1, and smooth near the
-/// surface, where its gradient is not zero.
+/// A connected solid. The function is negative inside, its slope is at most 1, and it is smooth
+/// with a nonzero gradient near the surface.
 struct ImplicitSolid {
   std::function<double(const Vec3&)> function;
-  double half_width = 1.2;  ///< it lies in the cube [-half_width, half_width]^3
-  long genus = 0;           ///< of its surface
+  double half_width = 1.2;  ///< the solid lies in [-half_width, half_width]^3
+  long genus = 0;           ///< genus of the surface
 };
 
-/// The minimum, rounded where the two differ by less than `width`. No steeper than they are.
+/// Returns the minimum, rounded where a and b differ by less than `width`. The slope is not
+/// increased.
 double smooth_minimum(double a, double b, double width);
 
-/// About `faces` triangles. Throws UsageError where that is too few for the genus, naming a number
-/// that is enough. O(faces).
+/// Returns a mesh of about `faces` triangles. Throws UsageError if these are too few for the genus,
+/// and states a sufficient number. O(faces).
 Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress& progress);
 
-/// The point of the surface, nearly the closest, that Newton steps along the gradient lead to.
+/// Moves a point onto the surface by Newton steps along the gradient. The result is nearly the
+/// closest point.
 Vec3 projected(const ImplicitSolid& solid, const Vec3& point, int iterations);
 
 }  // namespace transformesh::shapes

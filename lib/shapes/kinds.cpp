@@ -57,7 +57,7 @@ Vec3 three_lengths(const ShapeOptions& options) {
 
 Mesh make_sphere_kind(const ShapeOptions& options, std::size_t faces, const Progress&) {
   if (!options.around) return make_sphere(Vec3::Zero(), options.radius.value_or(1), faces);
-  // Faces are flat and come closer to the box than the sphere does, but stay clear of it.
+  // Faces are flat and come closer to the box than the sphere, but must not touch it.
   const Box& box = *options.around;
   const double inner = geodesic_inner_radius(geodesic_frequency(static_cast<double>(faces)));
   const double radius = 1.05 * diagonal_of(box) / 2 / inner;
@@ -117,7 +117,8 @@ Mesh make_genus(const ShapeOptions& options, std::size_t faces, const Progress& 
   return genus(integer_parameter(options, 0, 50), faces, progress);
 }
 
-/// A knot with a tube of that share of the largest that does not touch itself.
+/// Makes a knot. `share` is the tube radius as a fraction of the largest that does not touch
+/// itself.
 Mesh make_knot(const ShapeOptions& options, std::size_t faces, double share) {
   const long p = integer_parameter(options, 0, 30);
   const long q = integer_parameter(options, 1, 30);
@@ -179,7 +180,7 @@ Mesh make_folded(const ShapeOptions& options, std::size_t faces, const Progress&
 }
 
 Mesh make_many_spheres(const ShapeOptions& options, std::size_t faces, const Progress&) {
-  // There are fewer spheres where each would have less than 80 faces.
+  // Use fewer spheres if each would have less than 80 faces.
   const std::size_t count = std::clamp<std::size_t>(faces / 80, 1, 40);
   return many_spheres(options.count.value_or(count), options.seed, faces);
 }

@@ -1,4 +1,4 @@
-/// What each kind of shape takes and how it is made.
+/// The kinds of shapes: their options and constructors.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@ namespace transformesh::shapes {
 
 struct Kind {
   std::string name;
-  std::vector<std::string> options;     ///< among radius tube gap neck count
-  std::vector<std::string> parameters;  ///< their defaults; none or all are given
-  double noise = 0;                     ///< default amplitude, per diagonal
+  std::vector<std::string> options;     ///< names among radius, tube, gap, neck, count
+  std::vector<std::string> parameters;  ///< defaults; the user gives all or none
+  double noise = 0;                     ///< default amplitude, as a fraction of the diagonal
   Mesh (*make)(const ShapeOptions&, std::size_t faces, const Progress&) = nullptr;
 };
 
 const std::vector<Kind>& kinds();
 
-/// From 1e-50 to 1e50: its fourth power neither overflows nor vanishes.
+/// True if the length is in [1e-50, 1e50], so that its fourth power neither overflows nor vanishes.
 bool is_sensible_length(double length);
 
 }  // namespace transformesh::shapes

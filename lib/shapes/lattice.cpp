@@ -11,10 +11,10 @@
 namespace transformesh::shapes {
 namespace {
 
-/// Lattice points closer to the surface than this, per spacing, move onto it.
+/// Lattice points closer to the surface than this move onto it; in spacings. A choice.
 constexpr double snap_distance = 0.55;
 
-/// Coordinates are all even or all odd: the corners and the centers of the cubes.
+/// Integer coordinates of a lattice point: all even (corners of cubes) or all odd (centers).
 using Site = std::array<int, 3>;
 
 enum class Side { inside, on, outside };
@@ -23,10 +23,10 @@ struct LatticePoint {
   Vec3 position;
   double value;
   Side side;
-  Index vertex = no_index;  ///< of the mesh, for points on the surface
+  Index vertex = no_index;  ///< index in the mesh, if the point is on the surface
 };
 
-/// Up to four points of a tetrahedron, or corners of a cut.
+/// Up to four points of a tetrahedron, or corners of a cut polygon.
 struct Selection {
   std::array<Index, 4> item;
   int size = 0;
@@ -47,13 +47,14 @@ class Marcher {
   }
 
  private:
-  // The lattice is turned and shifted away from the symmetries that solids like to have.
+  // The lattice is rotated and shifted away from typical symmetries of solids.
   Vec3 place(const Vec3& site) const {
     return spacing_ * (turn_ * site + Vec3(0.317, 0.731, 0.523));
   }
   Vec3 place(const Site& site) const { return place(Vec3(site[0], site[1], site[2])); }
 
-  // Cubes that cannot meet the surface are left out: the function is never steeper than 1.
+  // Octree traversal. Skips cubes that cannot meet the surface, since the slope of the function is
+  // at most 1.
   void visit(const Site& low, int size) {
     const Vec3 center = Vec3(low[0], low[1], low[2]) + Vec3::Constant(size / 2.0);
     const double reach = spacing_ * (std::sqrt(3.0) / 2 * size + 4);
@@ -66,7 +67,7 @@ class Marcher {
             half);
   }
 
-  // Four tetrahedra lie around each cube edge: its ends and two neighboring cube centers.
+  // Each cube edge has four tetrahedra, of its ends and two neighboring cube centers.
   void cut_tetrahedra(const Site& low) {
     for (int axis = 0; axis < 3; ++axis) {
       Site high = low;
@@ -113,12 +114,13 @@ class Marcher {
     }
     if (inside.size == 0 || on.size + outside.size == 0) return;
 
-    // The corners of the cut are the points on the surface, then those where edges cross it.
+    // The corners of the cut are the points on the surface, followed by the intersections with
+    // edges.
     Selection corners;
     for (int i = 0; i < on.size; ++i) corners.add(vertex_on(on.item[i]));
     for (int i = 0; i < inside.size; ++i)
       for (int j = 0; j < outside.size; ++j) {
-        // The second row goes backwards, so that the corners of a quadrilateral go around.
+        // The second row is reversed, so that the corners of a quadrilateral are in cyclic order.
         const int column = i == 0 ? j : outside.size - 1 - j;
         corners.add(crossing(inside.item[i], outside.item[column]));
       }
@@ -167,7 +169,7 @@ class Marcher {
     return static_cast<Index>(mesh_.positions.size() - 1);
   }
 
-  // Three points on the surface with tetrahedra inside on both sides are no boundary.
+  // Removes faces with tetrahedra inside the solid on both sides.
   void remove_membranes() {
     const auto corners_of = [&](Index f) {
       Face face = mesh_.faces[f];
@@ -192,8 +194,8 @@ class Marcher {
   const double spacing_;
   const Eigen::Matrix3d turn_;
   std::vector<LatticePoint> points_;
-  std::unordered_map<std::uint64_t, Index> point_of_site_;   // looked up only, never walked
-  std::unordered_map<std::uint64_t, Index> vertex_of_edge_;  // likewise
+  std::unordered_map<std::uint64_t, Index> point_of_site_;   // never iterated over
+  std::unordered_map<std::uint64_t, Index> vertex_of_edge_;  // never iterated over
   Mesh mesh_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int noise_steps = 10;
 constexpr std::size_t vertices_per_task = 2048;
 
-// The twelve directions to the middles of a cube's edges, four of them twice.
+// The twelve directions to the midpoints of a cube's edges, four of them repeated.
 constexpr std::array<std::array<double, 3>, 16> gradients = {{{1, 1, 0},
                                                               {-1, 1, 0},
                                                               {1, -1, 0},
@@ -32,7 +32,7 @@ constexpr std::array<std::array<double, 3>, 16> gradients = {{{1, 1, 0},
                                                               {0, -1, 1},
                                                               {0, -1, -1}}};
 
-// The linear function of a lattice corner, at an offset from it.
+// Returns the linear function of a lattice corner at an offset from the corner.
 double corner_slope(const std::array<std::int64_t, 3>& cell, const Vec3& offset,
                     std::uint64_t seed) {
   std::uint64_t hash = seed;
@@ -67,7 +67,7 @@ double smooth_noise(const Vec3& point, std::uint64_t seed) {
 
 void add_noise(Mesh& mesh, double amplitude, double wavelength, std::uint64_t seed,
                const Progress& progress) {
-  // The field belongs to the vertices and moves along with them.
+  // The noise of each vertex is computed once and moves with it.
   std::vector<double> step(mesh.positions.size());
   const std::uint64_t field = mixed(seed);
   parallel_for(step.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {

@@ -8,14 +8,14 @@
 
 namespace transformesh::shapes {
 
-/// Gradient noise: smooth (C2), 0 on average, within [-1, 1], with bumps about one unit wide. Sums
-/// and products only, hence the same on every machine.
-/// Reference: Perlin, "Improving noise", SIGGRAPH 2002.
+/// Gradient noise: smooth (C2), with mean 0, in [-1, 1], with features about one unit wide. Uses
+/// only sums and products, hence the same on every machine. Reference: Perlin, "Improving noise",
+/// SIGGRAPH 2002.
 double smooth_noise(const Vec3& point, std::uint64_t seed);
 
-/// Moves the vertices along the normals of the surface as it moves, by up to about `amplitude`
-/// there and back, with bumps about `wavelength` wide. In several steps, so that what bulges bulges
-/// on, and overhangs and intersects itself where the amplitude is large enough.
+/// Moves the vertices along normals, inwards and outwards by about `amplitude` at most, with
+/// features about `wavelength` wide. Several small steps along the current normals let bumps grow,
+/// overhang, and intersect each other if the amplitude is large enough.
 void add_noise(Mesh& mesh, double amplitude, double wavelength, std::uint64_t seed,
                const Progress& progress);
 

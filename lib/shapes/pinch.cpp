@@ -26,8 +26,8 @@ class PinchBuilder {
   }
 
  private:
-  // The lower half is a drop: half a lemniscate turned about the axis, which ends above at the
-  // origin. Its last ring stays away from there by the length of the faces that intersect.
+  // The lower half is half a lemniscate rotated about the axis, with its upper end at the origin.
+  // The last ring keeps a distance from the origin, the length of the intersecting faces.
   void add_lower_half() {
     mesh_.positions.emplace_back(0, 0, -1.2);
     for (std::size_t ring = 1; ring <= rings_below_; ++ring) {
@@ -41,7 +41,7 @@ class PinchBuilder {
     }
   }
 
-  // The rings of the upper half are those of the lower one, mirrored in the origin.
+  // Appends the rings of the lower half, reflected in the origin.
   void add_opposites() {
     for (std::size_t ring = rings_below_; ring-- > 0;)
       for (std::size_t i = 0; i < around_; ++i)
@@ -81,7 +81,7 @@ class PinchBuilder {
 }  // namespace
 
 Mesh pinch(std::size_t faces) {
-  // There are nine vertices around for one along, as what counts is how many faces meet.
+  // Nine vertices around for one along: the number of intersecting faces matters most.
   const auto wanted = static_cast<double>(faces);
   const double rings_below = std::max(2.0, std::round(std::sqrt(wanted / 72)));
   const double around = std::max(3.0, std::round(wanted / (4 * rings_below)));

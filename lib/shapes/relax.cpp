@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t vertices_per_task = 1024;
 
-/// The cosine of the angle at the apex.
+/// Returns the cosine of the angle at the apex.
 double cosine_at(const Vec3& apex, const Vec3& a, const Vec3& b) {
   return (a - apex).dot(b - apex) / ((a - apex).norm() * (b - apex).norm());
 }
@@ -24,7 +24,7 @@ class EdgeFlipper {
       for (const Index vertex : face) ++valence_[vertex];
   }
 
-  /// Flips in one pass over all edges.
+  /// Tests every edge once, and flips the edges that improve.
   void flip_all(bool by_valence) {
     for (Index h = 0; h < opposite_.size(); ++h) {
       if (opposite_[h] < h) continue;
@@ -36,7 +36,7 @@ class EdgeFlipper {
   }
 
  private:
-  /// The edge a b with the apexes c, on its left, and d.
+  /// The edge (a, b) with the opposite corners c, on its left, and d.
   struct Diamond {
     Index a, b, c, d;
   };
@@ -57,14 +57,14 @@ class EdgeFlipper {
            squared(a) + squared(b) + squared(c) + squared(d);
   }
 
-  // Delaunay: the two angles across the edge sum up to more than pi.
+  // Delaunay criterion: the two angles opposite to the edge sum to more than pi.
   bool improves_angles(const Diamond& e) const {
     const Vec3& a = mesh_.positions[e.a];
     const Vec3& b = mesh_.positions[e.b];
     return cosine_at(mesh_.positions[e.c], a, b) + cosine_at(mesh_.positions[e.d], a, b) < -1e-9;
   }
 
-  // Valences stay above three, the new edge is new, and no face turns over.
+  // True if valences stay above three, the new edge does not exist, and no face is reversed.
   bool is_legal(Index h, const Diamond& e) const {
     if (valence_[e.a] <= 4 || valence_[e.b] <= 4 || are_neighbors(h, e.d)) return false;
     const Vec3& a = mesh_.positions[e.a];
@@ -79,7 +79,7 @@ class EdgeFlipper {
     return is_upright(normal_of(a, d, c)) && is_upright(normal_of(d, b, c));
   }
 
-  // Whether the apex of h has an edge to that vertex.
+  // True if the vertex opposite to h in its face has an edge to `vertex`.
   bool are_neighbors(Index h, Index vertex) const {
     const Index start = previous_halfedge(h);
     Index spoke = start;
@@ -121,7 +121,7 @@ class EdgeFlipper {
   std::vector<int> valence_;
 };
 
-/// The middle of the faces around a vertex, weighted by area.
+/// Returns the center of the faces at a vertex, weighted by area.
 Vec3 middle_around(const Mesh& mesh, std::span<const Index> faces) {
   Vec3 sum = Vec3::Zero();
   double weight = 0;

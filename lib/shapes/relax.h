@@ -1,4 +1,4 @@
-/// Making the triangles of a closed surface even.
+/// Relaxes the triangles of a closed surface to uniform shape.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,11 @@
 
 namespace transformesh::shapes {
 
-/// Alternates edge flips, first towards valence six and then towards larger angles, with moving
-/// every vertex to the middle of the faces around it and back onto the surface by `project`, which
-/// may be called from several threads. The mesh must be a closed oriented manifold and stays one
-/// with the same counts. O(n) per iteration; deterministic.
+/// Alternates edge flips with smoothing. Flips prefer valence six in the first iterations and
+/// larger angles afterwards. Smoothing moves every vertex to the center of its faces and back onto
+/// the surface by `project`, which may be called from several threads. The mesh must be a closed
+/// oriented manifold, and stays one with the same numbers of vertices and faces. O(n) per
+/// iteration; deterministic.
 void relax(Mesh& mesh, const std::function<Vec3(const Vec3&)>& project, int iterations,
            const Progress& progress);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Vertices at one height with even angles between them; a single one on the axis.
+/// Vertices at one height at equal angles; a single vertex on the axis.
 struct Ring {
   double radius, height;
   std::size_t count;
@@ -23,13 +23,13 @@ Ring ring_of(double radius, double height, double edge) {
   return {radius, height, static_cast<std::size_t>(count)};
 }
 
-/// Rings along the line between two points of the profile, without the first of them.
+/// Appends the rings along a line of the profile, from the last ring to the given point.
 void add_line(std::vector<Ring>& rings, double radius, double height, double edge) {
   const Ring from = rings.back();
   const double across = radius - from.radius, up = height - from.height;
   const auto steps = std::max(1L, std::lround(std::sqrt(across * across + up * up) / edge));
   for (long i = 1; i <= steps; ++i) {
-    // The last one exactly, so that flat ends are flat and the axis is met.
+    // The last ring is exact, so that flat ends are flat and the axis is met.
     const double share = static_cast<double>(i) / static_cast<double>(steps);
     rings.push_back(i == steps
                         ? ring_of(radius, height, edge)
@@ -37,7 +37,8 @@ void add_line(std::vector<Ring>& rings, double radius, double height, double edg
   }
 }
 
-using Profile = std::vector<std::pair<double, double>>;  ///< radius and height, from the lowest
+using Profile = std::vector<std::pair<double, double>>;  ///< radius and height of each point, from
+                                                         ///< the lowest
 
 std::vector<Ring> rings_of(const Profile& profile, double edge) {
   std::vector<Ring> rings{ring_of(profile[0].first, profile[0].second, edge)};
@@ -61,8 +62,9 @@ void add_vertices(Mesh& mesh, const Ring& ring) {
   }
 }
 
-/// Triangles between two rings, by angle: as both are convex polygons around the axis and the
-/// chords of one do not reach the other, seen from above none is reversed.
+/// Adds triangles between two rings, in order of angle. Both rings are convex polygons around the
+/// axis, and no chord of one reaches the other. Therefore no triangle is reversed as seen along the
+/// axis.
 void add_faces(Mesh& mesh, Index first, std::size_t low, Index second, std::size_t high) {
   std::size_t i = 0, j = 0;
   const auto at = [](Index start, std::size_t k, std::size_t count) {
@@ -95,11 +97,11 @@ Mesh mesh_of(const std::vector<Ring>& rings) {
 }
 
 Mesh revolve(const Profile& profile, double size, std::size_t faces) {
-  // The number of faces falls as edges grow; 60 halvings are all bits of a double.
+  // The number of faces decreases with the edge length; 60 halvings exhaust the bits of a double.
   double small = 0, large = 4 * size;
   for (int halving = 0; halving < 60; ++halving) {
     const double edge = (small + large) / 2;
-    // Before rings are made: a surface of that size has fewer faces of such edges.
+    // A lower bound of the number of faces avoids making too many rings.
     const bool is_too_small = size * size / (edge * edge) > static_cast<double>(faces);
     (is_too_small || count_faces(rings_of(profile, edge)) > faces ? small : large) = edge;
   }

@@ -5,10 +5,10 @@
 
 namespace transformesh::shapes {
 
-/// Convex; its middle is the origin. Lengths are above 0.
+/// Returns a convex cylinder centered at the origin. Lengths are positive.
 Mesh cylinder(double radius, double height, std::size_t faces);
 
-/// The tip is above; the middle of the axis is the origin.
+/// Returns a convex cone with its tip upwards. The midpoint of its axis is the origin.
 Mesh cone(double radius, double height, std::size_t faces);
 
 }  // namespace transformesh::shapes

@@ -24,7 +24,7 @@ constexpr std::size_t default_faces = 10000;
 constexpr std::size_t coarse_faces = 2000;
 constexpr double most_faces = 1e9;
 constexpr double least_spacings = 1000;
-constexpr double noise_wavelength = 0.2;  // per diagonal
+constexpr double noise_wavelength = 0.2;  // as a fraction of the diagonal
 
 const Kind& find_kind(const std::string& name) {
   for (const Kind& kind : shapes::kinds())
@@ -36,7 +36,7 @@ bool has_option(const Kind& kind, const std::string& option) {
   return std::find(kind.options.begin(), kind.options.end(), option) != kind.options.end();
 }
 
-// Refuses an option that the kind does not have, and says which kinds do.
+// Throws if the kind does not have this option, and lists the kinds that do.
 void check_applies(const Kind& kind, const std::string& option) {
   if (has_option(kind, option)) return;
   std::string others;
@@ -52,7 +52,7 @@ void check_length(const std::optional<double>& value, const std::string& option)
                      {.lengths = {*value}, .name = option});
 }
 
-// Checks lengths that may be 0, and of which the sign may say something.
+// Checks a length that may be 0 or negative.
 void check_distance(const std::optional<double>& value, const std::string& option) {
   if (value && *value != 0) check_length(std::abs(*value), option);
 }
@@ -81,7 +81,7 @@ void check_options(const Kind& kind, const ShapeOptions& options) {
     throw UsageError("faces and count both set the number of boxes: give one of them");
 }
 
-// Fills in defaults where the user gave none.
+// Fills in default parameters if the user gave none.
 ShapeOptions with_parameters(const Kind& kind, ShapeOptions options) {
   if (options.parameters.empty()) options.parameters = kind.parameters;
   if (options.parameters.size() == kind.parameters.size()) return options;
@@ -100,7 +100,7 @@ std::size_t checked_faces(double faces, const std::string& asked) {
   return static_cast<std::size_t>(std::max(faces, 1.0));
 }
 
-// Starts from equilateral triangles of that edge, and corrects by what the kind really makes.
+// Estimates the number of faces from the mean edge of a coarse mesh of the same kind.
 std::size_t faces_for_edge(const Kind& kind, const ShapeOptions& options) {
   const Mesh coarse = kind.make(options, coarse_faces, {});
   const double edge = *options.edge;
@@ -116,10 +116,10 @@ std::size_t wanted_faces(const Kind& kind, const ShapeOptions& options) {
   return checked_faces(static_cast<double>(faces), "faces " + std::to_string(faces));
 }
 
-// The volume over the area: half the thickness of plates, a third of the radius of balls.
+// Volume over area: half the thickness of a plate, a third of the radius of a ball.
 double thickness(const Mesh& mesh) { return volume(mesh) / surface_area(mesh); }
 
-// The faces, and what lies between them, must be far larger than the rounding of coordinates.
+// Throws unless faces and the solid between them are far larger than the spacing of coordinates.
 void check_digits(const Mesh& mesh, double thickness) {
   const double least = least_spacings * coordinate_spacing(mesh);
   const double face = std::sqrt(surface_area(mesh) / static_cast<double>(mesh.faces.size()));

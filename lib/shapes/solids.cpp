@@ -13,12 +13,12 @@ namespace {
 constexpr double pi = std::numbers::pi;
 using Vec2 = Eigen::Vector2d;
 
-/// The outline of a plate with holes, as a signed distance in the plane, nearly.
+/// Approximate signed distance in the plane from the outline of a plate with holes.
 struct PerforatedPlate {
   std::vector<Vec2> holes;
   double hole_radius = 1;
-  double wall = 1.4;  // between holes, and around them
-  double hub = 0;     // radius of the disk that fills the middle
+  double wall = 1.4;  // width of the walls between and around holes
+  double hub = 0;     // radius of the central disk
 
   explicit PerforatedPlate(long count) {
     const double spacing = 2 * hole_radius + wall;
@@ -64,7 +64,8 @@ Mesh ellipsoid(const Vec3& axes, std::size_t faces, const Progress& progress) {
 }
 
 Mesh genus(long holes, std::size_t faces, const Progress& progress) {
-  // The solid is all that is closer than half the thickness to the plate shrunk by that much.
+  // The points closer than half the thickness to the plate, which is first shrunk by half the
+  // thickness.
   const PerforatedPlate plate(holes);
   const double rounding = 0.48 * plate.wall;
   ImplicitSolid solid;
@@ -102,8 +103,8 @@ Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
 
 Mesh bowl(std::size_t faces, const Progress& progress) {
   constexpr double radius = 0.9;
-  constexpr double thickness = 0.27;       // half of it
-  constexpr double rim_angle = 0.05 * pi;  // above the horizon
+  constexpr double thickness = 0.27;       // half the thickness
+  constexpr double rim_angle = 0.05 * pi;  // above the horizontal plane
   const Vec2 rim = radius * Vec2(elementary::cos(rim_angle), elementary::sin(rim_angle));
   ImplicitSolid solid;
   solid.function = [rim](const Vec3& point) {

@@ -36,7 +36,7 @@ std::array<Vec3, 12> icosahedron_corners() {
   return corners;
 }
 
-/// Cuts the icosahedron; points on its corners and edges are shared by the faces around them.
+/// Divides the icosahedron. Faces share the points on their common corners and edges.
 class GeodesicBuilder {
  public:
   explicit GeodesicBuilder(std::size_t frequency) : n_(frequency) {
@@ -52,7 +52,7 @@ class GeodesicBuilder {
   }
 
  private:
-  // Points go row by row from the first corner of the face; row i holds i + 1 of them.
+  // Adds points by rows from the first corner of the face; row i has i + 1 points.
   void cut(const Face& face) {
     std::vector<Index> row = {face[0]};
     for (std::size_t i = 1; i <= n_; ++i) {
@@ -77,7 +77,7 @@ class GeodesicBuilder {
                corners_[face[2]] * static_cast<double>(j));
   }
 
-  // Point `step` of n on the way between two corners. Inside, edges count from their lower corner.
+  // Returns point `step` of n between two corners. Edges are stored from their lower corner.
   Index edge_point(Index from, Index to, std::size_t step) {
     if (from > to) {
       std::swap(from, to);
@@ -103,8 +103,8 @@ class GeodesicBuilder {
   Mesh mesh_;
 };
 
-/// Shares `faces` out over spheres by area. What rounding to 20 n^2 gives one sphere too much, the
-/// next ones get less.
+/// Distributes `faces` over spheres by area. Rounding to 20 n^2 is compensated by the following
+/// spheres.
 Mesh spheres_of(const std::vector<Vec3>& centers, const std::vector<double>& radii,
                 std::size_t faces) {
   double area_left = 0;
@@ -174,7 +174,7 @@ Mesh dented_sphere(double radius, std::size_t faces) {
 }
 
 Mesh many_spheres(std::size_t count, std::uint64_t seed, std::size_t faces) {
-  // The spheres' volumes sum up to about twice that of the ball in which they lie.
+  // The sum of the spheres' volumes is about twice the volume of the ball that contains them.
   constexpr double world = 1.2;
   const double typical = std::min(0.6, world * elementary::cbrt(4 / static_cast<double>(count)));
   Random random(seed);

@@ -13,15 +13,17 @@ namespace transformesh::shapes {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double row_height = std::numbers::sqrt3 / 2;  // of a row of unit triangles
+constexpr double row_height = std::numbers::sqrt3 / 2;  // height of a row of triangles with unit
+                                                        // edges
 
-/// A torus of rows of triangles: `rows` (even) of them, each of `columns` vertices and set off by
-/// half a step from the one before.
+/// A torus of triangle rows: `rows` (even) rows of `columns` vertices, each shifted by half a step
+/// against the previous one.
 struct TorusGrid {
   std::size_t columns;
   std::size_t rows;
 
-  /// Nearly equilateral triangles on a flat torus of that width (along rows) and height.
+  /// Chooses a grid of nearly equilateral triangles on a flat torus of this width (along rows) and
+  /// height.
   TorusGrid(double width, double height, std::size_t faces) {
     const double step = std::sqrt(2 * width * height / (row_height * static_cast<double>(faces)));
     rows = 2 * std::max<std::size_t>(3, std::lround(height / (2 * row_height * step)));
@@ -47,7 +49,7 @@ struct TorusGrid {
     return static_cast<Index>((row % rows) * columns + column % columns);
   }
 
-  // These are the two faces right of an edge to the next row. Odd rows are set off to the right.
+  // Adds the two faces on the right of an edge to the next row. Odd rows are shifted to the right.
   void add_faces(Mesh& result, std::size_t row, std::size_t column) const {
     const Index low = vertex(row, column);
     const Index low_right = vertex(row, column + 1);
@@ -68,7 +70,8 @@ struct TorusKnot {
   double p;
   double q;
   double ring;
-  static constexpr double tube_share = 0.42;  // radius of the torus it lies on, per ring
+  static constexpr double tube_share = 0.42;  // radius of the tube that carries the knot, as a
+                                              // fraction of `ring`
 
   Vec3 point(double t) const {
     const double around = 2 * pi * p * t;
@@ -90,7 +93,8 @@ struct TorusKnot {
   }
 };
 
-/// Parameters that cut a closed curve into `count` pieces of equal length, and its length.
+/// Returns parameters that divide a closed curve into `count` pieces of equal length, and the
+/// curve's length.
 std::pair<std::vector<double>, double> equal_pieces(const TorusKnot& knot, std::size_t count) {
   const std::size_t samples = std::max<std::size_t>(4096, 8 * count);
   const auto parameter = [&](std::size_t i) {
@@ -102,7 +106,7 @@ std::pair<std::vector<double>, double> equal_pieces(const TorusKnot& knot, std::
 
   std::vector<double> cuts(count);
   for (std::size_t k = 0, i = 0; k < count; ++k) {
-    // A phase keeps the pieces from having the symmetries of the knot.
+    // The phase avoids pieces with the symmetries of the knot.
     const double wanted = length.back() * (static_cast<double>(k) + 0.2137) / count;
     while (length[i + 1] < wanted) ++i;
     cuts[k] = (static_cast<double>(i) + (wanted - length[i]) / (length[i + 1] - length[i])) /
@@ -111,8 +115,9 @@ std::pair<std::vector<double>, double> equal_pieces(const TorusKnot& knot, std::
   return {std::move(cuts), length.back()};
 }
 
-/// Carries a normal of a curve from one point to the next with the least rotation.
-/// Reference: Wang, Juettler, Zheng & Liu, "Computation of rotation minimizing frames", TOG 2008.
+/// Transports a normal of a curve from one point to the next with the least rotation (double
+/// reflection). Reference: Wang, Juettler, Zheng & Liu, "Computation of rotation minimizing
+/// frames", TOG 27(1), 2008.
 Vec3 carried_normal(const Vec3& normal, const Vec3& from, const Vec3& from_tangent, const Vec3& to,
                     const Vec3& to_tangent) {
   const Vec3 first = to - from;
@@ -124,12 +129,12 @@ Vec3 carried_normal(const Vec3& normal, const Vec3& from, const Vec3& from_tange
   return second.squaredNorm() == 0 ? reflected : reflect(second, reflected);
 }
 
-/// A vector across the axis, a unit vector, turned around it.
+/// Rotates a vector about an orthogonal unit axis.
 Vec3 turned(const Vec3& vector, const Vec3& axis, double angle) {
   return elementary::cos(angle) * vector + elementary::sin(angle) * axis.cross(vector);
 }
 
-/// Points along a closed curve with normals that turn as little as closing up allows.
+/// Points along a closed curve with normals of least rotation, corrected so that the frames close.
 struct FramedCurve {
   std::vector<Vec3> points, tangents, normals;
 
@@ -148,7 +153,8 @@ struct FramedCurve {
   }
 
  private:
-  // The last normal came around to the first point: the angle between the two is shared out.
+  // The transported normal differs from the first one by an angle, which is distributed over all
+  // points.
   void spread_turn() {
     const Vec3 binormal = tangents[0].cross(normals[0]);
     const double turn =
@@ -164,7 +170,7 @@ struct FramedCurve {
 }  // namespace
 
 Mesh torus(double ring, double tube, std::size_t faces, double phase) {
-  // In conformal coordinates, u around the axis and w that runs faster inside, the metric is
+  // In conformal coordinates (u around the axis, w faster on the inner side) the metric is
   // (ring + tube cos v)^2 (du^2 + dw^2).
   const double depth = std::sqrt(ring * ring - tube * tube);
   const double stretch = std::sqrt((ring + tube) / (ring - tube));
@@ -179,8 +185,8 @@ Mesh torus(double ring, double tube, std::size_t faces, double phase) {
 }
 
 Mesh tori(double gap, std::size_t faces) {
-  // Each ring's axis point lies on the other's center line, so the lines are one ring radius apart
-  // wherever they are closest.
+  // The center line of each ring passes through the center of the other one. The lines are
+  // therefore one ring radius apart where they are closest.
   constexpr double world = 2.4;
   const double ring = (world + gap) / 4;
   const double tube = (ring - gap) / 2;
@@ -199,7 +205,8 @@ Mesh torus_knot(long p, long q, double ring, double tube, std::size_t faces) {
   const TorusKnot knot{static_cast<double>(p), static_cast<double>(q), ring};
   const double length = equal_pieces(knot, 1).second;
   const TorusGrid grid(length, 2 * pi * tube, faces);
-  // Rows run along the knot. There are two sets of frames, as every other row is half a step off.
+  // Rows run along the knot. Alternate rows are shifted by half a step, which needs two sets of
+  // frames.
   const FramedCurve frames(knot, equal_pieces(knot, 2 * grid.columns).first);
   return grid.mesh([&](double along, double across) -> Vec3 {
     const auto i = static_cast<std::size_t>(along * 2 * static_cast<double>(grid.columns));
@@ -218,7 +225,7 @@ double torus_knot_thickness(long p, long q, double ring) {
   points.reserve(parameters.size());
   for (const double t : parameters) points.push_back(knot.point(t));
 
-  // The thickness is the radius of the smallest circle that touches the curve at one point and
+  // The thickness is the least radius of a circle that is tangent to the curve at one point and
   // passes through another.
   double thickness = ring;
   for (const double t : parameters) {
