@@ -12,7 +12,7 @@ std::string deflated(std::string_view bytes) {
   const int code = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
                              reinterpret_cast<const Bytef*>(bytes.data()),
                              static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
-  // The room is enough for any bytes: nothing else can fail.
+  // The buffer has the size of the worst case, so no other error can occur.
   if (code != Z_OK) throw std::bad_alloc();
   packed.resize(size);
   return packed;

@@ -1,4 +1,5 @@
-/// Bytes for a page made smaller, and text for HTML. Deterministic for a version of zlib.
+/// Compresses bytes for a page, and escapes text for HTML. Deterministic for a given version of
+/// zlib.
 #pragma once
 
 #include <string>
@@ -6,10 +7,10 @@
 
 namespace transformesh {
 
-/// RFC 1950 (zlib), which browsers call `deflate`.
+/// Compresses to the zlib format (RFC 1950), which browsers call `deflate`.
 std::string deflated(std::string_view bytes);
 
-/// As text of HTML or the value of an attribute.
+/// Escapes text for HTML elements and attribute values.
 std::string html_escaped(std::string_view text);
 
 }  // namespace transformesh

@@ -12,7 +12,8 @@
 namespace transformesh {
 namespace {
 
-/// Another one when the file is; empty where there is none.
+/// Identifies one version of a file by inode and modification time. Empty if the file does not
+/// exist.
 std::string stamp_of(const std::string& path) {
   struct stat found {};
   if (stat(path.c_str(), &found) != 0) return {};
@@ -48,7 +49,7 @@ void LiveRun::read_views() {
   views_ = std::move(present);
 }
 
-/// Reads and packs it unless it is the one read last; gives its stamp.
+/// Reads and packs a target, unless it is the one read last.
 void LiveRun::read_target(std::size_t number, const std::string& path) {
   const std::string stamp = stamp_of(path);
   if (target_path_ == path + stamp) return;
@@ -57,7 +58,8 @@ void LiveRun::read_target(std::size_t number, const std::string& path) {
   targets_[path] = {stamp, {number, "target", pack(target_), "target-" + stamp}};
 }
 
-/// Empty where it cannot be read, as it is written or removed just now.
+/// Reads and packs a mesh. Returns nothing if a file cannot be read because it is being written or
+/// removed.
 std::optional<PageMesh> LiveRun::read_mesh(std::size_t number, const std::string& path,
                                            const RunPaths::value_type* target) {
   try {
@@ -101,7 +103,7 @@ void LiveRun::refresh(double seconds) {
     read_views();
     run_ = std::move(run);
   } catch (const InputError&) {
-    return;  // another run begins there just now
+    return;  // another run is just starting in the folder
   }
   read_meshes(seconds);
 }

@@ -1,5 +1,5 @@
-/// The folder of a run that goes on, for a page that asks again and again what is new. Files that
-/// vanish or are half there meanwhile are taken the next time.
+/// The folder of an active run, for a page that polls for changes. Files that disappear or are
+/// incomplete are read at a later refresh.
 #pragma once
 
 #include <functional>
@@ -13,14 +13,15 @@ namespace transformesh {
 
 class LiveRun {
  public:
-  /// Throws InputError where the folder is no run.
+  /// Throws InputError if the folder does not hold a run.
   explicit LiveRun(std::string folder);
 
-  /// Looks at the folder again; packs what is new for at most about so long, the oldest first.
+  /// Reads the folder again. Starts packing new meshes, in order of their numbers, until `seconds`
+  /// have passed.
   void refresh(double seconds);
-  /// The run as far as it is known; it may have no mesh yet.
+  /// Returns the run as read so far; it may have no mesh yet.
   const PageRun& run() const { return run_; }
-  /// A packed mesh or a photograph by the name that page_json() has; null where there is none.
+  /// Returns a packed mesh or a photograph by its name in page_json(), null if there is none.
   const std::string* block(const std::string& name) const;
 
  private:
@@ -38,8 +39,8 @@ class LiveRun {
   PageRun run_;
   Known<PageMesh> meshes_, targets_;
   Known<PageViews> views_;
-  Mesh target_;              ///< the one read last
-  std::string target_path_;  ///< with its stamp
+  Mesh target_;              ///< target read last
+  std::string target_path_;  ///< its path and stamp
 };
 
 }  // namespace transformesh

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 constexpr double most = 65535;
 constexpr std::uint32_t not_finite = 65535;
 
-/// The streams of a block, one after the other.
+/// Concatenates the streams of a block.
 class Streams {
  public:
   void add(std::span<const std::uint32_t> numbers, int bytes) {
@@ -23,7 +23,7 @@ class Streams {
       for (const std::uint32_t number : numbers)
         bytes_ += static_cast<char>((number >> (8 * byte)) & 255U);
   }
-  /// Differences modulo 256^bytes.
+  /// Adds differences modulo 256^bytes.
   void add_differences(std::vector<std::uint32_t> numbers, int bytes) {
     for (std::size_t i = numbers.size(); i-- > 1;) numbers[i] -= numbers[i - 1];
     add(numbers, bytes);
@@ -34,10 +34,10 @@ class Streams {
   std::string bytes_;
 };
 
-/// The vertices in the order in which faces use them.
+/// Vertices in the order in which faces use them.
 struct Order {
-  std::vector<Index> vertices;       ///< old numbers
-  std::vector<std::uint32_t> codes;  ///< of the corners
+  std::vector<Index> vertices;       ///< original indices
+  std::vector<std::uint32_t> codes;  ///< codes of the corners (pack.h)
 };
 
 Order order_of_use(const Mesh& mesh) {
@@ -57,7 +57,7 @@ Order order_of_use(const Mesh& mesh) {
 }
 
 std::uint32_t code(double value, double low, double high, double codes) {
-  // Halved, so that no difference is beyond a number.
+  // Halved, so that the difference does not overflow.
   const double extent = high / 2 - low / 2;
   if (!(extent > 0)) return 0;
   const double share = std::clamp((value / 2 - low / 2) / extent, 0.0, 1.0);

@@ -1,20 +1,20 @@
-/// Meshes packed to be looked at in a browser: 16 bits per coordinate and per number, deflated. The
-/// error of a coordinate is at most half of 1/65535 of the box's extent along its axis.
+/// Meshes packed for a browser: 16 bits per coordinate and per column value, compressed. The error
+/// of a coordinate is at most half of 1/65535 of the box's extent along its axis.
 ///
-/// Before it is deflated a block is: four bytes, the size of what follows; JSON with `vertices`,
-/// `faces`, `low` and `high` of the box, and `columns` (`name`, `of`: vertex, face or color, and of
-/// numbers `low` and `high`); then streams of numbers, all of least significant bytes first, each
-/// stream in planes: first the lowest byte of every number, then the next.
-///   - Corners of faces, in order: how far the vertex lies below the next new one; 0 is the new one
-///     itself. Of four bytes, or two where there are at most 65535 vertices. Vertices come in the
-///     order in which faces use them, then those that no face does.
-///   - x, then y, then z of all vertices: integers 0 to 65535 from `low` to `high`, each as its
-///     difference from the one before, modulo 65536.
-///   - Columns likewise, of integers 0 to 65534; 65535 is a number that is not finite. A color is
-///     three streams of bytes, red, green and blue.
+/// An uncompressed block starts with four bytes, the size of the JSON that follows. The JSON has
+/// `vertices`, `faces`, `low` and `high` of the box, and `columns` (`name`, `of`: vertex, face or
+/// color, and `low` and `high` of numbers). Then come streams of little-endian integers. Each
+/// stream is stored in planes: first the lowest byte of every integer, then the next byte.
+/// - Corners of faces, in order. Vertices are numbered in the order in which faces use them, then
+///   those that no face uses. A corner is stored as the next unused number minus the vertex number,
+///   or 0 for a new vertex. Integers have four bytes, or two if there are at most 65535 vertices.
+/// - x, then y, then z of all vertices: integers 0 to 65535 from `low` to `high`, each as the
+///   difference from the previous one, modulo 65536.
+/// - Columns likewise, as integers 0 to 65534; 65535 is a non-finite number. A color is three
+///   streams of bytes, red, green and blue, as differences modulo 256.
 ///
-/// Lists are left out, and so are normals and velocities (nx ny nz, vx vy vz). Faces keep their
-/// order. Cost: linear but for deflating. Deterministic for a version of zlib.
+/// Lists, normals and velocities (nx ny nz, vx vy vz) are left out. Faces keep their order. Cost:
+/// linear except for the compression. Deterministic for a given version of zlib.
 #pragma once
 
 #include <string>
@@ -27,13 +27,13 @@ namespace transformesh {
 struct PackedColumn {
   enum class Of { vertex, face, color } of = Of::vertex;
   std::string name;
-  double low = 0, high = 0;  ///< of the finite values; 0 where there is none
+  double low = 0, high = 0;  ///< range of the finite values; 0 if there are none
 };
 
 struct PackedMesh {
   std::size_t vertices = 0, faces = 0;
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
-  double radius = 0;  ///< of the ball around the box's middle that holds all vertices
+  double radius = 0;  ///< radius of the ball around the box's center that contains all vertices
   std::vector<PackedColumn> columns;
   std::string block;
 };

@@ -20,12 +20,12 @@ Json column_json(const PackedColumn& column) {
   return {{"name", column.name}, {"low", column.low}, {"high", column.high}};
 }
 
-/// Where in a page's columns this one is.
+/// Returns the column of this name in a page's columns.
 auto find_column(Json& columns, const std::string& name) {
   return std::ranges::find_if(columns, [&](const Json& column) { return column["name"] == name; });
 }
 
-/// The columns of all meshes, with the ends of their values in any of them.
+/// Returns the columns of all meshes, each with the range of its values over all meshes.
 Json columns_json(const PageRun& run) {
   Json columns = Json::array();
   for (const PageMesh& mesh : run.meshes) {
@@ -68,11 +68,11 @@ Json mesh_json(const PageMesh& mesh, const std::string& block) {
           {"block", block}};
 }
 
-/// The eye, and the rays of the image's corners as far as a depth of 1.
+/// Returns the camera center, and the rays of the image corners up to depth 1.
 Json camera_json(const RunView& view, const std::string& photograph) {
   const CameraRecord& record = view.camera;
   const PinholeCamera& camera = record.camera;
-  // Where the size is unknown the principal point is taken for the center.
+  // If the image size is unknown, the principal point counts as the center.
   const double width = record.width > 0 ? record.width : 2 * camera.intrinsics(0, 2) + 1;
   const double height = record.height > 0 ? record.height : 2 * camera.intrinsics(1, 2) + 1;
   Json corners = Json::array();
@@ -118,7 +118,7 @@ Json run_json(const PageRun& run, std::size_t number) {
           {"views", views}};
 }
 
-/// So many colors that between them sRGB is as good as linear.
+/// Samples a color scale so densely that interpolation in sRGB matches linear interpolation.
 Json colors_json(double low) {
   constexpr int steps = 64;
   Json colors = Json::array();
@@ -140,15 +140,15 @@ void replace(std::string& text, std::string_view place, const std::string& by) {
   text.replace(found, place.size(), by);
 }
 
-/// A script that is none: the text of a script element ends at the first `</`.
+/// Returns a script element with data. Escapes `<`, because the first `</` would end the element.
 std::string data_element(const std::string& id, const std::string& type, std::string text) {
   for (std::size_t i = 0; (i = text.find('<', i)) != std::string::npos; i += 6)
     text.replace(i, 1, "\\u003c");
   return "<script id=\"" + id + "\" type=\"" + type + "\">" + text + "</script>\n";
 }
 
-/// The axis that is nearest to what is up in the photographs, which are seldom taken upside down;
-/// perhaps with a minus. y where there are none, or where they were taken from all around.
+/// Returns the axis, with sign, nearest to the up direction of the photographs, which are seldom
+/// upside down. Returns y if there are none, or if they were taken from all directions.
 std::string axis_up(const std::vector<PageRun>& runs) {
   Vec3 up = Vec3::Zero();
   double count = 0;
@@ -158,7 +158,7 @@ std::string axis_up(const std::vector<PageRun>& runs) {
         up -= view.camera.camera.rotation.row(1).transpose();
         ++count;
       }
-  constexpr double least = 0.3;  // of cameras that look down by 70 degrees
+  constexpr double least = 0.3;  // for cameras that look down by about 70 degrees
   Eigen::Index axis = 1;
   if (!(up.cwiseAbs().maxCoeff(&axis) > least * count)) return "y";
   return (up[axis] < 0 ? "-" : "") + std::string(1, "xyz"[axis]);

@@ -1,7 +1,8 @@
-/// One self-contained HTML page that shows runs of loops, or meshes: the viewer (tools/viewer),
-/// what there is to show as JSON, and each mesh as a packed block (pack.h) in base64, which the
-/// viewer unpacks when it is wanted. The page asks for nothing from anywhere, and says so in its
-/// Content-Security-Policy. Cost: linear. Deterministic for a version of zlib and a viewer.
+/// A self-contained HTML page that shows runs of loops, or meshes. Contains the viewer
+/// (tools/viewer), its data as JSON, and each mesh as a packed block (pack.h) in base64, which the
+/// viewer unpacks on demand. The page loads nothing over the network, which its
+/// Content-Security-Policy enforces. Cost: linear. Deterministic for a given viewer and version of
+/// zlib.
 #pragma once
 
 #include <span>
@@ -15,44 +16,44 @@
 namespace transformesh {
 
 struct PageMesh {
-  std::size_t number = 0;  ///< of the iteration, in the first column of the log; or of the file
-  std::string label;       ///< empty: the number says it
+  std::size_t number = 0;  ///< number of the iteration (first column of the log), or of the file
+  std::string label;       ///< label; empty: the number
   PackedMesh mesh;
-  std::string block = {};  ///< name of its block, or empty
+  std::string block = {};  ///< name of its block; may be empty
 };
 
 struct PageViews {
-  std::size_t number = 0;  ///< of the time step
+  std::size_t number = 0;  ///< number of the time step
   std::vector<RunView> views;
 };
 
-/// A run, or meshes one of which is shown at a time, with the target and the views of its number,
-/// else the next ones, else the last.
+/// A run, or meshes that are shown one at a time. A mesh is shown with the target and the views of
+/// its number, or else of the next larger number, or else with the last ones.
 struct PageRun {
-  std::string name, tool, version;        ///< the latter empty where these are just meshes
-  std::vector<std::string> commands;      ///< that made it
-  std::string log, report;                ///< CSV and JSON, or empty
-  std::vector<PageMesh> meshes, targets;  ///< in order, and so are
+  std::string name, tool, version;        ///< tool and version are empty if these are only meshes
+  std::vector<std::string> commands;      ///< commands of the run
+  std::string log, report;                ///< CSV and JSON; may be empty
+  std::vector<PageMesh> meshes, targets;  ///< ascending by number, as `views` is
   std::vector<PageViews> views;
 };
 
 struct Page {
   std::string title;
-  std::string version;      ///< of what makes the page
-  std::string color_by;     ///< column shown at first; empty: none
-  std::string up = "auto";  ///< axis that points up; auto: in the photographs, where there are any
-  bool is_live = false;     ///< the viewer asks for what is new, beside the page
+  std::string version;      ///< version of the program that makes the page
+  std::string color_by;     ///< initial color column; empty: none
+  std::string up = "auto";  ///< axis that points up; auto: from the cameras, if there are any
+  bool is_live = false;     ///< the viewer polls the server of the page for changes
   std::vector<PageRun> runs;
 };
 
-/// What there is to show, without the blocks. Throws InputError where a report is no JSON.
+/// Returns the page's data as JSON, without blocks. Throws InputError if a report is not JSON.
 std::string page_json(const Page& page);
-/// Names and bytes of their meshes, targets and photographs, as page_json() has them.
+/// Names (as in page_json()) and bytes of packed meshes, targets and photographs.
 using PageBlocks = std::vector<std::pair<std::string, const std::string*>>;
 PageBlocks page_blocks(std::span<const PageRun> runs);
 
-/// Puts all of it into the viewer's page, whose places for that are comments: `<!--tm:title-->` in
-/// the title, `<!--tm:data-->` in the body. A live page gets no blocks.
+/// Inserts the page into the HTML of the viewer, at the placeholders `<!--tm:title-->` in the title
+/// and `<!--tm:data-->` in the body. A live page gets no blocks.
 std::string page_html(const Page& page, std::string_view viewer);
 
 }  // namespace transformesh

@@ -16,13 +16,13 @@
 namespace transformesh {
 namespace {
 
-/// Empty where there is no such file.
+/// Returns the contents of a file; empty if it does not exist.
 std::string text_in(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The number at the start of the last line; a line that is being written has no end.
+/// Returns the number at the start of the last complete line.
 std::size_t last_number(const std::string& log) {
   const std::size_t end = log.rfind('\n');
   if (end == std::string::npos || end == 0) return 0;
