@@ -10,7 +10,7 @@ constexpr std::string_view letters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr std::uint8_t no_digit = 64;
 
-/// The digit that each byte is, or `no_digit`.
+/// Returns the digit of each byte, or `no_digit`.
 constexpr std::array<std::uint8_t, 256> digit_table() {
   std::array<std::uint8_t, 256> digits{};
   digits.fill(no_digit);
@@ -19,7 +19,7 @@ constexpr std::array<std::uint8_t, 256> digit_table() {
   return digits;
 }
 
-/// Six bits of each digit, of which whole bytes are taken.
+/// Collects six bits per digit and extracts whole bytes.
 struct Digits {
   std::uint32_t bits = 0;
   unsigned count = 0;

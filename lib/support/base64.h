@@ -1,4 +1,4 @@
-/// Bytes as text. Reference: RFC 4648, with padding.
+/// Base64. Reference: RFC 4648, with padding.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@ namespace transformesh {
 
 std::string base64(std::string_view bytes);
 
-/// Returns the bytes of a text in which blanks and line ends mean nothing, and which may consist of
-/// several texts that end in padding each. Nothing if the text has other characters than base64.
+/// Decodes a text, which may be a concatenation of several padded texts. Ignores blanks and line
+/// ends. Returns nothing if the text has other characters than base64.
 std::optional<std::string> bytes_of_base64(std::string_view text);
 
 }  // namespace transformesh

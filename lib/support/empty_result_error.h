@@ -1,4 +1,4 @@
-/// Problems that loops handle in a special way: the surface has no face left.
+/// Problems that loops handle specially: no face of the surface is left.
 #pragma once
 
 #include "transformesh/error_kind.h"

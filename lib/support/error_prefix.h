@@ -1,4 +1,4 @@
-/// Puts text in front of the sentence of an error or a warning. Kind and data stay.
+/// Adds a prefix to the sentence of an error or a warning. Kind and data stay.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace transformesh {
 /// Returns the problem with `prefix` before its sentence.
 Problem prefixed(const std::string& prefix, Problem problem);
 
-/// Throws the error that is being handled again, with `prefix` before its sentence and of the same
-/// class. Throws an exception that is not an Error unchanged.
+/// Rethrows the current error with `prefix` before its sentence, as the same class. Rethrows an
+/// exception that is not an Error unchanged.
 [[noreturn]] void rethrow_with_prefix(const std::string& prefix);
 
 }  // namespace transformesh

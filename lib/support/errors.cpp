@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-/// In the order of the enumerators, which tests/tools/errors.bats checks.
+/// Names in the order of the enumerators, which tests/tools/errors.bats checks.
 constexpr std::array kind_names{"other",
                                 "not_closed",
                                 "not_joined",

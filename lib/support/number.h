@@ -1,4 +1,4 @@
-/// Numbers as text and back, independent of the locale.
+/// Conversion between numbers and text, independent of the locale.
 #pragma once
 
 #include <charconv>
@@ -8,7 +8,8 @@
 
 namespace transformesh {
 
-/// The whole text as a number, of integers in the base given; nothing where it is none.
+/// Parses the whole text as a number; integers in the given base. Returns nothing if the text is
+/// not a number.
 template <typename Number, typename... Base>
 std::optional<Number> number_in(std::string_view text, Base... base) {
   Number number{};
@@ -18,13 +19,13 @@ std::optional<Number> number_in(std::string_view text, Base... base) {
   return number;
 }
 
-/// The shortest decimal text that reads back as the same double.
+/// Returns the shortest decimal text that reads back as the same double.
 std::string shortest_text(double value);
-/// As printf's %g with so many significant digits.
+/// Formats like printf's %g with `digits` significant digits.
 std::string significant(double value, int digits);
-/// As printf's %f with so many decimals.
+/// Formats like printf's %f with `decimals` decimals.
 std::string fixed(double value, int decimals);
-/// The number that one of these wrote.
+/// Parses a number that these functions wrote; 0 for other text.
 inline double read_back(const std::string& text) { return number_in<double>(text).value_or(0); }
 
 }  // namespace transformesh

@@ -14,13 +14,13 @@
 namespace transformesh {
 namespace {
 
-/// Ranges per thread, enough to even out bodies of unequal cost.
+/// Ranges per thread. A choice: more ranges balance uneven bodies better, fewer cost less overhead.
 constexpr std::size_t ranges_per_thread = 16;
 
 std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-/// How many threads may work at once, and how many do: the first caller, and helpers that were
-/// taken.
+/// The number of threads that may work at the same time, and of those that do: the first caller and
+/// its helpers.
 std::atomic<std::size_t> allowed_threads{cores()};
 std::atomic<std::size_t> working_threads{1};
 
@@ -34,14 +34,14 @@ bool take_thread() {
 
 void give_thread_back() { --working_threads; }
 
-/// The ranges of one loop, handed out in order to whoever comes.
+/// The ranges of one loop, handed out in order to any thread.
 class Loop {
  public:
   Loop(std::size_t count, std::size_t range,
        const std::function<void(std::size_t, std::size_t)>& body)
       : count_(count), range_(range), body_(body) {}
 
-  /// Works until no range is left.
+  /// Processes ranges until none is left.
   void work() {
     for (;;) {
       const std::size_t first = next_.fetch_add(range_);
@@ -60,8 +60,8 @@ class Loop {
   }
 
  private:
-  // The lowest range is reported, so that the report does not depend on the threads: all ranges
-  // before it have been handed out.
+  // Keeps the error of the lowest range. All lower ranges have been handed out already, so the
+  // result does not depend on the timing of threads.
   void keep_error(std::size_t first) {
     const std::lock_guard lock(mutex_);
     if (error_ && first > error_at_) return;
@@ -78,8 +78,8 @@ class Loop {
   std::size_t error_at_ = 0;
 };
 
-/// Waits for threads that were taken. Who waits does not work: loops inside what they still do may
-/// take a thread instead.
+/// Joins helper threads. The waiting thread does not count as working, so that nested loops of the
+/// helpers may use another thread instead.
 template <class Threads>
 void wait_for(Threads& threads) {
   give_thread_back();
@@ -87,9 +87,9 @@ void wait_for(Threads& threads) {
   ++working_threads;
 }
 
-/// Works on the loop with up to `wanted` more threads, as far as they are allowed and the system
-/// has them. A loop inside a loop takes what others have given back, so nothing waits for a thread.
-/// To start a thread costs some 10 us, less than to keep it spinning between two loops.
+/// Works on the loop with up to `wanted` more threads, if they are allowed and the system can
+/// create them. A nested loop uses threads that others have given back, so that no loop waits for a
+/// thread. Starting a thread takes about 10 us, less than letting it spin between two loops.
 void work_together(Loop& loop, std::size_t wanted) {
   std::vector<std::jthread> helpers;
   helpers.reserve(wanted);

@@ -1,5 +1,5 @@
-/// Loops on all allowed threads. Results must not depend on the number of threads: write to slots
-/// indexed by the loop variable, and reduce in index order afterwards.
+/// Parallel loops on the allowed threads. Results must not depend on the number of threads: write
+/// to slots indexed by the loop variable, and reduce in index order afterwards.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace transformesh {
 
-/// Calls body(first, last) on disjoint ranges that cover [0, count); all but the last hold at least
-/// `grain` indices. Of the exceptions that bodies throw, that of the lowest range reaches the
-/// caller, and ranges not yet begun are left out.
+/// Calls body(first, last) on disjoint ranges that cover [0, count). All ranges except the last
+/// have at least `grain` indices. If bodies throw, the exception of the lowest range is rethrown,
+/// and ranges that have not started are skipped.
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t first, std::size_t last)>& body);
 
-/// Runs both, perhaps at the same time.
+/// Runs both functions, concurrently if a thread is available. Exceptions as in parallel_for().
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
 
 }  // namespace transformesh

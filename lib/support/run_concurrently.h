@@ -5,8 +5,9 @@
 
 namespace transformesh {
 
-/// Runs `own` in this thread and `other` beside it, or afterwards where no thread is free. What
-/// `own` throws reaches the caller, once `other` has ended; `other` must not throw.
+/// Runs `own` in this thread, and `other` concurrently, or afterwards if no thread is available. An
+/// exception of `own` is rethrown after `other` has ended; `other` is skipped if it has not
+/// started. `other` must not throw.
 void run_concurrently(const std::function<void()>& own, const std::function<void()>& other);
 
 }  // namespace transformesh

@@ -6,7 +6,7 @@
 namespace transformesh {
 namespace {
 
-// Optimal string alignment distance, three rows at a time.
+// Returns the optimal string alignment distance; keeps three rows at a time.
 std::size_t edits(std::string_view from, std::string_view to) {
   std::vector<std::size_t> before_last;
   std::vector<std::size_t> last(to.size() + 1);

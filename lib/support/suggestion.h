@@ -1,4 +1,4 @@
-/// The name that a user most likely meant.
+/// Suggests a name for a misspelled one.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace transformesh {
 
-/// The candidate with the fewest single-character edits (insertion, deletion, replacement,
-/// exchange of neighbors) from `text`; a candidate that begins with `text` counts as one edit.
-/// The first of equals wins; empty where there is no candidate.
+/// Returns the candidate with the fewest single-character edits from `text` (insertion, deletion,
+/// replacement, exchange of neighbors). A candidate that starts with `text` counts as one edit.
+/// Ties are decided by order; empty if there is no candidate.
 std::string nearest_name(std::string_view text, const std::vector<std::string>& candidates);
 
-/// Whether it is near enough to be meant: at most half the characters of `text` are edited.
+/// True if `name` is plausible for `text`: at most half of the characters are edited.
 bool is_near(std::string_view text, std::string_view name);
 
 }  // namespace transformesh

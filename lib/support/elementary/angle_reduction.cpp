@@ -11,11 +11,12 @@ namespace {
 
 constexpr double least_large = 0x1p20;
 
-/// pi/2 in parts of 33 bits, whose products with integers up to 2^20 are exact, and a last one.
+/// pi/2 in parts of 33 bits, whose products with integers up to 2^20 are exact, and a last part.
 constexpr std::array parts = {0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3198a2e000000p-69,
                               0x1.b839a252049c1p-104};
 
-// After Cody & Waite. The first part and the rest in one do but near multiples of pi/2.
+// Reduction of moderate angles (Cody & Waite). The first part, and the other parts as one number,
+// are enough unless the angle is close to a multiple of pi/2.
 ReducedAngle reduced_by_parts(double x) {
   constexpr double all_but_first = 0x1.0b4611a626331p-34;
   constexpr double near = 0x1p-6;
@@ -30,10 +31,10 @@ ReducedAngle reduced_by_parts(double x) {
   return {quarters, fast_sum(second.high, (second.low + first.low) - n * parts[3])};
 }
 
-/// A fraction of 192 bits, the highest word last.
+/// A binary fraction of 192 bits; the most significant word is last.
 using Fraction = std::array<std::uint64_t, 3>;
 
-/// The part below 1 of 2/pi times 2^exponent, for an exponent from -64 to 1024.
+/// Returns the fractional part of 2/pi times 2^exponent, for exponents from -64 to 1024.
 Fraction part_of_two_over_pi(int exponent) {
   constexpr std::array<std::uint64_t, 21> words = {0,
                                                    0xa2f9836e4e441529,
@@ -79,7 +80,8 @@ Fraction part_below_1_of_product(std::uint64_t factor, const Fraction& fraction)
   return product;
 }
 
-/// A fraction from 1/2 on stands for itself less 1. Its complement is off by the last bit.
+/// Converts a fraction in [0, 1) to [-1/2, 1/2). The ones' complement is off by one in the last
+/// bit.
 DoubleDouble signed_value(const Fraction& fraction) {
   const bool is_negative = fraction[2] >> 63U != 0;
   DoubleDouble sum;
@@ -91,8 +93,8 @@ DoubleDouble signed_value(const Fraction& fraction) {
   return is_negative ? -sum : sum;
 }
 
-// After Payne & Hanek: x is an integer times 2^exponent, and the bits of 2/pi that make whole turns
-// are left out.
+// Reduction of large angles (Payne & Hanek): x is an integer times 2^exponent, and the bits of 2/pi
+// that contribute only whole turns are skipped.
 ReducedAngle reduced_by_bits(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const std::uint64_t integer = (bits & 0xfffffffffffffU) | 0x10000000000000U;

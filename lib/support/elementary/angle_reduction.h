@@ -1,4 +1,4 @@
-/// Angles less multiples of a quarter turn.
+/// Reduction of angles modulo a quarter turn.
 #pragma once
 
 #include "support/elementary/double_double.h"
@@ -6,11 +6,11 @@
 namespace transformesh::elementary {
 
 struct ReducedAngle {
-  int quarters = 0;   ///< taken off, modulo 4
-  DoubleDouble rest;  ///< at most pi/4 in magnitude, but for rounding; to 60 bits or more
+  int quarters = 0;   ///< number of subtracted quarter turns, modulo 4
+  DoubleDouble rest;  ///< magnitude at most pi/4, up to rounding; precise to at least 60 bits
 };
 
-/// Of any finite angle.
+/// Reduces any finite angle, in radians.
 ReducedAngle reduced_angle(double x);
 
 }  // namespace transformesh::elementary

@@ -13,8 +13,8 @@
 namespace transformesh::elementary {
 namespace {
 
-constexpr int steps = 64;      ///< of the table, from 0 to 1
-constexpr int first_step = 8;  ///< below it the series does
+constexpr int steps = 64;      ///< table intervals from 0 to 1
+constexpr int first_step = 8;  ///< the series is used below this entry
 
 constexpr DoubleDouble arctangent_series(const DoubleDouble& x) {
   DoubleDouble sum;
@@ -22,7 +22,7 @@ constexpr DoubleDouble arctangent_series(const DoubleDouble& x) {
   return x * sum;
 }
 
-/// atan(j/64), each from the one before: the difference of two is atan(1 / (64 + j (j - 1) / 64)).
+/// atan(j/64), computed from the previous entry: the difference is atan(1 / (64 + j (j - 1) / 64)).
 constexpr auto table = [] {
   std::array<DoubleDouble, steps + 1> angles;
   for (int j = 1; j <= steps; ++j)
@@ -30,7 +30,8 @@ constexpr auto table = [] {
   return angles;
 }();
 
-// By the series, of a quotient up to 1/8 to twice the digits.
+// Evaluates the series for a quotient of at most 1/8 that is known to twice the precision of a
+// double.
 DoubleDouble angle_by_series(double low, double high) {
   const double quotient = low / high;
   const DoubleDouble product = exact_product(quotient, high);
@@ -42,8 +43,8 @@ DoubleDouble angle_by_series(double low, double high) {
   return fast_sum(quotient, rest + quotient * z * series);
 }
 
-// By the difference from the nearest angle of the table. What the numerator is made of is exact:
-// the table's tangents have 7 bits, and the first part of `high` 45.
+// Adds the difference to the nearest angle of the table. The terms of the numerator are exact: the
+// tangents of the table have 7 bits, and `first` has 45 bits of `high`.
 DoubleDouble angle_by_table(double low, double high) {
   const double step = nearest_integer(low / high * steps);
   const double tangent = step / steps;
@@ -56,18 +57,18 @@ DoubleDouble angle_by_table(double low, double high) {
   return fast_sum(nearest.high, x + (nearest.low + x * z * series));
 }
 
-/// The angle up to pi/4 whose tangent is low / high.
+/// Returns the angle whose tangent is low / high, for angles up to pi/4.
 DoubleDouble angle_of(double low, double high) {
   return low * steps < high * first_step ? angle_by_series(low, high) : angle_by_table(low, high);
 }
 
-/// The sum, of which the first is the larger.
+/// Returns the rounded sum; a must not be smaller than b in magnitude.
 double rounded_sum(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble high = fast_sum(a.high, b.high);
   return high.high + (high.low + (a.low + b.low));
 }
 
-/// Of a point of positive coordinates, or of its mirror image left of the y axis.
+/// Returns the angle of a point with positive coordinates, or of its mirror image at the y axis.
 double angle_in_half_plane(double y, double x, bool is_left) {
   if (y > x) {
     const DoubleDouble from_axis = angle_of(x, y);
@@ -79,7 +80,7 @@ double angle_in_half_plane(double y, double x, bool is_left) {
 
 bool is_moderate(double x) { return x > 0x1p-450 && x < 0x1p450; }
 
-/// The same where coordinates are 0, very large or small, or not finite.
+/// Handles coordinates that are 0, very large, very small, or not finite.
 double extreme_angle(double y, double x, bool is_left) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (std::isnan(x) || std::isnan(y)) return std::numeric_limits<double>::quiet_NaN();
@@ -89,8 +90,8 @@ double extreme_angle(double y, double x, bool is_left) {
   }
   const double larger = std::max(x, y);
   if (larger == 0) return is_left ? pi.high : 0;
-  // A power of two brings the larger near 1. Where the other then is below all digits of the angle,
-  // or only the tangent counts, nothing else is needed.
+  // Scale the larger coordinate to about 1. If the other one is then below all digits of the angle,
+  // or the angle equals its tangent, the result is known.
   constexpr double negligible = 0x1p-60;
   const int exponent = std::ilogb(larger);
   const double scaled_x = std::ldexp(x, -exponent);

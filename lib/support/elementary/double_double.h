@@ -1,12 +1,12 @@
-/// Sums of two doubles, of about 104 bits, by IEEE operations alone: the same on every machine.
-/// Numbers are between 2^-480 and 2^480 in magnitude, or 0.
-/// References: Dekker, "A floating-point technique for extending the available precision",
-/// Numerische Mathematik 18, 1971; Knuth, "The Art of Computer Programming", vol. 2, 4.2.2.
+/// Double-double arithmetic: sums of two doubles with about 104 bits, by IEEE operations only,
+/// hence the same on every machine. Magnitudes must be 0 or in [2^-480, 2^480]. References: Dekker,
+/// "A floating-point technique for extending the available precision", Numerische Mathematik 18,
+/// 1971; Knuth, "The Art of Computer Programming", vol. 2, 4.2.2.
 #pragma once
 
 namespace transformesh::elementary {
 
-/// `low` is at most half a unit in the last place of `high`.
+/// Invariant: `low` is at most half a unit in the last place of `high`.
 struct DoubleDouble {
   double high = 0;
   double low = 0;
@@ -15,7 +15,7 @@ struct DoubleDouble {
   constexpr DoubleDouble operator-() const { return {-high, -low}; }
 };
 
-/// Where a is 0 or larger than b.
+/// Exact sum. Requires that a is 0 or not smaller than b in magnitude.
 constexpr DoubleDouble fast_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
@@ -62,10 +62,11 @@ constexpr DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
 
 constexpr DoubleDouble operator/(const DoubleDouble& a, double b) { return a / DoubleDouble{b, 0}; }
 
-/// 1/x, as a constant: where rounding may change, compilers leave quotients to the running program.
+/// Returns 1/x as a constant. consteval, because under strict rounding semantics compilers leave
+/// divisions to run time.
 consteval double inverse(double x) { return 1 / x; }
 
-/// The integer nearest to a number below 2^51 in magnitude.
+/// Returns the nearest integer. Requires a magnitude below 2^51.
 constexpr double nearest_integer(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
 
 constexpr DoubleDouble one{1, 0};

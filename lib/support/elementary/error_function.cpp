@@ -10,9 +10,9 @@
 namespace transformesh::elementary {
 namespace {
 
-constexpr int steps = 8;       ///< of the table, to 1
-constexpr double limit = 6;    ///< from here on erf is 1
-constexpr int last_step = 48;  ///< that of the limit
+constexpr int steps = 8;       ///< table intervals per unit
+constexpr double limit = 6;    ///< erf rounds to 1 from here on
+constexpr int last_step = 48;  ///< entry at the limit
 
 constexpr DoubleDouble two_over_root_of_pi{0x1.20dd750429b6dp+0, 0x1.1ae3a914fed80p-56};
 
@@ -21,14 +21,14 @@ struct Entry {
   DoubleDouble derivative;
 };
 
-/// exp(x) for -2 < x < 0.
+/// Returns exp(x) for -2 < x < 0.
 constexpr DoubleDouble decay(double x) {
   DoubleDouble sum = one;
   for (int n = 30; n > 0; --n) sum = one + sum * x / n;
   return sum;
 }
 
-/// The ratio of erf to its derivative, by terms that are all positive.
+/// Returns the ratio of erf to its derivative, by a series of positive terms.
 constexpr DoubleDouble ratio_to_derivative(double x) {
   DoubleDouble term{x, 0};
   DoubleDouble sum = term;
@@ -39,7 +39,8 @@ constexpr DoubleDouble ratio_to_derivative(double x) {
   return sum;
 }
 
-/// The derivative at j/8 is exp(-j^2/64) times that at 0: each from the one before.
+/// The derivative at j/8 is exp(-j^2/64) times the derivative at 0; each entry follows from the
+/// previous one.
 constexpr auto table = [] {
   std::array<Entry, last_step + 1> entries;
   entries[0].derivative = two_over_root_of_pi;
@@ -50,7 +51,7 @@ constexpr auto table = [] {
   return entries;
 }();
 
-/// The integral of exp(-2 center t - t^2) - 1 over t from 0 to x, by its Taylor series.
+/// Returns the integral of exp(-2 center t - t^2) - 1 over t from 0 to x, by its Taylor series.
 double rest_of_integral(double center, double x) {
   double before = 1;
   double coefficient = -2 * center;

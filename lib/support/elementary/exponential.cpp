@@ -16,9 +16,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int steps = 64;                     ///< of the table, from 1 to 2
-constexpr double largest_argument = 709.79;   ///< beyond it exp overflows
-constexpr double smallest_argument = -745.2;  ///< below it exp is 0
+constexpr int steps = 64;                     ///< table intervals from 1 to 2
+constexpr double largest_argument = 709.79;   ///< exp overflows above
+constexpr double smallest_argument = -745.2;  ///< exp is 0 below
 
 constexpr DoubleDouble exp_series(const DoubleDouble& x) {
   DoubleDouble sum = one;
@@ -33,13 +33,13 @@ constexpr auto roots_of_2 = [] {
   return table;
 }();
 
-/// 2^exponent times the value; a subnormal result is rounded.
+/// Returns 2^exponent times the value; rounds subnormal results.
 double scaled(double value, int exponent) {
   if (exponent < -1000 || exponent > 1000) return std::ldexp(value, exponent);
   return value * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52U);
 }
 
-/// 2^(n/64) exp(x) for |x| of at most log(2)/128.
+/// Returns 2^(n/64) exp(x) for |x| <= log(2)/128.
 double scaled_exp(int n, double x) {
   const double rest =
       x + x * x *
@@ -54,23 +54,23 @@ double exp_of(const DoubleDouble& x) {
   if (std::isnan(x.high)) return not_a_number;
   if (x.high > largest_argument) return infinity;
   if (x.high < smallest_argument) return 0;
-  // The product of n and the first part of log(2)/64, of 36 bits, is exact.
+  // The product of n and the first 36 bits of log(2)/64 is exact.
   const double n = nearest_integer(x.high * (steps * inverse(log_of_2.high)));
   const double first = x.high - n * 0x1.62e42fefa0000p-7;
   return scaled_exp(static_cast<int>(n), first + (x.low - n * 0x1.cf79abc9e3b3ap-46));
 }
 
-constexpr int pieces = 128;      ///< of the numbers from 1 to 2
-constexpr int first_piece = 90;  ///< that of the square root of 1/2
-constexpr int last_piece = 182;  ///< above that of 2
+constexpr int pieces = 128;      ///< intervals of the numbers from 1 to 2
+constexpr int first_piece = 90;  ///< interval of the square root of 1/2
+constexpr int last_piece = 182;  ///< just above the interval of the square root of 2
 
-/// A short number near the inverse of that in the middle of a piece, and minus its logarithm.
+/// A short number near the inverse of an interval's center, and minus its logarithm.
 struct Inverse {
   double factor = 1;
   DoubleDouble log;
 };
 
-/// By the series of the inverse hyperbolic tangent.
+/// Computes log(x) by the series of the inverse hyperbolic tangent.
 constexpr DoubleDouble log_series(double x) {
   const DoubleDouble z = DoubleDouble{x - 1, 0} / (x + 1);
   DoubleDouble sum;
@@ -87,7 +87,7 @@ constexpr auto inverses = [] {
   return table;
 }();
 
-/// log(1 + x) for |x| below 2^-7.
+/// Returns log(1 + x) for |x| < 2^-7.
 DoubleDouble log_near_1(const DoubleDouble& x) {
   const double r = x.high;
   const DoubleDouble square = exact_product(r, r);
@@ -99,14 +99,14 @@ DoubleDouble log_near_1(const DoubleDouble& x) {
   return fast_sum(first.high, first.low + low);
 }
 
-/// Of a finite number above 0, to about 67 bits.
+/// Returns the logarithm of a finite positive number, to about 67 bits.
 DoubleDouble log_of(double x) {
   int exponent = 0;
   if (x < std::numeric_limits<double>::min()) {
     x *= 0x1p54;
     exponent = -54;
   }
-  // x = 2^exponent m with m between the square roots of 1/2 and 2.
+  // Write x = 2^exponent m, with m between the square roots of 1/2 and 2.
   const auto bits = std::bit_cast<std::uint64_t>(x);
   exponent += static_cast<int>(bits >> 52U) - 1023;
   auto m = std::bit_cast<double>((bits & 0xfffffffffffffU) | 0x3ff0000000000000U);

@@ -1,9 +1,9 @@
-/// Exponentials and logarithms that are the same on every machine, by IEEE operations alone: those
-/// of libm differ in the last digit from processor to processor.
-/// Errors are at most .52 units in the last place, and one where a result is subnormal.
-/// References: Tang, "Table-driven implementation of the exponential function in IEEE
-/// floating-point arithmetic", ACM TOMS 15, 1989, and of the logarithm, ACM TOMS 16, 1990; Muller,
-/// "Elementary Functions", 3rd ed., Birkhäuser 2016, chapters 5 and 6.
+/// Exponentials and logarithms that are the same on every machine, by IEEE operations only; those
+/// of libm differ between processors in the last digit. Errors are at most .52 units in the last
+/// place (ulp), and 1 ulp for subnormal results. References: Tang, "Table-driven implementation of
+/// the exponential function in IEEE floating-point arithmetic", ACM TOMS 15, 1989; Tang,
+/// "Table-driven implementation of the logarithm function in IEEE floating-point arithmetic", ACM
+/// TOMS 16, 1990; Muller, "Elementary Functions", 3rd ed., Birkhäuser 2016, chapters 5 and 6.
 #pragma once
 
 namespace transformesh::elementary {
@@ -11,13 +11,13 @@ namespace transformesh::elementary {
 double exp(double x);
 double exp2(double x);
 
-/// Of 0: minus infinity; of negative numbers: not a number.
+/// Logarithms of 0 are minus infinity, those of negative numbers NaN.
 double log(double x);
 double log2(double x);
 double log10(double x);
 
-/// The base is at least 0, else the result is not a number; pow(x, 0) = pow(1, x) = 1. Exact where
-/// a double holds the result.
+/// NaN if the base is negative; pow(x, 0) = pow(1, x) = 1. Exact if a double can represent the
+/// result.
 double pow(double base, double exponent);
 /// Exact for cubes.
 double cbrt(double x);

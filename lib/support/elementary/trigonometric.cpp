@@ -11,17 +11,17 @@ namespace transformesh::elementary {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double negligible = 0x1p-27;  ///< in magnitude: its sine and tangent are itself
+constexpr double negligible = 0x1p-27;  ///< sin(x) and tan(x) round to x below this magnitude
 
-constexpr int steps = 32;      ///< of the table, to the radian
-constexpr int last_step = 26;  ///< above pi/4
+constexpr int steps = 32;      ///< table intervals per radian
+constexpr int last_step = 26;  ///< just above pi/4
 
 struct SineAndCosine {
   DoubleDouble sine;
   DoubleDouble cosine;
 };
 
-/// The sum of (-x^2)^k n! / (n + 2k)!.
+/// Returns the sum over k of (-x^2)^k n! / (n + 2k)!.
 constexpr DoubleDouble alternating_series(const DoubleDouble& x, int n) {
   DoubleDouble sum = one;
   for (int k = n + 30; k > n; k -= 2) sum = one + -(x * x * sum) / (1.0 * k * (k - 1));
@@ -37,8 +37,8 @@ constexpr auto table = [] {
   return entries;
 }();
 
-// By the sum formulas, from the nearest angle of the table. What a sine mainly is, that of the
-// table and the difference, is added exactly; so small ones keep their digits.
+// Sum formulas from the nearest angle of the table. The main terms of a sine (table entry and
+// difference) are added exactly, so that small sines keep their digits.
 SineAndCosine of_positive(const DoubleDouble& x) {
   const double step = nearest_integer(x.high * steps);
   const auto& [sine, cosine] = table[static_cast<std::size_t>(step)];
@@ -58,7 +58,7 @@ SineAndCosine of_positive(const DoubleDouble& x) {
           fast_sum(cosine.high, cosine_low - sine.high * angle)};
 }
 
-/// Of an angle of at most pi/4, but for rounding.
+/// Returns sine and cosine of an angle of magnitude at most pi/4, up to rounding.
 SineAndCosine of_reduced(const DoubleDouble& x) {
   const SineAndCosine both = of_positive(x.high < 0 ? -x : x);
   return {x.high < 0 ? -both.sine : both.sine, both.cosine};
