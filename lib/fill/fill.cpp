@@ -80,7 +80,7 @@ class Filler {
 
   Mesh& mesh_;
   const FillOptions& options_;
-  VertexFaces around_;  ///< of the input; borders share no vertices
+  VertexFaces around_;  ///< faces at the vertices of the input, whose borders share no vertices
   FaceSearch search_;
   std::vector<RowBlend> blends_;
   FillResult result_;

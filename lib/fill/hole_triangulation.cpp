@@ -52,7 +52,7 @@ class LeastTriangulation {
   const HoleBorder& border_;
   HoleWeights weigher_;
   std::size_t size_;
-  std::vector<HoleSubpolygon> subpolygons_;  ///< by first, then second point
+  std::vector<HoleSubpolygon> subpolygons_;  ///< sorted by first, then second point
   /// Angles of the subpolygons, copied for fast searches: by first, then second point; and by
   /// second, then first point.
   std::vector<double> angles_, angles_before_;

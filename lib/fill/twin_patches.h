@@ -29,7 +29,7 @@ struct ClosedSlit {
                             ///< ones
   DrawnSide left, right;
   std::vector<Triangle> left_patch() const;
-  std::vector<Triangle> right_patch() const;  ///< with reversed triangles
+  std::vector<Triangle> right_patch() const;  ///< its triangles are reversed
 };
 
 /// Computes the patches that close_slit() will add. Call before the mesh is slit.
