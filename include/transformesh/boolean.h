@@ -42,7 +42,7 @@ struct BooleanOptions {
 };
 
 struct BooleanResult : CleanResult {
-  std::optional<ErrorKind> reason{};      ///< if it is empty: kind of error of clean()
+  std::optional<ErrorKind> reason{};      ///< kind of error of clean(), if the result is empty
   std::vector<std::size_t> inside_out{};  ///< operands that enclose nothing, with w < 0
   std::vector<std::size_t> canceling{};   ///< operands with faces that enclose nothing, with w = 0
 };

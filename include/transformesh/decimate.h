@@ -37,7 +37,7 @@ struct DecimateResult {
   std::size_t error_refused = 0;  ///< refusals because of `error`; repeated attempts count again
   double error_bound = 0;    ///< bound on the distance between both surfaces; 0 without `error`
   std::size_t kept_out = 0;  ///< collapses refused because of `keep_out`
-  std::size_t near_keep_out = 0;  ///< input faces that are nearer than the gap
+  std::size_t near_keep_out = 0;  ///< input faces that are nearer to `keep_out` than its gap
   StaleColumns columns;           ///< normals, and lists of texture coordinates, as in remesh()
 };
 

@@ -34,7 +34,7 @@ struct MorphResult {
   Topology topology;
   std::optional<Topology> expected;  ///< target's topology without cavities, if known
   std::size_t left_out = 0;          ///< components of the target that are cavities or inside them
-  MorphStepResult distances;         ///< distances of the result before alignment
+  MorphStepResult distances;         ///< distances between the result and the target
   std::string fault;                 ///< difference of result and target; empty if there is none
   std::optional<double> to_target, from_target;  ///< Hausdorff distances, to a target with faces
   Problem cause;                                 ///< cause of `fault`

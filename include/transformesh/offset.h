@@ -26,7 +26,7 @@ struct OffsetOptions {
 struct OffsetDeviation {
   double rms = 0;     ///< root mean square difference from `distance`, by area
   double most = 0;    ///< largest difference from `distance`, also at vertices
-  double missed = 0;  ///< largest distance of a point of the true offset from the result
+  double missed = 0;  ///< largest distance of a point on the true offset from the result
   Vec3 missed_at = Vec3::Zero();  ///< the point at this distance
 };
 

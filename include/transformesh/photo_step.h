@@ -12,7 +12,7 @@ namespace transformesh {
 
 enum class Interpolation { bilinear, catmull_rom };
 enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient`: the paper's, depends on units
-enum class PairOrder { both, rising, falling };       ///< order of reference views in a pair
+enum class PairOrder { both, rising, falling };       ///< rising: the reference has the lower index
 
 struct CorrelationOptions {    ///< comparison of windows by normalized cross-correlation cc
   int radius = 3;              ///< pixels; 1 to 5
@@ -23,7 +23,7 @@ struct CorrelationOptions {    ///< comparison of windows by normalized cross-co
 struct PhotoconsistencyOptions {
   CorrelationOptions correlation;
   Interpolation interpolation = Interpolation::catmull_rom;
-  double depth_tolerance = 0.005;  ///< relative depth difference of hidden points; >= 0
+  double depth_tolerance = 0.005;  ///< relative depth by which occluded points are behind; >= 0
 };
 struct PairOptions {          ///< pairs of views to compare; angles at the scene
   std::size_t neighbors = 4;  ///< largest number for each view

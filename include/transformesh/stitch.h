@@ -45,8 +45,9 @@ struct StitchResult {
   std::size_t dropped_copies = 0;     ///< faces that `drop_copies` dropped
   std::size_t dropped_reverses = 0;   ///< reverses dropped by `one_side`
   std::size_t reversed_faces = 0;     ///< because of `orient`, `one_side`, `outwards`
-  std::size_t misoriented_edges = 0;  ///< edges that several faces traverse in the same direction
-  std::size_t border_edges = 0;       ///< edges of one face
+  std::size_t misoriented_edges = 0;  ///< edges at which several faces of one direction have no
+                                      ///< partner
+  std::size_t border_edges = 0;       ///< edges at which one face has no partner
   bool new_normals = false;           ///< normals were recomputed after `orient` or `one_side`
   std::string misorientation;         ///< sentence on the first misoriented edge: faces and place
   bool can_be_oriented = false;  ///< there are misoriented edges, and `orient` would remove them

@@ -103,7 +103,7 @@ void LiveRun::refresh(double seconds) {
     read_views();
     run_ = std::move(run);
   } catch (const InputError&) {
-    return;  // another run is just starting in the folder
+    return;  // the folder is being replaced by another run
   }
   read_meshes(seconds);
 }

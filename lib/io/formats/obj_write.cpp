@@ -38,9 +38,7 @@ class ObjWriter {
 
   WriteResult write() {
     add_comment_lines();
-    if (mesh_.positions.empty())
-      text_.add("o empty\n");  // otherwise the format could not be
-                               // detected
+    if (mesh_.positions.empty()) text_.add("o empty\n");  // makes the format detectable
     add_vertices();
     find_texture();
     find_labels();
