@@ -32,7 +32,7 @@ enum class BooleanOperation {
 };
 struct Operand {
   const Mesh* mesh = nullptr;
-  std::string name{};  ///< for messages
+  std::string name{};  ///< name in messages
 };
 
 struct BooleanOptions {

@@ -29,7 +29,7 @@ struct CheckMeshOptions {
 };
 
 struct Certificate {
-  bool input_is_closed = false;  ///< after equal positions are joined
+  bool input_is_closed = false;  ///< the input is closed after equal positions are joined
   std::size_t samples = 0;       ///< decided samples, including wrong ones
   std::size_t undecided = 0;
   std::size_t wrong = 0;
@@ -44,10 +44,10 @@ struct MeshCheck {
   ManifoldReport manifold;
   std::size_t degenerate_faces = 0;  ///< faces without area
   std::size_t components = 0;
-  long genus = 0;                                      ///< of all components
+  long genus = 0;                                      ///< sum over all components
   std::optional<std::vector<FacePair>> intersections;  ///< if they were searched for
   std::optional<Certificate> certificate;              ///< if there was another mesh
-  std::vector<Problem> problems;  ///< in order: manifold, intersections, closedness, area, winding
+  std::vector<Problem> problems;  ///< ordered: manifold, intersections, closedness, area, winding
 };
 
 /// Checks a mesh. Throws UsageError for a winding level below 1.

@@ -21,11 +21,11 @@ struct CleanResult {
   std::size_t patches = 0, rays = 0;
   std::size_t decided_by_number = 0;  ///< patches that a generalized winding number decided
   double least_margin = 0.5;  ///< least distance of such a number from the decision threshold
-  std::size_t dropped_components = 0;                     ///< because of `outermost`
+  std::size_t dropped_components = 0;                     ///< components that `outermost` dropped
   std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds of repair; repaired places
   /// Broken faces and intersecting pairs, summed over all rounds of repair.
   std::size_t rounding_faces = 0, rounding_pairs = 0;
-  std::size_t rounding_level = 0;  ///< how often the step of a rounding grid was doubled at most
+  std::size_t rounding_level = 0;  ///< largest number of times that a rounding grid was coarsened
   /// Bound on the movement of the surface by rounding and repair: input units; and spacings of the
   /// coordinates at the place.
   double rounding_displacement = 0;

@@ -36,7 +36,7 @@ struct Atlas {
   Image picture;           ///< all charts; a texel is as large as a pixel, or larger to fit
   std::size_t charts = 0;  ///< number of charts
   double texel = 0;        ///< length of a texel's side; input units
-  ColorResult color;       ///< of the vertices
+  ColorResult color;       ///< result of color_vertices()
 };
 
 /// Makes a texture, and writes the face column `texcoord`: lists of (u, v) per corner, v upwards.

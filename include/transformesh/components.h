@@ -26,7 +26,7 @@ struct Component {
 enum class ComponentSize { faces, area, volume };
 
 struct Components {
-  std::vector<Component> components;  ///< in order of their first face
+  std::vector<Component> components;  ///< ordered by their first face
   std::vector<Index> of_face;         ///< index of the component of each face
   long genus() const;                 ///< sum over all components
 };
@@ -45,7 +45,7 @@ std::vector<Mesh> split_components(const Mesh& mesh, ComponentSize by);
 struct Connectivity {
   std::vector<Index> opposites;  ///< halfedge across the edge of each halfedge
   std::size_t components = 0;
-  std::vector<Index> component_of;  ///< component of each face; in order of their first face
+  std::vector<Index> component_of;  ///< component of each face; ordered by their first face
 };
 
 /// Finds the components from the opposite halfedges. O(n).

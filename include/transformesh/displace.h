@@ -24,7 +24,7 @@ struct DisplaceOptions {
   Scalar coordinate = Scalar::float64;  ///< new positions near `keep_out` are rounded to this type
 };
 
-/// Lengths in input units.
+/// Result of displace(). Lengths are in input units.
 struct DisplaceResult {
   std::size_t moved = 0;          ///< vertices whose position changed
   std::size_t clamped = 0;        ///< vertices whose movement the clamp shortened

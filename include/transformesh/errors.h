@@ -45,9 +45,9 @@ class Error : public std::runtime_error {
 };
 
 // clang-format off
-/// An argument or option makes no sense.
+/// An argument or option is invalid.
 struct UsageError : Error { using Error::Error; };
-/// Input is unreadable, malformed, or not as the operation needs it.
+/// The input is unreadable, malformed, or does not meet the preconditions of the operation.
 struct InputError : Error { using Error::Error; };
 /// The goal cannot be reached from valid input: there is no result.
 struct GoalError : Error { using Error::Error; };

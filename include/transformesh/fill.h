@@ -34,7 +34,7 @@ struct FillOptions {
 /// A hole that stays open.
 struct OpenHole {
   Index vertex = 0;       ///< a vertex on its border
-  std::size_t edges = 0;  ///< of its border
+  std::size_t edges = 0;  ///< edges of its border
   double length = 0;      ///< length of its border; input units
 };
 

@@ -23,7 +23,7 @@ enum class SilhouetteMeaning { exact, least };
 /// Extraction of a silhouette from a photograph of a bright object in front of a dark background.
 struct ThresholdOptions {
   std::optional<double> intensity =
-      std::nullopt;     ///< least intensity of the object; default: Otsu's
+      std::nullopt;     ///< least intensity of the object; default: Otsu's threshold
   double blur = 1.5;    ///< standard deviation of the Gaussian prefilter; pixels; >= 0
   double close = 0.01;  ///< radius of the closing, as a fraction of the larger image side; [0, 1]
 };

@@ -39,7 +39,7 @@ struct IterationOptions {
 
 struct Topology {
   std::size_t components = 0;
-  long genus = 0;  ///< of all components
+  long genus = 0;  ///< sum over all components
   bool operator==(const Topology&) const = default;
 };
 

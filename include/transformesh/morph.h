@@ -17,7 +17,7 @@
 
 namespace transformesh {
 
-/// Alignment with sharp edges; `automatic`: if has_features() of align_features.h.
+/// Alignment with sharp edges; `automatic` aligns if the target has_features() (align_features.h).
 enum class Features { automatic, on, off };
 
 struct MorphOptions {

@@ -19,7 +19,7 @@ namespace transformesh {
 
 /// Definition of phi(p).
 enum class MorphDistance {
-  surface,  ///< to the closest point of the target's faces
+  surface,  ///< distance to the closest point of the target's faces
   vertex,   ///< ((q - p) . n) for the nearest vertex q and its normal n, as in the paper; needs a
             ///< target that is sampled as finely as the source; vanishes near sharp edges
   points    ///< like `vertex`, but twelve planes decide the side of far points (Kolluri, "Provably
@@ -43,8 +43,8 @@ struct DistanceSummary {
 
 struct MorphStepResult {
   MorphDistance distance = MorphDistance::surface;  ///< definition that was used
-  DistanceSummary to_target;    ///< over vertices of the mesh, before the movement; input units
-  DistanceSummary from_target;  ///< over at most 1024 vertices of the target
+  DistanceSummary to_target;    ///< distances of the mesh vertices before the movement; input units
+  DistanceSummary from_target;  ///< distances of at most 1024 target vertices; input units
   DisplaceResult displaced;
 };
 

@@ -24,8 +24,8 @@ struct OffsetOptions {
 
 /// Deviation of the result from the true offset, at sample points of both surfaces. Input units.
 struct OffsetDeviation {
-  double rms = 0;     ///< root mean square difference from `distance`, by area
-  double most = 0;    ///< largest difference from `distance`, also at vertices
+  double rms = 0;     ///< root mean square of |distance from the source - `distance`|, by area
+  double most = 0;    ///< largest such difference, including vertices
   double missed = 0;  ///< largest distance of a point on the true offset from the result
   Vec3 missed_at = Vec3::Zero();  ///< the point at this distance
 };

@@ -34,12 +34,12 @@ struct PhotoStepOptions {
   PhotoStepRule rule = PhotoStepRule::gauss_newton;
   double alpha = 0.5;      ///< clamp as a fraction of the local mean edge; >= 0; 0.1 in the paper
   double stiffness = 1;    ///< weight of the thin plate, in median curvatures of the energy; >= 0
-  double damping = 0.006;  ///< in compared pixels per squared pixel; >= 0
+  double damping = 0.006;  ///< regularization; compared pixels per squared pixel of movement; >= 0
   double time_step = 0.001, smoothing = 0.1;  ///< for `gradient`: length^4, >= 0; and [0, 1]
   double silhouettes = 1;                     ///< weight of silhouettes against photographs; >= 0
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   PairOrder order = PairOrder::both;
-  double least_cosine = 0.1;  ///< between ray and normal, for faces that are compared; >= 0
+  double least_cosine = 0.1;  ///< least cosine between ray and normal of compared faces; >= 0
   PhotoconsistencyOptions photographs = {};
 };
 struct PhotoStepResult {

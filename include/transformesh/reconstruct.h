@@ -23,7 +23,7 @@ namespace transformesh {
 struct DoubtfulPlace {
   Vec3 center = Vec3::Zero();
   double area = 0;       ///< squared pixels, >= 25
-  bool is_thin = false;  ///< most of it has an opposite side of the surface within six pixels
+  bool is_thin = false;  ///< most of the place has an opposite sheet within six pixels
 };
 
 struct ReconstructionResult {
@@ -35,8 +35,8 @@ struct ReconstructionResult {
   double pixel = 0;         ///< length of a pixel's side at the object; input units
   std::size_t faces = 0;
   PhotoStepResult first, last;  ///< measures of the initial surface and of the result
-  double first_agreement = 1;   ///< initial surface and exact silhouettes; mean over views
-  double agreement = 1;         ///< result and exact silhouettes; mean over views
+  double first_agreement = 1;   ///< mean intersection over union of initial and exact silhouettes
+  double agreement = 1;         ///< mean intersection over union of resulting and exact silhouettes
   double disagreement = 0;      ///< mean, between photographs beyond their noise; 0 to 1
   double noise_floor = 0;       ///< mean dissimilarity that noise explains
   double doubtful = 0;          ///< fraction of the observed area in doubtful places

@@ -47,14 +47,14 @@ struct ReconstructionOptions {
   std::size_t sweeps = 4;  ///< sweeps at a scale, at most; twice while the topology changes
   std::optional<double> pull = std::nullopt;  ///< weight of silhouettes; default: 0.5 or 1.5
   double momentum = 0.7;      ///< fraction of the last movement that a step adds; [0, 1)
-  PhotoStepOptions step;      ///< only stiffness, damping and alpha are used
+  PhotoStepOptions step;      ///< only `stiffness`, `damping` and `alpha` are used
   bool spends_views = false;  ///< crop and finally clear the views, to save memory
   double robust = 1;          ///< last sweeps: factor of the mean for CorrelationOptions::robust
   double crumbs = 0.001;      ///< drop components below this fraction of the largest volume; [0, 1]
   double handles = 5;         ///< remove handles of this length in last edges; 0: none
-  std::function<void(const std::string& message)> on_sweep = {};   ///< after each sweep
-  std::function<void(const std::string& message)> on_note = {};    ///< for problems
-  std::function<void(const std::string& message)> on_detail = {};  ///< for details
+  std::function<void(const std::string& message)> on_sweep = {};   ///< called after each sweep
+  std::function<void(const std::string& message)> on_note = {};    ///< called for problems
+  std::function<void(const std::string& message)> on_detail = {};  ///< called for details
 };
 
 }  // namespace transformesh

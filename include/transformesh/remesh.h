@@ -24,7 +24,7 @@ struct RemeshOptions {
   std::string size_column;    ///< vertex column that multiplies both lengths; empty: none
   double adaptive_error = 0;  ///< > 0: edge lengths follow the curvature to keep this distance
   int iterations = 1;         ///< >= 0; 0 removes only small components and degenerate faces
-  bool only_smooth = false;   ///< no splits, collapses and flips
+  bool only_smooth = false;   ///< smooth only; no splits, collapses and flips
   FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
   double smooth_first = 0;                      ///< b in v - b dv, or b1; in [0, 1]

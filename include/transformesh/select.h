@@ -35,7 +35,7 @@ struct SelectionOptions {
 struct SelectionResult {
   std::size_t selected_faces = 0, dropped_faces = 0;
   std::optional<bool> contains_point;  ///< true if the component of `around` contains the point
-  double distance = 0;                 ///< from the point of `around` to the surface; input units
+  double distance = 0;                 ///< distance of `around` from the surface; input units
 };
 
 /// Keeps the selected faces. Throws UsageError for an invalid condition, InputError if there is no

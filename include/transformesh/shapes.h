@@ -27,8 +27,8 @@ struct ShapeOptions {
   std::vector<std::string> parameters;
   std::optional<std::size_t> faces;  ///< approximate number; default 10000
   std::optional<double> edge;        ///< approximate mean edge, instead of `faces`; > 0
-  std::optional<double> radius;      ///< of a sphere (also dented), or of the ring of a torus or
-                                     ///< knot; > 0
+  std::optional<double> radius;      ///< radius of a sphere or dented sphere, or of the ring of a
+                                     ///< torus or knot; > 0
   std::optional<double> tube;        ///< tube radius of a torus or knot; > 0
   std::optional<double> gap;         ///< two-spheres, tori; negative: the two overlap
   std::optional<double> neck;        ///< radius of a dumbbell's neck; negative: inverted

@@ -23,8 +23,8 @@ struct StitchOptions {
   /// Join positions within this distance, and split border edges at border vertices within it;
   /// input units; 0: join equal positions only.
   double tolerance = 0;
-  bool orient = false;  ///< reverse faces so that neighbors agree; then closed parts that were
-                        ///< changed are oriented outwards, open ones as most of their faces were
+  bool orient = false;  ///< reverse faces so that neighbors agree; then orient changed closed parts
+                        ///< outwards, and changed open ones as most of their faces were
   /// Drop all but the first of coincident faces with the same direction.
   bool drop_copies = false;
   bool one_side = false;  ///< drop faces whose reverse is present (double_sided.h), orient, and
@@ -44,7 +44,7 @@ struct StitchResult {
   std::size_t dropped_faces = 0;
   std::size_t dropped_copies = 0;     ///< faces that `drop_copies` dropped
   std::size_t dropped_reverses = 0;   ///< reverses dropped by `one_side`
-  std::size_t reversed_faces = 0;     ///< because of `orient`, `one_side`, `outwards`
+  std::size_t reversed_faces = 0;     ///< faces reversed by `orient`, `one_side` or `outwards`
   std::size_t misoriented_edges = 0;  ///< edges at which several faces of one direction have no
                                       ///< partner
   std::size_t border_edges = 0;       ///< edges at which one face has no partner

@@ -158,7 +158,7 @@ std::string axis_up(const std::vector<PageRun>& runs) {
         up -= view.camera.camera.rotation.row(1).transpose();
         ++count;
       }
-  constexpr double least = 0.3;  // for cameras that look down by about 70 degrees
+  constexpr double least = 0.3;  // mean up vector of cameras looking down by 70 degrees
   Eigen::Index axis = 1;
   if (!(up.cwiseAbs().maxCoeff(&axis) > least * count)) return "y";
   return (up[axis] < 0 ? "-" : "") + std::string(1, "xyz"[axis]);
