@@ -45,7 +45,7 @@ struct FillResult {
   std::size_t plain = 0;    ///< closed by a patch without new vertices
   std::size_t crossed = 0;  ///< closed by an intersecting patch (`allow_self_intersections`)
   std::size_t new_vertices = 0, new_faces = 0;
-  bool dropped_source_points = false;  ///< carry.h
+  bool dropped_source_points = false;  ///< source points were dropped (carry.h)
   std::vector<OpenHole> too_large;     ///< larger than the limits
   std::vector<OpenHole> crossing;      ///< each patch would intersect a face
   /// Each patch would have a face without area or an edge that already has two faces.

@@ -33,7 +33,7 @@ struct HandleResult {
   std::size_t refused = 0;  ///< loops for which no two patches fit
   std::size_t blocked = 0;  ///< loops whose patches would touch another part of the surface
   std::size_t new_vertices = 0, new_faces = 0;
-  bool dropped_source_points = false;  ///< carry.h
+  bool dropped_source_points = false;  ///< source points were dropped (carry.h)
 };
 
 HandleResult remove_handles(Mesh& mesh, const HandleOptions& options,

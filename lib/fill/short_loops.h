@@ -18,7 +18,7 @@
 namespace transformesh {
 
 struct ShortLoop {
-  std::vector<Index> vertices;  ///< in order, distinct; at least three
+  std::vector<Index> vertices;  ///< distinct, in cyclic order; at least three
   double length = 0;
   HomologyWord word = 0;  ///< exclusive or of the words of its edges; not 0
 };

@@ -10,6 +10,7 @@
 namespace transformesh {
 namespace {
 
+// Cosine of 45 degrees.
 constexpr double least_cosine = 0.7071067811865476;
 constexpr int float_digits_fewer =
     std::numeric_limits<double>::digits - std::numeric_limits<float>::digits;

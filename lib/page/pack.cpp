@@ -12,6 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// The largest integer of 16 bits.
 constexpr double most = 65535;
 constexpr std::uint32_t not_finite = 65535;
 

@@ -17,10 +17,13 @@
 namespace transformesh::shapes {
 namespace {
 
+// A choice: more iterations give rounder triangles and take longer.
 constexpr int relax_iterations = 20;
 constexpr std::size_t vertices_per_task = 1024;
+// A choice: more attempts come closer to the wanted number of faces and take longer.
 constexpr int march_attempts = 16;
-constexpr double good_enough = 0.01;  // relative error of the number of faces
+constexpr double good_enough = 0.01;  // relative error of the number of faces that ends the search
+// Largest relative error of the number of faces.
 constexpr double acceptable = 0.05;
 
 double error_of(const Mesh& mesh, std::size_t faces) {

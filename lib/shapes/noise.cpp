@@ -11,6 +11,7 @@
 namespace transformesh::shapes {
 namespace {
 
+// A choice: fewer steps follow the changing normals less closely, more take longer.
 constexpr int noise_steps = 10;
 constexpr std::size_t vertices_per_task = 2048;
 

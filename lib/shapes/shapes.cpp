@@ -23,8 +23,10 @@ using shapes::Kind;
 constexpr std::size_t default_faces = 10000;
 constexpr std::size_t coarse_faces = 2000;
 constexpr double most_faces = 1e9;
+// Least size of faces and thickness, in coordinate spacings. A choice: less loses digits of shape,
+// more rejects usable shapes.
 constexpr double least_spacings = 1000;
-constexpr double noise_wavelength = 0.2;  // as a fraction of the diagonal
+constexpr double noise_wavelength = 0.2;  // in diagonals of the bounding box
 
 const Kind& find_kind(const std::string& name) {
   for (const Kind& kind : shapes::kinds())

@@ -90,7 +90,7 @@ class MeshReader {
 
   GltfNumbers numbers(const Json& attributes, const char* key, std::size_t most) {
     const std::size_t accessor = file_.whole(attributes, key, "a primitive of " + name_);
-    constexpr std::size_t bytes = 8;  // of a double
+    constexpr std::size_t bytes = 8;  // size of a double; bytes
     const Json& entry = file_.element("accessors", accessor);
     const std::size_t count = file_.whole(entry, "count", "accessor " + std::to_string(accessor));
     budget_.spend(bytes * std::min<std::size_t>(count, no_index) * 3);

@@ -33,7 +33,7 @@ class ObjTexture {
 
   std::vector<std::array<double, 2>> points_;
   std::vector<Index> corners_;
-  std::vector<std::size_t> offsets_;  ///< from the first face with texture indices on
+  std::vector<std::size_t> offsets_;  ///< starts in `corners_` from the first textured face on
   bool has_numbers_of_vertices_ = true;
 };
 

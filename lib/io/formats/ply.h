@@ -12,7 +12,7 @@ namespace transformesh {
 struct PlyProperty {
   std::string name;
   Scalar type = Scalar::float32;
-  std::optional<Scalar> count_type;  ///< set for a list
+  std::optional<Scalar> count_type;  ///< set if the property is a list
 };
 
 struct PlyElement {
@@ -24,7 +24,7 @@ struct PlyElement {
 struct PlyHeader {
   Style style;  ///< format, comments, names of elements
   std::vector<PlyElement> elements;
-  std::size_t size = 0;               ///< where the data starts
+  std::size_t size = 0;               ///< offset of the data; bytes
   std::size_t unmarked_comments = 0;  ///< number of comments without the keyword `comment`
 };
 

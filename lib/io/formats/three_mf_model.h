@@ -26,7 +26,7 @@ struct ThreeMfComponent {
 struct ThreeMfObject {
   std::vector<Vec3> positions;
   std::vector<Face> faces;
-  std::vector<std::array<std::optional<ByteColor>, 3>> colors;  ///< of the corners of each face
+  std::vector<std::array<std::optional<ByteColor>, 3>> colors;  ///< corner colors of each face
   std::vector<ThreeMfComponent> components;
   bool is_other = false;  ///< its type excludes it from the model
 };

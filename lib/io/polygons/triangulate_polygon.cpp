@@ -168,6 +168,8 @@ bool bounds(const PlanarTriangles& result, std::span<const std::uint32_t> outlin
 /// there, until the rest has no intersections.
 PolygonTriangles triangulate_along(const Projection& projected, std::span<const Vec3> positions,
                                    std::span<const Index> vertices) {
+  // Growth of the number of corners that are cut off at an edge, per round. A choice: less needs
+  // more rounds, more cuts off corners without need.
   constexpr std::size_t growth = 4;
   std::vector<Point> points;
   points.reserve(positions.size());

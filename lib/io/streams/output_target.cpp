@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Limits of Linux: bytes of a file name, and symbolic links in a path.
 constexpr std::size_t longest_name = 255;
 constexpr int most_links = 40;
 

@@ -15,6 +15,7 @@
 namespace transformesh {
 namespace {
 
+// 1 MB, the largest pipe buffer that Linux allows by default.
 constexpr std::size_t block = std::size_t{1} << 20;
 
 class Descriptor {

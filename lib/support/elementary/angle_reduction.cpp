@@ -9,6 +9,7 @@
 namespace transformesh::elementary {
 namespace {
 
+// Below this magnitude products of the parts of pi/2 with the quotient are exact.
 constexpr double least_large = 0x1p20;
 
 /// pi/2 in parts of 33 bits, whose products with integers up to 2^20 are exact, and a last part.

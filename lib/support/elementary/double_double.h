@@ -28,6 +28,7 @@ constexpr DoubleDouble exact_sum(double a, double b) {
 }
 
 constexpr DoubleDouble exact_product(double a, double b) {
+  // Veltkamp's splitting into halves of 26 bits.
   constexpr double splitter = 0x1p27 + 1;
   const double a_high = splitter * a - (splitter * a - a);
   const double b_high = splitter * b - (splitter * b - b);
