@@ -12,6 +12,7 @@
 
 #include <optional>
 
+#include "transformesh/events.h"
 #include "transformesh/iteration.h"
 #include "transformesh/loop.h"
 
@@ -34,6 +35,7 @@ inline UntilRule stalled() { return {0, true}; }
 struct EvolveOptions {
   IterationOptions iteration = {};
   UntilRule until = {};
+  bool finds_events = false;  ///< label components and find events; set if the loop records them
 };
 
 struct EvolveResult {
@@ -43,7 +45,8 @@ struct EvolveResult {
   /// fraction of shortened vertices in one iteration. Both include earlier runs.
   std::size_t clamped_iterations = 0;
   double clamped_share = 0;
-  IterationResult last;  ///< last iteration of this run
+  IterationResult last;       ///< last iteration of this run
+  std::vector<Event> events;  ///< of this run, with `finds_events`
 };
 
 /// Evolves a document and carries its columns. A run that continues replaces the document by its

@@ -35,6 +35,9 @@ struct IterationOptions {
   RemeshOptions remesh = smoothed_by(0.1);  ///< lengths and type of coordinates are not used
   bool outermost = true;                    ///< CleanOptions::outermost
   bool expects_changes = false;  ///< clean() probably changes the mesh; affects only the speed
+  /// Called if clean() changed the mesh, before `outermost` drops components. May change the
+  /// columns of the cleaned mesh.
+  std::function<void(const Mesh& before, Mesh& cleaned)> on_cleaned = {};
 };
 
 struct Topology {

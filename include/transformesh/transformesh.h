@@ -17,6 +17,7 @@
 #include "transformesh/document.h"
 #include "transformesh/error_kind.h"
 #include "transformesh/errors.h"
+#include "transformesh/events.h"
 #include "transformesh/evolve.h"
 #include "transformesh/evolve_in_time.h"
 #include "transformesh/fill.h"

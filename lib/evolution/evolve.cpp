@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evolution/end_rule.h"
+#include "evolution/event_finder.h"
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/iteration_text.h"
 #include "evolution/loop/loop.h"
@@ -18,19 +19,31 @@ namespace {
 
 class EvolveLoop : public Loop {
  public:
-  EvolveLoop(const Step& step, IterationOptions options, const UntilRule& until)
-      : step_(step), options_(std::move(options)), end_rule_(until) {}
+  EvolveLoop(const Step& step, IterationOptions options, const UntilRule& until, bool finds_events)
+      : step_(step), options_(std::move(options)), end_rule_(until) {
+    if (finds_events) events_.emplace().watch(options_);
+  }
 
-  void advance(Document& document, std::size_t /*iteration*/, const Progress& progress) override {
+  void start(Document& document, const Progress& progress) override {
+    clean_in_place(document, progress, options_.outermost);
+    if (events_) events_->start(document.mesh);
+  }
+  void advance(Document& document, std::size_t iteration, const Progress& progress) override {
     options_.expects_changes = last_.was_cleaned;
+    if (events_) events_->begin_step(document.mesh);
     last_ = iterate(document, step_, options_, progress);
+    if (events_) events_->end_step(document.mesh, iteration, static_cast<double>(iteration));
     clamped_iterations_ += last_.displaced.clamped > 0 ? 1 : 0;
     clamped_share_ = std::max(clamped_share_, transformesh::clamped_share(last_));
     is_done_ = end_rule_.add(last_);
   }
   bool is_done() const override { return is_done_; }
+  void finish(Document& document, const Progress& progress) override {
+    clean_in_place(document, progress, options_.outermost);
+  }
   void remember(LoopState& loop_state) override {
     end_rule_.remember(loop_state);
+    if (events_) events_->remember(loop_state);
     loop_state("done", is_done_);
     loop_state("clamped_iterations", clamped_iterations_)("clamped_share", clamped_share_);
   }
@@ -48,14 +61,21 @@ class EvolveLoop : public Loop {
            significant(last_.displaced.max_displacement, 3) + " at most";
   }
 
+  std::vector<std::string> event_rows() const override {
+    return events_ ? events_->last_rows() : std::vector<std::string>();
+  }
+
   EvolveResult result(std::size_t iterations) const {
-    return {iterations, is_done_, clamped_iterations_, clamped_share_, last_};
+    EvolveResult result{iterations, is_done_, clamped_iterations_, clamped_share_, last_, {}};
+    if (events_) result.events = events_->events();
+    return result;
   }
 
  private:
   const Step& step_;
   IterationOptions options_;
   EndRule end_rule_;
+  std::optional<EventFinder> events_;
   IterationResult last_;
   bool is_done_ = false;
   std::size_t clamped_iterations_ = 0;
@@ -74,7 +94,8 @@ std::string clamps_in_words(const EvolveResult& result, double alpha) {
 
 EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options,
                     const LoopOptions& loop_options, Record& record, const Progress& progress) {
-  EvolveLoop loop(step, completed(options.iteration, document.mesh), options.until);
+  EvolveLoop loop(step, completed(options.iteration, document.mesh), options.until,
+                  options.finds_events || record.has_events());
   run_loop(loop, document, loop_options, record, progress);
   return loop.result(record.iteration());
 }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "evolution/bodies.h"
 #include "evolution/end_rule.h"
+#include "evolution/event_finder.h"
 #include "evolution/integration.h"
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/iteration_text.h"
@@ -58,8 +60,10 @@ TimeOptions completed(TimeOptions options) {
 class TimeLoop : public Loop {
  public:
   TimeLoop(const Motion& motion, const TimeOptions& time, IterationOptions iteration,
-           const UntilRule& until)
-      : motion_(motion), options_(time), iteration_(std::move(iteration)), end_rule_(until) {}
+           const UntilRule& until, bool finds_events)
+      : motion_(motion), options_(time), iteration_(std::move(iteration)), end_rule_(until) {
+    if (finds_events) events_.emplace().watch(iteration_);
+  }
 
   void start(Document& document, const Progress& progress) override {
     topology_ = clean_all(document, progress);
@@ -67,10 +71,11 @@ class TimeLoop : public Loop {
     if (options_.keep_volume && !is_closed_)
       throw InputError("only a closed mesh has a volume to keep");
     is_done_ = document.mesh.faces.empty();
+    if (events_) events_->start(document.mesh);
     measure_surface(document.mesh);
   }
 
-  void advance(Document& document, std::size_t /*iteration*/, const Progress& progress) override {
+  void advance(Document& document, std::size_t iteration, const Progress& progress) override {
     Stopwatch watch;
     const HalfedgeLengths edges = halfedge_lengths(document.mesh);
     const Document before = document;
@@ -90,6 +95,7 @@ class TimeLoop : public Loop {
     }
     if (options_.keep_volume) drift_ += keeper_.restore(document, iteration_, progress);
     accept(document.mesh, step, remaining);
+    if (events_) events_->end_step(document.mesh, iteration, time_);
     // The velocities, and the steps that were repeated, count as the motion.
     last_.seconds = watch.lap();
     last_.seconds_step = last_.seconds - last_.seconds_clean - last_.seconds_remesh;
@@ -102,6 +108,7 @@ class TimeLoop : public Loop {
 
   void remember(LoopState& loop_state) override {
     end_rule_.remember(loop_state);
+    if (events_) events_->remember(loop_state);
     loop_state("done", is_done_)("time", time_)("span", span_)("usual_span", usual_span_)(
         "event_end", event_end_);
     loop_state("components", topology_.components)("genus", topology_.genus);
@@ -124,8 +131,13 @@ class TimeLoop : public Loop {
            ", moved " + significant(last_.displaced.max_displacement, 3) + " at most";
   }
 
+  std::vector<std::string> event_rows() const override {
+    return events_ ? events_->last_rows() : std::vector<std::string>();
+  }
+
   TimeResult result(std::size_t iterations, const Document& document) const {
-    TimeResult result{time_, {iterations, is_done_, 0, 0, last_}};
+    TimeResult result{time_, {iterations, is_done_, 0, 0, last_, {}}};
+    if (events_) result.evolution.events = events_->events();
     result.volume = volume(document.mesh);
     result.volume_drift = drift_;
     result.max_move = max_move_;
@@ -164,6 +176,7 @@ class TimeLoop : public Loop {
       last_.displaced.mean_edge = mean_edge;
       return;
     }
+    if (events_) events_->begin_step(document.mesh);
     const auto move = [&](Mesh& mesh, const Progress&) {
       const std::vector<Vec3>& displacements = step.integrated.displacements;
       const DisplaceResult result = move_vertices(mesh, displacements, mean_edge);
@@ -193,6 +206,7 @@ class TimeLoop : public Loop {
   TimeOptions options_;
   IterationOptions iteration_;
   EndRule end_rule_;
+  std::optional<EventFinder> events_;
   VolumeKeeper keeper_;
   IterationResult last_;
   Topology topology_;
@@ -208,8 +222,8 @@ class TimeLoop : public Loop {
 TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOptions& time,
                           const EvolveOptions& options, const LoopOptions& loop_options,
                           Record& record, const Progress& progress) {
-  TimeLoop loop(motion, completed(time), completed(options.iteration, document.mesh),
-                options.until);
+  TimeLoop loop(motion, completed(time), completed(options.iteration, document.mesh), options.until,
+                options.finds_events || record.has_events());
   run_loop(loop, document, loop_options, record, progress);
   return loop.result(record.iteration(), document);
 }

@@ -84,7 +84,7 @@ double VolumeKeeper::restore(Document& document, const IterationOptions& options
   if (move_to_volume(mesh, volume_, weights, limit)) {
     refresh_normals(mesh);
     round_as_written(document);
-    clean_in_place(document, progress, options.outermost);
+    clean_in_place(document, progress, options.outermost, options.on_cleaned);
   }
   return transformesh::volume(mesh) - volume_;
 }

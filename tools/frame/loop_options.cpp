@@ -28,7 +28,10 @@ std::string settings_of(const Run& run) {
 void settle_run(Program& program, LoopChoices& choices) {
   std::string& folder = choices.run;
   if (folder.empty()) return;
-  for (const char* name : {"output", "format", "frames", "csv", "report"})
+  const bool finds_events = program.options.find("events") != nullptr;
+  std::vector<const char*> names{"output", "format", "frames", "csv", "report"};
+  if (finds_events) names.push_back("events");
+  for (const char* name : names)
     if (program.options.find(name)->is_given)
       throw UsageError("--run keeps all of a run under fixed names: leave out --" +
                        std::string(name));
@@ -37,6 +40,7 @@ void settle_run(Program& program, LoopChoices& choices) {
   program.common.report = folder + run_file::report;
   choices.record.frames = folder + run_file::frames;
   choices.record.csv = folder + run_file::log;
+  if (finds_events) choices.record.events = folder + run_file::events;
 }
 
 bool is_plain(const std::string& word) {
@@ -101,6 +105,7 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   if (options.resume && options.restart)
     throw UsageError("give either --resume or --restart, not both");
   std::vector<std::string> files{"report", "csv"};
+  if (!options.events.empty()) files.emplace_back("events");
   if (state.empty()) files.insert(files.begin(), "output");
   // The folder of a run is made with the state in it.
   choices.run.empty() ? run.out().check_files_of(files) : check_run_folder(choices.run);
@@ -109,6 +114,8 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);
   options.state = std::move(state);
   options.settings = settings_of(run);
+  // A run that continues needs the labels of the one that began.
+  if (!options.events.empty()) options.settings += " events";
   options.every = static_cast<std::size_t>(choices.every.value_or(every));
   options.is_alone = true;
   options.keep_state_at_end = true;

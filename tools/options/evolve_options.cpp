@@ -54,7 +54,14 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
                        "smoothing of tm-remesh (default 0.1, with --time none)");
   program.options.length("min-edge", &choices.iteration.min_edge, "collapse shorter edges");
   program.options.length("max-edge", &choices.iteration.max_edge, "split longer edges");
+  program.options.flag("keep-cavities", &choices.keep_cavities,
+                       "keep cavities and what is inside of them, which are filled otherwise");
   program.reference_edge();
+  program.options
+      .text("events", &choices.loop.record.events, "FILE",
+            "write a line per change of topology, and label components by the face property "
+            "component_label")
+      .affects_result = false;
   declare_record(program, choices.loop, "every how many iterations (default 10)", "iteration");
 }
 
@@ -70,6 +77,7 @@ void check_evolve(const EvolveChoices& choices, const Program& program) {
 EvolveOptions evolution_of(const EvolveChoices& choices, Run& run) {
   EvolveOptions options{choices.iteration, until_of(choices.until, run)};
   options.iteration.reference_edge = run.in().reference_edge();
+  options.iteration.outermost = !choices.keep_cavities;
   options.iteration.remesh = RemeshOptions();
   const std::string usual = choices.is_in_time() ? "none" : "0.1";
   read_smoothing(choices.smooth.empty() ? usual : choices.smooth, options.iteration.remesh);

@@ -14,6 +14,7 @@ struct EvolveChoices {
   std::string step;
   std::string until;
   std::string smooth;
+  bool keep_cavities = false;
   DisplaceOptions displace;
   IterationOptions iteration;
   TimeChoices time;

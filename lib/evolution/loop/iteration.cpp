@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "clean/exterior/exterior.h"
 #include "evolution/loop/stages.h"
 #include "evolution/loop/stopwatch.h"
 #include "io/document/round_as_written.h"
@@ -36,6 +37,12 @@ RemeshOptions remesh_options(const Document& document, const IterationOptions& o
   result.max_edge = resolved({options.edge_factor * options.max_edge.value, options.max_edge.unit});
   result.coordinate = document.style.coordinate;
   return result;
+}
+
+/// CleanOptions::outermost, afterwards.
+void drop_enclosed(CleanResult& result) {
+  if (!result.changed || drop_enclosed_components(result.mesh) == 0) return;
+  result.connectivity.reset();
 }
 
 /// remesh() of a document that is being cleaned: the result counts where that changes nothing.
@@ -96,7 +103,7 @@ class CleanAndRemesh {
 
  private:
   void clean() {
-    cleaned_ = clean_in_place(document_, progress_, options_.outermost);
+    cleaned_ = clean_in_place(document_, progress_, options_.outermost, options_.on_cleaned);
     result_.pairs = cleaned_.pairs;
     result_.was_cleaned = cleaned_.changed;
     result_.seconds_clean = watch_.lap();
@@ -148,9 +155,15 @@ IterationOptions completed(IterationOptions options, const Mesh& mesh) {
   return options;
 }
 
-CleanedTopology clean_in_place(Document& document, const Progress& progress, bool outermost) {
+CleanedTopology clean_in_place(
+    Document& document, const Progress& progress, bool outermost,
+    const std::function<void(const Mesh& before, Mesh& cleaned)>& on_cleaned) {
+  const bool drops_later = outermost && on_cleaned;
   CleanResult result = clean(
-      document.mesh, {.outermost = outermost, .coordinate = document.style.coordinate}, progress);
+      document.mesh,
+      {.outermost = outermost && !on_cleaned, .coordinate = document.style.coordinate}, progress);
+  if (on_cleaned && result.changed) on_cleaned(document.mesh, result.mesh);
+  if (drops_later) drop_enclosed(result);
   document.mesh = std::move(result.mesh);
   round_as_written(document);
   CleanedTopology cleaned{{}, result.changed, result.pairs, {}};

@@ -49,7 +49,8 @@ void advance(Loop& loop, Document& document, const LoopOptions& options, Record&
     if (iteration == 1) record.remove_state();
     rethrow_with_prefix(name + ": ");
   }
-  record.keep(next, iteration, row_of(loop, iteration).line(), loop_state_of(loop));
+  record.keep(next, iteration, row_of(loop, iteration).line(), loop_state_of(loop),
+              loop.event_rows());
   document = std::move(next);
   if (options.on_iteration) options.on_iteration(name + loop.message());
 }

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/record.h"
@@ -35,6 +36,8 @@ class Loop {
   /// line of progress. The columns are asked for before the first iteration as well.
   virtual void measure(CsvRow& row) const = 0;
   virtual std::string message() const = 0;
+  /// Rows of the events of the last iteration (event_row.h).
+  virtual std::vector<std::string> event_rows() const { return {}; }
 };
 
 /// Replaces the document by that of the state where the run continues. A failure of an iteration is

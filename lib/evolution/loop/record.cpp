@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "evolution/loop/event_row.h"
 #include "io/streams/atomic_file.h"
 #include "io/streams/output_target.h"
 #include "transformesh/errors.h"
@@ -136,10 +137,8 @@ void Record::forget_earlier_state() const {
 void Record::begin(const Document& document, const std::string& csv_header,
                    const LoopState& loop_state) {
   iteration_ = resumed_ ? resumed_->iteration : 0;
-  if (!options_.csv.empty())
-    rows_ = std::make_shared<LineFile>(
-        options_.csv,
-        resumed_ ? rows_until(options_.csv, csv_header, iteration_) : csv_header + '\n');
+  rows_ = opened(options_.csv, csv_header);
+  event_rows_ = opened(options_.events, event_row({}).header());
   if (resumed_) return;
   if (!options_.state.empty()) {
     forget_earlier_state();
@@ -151,9 +150,19 @@ void Record::begin(const Document& document, const std::string& csv_header,
   save(document, 0, loop_state);
 }
 
+/// Keeps the rows until the state from which the run continues. Returns null for an empty path.
+std::shared_ptr<const LineFile> Record::opened(const std::string& path,
+                                               const std::string& header) const {
+  if (path.empty()) return nullptr;
+  return std::make_shared<LineFile>(
+      path, resumed_ ? rows_until(path, header, iteration_) : header + '\n');
+}
+
 void Record::keep(const Document& document, std::size_t iteration, const std::string& row,
-                  const LoopState& loop_state) {
+                  const LoopState& loop_state, const std::vector<std::string>& event_rows) {
   if (rows_) rows_->append(row);
+  if (event_rows_)
+    for (const std::string& event_row : event_rows) event_rows_->append(event_row);
   keep_frame(document, iteration);
   save(document, iteration, loop_state);
   iteration_ = iteration;

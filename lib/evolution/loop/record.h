@@ -1,9 +1,10 @@
 /// What a run of a loop leaves on disk while it goes on: its state, a CSV file with a row for each
-/// iteration, and meshes as frames. The state is a folder with the last mesh, whose comments hold
-/// the settings of the run and what its loop remembers, and files that the loop adds. Each of these
-/// is replaced at once and all of an iteration is written before its state is, so that a run may be
-/// killed at any moment: one that continues repeats what was not finished, to the same bytes, and
-/// the CSV file loses the rows of iterations that the state does not know.
+/// iteration, one with a row for each event, and meshes as frames. The state is a folder with the
+/// last mesh, whose comments hold the settings of the run and what its loop remembers, and files
+/// that the loop adds. Each of these is replaced at once and all of an iteration is written before
+/// its state is, so that a run may be killed at any moment: one that continues repeats what was not
+/// finished, to the same bytes, and the CSV files lose the rows of iterations that the state does
+/// not know.
 ///
 /// Columns and coordinates are kept exactly as long as they are rounded as written (mesh_io.h).
 /// Throws OutputError where something cannot be written. Deterministic but for times in rows.
@@ -40,6 +41,7 @@ class Record {
   explicit Record(RecordOptions options = {});
 
   bool has_state() const { return !options_.state.empty(); }
+  bool has_events() const { return !options_.events.empty(); }
   /// The last iteration that was completed, earlier runs included.
   std::size_t iteration() const { return iteration_; }
   /// The state from which the run continues, if it does.
@@ -57,7 +59,7 @@ class Record {
   /// of iteration 0. Where the run continues, the document and the memory are not looked at.
   void begin(const Document& document, const std::string& csv_header, const LoopState& loop_state);
   void keep(const Document& document, std::size_t iteration, const std::string& row,
-            const LoopState& loop_state);
+            const LoopState& loop_state, const std::vector<std::string>& event_rows = {});
   /// The limit of iterations was reached: the state stays, and is not that of an interrupted run.
   void pause(const Document& document, const LoopState& loop_state) const {
     save(document, iteration_, loop_state, true);
@@ -69,6 +71,7 @@ class Record {
   void remove_state() const { transformesh::remove_state(options_.state); }
 
  private:
+  std::shared_ptr<const LineFile> opened(const std::string& path, const std::string& header) const;
   void keep_frame(const Document& document, std::size_t iteration) const;
   void save(const Document& document, std::size_t iteration, LoopState loop_state,
             bool is_paused = false) const;
@@ -76,7 +79,7 @@ class Record {
   RecordOptions options_;
   std::shared_ptr<const FolderLock> lock_;
   std::optional<SavedState> resumed_;
-  std::shared_ptr<const LineFile> rows_;
+  std::shared_ptr<const LineFile> rows_, event_rows_;
   std::size_t iteration_ = 0;
   std::vector<std::pair<std::string, std::string>> added_;
 };

@@ -77,7 +77,8 @@ void remove_unfinished_files(const std::string& folder) {
 void remove_files_of_run(const std::string& folder) {
   remove_unfinished_files(folder);
   std::error_code ignored;
-  for (const char* name : {run_file::result, run_file::report, run_file::log, run_file::start})
+  for (const char* name :
+       {run_file::result, run_file::report, run_file::log, run_file::events, run_file::start})
     fs::remove(folder + name, ignored);
   for (const auto& [number, path] : run_frames(folder)) fs::remove(path, ignored);
   for (const auto& [number, path] : numbered(folder + run_file::targets, "", mesh_ending))

@@ -7,6 +7,7 @@
 ///     of
 ///                           a movie those in views/00001 and so on
 ///     frames/frame-00000.ply and so on, log.csv     as the loop goes on (record.h)
+///     events.csv                                    of an evolution, likewise
 ///     result.ply, report.json                       at the end
 ///
 /// Each file appears complete or not at all. A run that begins where there was another one removes
@@ -25,7 +26,8 @@ inline constexpr const char *description = "/run.json", *start = "/start.ply",
                             *target = "/target.ply", *targets = "/targets",
                             *cameras = "/cameras.txt", *photographs = "/photographs",
                             *views = "/views", *frames = "/frames", *log = "/log.csv",
-                            *report = "/report.json", *result = "/result.ply";
+                            *events = "/events.csv", *report = "/report.json",
+                            *result = "/result.ply";
 }  // namespace run_file
 
 /// As run.json holds it, under these names, beside `layout`: 1.

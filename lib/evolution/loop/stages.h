@@ -1,6 +1,7 @@
 /// The stages of an iteration (iteration.h) that loops also run alone.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "transformesh/iteration.h"
@@ -22,8 +23,9 @@ struct CleanedTopology {
   std::vector<Index> opposites;  ///< opposite halfedges if they were found, for remesh_in_place()
 };
 
-/// Runs clean() and rounds as written.
-CleanedTopology clean_in_place(Document& document, const Progress& progress = Progress(),
-                               bool outermost = true);
+/// Runs clean() and rounds as written. `on_cleaned` is that of IterationOptions.
+CleanedTopology clean_in_place(
+    Document& document, const Progress& progress = Progress(), bool outermost = true,
+    const std::function<void(const Mesh& before, Mesh& cleaned)>& on_cleaned = {});
 
 }  // namespace transformesh

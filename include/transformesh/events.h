@@ -1,0 +1,49 @@
+/// Events of an evolution: the changes of topology in its steps. Each component has a label, a
+/// number in the face column `component_label` from 1 on, that it keeps as long as it exists. If
+/// components merge, the largest one's label stays. If one splits, its largest part keeps the
+/// label, and the others get new labels. A cavity is a component that encloses no solid (its volume
+/// is negative).
+///
+/// An event is found from the labels of faces before and after cleaning, which carries them, and
+/// from the genus of components. Changes that cancel out within one step are not events.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+inline constexpr const char* component_label = "component_label";
+
+enum class EventKind {
+  merge,               ///< two components became one
+  split,               ///< a part of a component separated from it
+  handle_opened,       ///< the genus increased by one
+  handle_closed,       ///< the genus decreased by one
+  component_vanished,  ///< shrank to nothing, or to less than remeshing keeps
+  cavity_opened,       ///< a cavity was connected to the outside
+  cavity_closed        ///< a cavity was separated from the outside
+};
+
+/// Returns the name with spaces, as "handle opened".
+std::string name_of(EventKind kind);
+
+struct LabeledVolume {
+  long label = 0;
+  double volume = 0;  ///< cubic input units; negative for a cavity
+};
+
+struct Event {
+  std::size_t iteration = 0;
+  double time = 0;  ///< at the end of the step; the iteration in an evolution without time
+  EventKind kind = EventKind::merge;
+  Vec3 place = Vec3::Zero();
+  /// Diameter of the neck: twice the root mean square distance of the curve along which surfaces
+  /// were joined or cut from its center; the same of the vertices of a component that vanished.
+  double size = 0;
+  std::vector<LabeledVolume> before, after;  ///< the components that take part
+};
+
+}  // namespace transformesh

@@ -1,0 +1,109 @@
+#include "evolution/event_finder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "evolution/loop/event_row.h"
+
+namespace transformesh {
+namespace {
+
+LabeledStates by_label(std::vector<ComponentState> states) {
+  LabeledStates result;
+  for (ComponentState& state : states) result.emplace(state.label, std::move(state));
+  return result;
+}
+
+bool takes_part(const Event& event, long label) {
+  const auto has = [&](const std::vector<LabeledVolume>& components) {
+    return std::ranges::find(components, label, &LabeledVolume::label) != components.end();
+  };
+  return has(event.before) && !has(event.after);
+}
+
+/// True for a part that separated and was removed in the same step, as remeshing does with parts
+/// that are too small. A cavity that closes may be filled at once: this is an event.
+bool is_brief(const Event& event, const std::set<long>& labels) {
+  return event.kind == EventKind::split && !labels.contains(event.after.back().label);
+}
+
+}  // namespace
+
+void EventFinder::start(Mesh& mesh) {
+  const Components components = connected_components(mesh);
+  std::vector<ComponentState> states = component_states(mesh, components);
+  for (ComponentState& state : states) state.label = next_label_++;
+  write_labels(mesh, components, states);
+}
+
+void EventFinder::begin_step(const Mesh& mesh) {
+  before_.positions = mesh.positions;
+  before_.faces = mesh.faces;
+  before_.face_columns.columns = {*mesh.face_columns.find(component_label)};
+  begun_.reset();
+  found_.clear();
+  label_after_step_ = next_label_;
+}
+
+void EventFinder::watch(IterationOptions& options) {
+  options.on_cleaned = [this](const Mesh& moved, Mesh& cleaned) { see(moved, cleaned); };
+}
+
+void EventFinder::measure_before() {
+  if (begun_) return;
+  now_ = by_label(component_states(before_, connected_components(before_)));
+  begun_ = now_;
+}
+
+void EventFinder::see(const Mesh& moved, Mesh& cleaned) {
+  measure_before();
+  const Components components = connected_components(cleaned);
+  std::vector<ComponentState> states = component_states(cleaned, components);
+  if (!is_same_topology(now_, states)) {
+    assign_labels(now_, states, label_after_step_);
+    const std::vector<Seam> seams = find_seams(moved, cleaned, components);
+    for (Event& event : find_events(now_, states, seams)) found_.push_back(std::move(event));
+    write_labels(cleaned, components, states);
+  }
+  now_ = by_label(std::move(states));
+}
+
+void EventFinder::end_step(const Mesh& mesh, std::size_t iteration, double time) {
+  events_before_step_ = events_.size();
+  add_vanished(mesh);
+  for (Event& event : found_) {
+    event.iteration = iteration;
+    event.time = time;
+    events_.push_back(std::move(event));
+  }
+  found_.clear();
+  next_label_ = label_after_step_;
+}
+
+void EventFinder::add_vanished(const Mesh& mesh) {
+  const std::vector<long> of_faces = face_labels(mesh), of_faces_before = face_labels(before_);
+  const std::set<long> labels(of_faces.begin(), of_faces.end());
+  std::erase_if(found_, [&](const Event& event) { return is_brief(event, labels); });
+  for (const long label : std::set<long>(of_faces_before.begin(), of_faces_before.end())) {
+    if (labels.contains(label)) continue;
+    const auto absorbs = [&](const Event& event) { return takes_part(event, label); };
+    if (std::ranges::any_of(found_, absorbs)) continue;
+    measure_before();
+    const ComponentState& state = begun_->at(label);
+    Event event;
+    event.kind = EventKind::component_vanished;
+    event.place = state.extent.center;
+    event.size = state.extent.size;
+    event.before = {{label, state.volume}};
+    found_.push_back(std::move(event));
+  }
+}
+
+std::vector<std::string> EventFinder::last_rows() const {
+  std::vector<std::string> rows;
+  for (std::size_t i = events_before_step_; i < events_.size(); ++i)
+    rows.push_back(event_row(events_[i]).line());
+  return rows;
+}
+
+}  // namespace transformesh

@@ -1,0 +1,14 @@
+/// Events as rows of a CSV file. The first column is the iteration, as in each file of a record.
+#pragma once
+
+#include <string>
+
+#include "evolution/loop/csv_row.h"
+#include "transformesh/events.h"
+
+namespace transformesh {
+
+/// Labels and volumes of several components are separated by spaces.
+CsvRow event_row(const Event& event);
+
+}  // namespace transformesh
