@@ -33,6 +33,10 @@ namespace {
 /// The next trial is shortened if that was too much, which costs one evaluation.
 constexpr double span_growth = 1.5;
 
+/// Relative rounding error of a sum of spans, with a margin for a million of them. Without it, a
+/// span of this length remains before the end of an event, which is too short for a step.
+constexpr double rounding = 1e-9;
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 void check(const TimeOptions& options) {
@@ -147,7 +151,7 @@ class TimeLoop : public Loop {
   }
 
  private:
-  bool is_near_event() const { return event_end_ > time_; }
+  bool is_near_event() const { return event_end_ - time_ > rounding * options_.end; }
 
   /// Toward the end of a span in which the topology changes, the interval is bisected.
   double longest_span() const {

@@ -236,7 +236,10 @@ TEST_CASE(
           test::joined(test::icosphere(2), test::moved(test::icosphere(2), {2.2, 0, 0})),
           test::moved(test::icosphere(2), {4.6, 0, 0}));
       EvolveOptions options;
-      LoopOptions loop{limit, {}, {.state = folder / "state", .resume = true}};
+      LoopOptions loop;
+      loop.iterations = limit;
+      loop.record.state = folder / "state";
+      loop.record.resume = true;
       loop.record.events = folder / "events.csv";
       evolve_in_time(document, {moving([](const Mesh& now, std::size_t v) {
                        return Vec3(1 - now.positions[v].x() / 4, 0, 0);
