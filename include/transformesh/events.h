@@ -40,8 +40,10 @@ struct Event {
   double time = 0;  ///< at the end of the step; the iteration in an evolution without time
   EventKind kind = EventKind::merge;
   Vec3 place = Vec3::Zero();
-  /// Diameter of the neck: twice the root mean square distance of the curve along which surfaces
-  /// were joined or cut from its center; the same of the vertices of a component that vanished.
+  /// Diameter of the neck. If surfaces were joined: twice the root mean square distance from its
+  /// center of the curve along which they meet. If a part separated: diameter of the largest ball
+  /// around `place` that was free of the surface before the step. If a component vanished: twice
+  /// the root mean square distance of its vertices from their center before the step.
   double size = 0;
   std::vector<LabeledVolume> before, after;  ///< the components that take part
 };

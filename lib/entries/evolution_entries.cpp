@@ -21,6 +21,10 @@ Entries distances_of(const MorphStepResult& result) {
           {"max_distance_from_target", result.from_target.maximum}};
 }
 
+void append_events(Entries& entries, const EvolveResult& result) {
+  if (result.event_count) append(entries, {{"events", *result.event_count}});
+}
+
 }  // namespace
 
 Entries entries_of(const DisplaceResult& result) {
@@ -59,6 +63,7 @@ Entries entries_of(const EvolveResult& result) {
                    {"clamped_share", result.clamped_share},
                    {"max_displacement", result.last.displaced.max_displacement},
                    {"rms_displacement", result.last.displaced.rms_displacement}});
+  append_events(entries, result);
   return entries;
 }
 
@@ -73,6 +78,7 @@ Entries entries_of(const TimeResult& result) {
                    {"max_move", result.max_move},
                    {"held_back", result.held_back},
                    {"repeated_steps", result.repeated}});
+  append_events(entries, evolution);
   return entries;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evolution/loop/event_row.h"
+#include "geometry/search/closest_point.h"
 
 namespace transformesh {
 namespace {
@@ -19,6 +20,15 @@ bool takes_part(const Event& event, long label) {
     return std::ranges::find(components, label, &LabeledVolume::label) != components.end();
   };
   return has(event.before) && !has(event.after);
+}
+
+/// The curves along which a part is cut off shrink to points at the moment when it separates.
+bool separates(const Event& event) {
+  return event.kind == EventKind::split || event.kind == EventKind::cavity_closed;
+}
+
+double free_diameter(const Mesh& mesh, const Vec3& center) {
+  return 2 * ClosestPointQuery(mesh)(center).distance;
 }
 
 /// True for a part that separated and was removed in the same step, as remeshing does with parts
@@ -62,7 +72,10 @@ void EventFinder::see(const Mesh& moved, Mesh& cleaned) {
   if (!is_same_topology(now_, states)) {
     assign_labels(now_, states, label_after_step_);
     const std::vector<Seam> seams = find_seams(moved, cleaned, components);
-    for (Event& event : find_events(now_, states, seams)) found_.push_back(std::move(event));
+    for (Event& event : find_events(now_, states, seams)) {
+      if (separates(event)) event.size = free_diameter(before_, event.place);
+      found_.push_back(std::move(event));
+    }
     write_labels(cleaned, components, states);
   }
   now_ = by_label(std::move(states));
@@ -77,6 +90,7 @@ void EventFinder::end_step(const Mesh& mesh, std::size_t iteration, double time)
     events_.push_back(std::move(event));
   }
   found_.clear();
+  event_count_ += events_.size() - events_before_step_;
   next_label_ = label_after_step_;
 }
 

@@ -9,7 +9,7 @@
 
 #include "evolution/loop/loop_state.h"
 #include "evolution/topology_change.h"
-#include "transformesh/iteration.h"
+#include "transformesh/evolve.h"
 
 namespace transformesh {
 
@@ -28,11 +28,20 @@ class EventFinder {
   /// Call with the mesh at the end of the accepted step.
   void end_step(const Mesh& mesh, std::size_t iteration, double time);
 
-  /// Events of all steps of this run, and their rows of the last one.
-  const std::vector<Event>& events() const { return events_; }
+  /// Rows of the events of the last step.
   std::vector<std::string> last_rows() const;
 
-  void remember(LoopState& loop_state) { loop_state("next_label", next_label_); }
+  /// True if an event has been found in the trial of a step, before end_step().
+  bool has_found() const { return !found_.empty(); }
+
+  void report(EvolveResult& result) const {
+    result.events = events_;
+    result.event_count = event_count_;
+  }
+
+  void remember(LoopState& loop_state) {
+    loop_state("next_label", next_label_)("events", event_count_);
+  }
 
  private:
   void see(const Mesh& moved, Mesh& cleaned);
@@ -45,7 +54,7 @@ class EventFinder {
   LabeledStates now_;                   ///< components after the last cleaning
   std::vector<Event> found_;            ///< in the trial
   std::vector<Event> events_;
-  std::size_t events_before_step_ = 0;
+  std::size_t events_before_step_ = 0, event_count_ = 0;
 };
 
 }  // namespace transformesh

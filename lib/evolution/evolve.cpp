@@ -66,8 +66,8 @@ class EvolveLoop : public Loop {
   }
 
   EvolveResult result(std::size_t iterations) const {
-    EvolveResult result{iterations, is_done_, clamped_iterations_, clamped_share_, last_, {}};
-    if (events_) result.events = events_->events();
+    EvolveResult result{iterations, is_done_, clamped_iterations_, clamped_share_, last_, {}, {}};
+    if (events_) events_->report(result);
     return result;
   }
 

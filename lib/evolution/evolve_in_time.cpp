@@ -89,7 +89,7 @@ class TimeLoop : public Loop {
         chosen_step(integration, options_, remaining, longest_span(), edges.vertex_mean);
     if (!is_near_event()) usual_span_ = step.span;
     iterate_along(document, step, edges.mean, progress);
-    while (last_.topology != topology_ && step.span > options_.event_tolerance &&
+    while (changes_topology() && step.span > options_.event_tolerance &&
            options_.event_tolerance > 0) {
       event_end_ = time_ + step.span;
       ++repeated_;
@@ -140,8 +140,8 @@ class TimeLoop : public Loop {
   }
 
   TimeResult result(std::size_t iterations, const Document& document) const {
-    TimeResult result{time_, {iterations, is_done_, 0, 0, last_, {}}};
-    if (events_) result.evolution.events = events_->events();
+    TimeResult result{time_, {iterations, is_done_, 0, 0, last_, {}, {}}};
+    if (events_) events_->report(result.evolution);
     result.volume = volume(document.mesh);
     result.volume_drift = drift_;
     result.max_move = max_move_;
@@ -151,6 +151,10 @@ class TimeLoop : public Loop {
   }
 
  private:
+  bool changes_topology() const {
+    return last_.topology != topology_ || (events_ && events_->has_found());
+  }
+
   bool is_near_event() const { return event_end_ - time_ > rounding * options_.end; }
 
   /// Toward the end of a span in which the topology changes, the interval is bisected.

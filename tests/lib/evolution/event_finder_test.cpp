@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "evolution/loop/event_row.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "transformesh/boolean.h"
@@ -18,16 +19,20 @@ namespace {
 
 constexpr double tolerance = 1e-3;
 
-/// Evolves in time and returns the events. `keeps_cavities` is the opposite of `outermost`.
+/// Evolves in time and returns the events. `keeps_cavities` is the opposite of `outermost`. Ends
+/// if a genus above 0 becomes 0.
 std::vector<Event> events_of(Mesh& mesh, const VectorField& velocity, double end,
-                             bool keeps_cavities = false, double edge = 0) {
+                             bool keeps_cavities = false, double edge = 0,
+                             const TimeOptions& steps = {.event_tolerance = tolerance}) {
   EvolveOptions options;
   options.iteration.remesh = RemeshOptions();
   options.iteration.remesh.smoothing = Smoothing::none;
   options.iteration.outermost = !keeps_cavities;
   options.iteration.reference_edge = edge;
   options.finds_events = true;
-  const TimeOptions time{.end = end, .event_tolerance = tolerance};
+  if (connected_components(mesh).genus() > 0) options.until.genus = 0;
+  TimeOptions time = steps;
+  time.end = end;
   return evolve_in_time(mesh, {velocity}, time, options).evolution.events;
 }
 
@@ -122,7 +127,7 @@ TEST_CASE("a dumbbell whose neck is pinched splits once, at the neck") {
 }
 
 TEST_CASE("the hole of a torus closes once, in its middle") {
-  Mesh mesh = test::torus(1, 0.6, 40, 24);
+  Mesh mesh = test::torus(1, 0.6, 80, 48);
   const double edge = edge_lengths(mesh).mean;
   const auto events = events_of(
       mesh,
@@ -152,7 +157,7 @@ TEST_CASE("a small sphere that shrinks vanishes once, at its center") {
   const Event& event = events.front();
   CHECK(event.time > 0.15);
   CHECK(event.time < 0.32);
-  CHECK((event.place - Vec3(3, 0, 0)).norm() < 0.01);
+  CHECK((event.place - Vec3(3, 0, 0)).norm() < 0.05);
   CHECK(event.before.front().label == 2);
   CHECK(event.after.empty());
   CHECK(labels_of(mesh) == std::set<long>{1});
@@ -205,7 +210,7 @@ std::vector<Event> close_trays(bool keeps_cavities, double& volume) {
   Mesh mesh = two_trays();
   const auto events = events_of(
       mesh, moving([](const Mesh& now, std::size_t v) { return Vec3(0, 0, -mask_of(now, v)); }),
-      0.21, keeps_cavities, 0.3);
+      0.25, keeps_cavities, 0.3, {.span = 0.15, .event_tolerance = 0});
   volume = transformesh::volume(mesh);
   return events;
 }
@@ -217,7 +222,7 @@ TEST_CASE("two trays that meet close a cavity once, which is kept or filled") {
   for (const bool keeps_cavities : {true, false}) {
     const auto events = close_trays(keeps_cavities, keeps_cavities ? kept : filled);
     REQUIRE(kinds(events) == "merge, cavity closed");
-    CHECK(std::abs(events.front().time - 0.2) < 2 * tolerance);
+    CHECK(events.front().time == 0.25);
     const Event& event = events.back();
     CHECK(std::abs(event.place.z()) < 0.1);
     REQUIRE(event.after.size() == 2);
@@ -227,24 +232,38 @@ TEST_CASE("two trays that meet close a cavity once, which is kept or filled") {
   CHECK(filled - kept == doctest::Approx(1).epsilon(0.05));
 }
 
+namespace {
+
+/// In a row, with gaps of 0.2 and 0.3; the mask is the number of the ball.
+Mesh three_balls() {
+  const Mesh ball = test::icosphere(2);
+  Mesh mesh = test::joined(ball, test::moved(ball, {2.2, 0, 0}));
+  mesh = test::joined(mesh, test::moved(ball, {4.5, 0, 0}));
+  mask_from(mesh, ball.positions.size());
+  Column& mask = *mesh.vertex_columns.find("mask");
+  for (std::size_t v = 2 * ball.positions.size(); v < mask.values.size(); ++v) mask.values[v] = 2;
+  return mesh;
+}
+
+}  // namespace
+
 TEST_CASE(
     "events of a run that continues, and their labels, are those of one that is not stopped") {
   const auto rows_of = [](const test::TemporaryFolder& folder, std::vector<std::size_t> limits) {
     for (const std::size_t limit : limits) {
       Document document;
-      document.mesh = test::joined(
-          test::joined(test::icosphere(2), test::moved(test::icosphere(2), {2.2, 0, 0})),
-          test::moved(test::icosphere(2), {4.6, 0, 0}));
+      document.mesh = three_balls();
       EvolveOptions options;
+      options.iteration.remesh = RemeshOptions();
+      options.iteration.remesh.smoothing = Smoothing::none;
       LoopOptions loop;
       loop.iterations = limit;
       loop.record.state = folder / "state";
       loop.record.resume = true;
       loop.record.events = folder / "events.csv";
-      evolve_in_time(document, {moving([](const Mesh& now, std::size_t v) {
-                       return Vec3(1 - now.positions[v].x() / 4, 0, 0);
-                     })},
-                     {.end = 1}, options, loop);
+      const auto left = moving(
+          [](const Mesh& now, std::size_t v) { return Vec3(-std::round(mask_of(now, v)), 0, 0); });
+      evolve_in_time(document, {left}, {.end = 0.5}, options, loop);
     }
     return test::content_of(folder / "events.csv");
   };
