@@ -111,6 +111,7 @@ Json run_json(const PageRun& run, std::size_t number) {
           {"version", run.version},
           {"commands", run.commands},
           {"log", run.log},
+          {"events", run.events},
           {"report", report_json(run)},
           {"columns", columns_json(run)},
           {"meshes", meshes_json(run.meshes, mesh_prefix)},

@@ -77,6 +77,7 @@ PageRun read_run_texts(const std::string& folder) {
   run.version = description.version;
   run.commands = description.commands;
   run.log = text_in(folder + run_file::log);
+  run.events = text_in(folder + run_file::events);
   run.report = text_in(folder + run_file::report);
   return run;
 }

@@ -63,7 +63,7 @@ class Chart {
     });
   }
 
-  // `series`: for each run x, y and the number of its color.
+  // `series`: for each run x, y, its events and the number of its color.
   set(series, first, last) {
     Object.assign(this, {series, first, last});
     const [low, high] = endsOf(series);
@@ -76,6 +76,7 @@ class Chart {
     this.svg.replaceChildren();
     for (const end of [box.top, box.bottom])
       this.svg.append(svg('line', {class: 'rule', x1: box.left, x2: box.right, y1: end, y2: end}));
+    for (const one of series) this.#markEvents(one);
     for (const one of series) this.svg.append(svg('path', {class: `curve run-${one.run % 6}`, d: this.#pathOf(one)}));
     const mover = (className) => Object.assign(document.createElement('div'), {className});
     this.cursor = mover('cursor');
@@ -83,6 +84,18 @@ class Chart {
     this.over.replaceChildren(this.cursor, ...this.marks);
     this.svg.setAttribute('aria-label', `${this.title.textContent}: ${series.map(({x, y}) =>
       `from ${short(y[0])} at ${short(x[0])} to ${short(y.at(-1))} at ${short(x.at(-1))}`).join('; ')}`);
+  }
+
+  // A vertical line for each event, whose kind is the tooltip.
+  #markEvents({run, events}) {
+    for (const {iteration, kind} of events) {
+      const [x] = this.#place(Number(iteration), 1);
+      const line = svg('line', {class: `event run-${run % 6}`, x1: x, x2: x, y1: box.top, y2: box.bottom});
+      const tooltip = svg('title');
+      tooltip.textContent = `${kind}, iteration ${iteration}`;
+      line.append(tooltip);
+      this.svg.append(line);
+    }
   }
 
   #place(x, y) {
@@ -133,9 +146,9 @@ export class Charts {
     this.boxes = new Map();
   }
 
-  // Each log as parseLog gives it.
-  setLogs(logs, first, last) {
-    Object.assign(this, {logs, first, last});
+  // Each log as parseLog gives it, and the events of its run as parseEvents gives them.
+  setLogs(logs, events, first, last) {
+    Object.assign(this, {logs, events, first, last});
     const counts = new Set(logs.map((log) => log.counts));
     const names = [...new Set(logs.flatMap((log) => log.names))].filter((name) => !counts.has(name));
     this.section.hidden = names.length === 0;
@@ -164,7 +177,7 @@ export class Charts {
       return;
     }
     const series = this.logs.flatMap((log, run) =>
-      log.columns.has(name) ? [{run, x: log.columns.get(log.counts), y: log.columns.get(name)}] : []);
+      log.columns.has(name) ? [{run, x: log.columns.get(log.counts), y: log.columns.get(name), events: this.events[run]}] : []);
     if (series.length === 0) return;
     if (!this.charts.has(name)) this.charts.set(name, new Chart(name, this.onTime));
     const chart = this.charts.get(name);

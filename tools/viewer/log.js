@@ -12,8 +12,19 @@ function stepNamesOf(header, rows) {
 }
 
 // A last line without its end is still being written.
+function linesOf(text) {
+  return text.slice(0, text.lastIndexOf('\n') + 1).split('\n').filter((line) => line !== '');
+}
+
+// The CSV of events as objects by the names of its columns, as text.
+export function parseEvents(text) {
+  const [header, ...rows] = linesOf(text).map(fieldsOf);
+  return rows.filter((row) => row.length >= header.length)
+    .map((row) => Object.fromEntries(header.map((name, i) => [name, row[i]])));
+}
+
 export function parseLog(text) {
-  const lines = text.slice(0, text.lastIndexOf('\n') + 1).split('\n').filter((line) => line !== '');
+  const lines = linesOf(text);
   if (lines.length < 2) return {names: [], columns: new Map(), rows: 0, stepNames: new Map()};
   const header = fieldsOf(lines[0]);
   const rows = lines.slice(1).map(fieldsOf).filter((row) => row.length >= header.length);

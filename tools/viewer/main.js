@@ -2,9 +2,10 @@
 
 import {Charts} from './charts.js';
 import {Colors, scaleOf} from './colors.js';
+import {eventTable} from './events.js';
 import {dispose} from './geometry.js';
 import {watch} from './live.js';
-import {parseLog} from './log.js';
+import {parseEvents, parseLog} from './log.js';
 import {lastNotAbove, nearest, short, shownWith} from './numbers.js';
 import {View} from './scene.js';
 import {Store} from './store.js';
@@ -39,7 +40,9 @@ class Viewer {
     $('ghost-label').hidden = !page.runs.some((run) => run.targets.length > 0);
     const logs = page.runs.map((run) => parseLog(run.log));
     const ends = [this.times[0], this.times.at(-1), ...logs.flatMap((log) => log.columns.get(log.counts) ?? [])];
-    this.charts.setLogs(logs, Math.min(...ends), Math.max(...ends));
+    const events = page.runs.map((run) => parseEvents(run.events));
+    this.charts.setLogs(logs, events, Math.min(...ends), Math.max(...ends));
+    this.#setEvents(events);
     page.runs.forEach((run, i) => this.view.cells[i].fit(run));
     this.goTo(isFirst && !page.live ? this.times.length - 1 : wasAtEnd ? this.times.length - 1 : Math.min(this.place, this.times.length - 1));
   }
@@ -55,6 +58,17 @@ class Viewer {
     $('details').hidden = !isOfRuns;
     document.body.classList.toggle('alone', !isOfRuns);
     $('tables').replaceChildren(...runs.filter((run) => run.tool !== '').map(runElement));
+  }
+
+  #setEvents(events) {
+    $('events').hidden = events.every((some) => some.length === 0);
+    const show = (run, event) => {
+      this.play(false);
+      this.goTo(nearest(this.times, Number(event.iteration)));
+      this.view.lookAt(run, [event.x, event.y, event.z].map(Number));
+    };
+    $('event-tables').replaceChildren(...events.flatMap((some, run) =>
+      some.length === 0 ? [] : [eventTable(this.page.runs[run].name, run, some, (event) => show(run, event))]));
   }
 
   #setColumns() {

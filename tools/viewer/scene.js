@@ -212,6 +212,18 @@ export class View {
     this.draw();
   }
 
+  // Turns about a place of the run's mesh, in its coordinates, from half as far as reset() does.
+  lookAt(run, place) {
+    this.lookFrom();
+    const {group, extent} = this.cells[run];
+    group.updateMatrixWorld();
+    const target = group.localToWorld(new Vector3(...place.map((x, axis) => (x - extent.middle[axis]) / extent.radius)));
+    this.controls.target.copy(target);
+    this.camera.position.setFromSpherical(home).multiplyScalar(0.5).add(target);
+    this.controls.update();
+    this.draw();
+  }
+
   // Angles in degrees; a factor above 1 goes nearer.
   turn(azimuth, elevation, factor = 1) {
     this.lookFrom();

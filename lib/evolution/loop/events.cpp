@@ -9,8 +9,10 @@ namespace {
 
 std::string joined(const std::vector<LabeledVolume>& components, const auto& text_of) {
   std::string text;
-  for (const LabeledVolume& component : components)
-    text += (text.empty() ? "" : " ") + text_of(component);
+  for (const LabeledVolume& component : components) {
+    if (!text.empty()) text += ' ';
+    text += text_of(component);
+  }
   return text;
 }
 

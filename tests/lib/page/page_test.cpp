@@ -23,6 +23,7 @@ Page page_of_two_meshes() {
   PageRun run;
   run.name = "</script><b>";
   run.log = "iteration,faces\n1,4\n";
+  run.events = "iteration,time,kind\n1,1,split\n";
   run.report = R"({"result": {"stop": "converged"}})";
   run.meshes = {{0, "", pack(mesh)}, {7, "result", pack(test::scaled(mesh, 3))}};
   Page page;

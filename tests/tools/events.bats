@@ -1,0 +1,106 @@
+# Events of tm-evolve: events.csv, and the labels of components.
+load ../helpers/common
+
+setup_file() {
+  cd "$BATS_FILE_TMPDIR"
+  tm-shape sphere --faces 1000 --double -o left.ply
+  tm-shape sphere --faces 800 --double --radius 0.9 --center 2.2,0,0 -o right.ply
+  tm-cat -q left.ply right.ply -o balls.ply
+  # Moves to the left whatever is right of the middle of the gap, which is 0.3 wide at time 0.
+  cat >left.awk <<'AWK'
+BEGIN { OFMT = CONVFMT = "%.17g"; middle = 1.15 - ENVIRON["TM_TIME"] / 2 }
+/^element vertex/ { count = $3 }
+/^element face/ { print "property double vx\nproperty double vy\nproperty double vz" }
+/^end_header/ { body = 1; print; next }
+body && count > 0 { --count; print $0, $1 > middle ? -1 : 0, 0, 0; next }
+{ print }
+AWK
+}
+
+setup() {
+  cd "$BATS_TEST_TMPDIR"
+  cp "$BATS_FILE_TMPDIR"/* .
+  velocity='tm-convert --format ply-ascii | awk -f left.awk'
+}
+
+approach() { tm-evolve balls.ply -q --no-provenance --time 0.35 --velocity "$velocity" "$@"; }
+
+# column NAME FILE: the values of a column of a CSV file.
+column() {
+  awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) at = i; next } { print $at }' "$2"
+}
+
+@test "two balls that approach merge once, when and where they touch" {
+  approach -o out.ply --events events.csv --report r.json
+  [ "$(column kind events.csv)" = merge ]
+  [ "$(column labels_before events.csv)" = "1 2" ]
+  [ "$(column labels_after events.csv)" = 1 ]
+  # A thousandth of the time is the tolerance; the balls are polyhedra.
+  awk -v t="$(column time events.csv)" 'BEGIN { exit !(t > 0.295 && t < 0.32) }'
+  awk -v x="$(column x events.csv)" -v y="$(column y events.csv)" -v z="$(column z events.csv)" \
+    'BEGIN { exit !(sqrt((x - 1) ^ 2 + y * y + z * z) < 0.11) }'
+  jq -e '.result.events == 1 and .result.components == 1' r.json
+  tm-convert -q out.ply --format ply-ascii -o ascii.ply
+  grep -q '^property int component_label' ascii.ply
+}
+
+@test "labels stay with their components until they merge" {
+  approach -o out.ply --events events.csv --frames frames --every 1 --iterations 2
+  for frame in frames/*; do
+    tm-select -q --where 'component_label==2' "$frame" -o right.ply
+    [ "$(tm-info --get components right.ply)" -eq 1 ]
+    awk -v x="$(tm-info --get bbox_min right.ply | cut -d' ' -f1)" 'BEGIN { exit !(x > 0.9) }'
+  done
+}
+
+@test "without a time the iteration is the time" {
+  tm-evolve balls.ply -o out.ply -q --iterations 10 --smooth none --events events.csv \
+    --step 'tm-displace --normal-speed 0.04'
+  [ "$(column kind events.csv)" = merge ]
+  [ "$(column time events.csv)" = "$(column iteration events.csv)" ]
+  # Each surface approaches the other by 0.04 in an iteration; the gap is 0.3.
+  [ "$(column iteration events.csv)" -eq 4 ]
+}
+
+@test "a run that is killed continues to the same events, for any number of threads" {
+  approach -o whole.ply --events whole.csv
+  for threads in 1 2 4; do
+    approach -o out.ply --events parts.csv --threads $threads --restart 3>&- &
+    pid=$!
+    for _ in {1..200}; do
+      [ "$(grep -ao 'iteration [0-9]*' out.ply.tm-evolve/mesh.ply 2>/dev/null | cut -d' ' -f2)" != "" ] && break
+      sleep 0.02
+    done
+    sleep "0.0$threads"
+    kill -KILL $pid 2>/dev/null || true
+    wait $pid || true
+    # Rows of a step that was not finished.
+    [ ! -e parts.csv ] || echo '99,1,merge,0,0,0,0,1 2,1,1 1,2' >>parts.csv
+    approach -o out.ply --events parts.csv --threads $threads --resume
+    cmp whole.csv parts.csv
+    cmp whole.ply out.ply
+    rm -f out.ply parts.csv
+  done
+}
+
+@test "a run has its events under a fixed name, and continues only with them" {
+  approach --run run
+  [ "$(column kind run/events.csv)" = merge ]
+  run --separate-stderr approach --run run --events other.csv
+  assert_status 2
+  [[ $stderr == *"leave out --events"* ]]
+  approach -o out.ply --iterations 2
+  run --separate-stderr approach -o out.ply --resume --events events.csv
+  assert_status 2
+  [[ $stderr == *"other settings"* ]]
+}
+
+@test "cavities are filled, or kept with --keep-cavities" {
+  tm-shape sphere --faces 500 --radius 0.5 -o inner.ply
+  tm-boolean -q difference left.ply inner.ply -o shell.ply
+  for keep in '' --keep-cavities; do
+    tm-evolve shell.ply -o out.ply -q --step cat --iterations 1 $keep --smooth none
+    tm-info --get components out.ply >>components
+  done
+  diff components - <<<$'1\n2'
+}
