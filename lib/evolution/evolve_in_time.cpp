@@ -231,7 +231,7 @@ TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOp
                           const EvolveOptions& options, const LoopOptions& loop_options,
                           Record& record, const Progress& progress) {
   TimeLoop loop(motion, completed(time), completed(options.iteration, document.mesh), options.until,
-                options.finds_events || record.has_events());
+                time.bodies.empty() && (options.finds_events || record.has_events()));
   run_loop(loop, document, loop_options, record, progress);
   return loop.result(record.iteration(), document);
 }
