@@ -32,6 +32,8 @@ struct RemeshOptions {
   double feature_angle_deg = 180;       ///< sharper edges stay; [0, 180]; 0: 40 if there are any
   bool keep_border = false;             ///< border vertices and edges stay
   bool project = false;                 ///< move relaxed vertices onto the input surface
+  bool curved = false;  ///< new vertices lie on curves, merged ones at the best of three places
+  double min_film = 0;  ///< > 0: thicker films are kept however short the edges across them
   Scalar coordinate = Scalar::float64;  ///< type to which new positions are rounded
   KeepOutOptions keep_out = {};
 };
@@ -44,6 +46,7 @@ struct RemeshResult {
   std::size_t splits = 0, collapses = 0, flips = 0;
   std::size_t refused = 0;             ///< steps of the last iteration that would break a guarantee
   std::size_t kept_out = 0;            ///< steps refused because of `keep_out`
+  std::size_t films_kept = 0;          ///< collapses of the last iteration refused by `min_film`
   std::size_t near_keep_out = 0;       ///< faces of the input that are nearer than its gap
   std::size_t degenerate_faces = 0;    ///< remaining faces with height < longest edge / 1000
   std::size_t slivers_kept = 0;        ///< degenerate faces whose height is a few spacings

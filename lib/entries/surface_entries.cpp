@@ -109,6 +109,7 @@ Entries entries_of(const RemeshResult& result) {
                   {"flips", result.flips},
                   {"refused", result.refused},
                   {"kept_out", result.kept_out},
+                  {"films_kept", result.films_kept},
                   {"components_dropped", result.components_removed.count},
                   {"components_dropped_faces", result.components_removed.faces},
                   {"components_dropped_area", result.components_removed.area},

@@ -320,7 +320,7 @@ void Aligner::tidy(bool moves) {
   mark_aligned_edges();
   const double longest = limits_.longest;
   const SafeSplitOptions splitting{
-      longest, false,
+      {longest, false},
       [&] { return std::make_unique<EmbeddingGuard>(mesh_, longest_allowed * longest); }};
   const std::unique_ptr<EmbeddingGuard> owned = split_safely(mesh_, splitting, progress_).guard;
   EmbeddingGuard& guard = *owned;

@@ -13,6 +13,7 @@
 #include "remesh/halfedges/sharpness.h"
 #include "remesh/operations/bilaplacian_smoothing.h"
 #include "remesh/operations/collapse.h"
+#include "remesh/operations/curved_split.h"
 #include "remesh/operations/degenerate.h"
 #include "remesh/operations/flip.h"
 #include "remesh/operations/high_valence_collapse.h"
@@ -68,6 +69,8 @@ void check_options(const RemeshOptions& options) {
   if (options.adaptive_error > 0 && !options.size_column.empty()) {
     throw UsageError("sizes come from a column or from curvature, not from both");
   }
+  if (!(std::isfinite(options.min_film) && options.min_film >= 0))
+    throw UsageError("the thickness of films to be kept must be a positive length");
   const double first = options.smooth_first;
   const double second = options.smooth_second;
   if (options.only_smooth && options.smoothing == Smoothing::none)
@@ -112,12 +115,13 @@ RemeshOptions with_feature_angle(RemeshOptions options, const EditableMesh& mesh
 }
 
 EdgeLimits set_sizes(EditableMesh& mesh, const Mesh& input, const RemeshOptions& options) {
-  EdgeLimits limits{options.min_edge, options.max_edge};
+  EdgeLimits limits{options.min_edge, options.max_edge, {options.curved, options.min_film}};
   std::vector<double> sizes;
   if (!options.size_column.empty()) {
     sizes = sizes_of_column(input, options.size_column);
   } else if (options.adaptive_error > 0) {
-    limits = {adaptive_shortest, adaptive_longest};
+    limits.shortest = adaptive_shortest;
+    limits.longest = adaptive_longest;
     const double most = options.max_edge / adaptive_longest;
     const double least = std::min(options.min_edge / adaptive_shortest, most);
     mark_features(mesh, options.feature_angle_deg);
@@ -198,7 +202,8 @@ class Iteration {
   }
 
   void finish() {
-    if (task_.options.smoothing == Smoothing::tangential && task_.surface == nullptr)
+    const RemeshOptions& options = task_.options;
+    if (options.smoothing == Smoothing::tangential && task_.surface == nullptr && !options.curved)
       smooth_bilaplacian(mesh_, guard_, roles_, task_.progress);
   }
 
@@ -208,7 +213,8 @@ class Iteration {
         collapse_short_edges(mesh_, guard_, roles_, task_.limits, task_.progress);
     task_.result.collapses += counts.done;
     task_.result.refused += counts.refused;
-    remove_degenerate_faces(mesh_, guard_, roles_, task_.limits.longest);
+    task_.result.films_kept = counts.films_kept;
+    remove_degenerate_faces(mesh_, guard_, roles_, task_.limits);
   }
   void collapse_irregular() {
     task_.result.collapses +=
@@ -221,8 +227,9 @@ class Iteration {
     task_.result.refused += counts.refused;
   }
   void relax() {
-    task_.result.refused +=
-        relax_tangentially(mesh_, guard_, roles_, task_.surface, task_.progress).refused;
+    const SmoothCounts counts = relax_tangentially(mesh_, guard_, roles_, task_.surface,
+                                                   task_.progress, task_.options.curved);
+    task_.result.refused += counts.refused;
   }
   void smooth(bool is_first) {
     const RemeshOptions& options = task_.options;
@@ -241,10 +248,16 @@ class Iteration {
   EmbeddingGuard& guard_;
 };
 
+/// Components are kept if they are wider than the films that are kept.
+double least_width(const Task& task) {
+  const double film = task.options.min_film / sizes_of(task.mesh).largest;
+  return film > 0 ? std::min(film, task.limits.shortest) : task.limits.shortest;
+}
+
 void remove_small(const Task& task) {
   if (task.options.only_smooth) return;
   const RemeshResult::RemovedComponents removed =
-      remove_small_components(task.mesh, task.limits.shortest, task.options.keep_border);
+      remove_small_components(task.mesh, least_width(task), task.options.keep_border);
   RemeshResult::RemovedComponents& all = task.result.components_removed;
   all.count += removed.count;
   all.faces += removed.faces;
@@ -284,7 +297,8 @@ ScaledLengths coarsen(const Task& task) {
     const ScaledLengths lengths(task.mesh);
     const double shortest = stage_growth * lengths.typical;
     if (!goes_on || !(stage_growth * shortest < task.limits.shortest)) return lengths;
-    const EdgeLimits limits{shortest, shortest / task.limits.shortest * task.limits.longest};
+    const EdgeLimits limits{shortest, shortest / task.limits.shortest * task.limits.longest,
+                            task.limits.shape};
     EmbeddingGuard guard(task.mesh, limits.longest * sizes_of(task.mesh).largest, task.keep_out);
     const VertexRoles roles(task.mesh, task.options.keep_border);
     const CollapseCounts counts =
@@ -310,9 +324,10 @@ std::unique_ptr<EmbeddingGuard> refine(const Task& task) {
     if (task.mesh.has_sizes()) return make_guard(task);
     return make_guard(task, lengths.longest);
   }
-  const SafeSplitOptions options{task.limits.longest, task.options.keep_border,
+  const SafeSplitOptions options{{task.limits.longest, task.options.keep_border},
                                  [&] { return make_guard(task); }};
-  SafeSplits splits = split_safely(task.mesh, options, task.progress);
+  SafeSplits splits = task.options.curved ? split_onto_curves(task.mesh, options, task.progress)
+                                          : split_safely(task.mesh, options, task.progress);
   task.result.splits += splits.done;
   task.result.refused = splits.refused;
   return std::move(splits.guard);

@@ -97,6 +97,11 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
   program.options.flag("keep-border", &remesh.keep_border, "leave borders as they are");
   program.options.flag("project", &remesh.project,
                        "tangential smoothing puts vertices back onto the input");
+  program.options.flag("curved", &remesh.curved,
+                       "put new vertices on curves through their neighbors and merge at the best of "
+                       "three places; smooths only if --smooth is given");
+  program.options.length("min-film", &choices.min_film,
+                         "keep films thicker than this, however short the edges across them are");
   program.options.flag(
       "source", &choices.source_points,
       "write where on the input each vertex and face comes from: source_face, source_u, source_v");
@@ -119,6 +124,10 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   result.feature_angle_deg = feature_angle(choices.feature_angle, 0);
   result.coordinate = document.style.coordinate;
   result.keep_out = choices.keep_out.options(run);
+  if (choices.min_film) result.min_film = run.length(*choices.min_film);
+  const bool smooths =
+      run.program().options.find("smooth")->is_given || !choices.smooth_twice.empty();
+  if (result.curved && !smooths) choices.smooth = "none";
   read_smoothing(choices.smooth, result);
   if (choices.smooth_twice.empty()) return result;
   if (choices.smooth != "tangential") throw UsageError("--smooth and --smooth2 exclude each other");

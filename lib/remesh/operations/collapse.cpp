@@ -149,8 +149,10 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits,
                                     const Progress& progress) {
   EdgeCollapser collapser(mesh, guard, roles, limits.longest);
+  collapser.keep_shape(limits.shape);
   IsShort is_short(mesh, limits.shortest, roles.keeps_border());
   CollapseCounts counts = collapse_wanted(mesh, collapser, is_short, progress);
+  counts.films_kept = collapser.films_kept();
   if (counts.refused == 0) return counts;
 
   // An edge may have been refused more than once, or be gone in the end.
@@ -162,13 +164,16 @@ std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
                                  const VertexRoles& roles, const EdgeLimits& limits,
                                  const Progress& progress) {
   EdgeCollapser collapser(mesh, guard, roles, limits.stretched());
+  collapser.keep_shape(limits.shape);
   IsIrregular is_irregular(mesh, longest_irregular * limits.shortest);
   return collapse_wanted(mesh, collapser, is_irregular, progress).done;
 }
 
 bool collapse_edge(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-                   Index halfedge, double max_edge) {
-  return EdgeCollapser(mesh, guard, roles, max_edge).collapse(halfedge) != no_index;
+                   Index halfedge, const EdgeLimits& limits) {
+  EdgeCollapser collapser(mesh, guard, roles, limits.longest);
+  collapser.keep_shape(limits.shape);
+  return collapser.collapse(halfedge) != no_index;
 }
 
 }  // namespace transformesh

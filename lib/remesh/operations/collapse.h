@@ -10,7 +10,8 @@ namespace transformesh {
 
 struct CollapseCounts {
   std::size_t done = 0;
-  std::size_t refused = 0;  ///< short edges that are left
+  std::size_t refused = 0;     ///< short edges that are left
+  std::size_t films_kept = 0;  ///< collapses refused only because of ShapeRules::min_film
 };
 
 /// Collapses edges shorter than the shortest allowed, the shortest first, where that keeps the
@@ -18,6 +19,9 @@ struct CollapseCounts {
 /// degrees, makes no sliver, no edge longer than allowed and no contact. The merged vertex lies at
 /// the midpoint, shifted along the normal so that the volume stays (Lindstrom & Turk, "Fast and
 /// memory efficient polygonal simplification", Visualization 1998), or at the end that must stay.
+/// With ShapeRules::curved it lies at either end or on the curved edge, nearest to the planes of the
+/// faces that give way (Garland & Heckbert, "Surface simplification using quadric error metrics",
+/// SIGGRAPH 1997).
 CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits,
                                     const Progress& progress);
@@ -28,8 +32,8 @@ std::size_t collapse_for_valence(EditableMesh& mesh, EmbeddingGuard& guard,
                                  const VertexRoles& roles, const EdgeLimits& limits,
                                  const Progress& progress);
 
-/// Tries to collapse one edge under the same rules, whatever its length.
+/// Tries to collapse one edge under the same rules, however short it is.
 bool collapse_edge(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-                   Index halfedge, double max_edge);
+                   Index halfedge, const EdgeLimits& limits);
 
 }  // namespace transformesh

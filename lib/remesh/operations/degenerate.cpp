@@ -48,12 +48,12 @@ std::vector<Index> degenerate_faces(const EditableMesh& mesh) {
 }
 
 std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
-                                    const VertexRoles& roles, double max_edge) {
+                                    const VertexRoles& roles, const EdgeLimits& limits) {
   const auto mend = [&](Index face) {
     const Sides sides(mesh, face);
     const bool may_collapse = !(roles.keeps_border() && mesh.is_border(sides.shortest));
     if (sides.is_needle() && may_collapse &&
-        collapse_edge(mesh, guard, roles, sides.shortest, max_edge)) {
+        collapse_edge(mesh, guard, roles, sides.shortest, limits)) {
       return true;
     }
     return flip_edge(mesh, guard, sides.longest);

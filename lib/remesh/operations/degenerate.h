@@ -36,7 +36,7 @@ struct FaceShape {
 /// with a short edge (needle) loses that edge, one without (cap) has its longest edge flipped.
 /// Returns how many are left, where both were refused.
 std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
-                                    const VertexRoles& roles, double max_edge);
+                                    const VertexRoles& roles, const EdgeLimits& limits);
 
 /// The faces that count as degenerate, ascending.
 std::vector<Index> degenerate_faces(const EditableMesh& mesh);

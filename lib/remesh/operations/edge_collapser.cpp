@@ -1,8 +1,10 @@
 #include "remesh/operations/edge_collapser.h"
 
 #include <algorithm>
+#include <array>
 
 #include "remesh/halfedges/triangle_quality.h"
+#include "remesh/operations/curved_edge.h"
 
 namespace transformesh {
 namespace {
@@ -25,7 +27,11 @@ constexpr double stretch_of_stars = 1.02;
 Index EdgeCollapser::collapse(Index halfedge) {
   round_enough_ = round_enough;
   if (!prepare(halfedge)) return no_index;
-  const bool done = roles_[goes_] != roles_[stays_] ? try_bound_end() : try_free_positions();
+  met_film_ = false;
+  const bool done = roles_[goes_] != roles_[stays_] ? try_bound_end()
+                    : shape_.curved                 ? try_curved_positions()
+                                                    : try_free_positions();
+  if (!done && met_film_) ++films_kept_;
   return done ? stays_ : no_index;
 }
 
@@ -112,6 +118,40 @@ bool EdgeCollapser::try_free_positions() {
   return try_position(middle, 0.5) || try_position(target, 0) || try_position(source, 1);
 }
 
+/// Tries both ends and the curved midpoint, first the one that is nearest to the planes of the faces
+/// that give way, as in quadric.h. Of equal ones an end wins, where a vertex is a point of the input
+/// still.
+bool EdgeCollapser::try_curved_positions() {
+  struct Place {
+    Vec3 position;
+    double source_share;
+    double quadric;
+  };
+  std::array<Place, 3> places{{{mesh_.position(stays_), 0, 0},
+                               {mesh_.position(goes_), 1, 0},
+                               {curved_midpoint(mesh_, edge_), 0.5, 0}}};
+  for (Place& place : places) place.quadric = shift_to(place.position).quadric;
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.quadric < b.quadric; });
+  return std::any_of(places.begin(), places.end(), [&](const Place& place) {
+    return try_position(place.position, place.source_share);
+  });
+}
+
+EdgeCollapser::SurfaceShift EdgeCollapser::shift_to(const Vec3& position) const {
+  SurfaceShift shift;
+  for (const Index face : patch_.replaced) {
+    const auto [a, b, c] = mesh_.triangle(face);
+    const Vec3 normal = normal_of(a, b, c);
+    const double length = normal.norm();
+    if (!(length > 0)) continue;
+    const double distance = std::abs((position - a).dot(normal)) / length;
+    shift.quadric += length * distance * distance;
+    shift.most = std::max(shift.most, distance);
+  }
+  return shift;
+}
+
 Vec3 EdgeCollapser::volume_keeping_shift(const Vec3& position) const {
   // The volume is linear in the position: six times it is position . ring plus a constant.
   const Vec3& origin = mesh_.position(stays_);
@@ -166,6 +206,10 @@ void EdgeCollapser::fill_patch(const Vec3& position) {
 bool EdgeCollapser::try_position(const Vec3& wanted, double source_share) {
   const Vec3 position = mesh_.rounded(wanted);
   if (!is_sound(position)) return false;
+  if (shape_.min_film > 0 && shift_to(position).most > 0.5 * shape_.min_film) {
+    met_film_ = true;
+    return false;
+  }
   fill_patch(position);
   if (guard_ != nullptr && !guard_->allows(patch_)) return false;
   if (bound_ != nullptr && !bound_->allows(patch_)) return false;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "remesh/guards/edge_rules.h"
 #include "remesh/guards/embedding_guard.h"
 #include "remesh/guards/error_bound.h"
 #include "remesh/halfedges/vertex_role.h"
@@ -28,6 +29,10 @@ class EdgeCollapser {
   /// The same, to that position only, and with narrower triangles. If one end is bound more than
   /// the other, the position has to be its own.
   Index collapse_to(Index halfedge, const Vec3& position);
+  /// To be called before the first collapse; without that, all of the rules are off.
+  void keep_shape(const ShapeRules& rules) { shape_ = rules; }
+  /// How many collapses stayed undone though all but the rule on films allowed them.
+  std::size_t films_kept() const { return films_kept_; }
   /// Whether the last position was refused because an edge would be too long.
   bool was_too_long() const { return was_too_long_; }
 
@@ -42,6 +47,12 @@ class EdgeCollapser {
     double second_limit;
   };
 
+  /// How far the planes of the faces that give way are from a position.
+  struct SurfaceShift {
+    double quadric = 0;  ///< sum of the squares, weighted by twice the area
+    double most = 0;
+  };
+
   bool prepare(Index halfedge);
   bool try_bound_end();
   void gather();
@@ -49,6 +60,8 @@ class EdgeCollapser {
   double longest_to(Index neighbor) const;
   bool try_position(const Vec3& wanted, double source_share);
   bool try_free_positions();
+  bool try_curved_positions();
+  SurfaceShift shift_to(const Vec3& position) const;
   Vec3 volume_keeping_shift(const Vec3& position) const;
   bool is_sound(const Vec3& position);
   double least_roundness_before() const;
@@ -59,6 +72,9 @@ class EdgeCollapser {
   ErrorBound* bound_;
   const VertexRoles& roles_;
   double longest_;
+  ShapeRules shape_;
+  std::size_t films_kept_ = 0;
+  bool met_film_ = false;
   double round_enough_ = 0;
   bool was_too_long_ = false;
   Index edge_ = no_index;

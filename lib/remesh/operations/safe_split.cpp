@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "clean/intersect/contacts.h"
 #include "geometry/numbers/predicates.h"
 #include "remesh/guards/exact_guard.h"
-#include "remesh/operations/split.h"
 
 namespace transformesh {
 namespace {
@@ -70,14 +70,17 @@ SafeSplits split_safely(EditableMesh& mesh, const SafeSplitOptions& options,
                         const Progress& progress) {
   const EditableMesh before = mesh;
   const Index first_new = mesh.vertex_slots();
-  SplitCounts counts = split_long_edges(mesh, options.max_edge, options.keep_border, progress);
+  SplitCounts counts = split_long_edges(mesh, options.limits, progress);
   SafeSplits result{options.make_guard(), counts.done};
   const std::vector<Index> in_contact = settle_midpoints(mesh, *result.guard, first_new);
   result.refused = in_contact.size();
-  if (!is_worse(before, mesh, counts.parents, in_contact)) return result;
+  if (!is_worse(before, mesh, counts.parents, in_contact)) {
+    result.ends = std::move(counts.ends);
+    return result;
+  }
 
   mesh = before;
-  counts = split_long_edges_exactly(mesh, options.max_edge, options.keep_border, progress);
+  counts = split_long_edges_exactly(mesh, options.limits, progress);
   return {options.make_guard(), counts.done, counts.refused};
 }
 

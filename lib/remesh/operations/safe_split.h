@@ -4,14 +4,13 @@
 #include <functional>
 #include <memory>
 
-#include "remesh/guards/embedding_guard.h"
+#include "remesh/operations/split.h"
 #include "transformesh/control.h"
 
 namespace transformesh {
 
 struct SafeSplitOptions {
-  double max_edge = 0;
-  bool keep_border = false;
+  SplitLimits limits;
   std::function<std::unique_ptr<EmbeddingGuard>()> make_guard;  ///< for the mesh as it is then
 };
 
@@ -19,6 +18,7 @@ struct SafeSplits {
   std::unique_ptr<EmbeddingGuard> guard;  ///< for the mesh after the splits
   std::size_t done = 0;
   std::size_t refused = 0;  ///< edges that stay too long, or vertices that rounding left in contact
+  std::vector<std::array<Index, 2>> ends = {};  ///< as in split.h
 };
 
 /// Splits first and checks the result. If a vertex has added a self-intersection or a face without

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/search/closest_point.h"
+#include "remesh/operations/curved_edge.h"
 #include "remesh/operations/vertex_mover.h"
 #include "support/parallel.h"
 
@@ -18,8 +19,8 @@ constexpr std::size_t things_per_task = 2048;
 class Relaxer {
  public:
   Relaxer(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-          const ClosestPointQuery* surface)
-      : mesh_(mesh), roles_(roles), surface_(surface), mover_(mesh, guard) {}
+          const ClosestPointQuery* surface, bool curved)
+      : mesh_(mesh), roles_(roles), surface_(surface), curved_(curved), mover_(mesh, guard) {}
 
   SmoothCounts run(const Progress& progress) {
     SmoothCounts counts;
@@ -30,8 +31,7 @@ class Relaxer {
       const VertexRole role = roles_[v];
       if (role == VertexRole::fixed) continue;
       star_.gather(mesh_, v, rings[v]);
-      Vec3 target = role == VertexRole::free ? free_target() : line_target(v);
-      if (role == VertexRole::free && surface_) target = (*surface_)(target).point;
+      const Vec3 target = role == VertexRole::free ? on_surface(v, free_target()) : line_target(v);
       if ((target - star_.center()).squaredNorm() < rest * rest * star_.normal().norm()) continue;
       if (mover_.move(v, star_, target)) {
         ++counts.moved;
@@ -45,12 +45,17 @@ class Relaxer {
 
  private:
   Vec3 free_target() const;
+  Vec3 on_surface(Index vertex, const Vec3& target) const {
+    if (surface_ != nullptr) return (*surface_)(target).point;
+    return curved_ ? lifted_onto_surface(mesh_, vertex, target) : target;
+  }
   Vec3 line_target(Index vertex) const;
   void carry_attributes(Index vertex);
 
   EditableMesh& mesh_;
   const VertexRoles& roles_;
   const ClosestPointQuery* surface_;
+  bool curved_;
   VertexMover mover_;
   VertexStar star_;
 };
@@ -168,8 +173,9 @@ class Laplacian {
 }  // namespace
 
 SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
-                                const ClosestPointQuery* surface, const Progress& progress) {
-  return Relaxer(mesh, guard, roles, surface).run(progress);
+                                const ClosestPointQuery* surface, const Progress& progress,
+                                bool curved) {
+  return Relaxer(mesh, guard, roles, surface, curved).run(progress);
 }
 
 SmoothCounts smooth_laplace(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,

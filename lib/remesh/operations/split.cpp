@@ -28,8 +28,12 @@ double rounding_at(const EditableMesh& mesh, const Vec3& point) {
 
 class Splitter {
  public:
-  Splitter(EditableMesh& mesh, double max_edge, bool keep_border, ExactSplitter* exact)
-      : mesh_(mesh), limit_(max_edge * max_edge), keep_border_(keep_border), exact_(exact) {}
+  Splitter(EditableMesh& mesh, const SplitLimits& limits, ExactSplitter* exact)
+      : mesh_(mesh),
+        limit_(limits.longest * limits.longest),
+        keep_border_(limits.keep_border),
+        first_left_(limits.only_given ? mesh.vertex_slots() : no_index),
+        exact_(exact) {}
 
   SplitCounts run(const Progress& progress) {
     push_all();
@@ -57,6 +61,7 @@ class Splitter {
   void push(Index halfedge) {
     const bool is_kept = keep_border_ && mesh_.is_border(halfedge);
     if (keep_border_ || !is_held_.empty()) hold(halfedge, is_kept);
+    if (std::max(mesh_.source(halfedge), mesh_.target(halfedge)) >= first_left_) return;
     if (mesh_.scaled_squared_length(halfedge) <= limit_ || is_kept || is_short(halfedge)) return;
     queue_.emplace(mesh_, halfedge);
   }
@@ -96,6 +101,7 @@ class Splitter {
     const Vec3& target = mesh_.position(mesh_.target(halfedge));
     const Vec3 middle = mesh_.rounded(0.5 * source + 0.5 * target);
     if (middle == source || middle == target) return;
+    counts_.ends.push_back({mesh_.source(halfedge), mesh_.target(halfedge)});
     counts_.parents.push_back(halfedge / 3);
     if (!mesh_.is_border(halfedge)) counts_.parents.push_back(mesh_.opposite(halfedge) / 3);
     push_around(mesh_.split(halfedge, middle));
@@ -122,6 +128,7 @@ class Splitter {
   EditableMesh& mesh_;
   double limit_;
   bool keep_border_;
+  Index first_left_;  ///< edges at vertices from this one on are not split
   ExactSplitter* exact_;
   EdgeQueue<LongerFirst> queue_;
   std::vector<bool> is_held_;  ///< per halfedge; empty while none is
@@ -142,16 +149,16 @@ bool settle(EditableMesh& mesh, VertexMover& mover, Index vertex, VertexStar& st
 
 }  // namespace
 
-SplitCounts split_long_edges(EditableMesh& mesh, double max_edge, bool keep_border,
+SplitCounts split_long_edges(EditableMesh& mesh, const SplitLimits& limits,
                              const Progress& progress) {
-  return Splitter(mesh, max_edge, keep_border, nullptr).run(progress);
+  return Splitter(mesh, limits, nullptr).run(progress);
 }
 
-SplitCounts split_long_edges_exactly(EditableMesh& mesh, double max_edge, bool keep_border,
+SplitCounts split_long_edges_exactly(EditableMesh& mesh, const SplitLimits& limits,
                                      const Progress& progress) {
   ExactGuard guard(mesh);
   ExactSplitter exact(mesh, guard);
-  return Splitter(mesh, max_edge, keep_border, &exact).run(progress);
+  return Splitter(mesh, limits, &exact).run(progress);
 }
 
 std::vector<Index> settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, Index first) {

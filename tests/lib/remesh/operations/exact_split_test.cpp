@@ -54,7 +54,7 @@ TEST_CASE("sheets one spacing apart are split without touching each other") {
   for (Vec3& p : upper.positions) p.z() = std::nextafter(p.z(), 4);
   EditableMesh editable(joined(lower, upper));
   REQUIRE(find_intersections(editable.to_mesh()).empty());
-  const SplitCounts counts = split_long_edges_exactly(editable, 0.05, false, {});
+  const SplitCounts counts = split_long_edges_exactly(editable, {0.05, false}, {});
   CHECK(counts.done > 100);
   CHECK(find_intersections(editable.to_mesh()).empty());
   CHECK(count_self_intersections(editable.to_mesh()) == 0);
@@ -66,7 +66,7 @@ TEST_CASE("intersections of the input are split like everything else") {
   EditableMesh editable(joined(cube(), second));
   const std::size_t before = find_intersections(editable.to_mesh()).size();
   REQUIRE(before > 0);
-  CHECK(split_long_edges_exactly(editable, 0.2, false, {}).refused == 0);
+  CHECK(split_long_edges_exactly(editable, {0.2, false}, {}).refused == 0);
 }
 
 }  // namespace transformesh::test

@@ -34,7 +34,7 @@ Mesh oblique_sheet(int n, double height, Random& random) {
 
 TEST_CASE("edges are halved until none is too long, on the surface as it was") {
   EditableMesh mesh(cube());
-  const std::size_t splits = split_long_edges(mesh, 0.3, false, {}).done;
+  const std::size_t splits = split_long_edges(mesh, {0.3, false}, {}).done;
   const Mesh fine = mesh.to_mesh();
   CHECK(is_oriented_manifold(fine));
   CHECK(fine.positions.size() == 8 + splits);
@@ -54,7 +54,7 @@ TEST_CASE("beside border edges that stay and are far too long, splits end") {
       CAPTURE(cells);
       CAPTURE(limit);
       EditableMesh editable(grid(cells));
-      split_long_edges(editable, limit, true, {});
+      split_long_edges(editable, {limit, true}, {});
       const Mesh mesh = editable.to_mesh();
       CHECK(is_oriented_manifold(mesh));
 

@@ -1,0 +1,84 @@
+#include "remesh/operations/curved_split.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "remesh/halfedges/select_slots.h"
+#include "remesh/operations/curved_edge.h"
+#include "remesh/operations/vertex_mover.h"
+
+namespace transformesh {
+namespace {
+
+/// A round halves every edge that is too long, so that 64 take an edge from the largest extent of a
+/// mesh to the shortest edge that is split. More could only repeat what was refused.
+constexpr int most_rounds = 64;
+
+/// The curved midpoints of the edges that are too long, by their ends. They are found before the
+/// splits, which put vertices on chords.
+class CurvedMidpoints {
+ public:
+  CurvedMidpoints(const EditableMesh& mesh, double longest) {
+    const double limit = longest * longest;
+    const std::vector<Index> edges =
+        edges_where(mesh, [&](double squared) { return squared > limit; });
+    places_.reserve(edges.size());
+    for (const Index h : edges)
+      places_.push_back({ends_of(mesh.source(h), mesh.target(h)), curved_midpoint(mesh, h)});
+    std::ranges::sort(places_, {}, &Place::ends);
+  }
+
+  bool empty() const { return places_.empty(); }
+  /// Null for edges that were not too long.
+  const Vec3* find(const std::array<Index, 2>& edge) const {
+    const auto ends = ends_of(edge[0], edge[1]);
+    const auto found = std::ranges::lower_bound(places_, ends, {}, &Place::ends);
+    return found != places_.end() && found->ends == ends ? &found->position : nullptr;
+  }
+
+ private:
+  using Ends = std::pair<Index, Index>;
+  struct Place {
+    Ends ends;
+    Vec3 position;
+  };
+  static Ends ends_of(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+  std::vector<Place> places_;
+};
+
+void move_onto_curves(EditableMesh& mesh, Index first, const SafeSplits& splits,
+                      const CurvedMidpoints& midpoints) {
+  VertexMover mover(mesh, *splits.guard);
+  VertexStar star;
+  for (std::size_t i = 0; i < splits.ends.size(); ++i) {
+    const Vec3* const place = midpoints.find(splits.ends[i]);
+    const Index vertex = first + static_cast<Index>(i);
+    if (place == nullptr || mesh.rounded(*place) == mesh.position(vertex)) continue;
+    star.gather(mesh, vertex);
+    mover.move(vertex, star, *place);
+  }
+}
+
+}  // namespace
+
+SafeSplits split_onto_curves(EditableMesh& mesh, SafeSplitOptions options,
+                             const Progress& progress) {
+  options.limits.only_given = true;
+  SafeSplits all;
+  for (int round = 0; round < most_rounds; ++round) {
+    const CurvedMidpoints midpoints(mesh, options.limits.longest);
+    if (midpoints.empty() && all.guard) break;
+    const Index first = mesh.vertex_slots();
+    SafeSplits splits = split_safely(mesh, options, progress);
+    move_onto_curves(mesh, first, splits, midpoints);
+    all.guard = std::move(splits.guard);
+    all.done += splits.done;
+    all.refused = splits.refused;
+    if (splits.done == 0) break;
+  }
+  return all;
+}
+
+}  // namespace transformesh
