@@ -3,40 +3,17 @@
 /// Botsch & Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004.
 ///
 /// Guarantees for an oriented manifold with or without borders: the result is one too. Genus and
-/// number of components change only by small components that are removed. No step adds a
-/// self-intersection or a face without area; intersections of the input stay. Slivers are removed
+/// number of components change only by small components that are removed and by `pinch`. No step
+/// adds a self-intersection or a face without area; intersections of the input stay unless what
+/// `pinch` cut off intersects, which cleans the mesh. Slivers are removed
 /// first. Surviving vertices and faces keep their order, attributes are interpolated. Not
 /// preserved: lists of texture coordinates. Not guaranteed: that every edge length is in the
 /// interval. Deterministic for any number of threads; O(n log n); about 150 bytes per face.
 #pragma once
 
-#include "transformesh/control.h"
-#include "transformesh/mesh.h"
+#include "transformesh/remesh_options.h"
 
 namespace transformesh {
-
-enum class Smoothing { none, tangential, laplace, bilaplace };
-enum class FlipRule { none, valence, angle };  ///< prefers valence 6; maximizes the least angle
-
-struct RemeshOptions {
-  double min_edge = 0;        ///< shorter edges are collapsed; input units, > 0
-  double max_edge = 0;        ///< longer edges are split; input units, >= 1.5 min_edge
-  std::string size_column;    ///< vertex column that multiplies both lengths; empty: none
-  double adaptive_error = 0;  ///< > 0: edge lengths follow the curvature to keep this distance
-  int iterations = 1;         ///< >= 0; 0 removes only small components and degenerate faces
-  bool only_smooth = false;   ///< smooth only; no splits, collapses and flips
-  FlipRule flip = FlipRule::valence;
-  Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
-  double smooth_first = 0;                      ///< b in v - b dv, or b1; in [0, 1]
-  double smooth_second = 0;             ///< b2 in v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
-  double feature_angle_deg = 180;       ///< sharper edges stay; [0, 180]; 0: 40 if there are any
-  bool keep_border = false;             ///< border vertices and edges stay
-  bool project = false;                 ///< move relaxed vertices onto the input surface
-  bool curved = false;  ///< new vertices lie on curves, merged ones at the best of three places
-  double min_film = 0;  ///< > 0: thicker films are kept however short the edges across them
-  Scalar coordinate = Scalar::float64;  ///< type to which new positions are rounded
-  KeepOutOptions keep_out = {};
-};
 
 struct RemeshResult {
   struct RemovedComponents {
@@ -47,6 +24,8 @@ struct RemeshResult {
   std::size_t refused = 0;             ///< steps of the last iteration that would break a guarantee
   std::size_t kept_out = 0;            ///< steps refused because of `keep_out`
   std::size_t films_kept = 0;          ///< collapses of the last iteration refused by `min_film`
+  std::size_t pinched = 0;             ///< loops that were cut and capped
+  std::size_t pinch_refused = 0;       ///< loops around which no caps fit
   std::size_t near_keep_out = 0;       ///< faces of the input that are nearer than its gap
   std::size_t degenerate_faces = 0;    ///< remaining faces with height < longest edge / 1000
   std::size_t slivers_kept = 0;        ///< degenerate faces whose height is a few spacings

@@ -37,6 +37,7 @@
 #include "transformesh/offset.h"
 #include "transformesh/pinhole_camera.h"
 #include "transformesh/remesh.h"
+#include "transformesh/remesh_options.h"
 #include "transformesh/repair.h"
 #include "transformesh/sample.h"
 #include "transformesh/select.h"

@@ -110,6 +110,8 @@ Entries entries_of(const RemeshResult& result) {
                   {"refused", result.refused},
                   {"kept_out", result.kept_out},
                   {"films_kept", result.films_kept},
+                  {"pinched", result.pinched},
+                  {"pinch_refused", result.pinch_refused},
                   {"components_dropped", result.components_removed.count},
                   {"components_dropped_faces", result.components_removed.faces},
                   {"components_dropped_area", result.components_removed.area},

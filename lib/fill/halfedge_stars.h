@@ -14,6 +14,8 @@ class HalfedgeStars {
   HalfedgeStars(const Mesh& mesh, std::vector<Index> opposites);
 
   const std::vector<Index>& opposites() const { return opposites_; }
+  /// Whether the vertex has faces.
+  bool has(Index vertex) const { return leaving_[vertex] != no_index; }
 
   /// Calls visit(halfedge) for each outgoing halfedge, starting anywhere.
   template <class Visit>

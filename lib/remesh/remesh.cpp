@@ -20,6 +20,8 @@
 #include "remesh/operations/safe_split.h"
 #include "remesh/operations/slivers.h"
 #include "remesh/operations/smooth.h"
+#include "remesh/check_remesh_options.h"
+#include "remesh/pinch.h"
 #include "remesh/remesh_connected.h"
 #include "remesh/sizing.h"
 #include "remesh/small_components.h"
@@ -27,13 +29,10 @@
 #include "support/empty_result_error.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
-#include "transformesh/length.h"
 
 namespace transformesh {
 namespace {
 
-/// Of the longest to the shortest edge: below that, halves of split edges would be collapsed again.
-constexpr double least_ratio = 1.5;
 constexpr double most_faces = 500e6;
 constexpr double largest_extent = 1e75;
 /// Edges far too short are collapsed in stages of this many times the typical length.
@@ -46,51 +45,6 @@ constexpr double adaptive_longest = 0.95;
 /// of an evolution, whose next step sees to its shape.
 constexpr int iterations_anew = 3;
 constexpr double usual_feature_angle_deg = 40;
-
-void check_lengths(double min_edge, double max_edge) {
-  if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
-    throw UsageError("edge lengths must be positive: the shortest is " + shortest_text(min_edge) +
-                     ", the longest " + shortest_text(max_edge));
-  }
-  if (max_edge < least_ratio * min_edge) {
-    throw UsageError("the longest edge " + shortest_text(max_edge) + " is below 1.5 times the " +
-                     "shortest " + shortest_text(min_edge) +
-                     ": what is split would be collapsed again; use at most " +
-                     shortest_text(max_edge / least_ratio) + " for the shortest, or at least " +
-                     shortest_text(min_edge * least_ratio) + " for the longest");
-  }
-}
-
-void check_options(const RemeshOptions& options) {
-  check_lengths(options.min_edge, options.max_edge);
-  if (!(std::isfinite(options.adaptive_error) && options.adaptive_error >= 0)) {
-    throw UsageError("the error bound must be a positive length");
-  }
-  if (options.adaptive_error > 0 && !options.size_column.empty()) {
-    throw UsageError("sizes come from a column or from curvature, not from both");
-  }
-  if (!(std::isfinite(options.min_film) && options.min_film >= 0))
-    throw UsageError("the thickness of films to be kept must be a positive length");
-  const double first = options.smooth_first;
-  const double second = options.smooth_second;
-  if (options.only_smooth && options.smoothing == Smoothing::none)
-    throw UsageError("nothing but smoothing, and no smoothing: nothing would be done");
-  if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
-  if (!(options.feature_angle_deg >= 0 && options.feature_angle_deg <= 180)) {
-    throw UsageError("the feature angle " + shortest_text(options.feature_angle_deg) +
-                     " is not at least 0 and at most 180 degrees");
-  }
-  if (!(first >= 0 && first <= 1)) {
-    throw UsageError("the smoothing factor " + shortest_text(first) + " is not between 0 and 1");
-  }
-  if (options.smoothing != Smoothing::bilaplace) return;
-  if (!(second >= (first - 1) / 2 && second <= first / 2)) {
-    throw UsageError("the second smoothing factor " + shortest_text(second) +
-                     " would amplify noise: with the first factor " + shortest_text(first) +
-                     " it must be between " + shortest_text((first - 1) / 2) + " and " +
-                     shortest_text(first / 2));
-  }
-}
 
 /// Areas are roots of fourth powers of lengths, which must not overflow.
 void check_size(const Mesh& mesh) {
@@ -359,14 +313,11 @@ void treat_slivers(const Task& task) {
   task.result.faces_without_area = left.without_area;
 }
 
-}  // namespace
-
-RemeshResult remesh_connected(Mesh& mesh, const RemeshOptions& given, const Progress& progress,
-                              std::vector<Index> opposites) {
+RemeshResult remesh_parts(Mesh& mesh, const RemeshOptions& given, const Progress& progress,
+                          std::vector<Index> opposites) {
   if (mesh.faces.empty() || mesh.positions.empty())
     throw InputError("the mesh has no faces, so there is nothing to remesh");
   check_size(mesh);
-  check_options(given);
   progress("connect");
   if (opposites.empty()) opposites = manifold_opposites(mesh);
   EditableMesh editable(mesh, std::move(opposites));
@@ -408,6 +359,22 @@ RemeshResult remesh_connected(Mesh& mesh, const RemeshOptions& given, const Prog
   }
   mesh = std::move(remeshed);
   result.columns = refresh_columns(mesh);
+  return result;
+}
+
+}  // namespace
+
+RemeshResult remesh_connected(Mesh& mesh, const RemeshOptions& options, const Progress& progress,
+                              std::vector<Index> opposites) {
+  check_options(options);
+  if (options.pinch == 0) return remesh_parts(mesh, options, progress, std::move(opposites));
+  Mesh parted = mesh;
+  const PinchResult pinched = pinch(parted, options.pinch, options.coordinate, progress);
+  if (pinched.cut > 0) opposites.clear();
+  RemeshResult result = remesh_parts(parted, options, progress, std::move(opposites));
+  mesh = std::move(parted);
+  result.pinched = pinched.cut;
+  result.pinch_refused = pinched.refused;
   return result;
 }
 

@@ -99,9 +99,12 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
                        "tangential smoothing puts vertices back onto the input");
   program.options.flag("curved", &remesh.curved,
                        "put new vertices on curves through their neighbors and merge at the best of "
-                       "three places; smooths only if --smooth is given");
+                       "three places; by default then --smooth none and --flip angle");
   program.options.length("min-film", &choices.min_film,
                          "keep films thicker than this, however short the edges across them are");
+  program.options.length(
+      "pinch", &choices.pinch,
+      "cut and cap necks and handles around which a loop no longer than this goes");
   program.options.flag(
       "source", &choices.source_points,
       "write where on the input each vertex and face comes from: source_face, source_u, source_v");
@@ -119,14 +122,16 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   result.min_edge = edge_length(choices.min_edge, adapts ? 0.1 : 0.7, "--min-edge", has_sizes, run);
   result.max_edge = edge_length(choices.max_edge, adapts ? 5 : 1.5, "--max-edge", has_sizes, run);
   result.only_smooth = choices.only == "smooth";
+  const OptionSet& given = run.program().options;
+  if (result.curved && !given.find("flip")->is_given) choices.flip = "angle";
   if (choices.flip != "valence")
     result.flip = choices.flip == "angle" ? FlipRule::angle : FlipRule::none;
   result.feature_angle_deg = feature_angle(choices.feature_angle, 0);
   result.coordinate = document.style.coordinate;
   result.keep_out = choices.keep_out.options(run);
   if (choices.min_film) result.min_film = run.length(*choices.min_film);
-  const bool smooths =
-      run.program().options.find("smooth")->is_given || !choices.smooth_twice.empty();
+  if (choices.pinch) result.pinch = run.length(*choices.pinch);
+  const bool smooths = given.find("smooth")->is_given || !choices.smooth_twice.empty();
   if (result.curved && !smooths) choices.smooth = "none";
   read_smoothing(choices.smooth, result);
   if (choices.smooth_twice.empty()) return result;

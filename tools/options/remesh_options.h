@@ -18,7 +18,7 @@ struct RemeshChoices {
   std::optional<long> faces;    ///< to decimate to, instead of remeshing
   std::string align;            ///< the mesh to whose sharp edges to align, instead
   std::optional<Length> error;  ///< to decimate within, instead of or besides
-  std::optional<Length> edge, min_edge, max_edge, adaptive, min_film;
+  std::optional<Length> edge, min_edge, max_edge, adaptive, min_film, pinch;
   std::string only = "all";
   std::string flip = "valence";
   std::string smooth = "tangential";

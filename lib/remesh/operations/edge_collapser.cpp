@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "remesh/halfedges/triangle_quality.h"
 #include "remesh/operations/curved_edge.h"
@@ -21,6 +22,10 @@ constexpr double normal_roundness = 0.02;
 constexpr double normal_roundness_of_stars = 1e-6;
 constexpr double narrowing_of_stars = 0.5;
 constexpr double stretch_of_stars = 1.02;
+/// Collapses on curves make no edge longer than this share of the longest. A flow that stretches the
+/// surface would soon have longer ones split again, and each step interpolates. In Enright's test
+/// with 5,000 faces, 1 takes 1.5 times as many steps and has 1.6 times the error of 0.8.
+constexpr double room_to_stretch = 0.8;
 
 }  // namespace
 
@@ -102,7 +107,8 @@ void EdgeCollapser::gather_star(Index vertex) {
 /// counts with the mean size of both ends.
 double EdgeCollapser::longest_to(Index neighbor) const {
   const double size = 0.5 * (mesh_.mean_size(goes_, stays_) + mesh_.size(neighbor));
-  return longest_ * size * size;
+  const double room = shape_.curved ? room_to_stretch * room_to_stretch : 1;
+  return room * longest_ * size * size;
 }
 
 bool EdgeCollapser::try_free_positions() {

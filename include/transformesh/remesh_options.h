@@ -1,0 +1,47 @@
+/// Options of remesh() (remesh.h).
+///
+/// `curved` is for surfaces that a flow carries. Split edges get their new vertex on the quadric that
+/// fits the vertices around the edge; collapses end at either end or at such a vertex, whichever is
+/// nearest to the planes of the old faces; sliding vertices stay on such quadrics. Creases (edges
+/// that turn by more than 40 degrees, features, borders) are cubics along themselves. Without
+/// smoothing no other vertex moves. With `min_film` films and strips that are thicker than this
+/// stay, however short the edges across them are, and so do components that are wider. With `pinch`
+/// the mesh must be closed (InputError); a mesh with cuts that intersect is cleaned.
+#pragma once
+
+#include <string>
+
+#include "transformesh/control.h"
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+enum class Smoothing { none, tangential, laplace, bilaplace };
+enum class FlipRule { none, valence, angle };  ///< prefers valence 6; maximizes the least angle
+
+struct RemeshOptions {
+  double min_edge = 0;        ///< shorter edges are collapsed; input units, > 0
+  double max_edge = 0;        ///< longer edges are split; input units, >= 1.5 min_edge
+  std::string size_column;    ///< vertex column that multiplies both lengths; empty: none
+  double adaptive_error = 0;  ///< > 0: edge lengths follow the curvature to keep this distance
+  int iterations = 1;         ///< >= 0; 0 removes only small components and degenerate faces
+  bool only_smooth = false;   ///< smooth only; no splits, collapses and flips
+  FlipRule flip = FlipRule::valence;
+  Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
+  double smooth_first = 0;                      ///< b in v - b dv, or b1; in [0, 1]
+  double smooth_second = 0;             ///< b2 in v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
+  double feature_angle_deg = 180;       ///< sharper edges stay; [0, 180]; 0: 40 if there are any
+  bool keep_border = false;             ///< border vertices and edges stay
+  bool project = false;                 ///< move relaxed vertices onto the input surface
+  bool curved = false;  ///< new vertices lie on curves, merged ones at the best of three places
+  double min_film = 0;  ///< > 0: no collapse moves the surface by more than half of this
+  double pinch = 0;     ///< > 0: cut necks and handles with a loop up to this long around them
+  Scalar coordinate = Scalar::float64;  ///< type to which new positions are rounded
+  KeepOutOptions keep_out = {};
+};
+
+/// Returns options for a surface that a flow carries: `curved`, flips by angle, no smoothing, so that
+/// vertices stay where the flow took them. Smoothing interpolates all of them at every call.
+RemeshOptions curved_remeshing();
+
+}  // namespace transformesh
