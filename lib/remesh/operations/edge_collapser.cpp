@@ -26,6 +26,10 @@ constexpr double stretch_of_stars = 1.02;
 /// surface would soon have longer ones split again, and each step interpolates. In Enright's test
 /// with 5,000 faces, 1 takes 1.5 times as many steps and has 1.6 times the error of 0.8.
 constexpr double room_to_stretch = 0.8;
+/// Collapses on curves move the surface by no more than this share of the longest edge unless
+/// ShapeRules::min_film says otherwise. Without a limit, short edges at the corners of Zalesak's
+/// sphere take off half an edge of it. Half of it takes 3 % more faces in Enright's test.
+constexpr double curved_shift = 0.05;
 
 }  // namespace
 
@@ -144,6 +148,15 @@ bool EdgeCollapser::try_curved_positions() {
   });
 }
 
+/// Whether a film, or a feature of the shape, would be lost.
+bool EdgeCollapser::moves_too_far(const Vec3& position) const {
+  const bool has_film = shape_.min_film > 0;
+  if (!has_film && !shape_.curved) return false;
+  const double limit = has_film ? 0.5 * shape_.min_film
+                                : curved_shift * std::sqrt(longest_) * mesh_.mean_size(goes_, stays_);
+  return shift_to(position).most > limit;
+}
+
 EdgeCollapser::SurfaceShift EdgeCollapser::shift_to(const Vec3& position) const {
   SurfaceShift shift;
   for (const Index face : patch_.replaced) {
@@ -212,7 +225,7 @@ void EdgeCollapser::fill_patch(const Vec3& position) {
 bool EdgeCollapser::try_position(const Vec3& wanted, double source_share) {
   const Vec3 position = mesh_.rounded(wanted);
   if (!is_sound(position)) return false;
-  if (shape_.min_film > 0 && shift_to(position).most > 0.5 * shape_.min_film) {
+  if (moves_too_far(position)) {
     met_film_ = true;
     return false;
   }

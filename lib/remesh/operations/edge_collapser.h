@@ -62,6 +62,7 @@ class EdgeCollapser {
   bool try_free_positions();
   bool try_curved_positions();
   SurfaceShift shift_to(const Vec3& position) const;
+  bool moves_too_far(const Vec3& position) const;
   Vec3 volume_keeping_shift(const Vec3& position) const;
   bool is_sound(const Vec3& position);
   double least_roundness_before() const;
