@@ -12,10 +12,12 @@ namespace transformesh::python {
 namespace {
 
 struct RemeshChoices {
-  std::optional<PythonLength> min_edge, max_edge, adaptive;
+  std::optional<PythonLength> min_edge, max_edge, adaptive, min_film, pinch;
   std::string size_field;
-  SmoothingChoice smooth;
-  std::string flip, only;
+  std::optional<SmoothingChoice> smooth;
+  std::optional<std::string> flip;
+  std::string only;
+  bool curved = false;
 };
 
 /// Degrees, or "auto".
@@ -34,7 +36,7 @@ double angle_of(const FeatureAngle& angle) {
 
 /// As tm-remesh does: relative lengths are of the reference edge, or of the local size.
 RemeshOptions remesh_options(const RemeshChoices& choices, Document& document) {
-  RemeshOptions options;
+  RemeshOptions options = choices.curved ? curved_remeshing() : RemeshOptions();
   Lengths lengths(document);
   const bool adapts = choices.adaptive.has_value();
   if (adapts) options.adaptive_error = lengths(*choices.adaptive);
@@ -48,9 +50,16 @@ RemeshOptions remesh_options(const RemeshChoices& choices, Document& document) {
   };
   options.min_edge = edge(choices.min_edge, adapts ? "0.1x" : "0.7x");
   options.max_edge = edge(choices.max_edge, adapts ? "5x" : "1.5x");
-  set_smoothing(choices.smooth, options);
-  const std::size_t flip = choice("flip", choices.flip, {"valence", "angle", "none"});
-  options.flip = flip == 0 ? FlipRule::valence : flip == 1 ? FlipRule::angle : FlipRule::none;
+  if (choices.min_film) options.min_film = lengths(*choices.min_film);
+  if (choices.pinch) options.pinch = lengths(*choices.pinch);
+  if (choices.smooth) {
+    options.smoothing = Smoothing::tangential;
+    set_smoothing(*choices.smooth, options);
+  }
+  if (choices.flip) {
+    const std::size_t flip = choice("flip", *choices.flip, {"valence", "angle", "none"});
+    options.flip = flip == 0 ? FlipRule::valence : flip == 1 ? FlipRule::angle : FlipRule::none;
+  }
   options.only_smooth = choice("only", choices.only, {"all", "smooth"}) == 1;
   options.coordinate = document.style.coordinate;
   return options;
@@ -70,6 +79,9 @@ AlignOptions align_options(const RemeshOptions& remesh, const RemeshChoices& cho
   const char* const refused = choices.adaptive                      ? "adaptive"
                               : !choices.size_field.empty()         ? "size_field"
                               : remesh.iterations != 1              ? "iterations"
+                              : remesh.curved                       ? "curved"
+                              : remesh.min_film != 0                ? "min_film"
+                              : remesh.pinch != 0                   ? "pinch"
                               : remesh.smoothing != usual.smoothing ? "smooth"
                               : remesh.flip != usual.flip           ? "flip"
                               : remesh.only_smooth                  ? "only"
@@ -91,15 +103,19 @@ AlignOptions align_options(const RemeshOptions& remesh, const RemeshChoices& cho
 MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength>& min_edge,
                         const std::optional<PythonLength>& max_edge,
                         const std::optional<PythonLength>& adaptive, const std::string& size_field,
-                        int iterations, const SmoothingChoice& smooth, const std::string& flip,
-                        const std::string& only, const FeatureAngle& feature_angle,
-                        bool keep_border, bool project, const std::optional<MeshPointer>& align,
+                        int iterations, const std::optional<SmoothingChoice>& smooth,
+                        const std::optional<std::string>& flip, const std::string& only,
+                        const FeatureAngle& feature_angle, bool keep_border, bool project,
+                        bool curved, const std::optional<PythonLength>& min_film,
+                        const std::optional<PythonLength>& pinch,
+                        const std::optional<MeshPointer>& align,
                         const std::optional<MeshPointer>& keep_out,
                         const std::optional<PythonLength>& gap, bool source,
                         const py::object& progress) {
   Document document = mesh.document;
   const std::size_t joined = join_places(document.mesh);
-  const RemeshChoices choices{min_edge, max_edge, adaptive, size_field, smooth, flip, only};
+  const RemeshChoices choices{min_edge,   max_edge, adaptive, min_film, pinch,
+                              size_field, smooth,   flip,     only,     curved};
   RemeshOptions options = remesh_options(choices, document);
   options.iterations = iterations;
   options.feature_angle_deg = angle_of(feature_angle);
@@ -155,13 +171,15 @@ void bind_remeshing(py::module_& module) {
   module.def(
       "remesh", &remesh_mesh, arg("mesh"), py::kw_only(), arg("min_edge") = none,
       arg("max_edge") = none, arg("adaptive") = none, arg("size_field") = "", arg("iterations") = 1,
-      arg("smooth") = "tangential", arg("flip") = "valence", arg("only") = "all",
+      arg("smooth") = none, arg("flip") = none, arg("only") = "all",
       arg("feature_angle") = "auto", arg("keep_border") = false, arg("project") = false,
-      arg("align") = none, arg("keep_out") = none, arg("gap") = none, arg("source") = false,
-      arg("progress") = none,
+      arg("curved") = false, arg("min_film") = none, arg("pinch") = none, arg("align") = none,
+      arg("keep_out") = none, arg("gap") = none, arg("source") = false, arg("progress") = none,
       "Keeps edges between two lengths ('0.7x' to '1.5x' of the reference edge) and "
       "triangles round, without making a self-intersection. `smooth` is 'tangential', 'none', the "
-      "factor of the Laplace-Beltrami operator, or two where it is used twice. With "
+      "factor of the Laplace-Beltrami operator, or two where it is used twice. With `curved` new "
+      "vertices lie on curves and others stay, unless `smooth` is given. `min_film` keeps thicker "
+      "films, `pinch` cuts necks and handles around which no longer loop goes. With "
       "`align` it moves vertices and turns edges onto the sharp edges of that mesh, which "
       "lies near, and does nothing else. Nothing comes nearer than `gap` to the mesh "
       "`keep_out`. `source` writes where on the input each vertex comes from, for carry(). "

@@ -30,6 +30,8 @@ RemeshOptions remesh_options(Choices& choices, const Mesh& mesh) {
   options.feature_angle_deg = choices.flag() ? 1 + choices.below(180) : 180;
   options.keep_border = choices.flag();
   options.project = choices.flag();
+  options.curved = choices.flag();
+  if (choices.flag()) options.min_film = options.min_edge * choices.byte() / 256.0;
   if (choices.flag()) options.adaptive_error = diagonal * (1 + choices.byte()) / 1024;
   if (choices.flag()) options.coordinate = Scalar::float32;
   return options;

@@ -55,6 +55,10 @@ def test_clean(crossing, options, words, tmp_path):
         ({"only": "smooth", "project": True}, ["--only", "smooth", "--project"]),
         ({"smooth": (0.5, 0.2)}, ["--smooth2", "0.5,0.2"]),
         ({"source": True}, ["--source"]),
+        ({"curved": True}, ["--curved"]),
+        ({"curved": True, "smooth": "tangential"}, ["--curved", "--smooth", "tangential"]),
+        ({"curved": True, "flip": "valence"}, ["--curved", "--flip", "valence"]),
+        ({"min_film": "0.3x", "pinch": "6x"}, ["--min-film", "0.3x", "--pinch", "6x"]),
     ],
 )
 def test_remesh(options, words):

@@ -478,3 +478,47 @@ far_pairs() {
   assert_status 0
   [ "$output" -eq 2 ]
 }
+
+@test "--curved moves no vertex that no step touches, and --smooth given with it does" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape dented --faces 3000 -o in.ply
+  tm-remesh --curved --no-provenance --format off in.ply -o curved.off
+  tm-convert --format off in.ply -o in.off
+  # Lines of vertices have three numbers, those of faces four.
+  awk 'NF == 3 && NR > 2' in.off | sort -u >in.txt
+  awk 'NF == 3 && NR > 2' curved.off | sort -u >curved.txt
+  tm-remesh --curved --report r.json in.ply -o /dev/null
+  touched=$(($(value splits r.json) + $(value collapses r.json)))
+  [ "$(comm -13 in.txt curved.txt | wc -l)" -le "$touched" ]
+  [ "$touched" -lt 1000 ]
+  tm-remesh --curved --smooth tangential --no-provenance --format off in.ply -o slid.off
+  awk 'NF == 3 && NR > 2' slid.off | sort -u >slid.txt
+  [ "$(comm -13 in.txt slid.txt | wc -l)" -gt 1000 ]
+}
+
+@test "--min-film keeps the rim of a plate, which is said in the report" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 1 1 0.02 --faces 3000 -o plate.ply
+  tm-remesh --edge 0.1 --smooth none --feature-angle 180 plate.ply -o without.ply
+  tm-remesh --edge 0.1 --smooth none --feature-angle 180 --min-film 0.015 --report r.json \
+    plate.ply -o with.ply
+  [ "$(value films_kept r.json)" -gt 0 ]
+  lost() { tm-info --json "$1" | awk '$1 == "\"volume\":" { print 1 - $2 / 0.02 }'; }
+  awk -v a="$(lost without.ply)" -v b="$(lost with.ply)" 'BEGIN { exit !(a > 0.02 && b < 0.005) }'
+}
+
+@test "--pinch parts a dumbbell and says so, and refuses what is open" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape dumbbell --neck 0.1 --faces 4000 -o whole.ply
+  tm-remesh --pinch 0.8 --report r.json whole.ply -o parted.ply
+  [ "$(value pinched r.json)" = 1 ]
+  [ "$(tm-info --get components parted.ply)" = 2 ]
+  tm-intersect --check parted.ply
+  tm-remesh --pinch 0.4 whole.ply -o same.ply
+  [ "$(tm-info --get components same.ply)" = 1 ]
+  tetrahedron | tm-select --plane 1,1,1,0.4 >open.ply
+  run tm-remesh --pinch 1 -o bad.ply open.ply
+  assert_status 3
+  one_line "$output"
+  [ ! -e bad.ply ]
+}
