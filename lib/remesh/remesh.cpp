@@ -45,6 +45,10 @@ constexpr double adaptive_longest = 0.95;
 /// of an evolution, whose next step sees to its shape.
 constexpr int iterations_anew = 3;
 constexpr double usual_feature_angle_deg = 40;
+/// A new vertex that leaves its chord by at most a fifth of it lengthens edges, up to this many times
+/// the longest. The guard refuses longer ones, so that without this the middles of the longest
+/// edges would stay on chords.
+constexpr double lifted_edge = 1.05;
 
 /// Areas are roots of fourth powers of lengths, which must not overflow.
 void check_size(const Mesh& mesh) {
@@ -265,8 +269,10 @@ ScaledLengths coarsen(const Task& task) {
 
 std::unique_ptr<EmbeddingGuard> make_guard(const Task& task,
                                            std::optional<double> longest_edge = std::nullopt) {
+  const double stretched = task.limits.stretched();
+  const double lifted = task.options.curved ? lifted_edge * ScaledLengths(task.mesh).longest : 0;
   return std::make_unique<EmbeddingGuard>(task.mesh,
-                                          task.limits.stretched() * sizes_of(task.mesh).largest,
+                                          std::max(stretched, lifted) * sizes_of(task.mesh).largest,
                                           task.keep_out, longest_edge);
 }
 
@@ -280,8 +286,10 @@ std::unique_ptr<EmbeddingGuard> refine(const Task& task) {
   }
   const SafeSplitOptions options{{task.limits.longest, task.options.keep_border},
                                  [&] { return make_guard(task); }};
-  SafeSplits splits = task.options.curved ? split_onto_curves(task.mesh, options, task.progress)
-                                          : split_safely(task.mesh, options, task.progress);
+  SafeSplits splits = task.options.curved
+                          ? split_onto_curves(task.mesh, options, task.options.flip, task.limits,
+                                              task.result.flips, task.progress)
+                          : split_safely(task.mesh, options, task.progress);
   task.result.splits += splits.done;
   task.result.refused = splits.refused;
   return std::move(splits.guard);

@@ -189,10 +189,11 @@ Vec3 lifted_onto_surface(const EditableMesh& mesh, Index vertex, const Vec3& tar
   });
   if (!is_whole) return target;
   const auto solution = fit.solution();
-  const double x = frame.local(target).x();
+  const Vec3 place = frame.local(target);
+  const double x = place.x();
   const double height = x * (solution[0] + x * solution[2]);
   if (!(std::abs(height) <= largest_height * std::abs(x))) return target;
-  return target + height * reach * normal;
+  return target + (height - place.z()) * reach * normal;
 }
 
 }  // namespace transformesh

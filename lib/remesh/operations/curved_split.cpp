@@ -6,6 +6,7 @@
 
 #include "remesh/halfedges/select_slots.h"
 #include "remesh/operations/curved_edge.h"
+#include "remesh/operations/flip.h"
 #include "remesh/operations/vertex_mover.h"
 
 namespace transformesh {
@@ -14,6 +15,10 @@ namespace {
 /// A round halves every edge that is too long, so that 64 take an edge from the largest extent of a
 /// mesh to the shortest edge that is split. More could only repeat what was refused.
 constexpr int most_rounds = 64;
+/// Triangles at least this round may become narrower when a new vertex leaves its chord. The usual
+/// 0.6 keeps vertices on chords beside edges that were split one after the other, since halves of
+/// halves are narrower than that. Much below 0.1 they would be slivers.
+constexpr double round_enough = 0.1;
 
 /// The curved midpoints of the edges that are too long, by their ends. They are found before the
 /// splits, which put vertices on chords.
@@ -50,7 +55,7 @@ class CurvedMidpoints {
 
 void move_onto_curves(EditableMesh& mesh, Index first, const SafeSplits& splits,
                       const CurvedMidpoints& midpoints) {
-  VertexMover mover(mesh, *splits.guard);
+  VertexMover mover(mesh, *splits.guard, round_enough);
   VertexStar star;
   for (std::size_t i = 0; i < splits.ends.size(); ++i) {
     const Vec3* const place = midpoints.find(splits.ends[i]);
@@ -63,7 +68,8 @@ void move_onto_curves(EditableMesh& mesh, Index first, const SafeSplits& splits,
 
 }  // namespace
 
-SafeSplits split_onto_curves(EditableMesh& mesh, SafeSplitOptions options,
+SafeSplits split_onto_curves(EditableMesh& mesh, SafeSplitOptions options, FlipRule rule,
+                             const EdgeLimits& limits, std::size_t& flips,
                              const Progress& progress) {
   options.limits.only_given = true;
   SafeSplits all;
@@ -77,6 +83,7 @@ SafeSplits split_onto_curves(EditableMesh& mesh, SafeSplitOptions options,
     all.done += splits.done;
     all.refused = splits.refused;
     if (splits.done == 0) break;
+    flips += flip_edges(mesh, *all.guard, rule, limits, progress).done;
   }
   return all;
 }

@@ -98,9 +98,11 @@ TEST_CASE("the crease around a cylinder is a circle again, and the side bends on
     const Index source = edited.source(h), target = edited.target(h);
     if (std::max(source, target) >= 2 * around) continue;
     const Vec3 middle = curved_midpoint(edited, h);
-    const double radius = std::hypot(middle.x(), middle.y());
+    const double radius = std::sqrt(middle.x() * middle.x() + middle.y() * middle.y());
     const bool is_upright = source / 2 == target / 2;
-    CHECK(std::abs(radius - 1) < (is_upright ? 1e-12 : 0.05 * sagitta));
+    const bool is_level = source % 2 == target % 2;
+    // Two rings of vertices do not tell how a diagonal bends, only that it does.
+    CHECK(std::abs(radius - 1) < (is_upright ? 1e-12 : (is_level ? 0.05 : 0.5) * sagitta));
     const double z = edited.position(source).z() + edited.position(target).z();
     CHECK(middle.z() == doctest::Approx(z / 2).epsilon(1e-9));
   }
