@@ -28,7 +28,7 @@ constexpr double stretch_of_stars = 1.02;
 constexpr double room_to_stretch = 0.8;
 /// Collapses on curves move the surface by no more than this share of the longest edge unless
 /// ShapeRules::min_film says otherwise. Without a limit, short edges at the corners of Zalesak's
-/// sphere take off half an edge of it. Half of it takes 3 % more faces in Enright's test.
+/// sphere take off half an edge of it. A third leaves a tenth more faces after Enright's test.
 constexpr double curved_shift = 0.05;
 
 }  // namespace
