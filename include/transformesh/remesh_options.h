@@ -1,12 +1,12 @@
 /// Options of remesh() (remesh.h).
 ///
-/// `curved` is for surfaces that a flow carries. Split edges get their new vertex on the quadric that
-/// fits the vertices around the edge; collapses end at either end or at such a vertex, whichever is
-/// nearest to the planes of the old faces; sliding vertices stay on such quadrics. Creases (edges
-/// that turn by more than 40 degrees, features, borders) are cubics along themselves. Without
-/// smoothing no other vertex moves. With `min_film` films and strips that are thicker than this
-/// stay, however short the edges across them are, and so do components that are wider. With `pinch`
-/// the mesh must be closed (InputError); a mesh with cuts that intersect is cleaned.
+/// `curved` is for surfaces that a flow carries. The new vertex of a split edge lies on the quadric
+/// that fits the vertices around the edge. A collapse ends at either end or at such a place,
+/// whichever is nearest to the planes of the old faces. Sliding vertices stay on such quadrics.
+/// Creases are borders, features and edges that turn by more than 40 degrees; vertices on them lie
+/// on cubics. Without smoothing no other vertex moves. With `min_film`, films and components that
+/// are thicker stay, however short the edges across them are. With `pinch` the mesh must be closed
+/// (InputError); if what closes the cuts intersects the surface, the mesh is cleaned.
 #pragma once
 
 #include <string>
@@ -29,10 +29,10 @@ struct RemeshOptions {
   FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
   double smooth_first = 0;                      ///< b in v - b dv, or b1; in [0, 1]
-  double smooth_second = 0;             ///< b2 in v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
-  double feature_angle_deg = 180;       ///< sharper edges stay; [0, 180]; 0: 40 if there are any
-  bool keep_border = false;             ///< border vertices and edges stay
-  bool project = false;                 ///< move relaxed vertices onto the input surface
+  double smooth_second = 0;        ///< b2 in v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
+  double feature_angle_deg = 180;  ///< sharper edges stay; [0, 180]; 0: 40 if there are any
+  bool keep_border = false;        ///< border vertices and edges stay
+  bool project = false;            ///< move relaxed vertices onto the input surface
   bool curved = false;  ///< new vertices lie on curves, merged ones at the best of three places
   double min_film = 0;  ///< > 0: no collapse moves the surface by more than half of this
   double pinch = 0;     ///< > 0: cut necks and handles with a loop up to this long around them
@@ -40,8 +40,8 @@ struct RemeshOptions {
   KeepOutOptions keep_out = {};
 };
 
-/// Returns options for a surface that a flow carries: `curved`, flips by angle, no smoothing, so that
-/// vertices stay where the flow took them. Smoothing interpolates all of them at every call.
+/// Returns options for a surface that a flow carries: `curved`, flips by angle, no smoothing, so
+/// that vertices stay where the flow took them. Smoothing interpolates all of them at every call.
 RemeshOptions curved_remeshing();
 
 }  // namespace transformesh

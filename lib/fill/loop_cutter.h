@@ -1,7 +1,8 @@
-/// Cuts a closed surface along loops of edges and caps both sides: it is slit (slit.h), the sides are
-/// drawn back by a third of an edge, and each is closed by a patch (twin_patches.h) that keeps clear
-/// of all other parts (slit_clearance.h). Loops that one object cuts keep clear of each other, so that
-/// each finds the surface as it was. Cost: O(n) to make, and that of the patches. Deterministic.
+/// Cuts a closed surface along loops of edges and caps both sides. The surface is slit (slit.h),
+/// and both sides are drawn back by a third of an edge. Each is closed by a patch (twin_patches.h)
+/// that keeps clear of all other parts (slit_clearance.h). Loops that one object cuts keep clear of
+/// each other, so that each finds the surface as it was. Cost: O(n) to make, and that of the
+/// patches. Deterministic.
 #pragma once
 
 #include <vector>
@@ -18,7 +19,8 @@ enum class CutOutcome {
 
 class LoopCutter {
  public:
-  /// Pre: a closed oriented manifold, and its opposites. Keeps a reference to the mesh, which grows.
+  /// Pre: a closed oriented manifold, and its opposites. Keeps a reference to the mesh, which
+  /// grows.
   LoopCutter(Mesh& mesh, Scalar coordinate, std::vector<Index> opposites);
 
   /// Connectivity before the first cut, which stays right away from all cuts.

@@ -91,8 +91,8 @@ class Ball {
   const HalfedgeStars& stars_;
   std::unordered_map<Index, Reached> reached_;
   std::vector<Index> vertices_;
-  std::vector<Index> edges_;               ///< the lower halfedge of each
-  std::unordered_map<Index, Index> faces_;  ///< with numbers from 1
+  std::vector<Index> edges_;                ///< the lower halfedge of each
+  std::unordered_map<Index, Index> faces_;  ///< numbered from 1
 };
 
 void Ball::grow(Index base, double radius) {

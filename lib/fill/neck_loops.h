@@ -3,11 +3,12 @@
 ///
 /// From every vertex shortest paths are grown up to half the length. Where the vertices reached lie
 /// around a neck, the faces between them form a ring rather than a disk. A tree of paths and a tree
-/// of faces then leave an edge that closes a loop around it (Erickson and Whittlesey, Greedy optimal
-/// homotopy and homology generators, SODA 2005).
+/// of faces then leave an edge that closes a loop around it (Erickson and Whittlesey, Greedy
+/// optimal homotopy and homology generators, SODA 2005).
 ///
-/// A loop is around a neck if the surface widens on both sides: if some band of it, at one distance
-/// from the loop and half the loop's length wide, has twice the area of such a band of a cylinder.
+/// A loop is around a neck if the surface widens on both sides. It is divided into bands by the
+/// distance from the loop, each half the loop's length wide. The surface widens if a band has twice
+/// the area that it would have on a cylinder.
 /// Cost: n times the size of a ball of half the length, and for each loop the faces up to where
 /// the surface widens. Deterministic for any number of threads.
 #pragma once

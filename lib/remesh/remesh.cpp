@@ -8,6 +8,7 @@
 
 #include "geometry/search/closest_point.h"
 #include "mesh/surface_columns.h"
+#include "remesh/check_remesh_options.h"
 #include "remesh/guards/edge_rules.h"
 #include "remesh/halfedges/halfedges.h"
 #include "remesh/halfedges/sharpness.h"
@@ -20,7 +21,6 @@
 #include "remesh/operations/safe_split.h"
 #include "remesh/operations/slivers.h"
 #include "remesh/operations/smooth.h"
-#include "remesh/check_remesh_options.h"
 #include "remesh/pinch.h"
 #include "remesh/remesh_connected.h"
 #include "remesh/sizing.h"
@@ -45,9 +45,9 @@ constexpr double adaptive_longest = 0.95;
 /// of an evolution, whose next step sees to its shape.
 constexpr int iterations_anew = 3;
 constexpr double usual_feature_angle_deg = 40;
-/// A new vertex that leaves its chord by at most a fifth of it lengthens edges, up to this many times
-/// the longest. The guard refuses longer ones, so that without this the middles of the longest
-/// edges would stay on chords.
+/// A new vertex that leaves its chord by at most a fifth of it lengthens edges, up to this many
+/// times the longest. The guard refuses longer ones, so that without this the middles of the
+/// longest edges would stay on chords.
 constexpr double lifted_edge = 1.05;
 
 /// Areas are roots of fourth powers of lengths, which must not overflow.

@@ -100,18 +100,15 @@ AlignOptions align_options(const RemeshOptions& remesh, const RemeshChoices& cho
   return options;
 }
 
-MeshPointer remesh_mesh(const PythonMesh& mesh, const std::optional<PythonLength>& min_edge,
-                        const std::optional<PythonLength>& max_edge,
-                        const std::optional<PythonLength>& adaptive, const std::string& size_field,
-                        int iterations, const std::optional<SmoothingChoice>& smooth,
-                        const std::optional<std::string>& flip, const std::string& only,
-                        const FeatureAngle& feature_angle, bool keep_border, bool project,
-                        bool curved, const std::optional<PythonLength>& min_film,
-                        const std::optional<PythonLength>& pinch,
-                        const std::optional<MeshPointer>& align,
-                        const std::optional<MeshPointer>& keep_out,
-                        const std::optional<PythonLength>& gap, bool source,
-                        const py::object& progress) {
+MeshPointer remesh_mesh(
+    const PythonMesh& mesh, const std::optional<PythonLength>& min_edge,
+    const std::optional<PythonLength>& max_edge, const std::optional<PythonLength>& adaptive,
+    const std::string& size_field, int iterations, const std::optional<SmoothingChoice>& smooth,
+    const std::optional<std::string>& flip, const std::string& only,
+    const FeatureAngle& feature_angle, bool keep_border, bool project, bool curved,
+    const std::optional<PythonLength>& min_film, const std::optional<PythonLength>& pinch,
+    const std::optional<MeshPointer>& align, const std::optional<MeshPointer>& keep_out,
+    const std::optional<PythonLength>& gap, bool source, const py::object& progress) {
   Document document = mesh.document;
   const std::size_t joined = join_places(document.mesh);
   const RemeshChoices choices{min_edge,   max_edge, adaptive, min_film, pinch,
@@ -171,10 +168,10 @@ void bind_remeshing(py::module_& module) {
   module.def(
       "remesh", &remesh_mesh, arg("mesh"), py::kw_only(), arg("min_edge") = none,
       arg("max_edge") = none, arg("adaptive") = none, arg("size_field") = "", arg("iterations") = 1,
-      arg("smooth") = none, arg("flip") = none, arg("only") = "all",
-      arg("feature_angle") = "auto", arg("keep_border") = false, arg("project") = false,
-      arg("curved") = false, arg("min_film") = none, arg("pinch") = none, arg("align") = none,
-      arg("keep_out") = none, arg("gap") = none, arg("source") = false, arg("progress") = none,
+      arg("smooth") = none, arg("flip") = none, arg("only") = "all", arg("feature_angle") = "auto",
+      arg("keep_border") = false, arg("project") = false, arg("curved") = false,
+      arg("min_film") = none, arg("pinch") = none, arg("align") = none, arg("keep_out") = none,
+      arg("gap") = none, arg("source") = false, arg("progress") = none,
       "Keeps edges between two lengths ('0.7x' to '1.5x' of the reference edge) and "
       "triangles round, without making a self-intersection. `smooth` is 'tangential', 'none', the "
       "factor of the Laplace-Beltrami operator, or two where it is used twice. With `curved` new "

@@ -97,9 +97,10 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
   program.options.flag("keep-border", &remesh.keep_border, "leave borders as they are");
   program.options.flag("project", &remesh.project,
                        "tangential smoothing puts vertices back onto the input");
-  program.options.flag("curved", &remesh.curved,
-                       "put new vertices on curves through their neighbors and merge at the best of "
-                       "three places; by default then --smooth none and --flip angle");
+  program.options.flag(
+      "curved", &remesh.curved,
+      "put new vertices on curves through their neighbors and merge at the best of "
+      "three places; by default then --smooth none and --flip angle");
   program.options.length("min-film", &choices.min_film,
                          "keep films thicker than this, however short the edges across them are");
   program.options.length(

@@ -6,8 +6,8 @@ namespace transformesh {
 /// How collapses treat the surface.
 struct ShapeRules {
   bool curved = false;  ///< merged vertices lie at an end or on the curved edge (curved_edge.h)
-  double min_film = 0;  ///< > 0: no collapse moves the surface by more than half of this; with 0 and
-                        ///< `curved`, by more than a share of the longest edge
+  double min_film = 0;  ///< > 0: no collapse moves the surface by more than half of this; with 0
+                        ///< and `curved`, by more than a share of the longest edge
 };
 
 /// Input units, or factors of the local size where the mesh has sizes.

@@ -144,8 +144,8 @@ Vec3 parabola_height(const Vec3& from, const Vec3& to, const Vec3& beyond) {
 }
 
 /// The mean of the parabolas with either neighbor is a cubic through all four vertices where these
-/// are evenly spaced (Dyn, Levin & Gregory, "A 4-point interpolatory subdivision scheme for curve
-/// design", Computer Aided Geometric Design 1987).
+/// are evenly spaced. Reference: Dyn, Levin & Gregory, "A 4-point interpolatory subdivision scheme
+/// for curve design", Computer Aided Geometric Design 1987.
 Vec3 crease_midpoint(const EditableMesh& mesh, Index h) {
   const Index source = mesh.source(h);
   const Index target = mesh.target(h);

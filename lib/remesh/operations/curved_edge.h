@@ -1,10 +1,10 @@
 /// Points on the smooth surface that a mesh samples, between its vertices.
 ///
 /// The surface beside an edge is a height field z(x, y) over the plane that lies between its two
-/// faces: the quadric through both ends that fits the vertices around them best, as in Cazals &
-/// Pouget, "Estimating differential quantities using polynomial fitting of osculating jets",
-/// Computer Aided Geometric Design 2005. The quadric needs no vertex normals, unlike curved PN
-/// triangles (Vlachos, Peters, Boyd & Mitchell, I3D 2001), whose error follows that of the normals.
+/// faces. The height is the quadric through both ends that fits the vertices around them best.
+/// Reference: Cazals & Pouget, "Estimating differential quantities using polynomial fitting of
+/// osculating jets", Computer Aided Geometric Design 2005. The quadric needs no vertex normals,
+/// unlike curved PN triangles (Vlachos, Peters, Boyd & Mitchell, I3D 2001).
 ///
 /// Vertices beyond a crease do not count. A crease is a border, a feature, or an edge that turns by
 /// more than 40 degrees. Along a crease points lie on a cubic through its vertices.

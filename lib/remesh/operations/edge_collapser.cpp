@@ -22,9 +22,9 @@ constexpr double normal_roundness = 0.02;
 constexpr double normal_roundness_of_stars = 1e-6;
 constexpr double narrowing_of_stars = 0.5;
 constexpr double stretch_of_stars = 1.02;
-/// Collapses on curves make no edge longer than this share of the longest. A flow that stretches the
-/// surface would soon have longer ones split again, and each step interpolates. In Enright's test
-/// with 5,000 faces, 1 takes 1.5 times as many steps and has 1.6 times the error of 0.8.
+/// Collapses on curves make no edge longer than this share of the longest. A flow that stretches
+/// the surface would soon have longer ones split again, and each step interpolates. In Enright's
+/// test with 5,000 faces, 1 takes 1.5 times as many steps and has 1.6 times the error of 0.8.
 constexpr double room_to_stretch = 0.8;
 /// Collapses on curves move the surface by no more than this share of the longest edge unless
 /// ShapeRules::min_film says otherwise. Without a limit, short edges at the corners of Zalesak's
@@ -128,9 +128,9 @@ bool EdgeCollapser::try_free_positions() {
   return try_position(middle, 0.5) || try_position(target, 0) || try_position(source, 1);
 }
 
-/// Tries both ends and the curved midpoint, first the one that is nearest to the planes of the faces
-/// that give way, as in quadric.h. Of equal ones an end wins, where a vertex is a point of the input
-/// still.
+/// Tries both ends and the curved midpoint, first the one that is nearest to the planes of the
+/// faces that give way, as in quadric.h. Of equal ones an end wins, where a vertex is a point of
+/// the input still.
 bool EdgeCollapser::try_curved_positions() {
   struct Place {
     Vec3 position;
@@ -152,8 +152,9 @@ bool EdgeCollapser::try_curved_positions() {
 bool EdgeCollapser::moves_too_far(const Vec3& position) const {
   const bool has_film = shape_.min_film > 0;
   if (!has_film && !shape_.curved) return false;
-  const double limit = has_film ? 0.5 * shape_.min_film
-                                : curved_shift * std::sqrt(longest_) * mesh_.mean_size(goes_, stays_);
+  const double limit = has_film
+                           ? 0.5 * shape_.min_film
+                           : curved_shift * std::sqrt(longest_) * mesh_.mean_size(goes_, stays_);
   return shift_to(position).most > limit;
 }
 

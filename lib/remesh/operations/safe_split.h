@@ -18,7 +18,7 @@ struct SafeSplits {
   std::unique_ptr<EmbeddingGuard> guard;  ///< for the mesh after the splits
   std::size_t done = 0;
   std::size_t refused = 0;  ///< edges that stay too long, or vertices that rounding left in contact
-  std::vector<std::array<Index, 2>> ends = {};  ///< as in split.h
+  std::vector<std::array<Index, 2>> ends = {};  ///< SplitCounts::ends
 };
 
 /// Splits first and checks the result. If a vertex has added a self-intersection or a face without

@@ -18,8 +18,9 @@ struct SmoothCounts {
 /// a closed mesh stays up to rounding. Attributes are interpolated where the vertex slides to.
 /// Vertices on lines slide along them. A move that would turn a normal by more than 60 degrees,
 /// make a poor triangle poorer or might make contact is halved, then refused. Where there is
-/// a `surface`, free vertices move on to its closest point; else with `curved` to the smooth surface
-/// through the vertices around (curved_edge.h), which keeps curvature rather than volume.
+/// a `surface`, free vertices move on to its closest point. Without one, `curved` moves them onto
+/// the quadric through the vertices around (curved_edge.h), which keeps curvature rather than
+/// volume.
 SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                                 const ClosestPointQuery* surface, const Progress& progress,
                                 bool curved = false);

@@ -12,7 +12,7 @@ namespace transformesh {
 struct SplitCounts {
   std::size_t done = 0;
   std::size_t refused = 0;
-  std::vector<Index> parents;  ///< per appended face, the face that it is a half of
+  std::vector<Index> parents;              ///< per appended face, the face that it is a half of
   std::vector<std::array<Index, 2>> ends;  ///< per appended vertex, those of the edge split
 };
 

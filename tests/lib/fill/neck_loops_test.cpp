@@ -106,7 +106,8 @@ TEST_CASE("fingers, bumps and cones have no necks, however narrow they are") {
 
 TEST_CASE("a cut makes fingers of what was a neck on both sides of it") {
   const Mesh mesh = revolved(
-      [](double z) { return std::abs(z - 3) < 2 ? 0.1 : 0.1 + std::sin(std::abs(z - 3) - 2); }, 6, 120);
+      [](double z) { return std::abs(z - 3) < 2 ? 0.1 : 0.1 + std::sin(std::abs(z - 3) - 2); }, 6,
+      120);
   const HalfedgeStars stars(mesh, opposite_halfedges(mesh));
   NeckTest test(mesh, stars);
   const std::vector<NeckLoop> loops = narrow_loops(mesh, stars, 0.7);

@@ -31,8 +31,9 @@ using Places = std::set<Vec3, ByCoordinates>;
 
 Places places_of(const Mesh& mesh) { return {mesh.positions.begin(), mesh.positions.end()}; }
 
-/// The deformation test of Enright, Fedkiw, Ferziger & Mitchell, "A hybrid particle level set method
-/// for improved interface capturing", Journal of Computational Physics 2002: it goes back in time.
+/// The deformation test of Enright, Fedkiw, Ferziger & Mitchell, "A hybrid particle level set
+/// method for improved interface capturing", Journal of Computational Physics 2002: it goes back in
+/// time.
 Vec3 vortex(const Vec3& p, double time) {
   const auto square = [](double x) { return std::sin(pi * x) * std::sin(pi * x); };
   const auto sine = [](double x) { return std::sin(2 * pi * x); };

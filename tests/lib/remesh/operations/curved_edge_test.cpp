@@ -61,8 +61,8 @@ TEST_CASE("curved midpoints of a sphere converge with the fourth power of the ed
 TEST_CASE("curved midpoints of a quadric over an irregular mesh lie on it") {
   const auto saddle = [](double x, double y) { return 0.3 * x * x - 0.2 * x * y - 0.25 * y * y; };
   const EditableMesh mesh(lifted_grid(12, saddle));
-  const Distances found = distances_of(
-      mesh, [&](const Vec3& p) { return p.z() - saddle(p.x(), p.y()); });
+  const Distances found =
+      distances_of(mesh, [&](const Vec3& p) { return p.z() - saddle(p.x(), p.y()); });
   CHECK(found.chord > 4e-4);
   CHECK(found.curve < 0.1 * found.chord);
 }
@@ -70,8 +70,7 @@ TEST_CASE("curved midpoints of a quadric over an irregular mesh lie on it") {
 TEST_CASE("midpoints of flat faces and of their sharp edges stay on them, exactly") {
   EditableMesh mesh(cube());
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) {
-    const Vec3 chord =
-        0.5 * mesh.position(mesh.source(h)) + 0.5 * mesh.position(mesh.target(h));
+    const Vec3 chord = 0.5 * mesh.position(mesh.source(h)) + 0.5 * mesh.position(mesh.target(h));
     CHECK(curved_midpoint(mesh, h) == chord);
   }
 }
