@@ -2,11 +2,8 @@
 // around both meshes, LevelSetMorphing until the volume of the source stays, and a mesh of the
 // result. Prints the CPU seconds of all that on one thread, files left out.
 //   openvdb-morph VOXEL SOURCE TARGET OUTPUT
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetMeasure.h>
 #include <openvdb/tools/LevelSetMorph.h>
-#include <openvdb/tools/MeshToVolume.h>
-#include <openvdb/tools/VolumeToMesh.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
@@ -15,6 +12,7 @@
 
 #include "driver.h"
 #include "mesh_file.h"
+#include "openvdb_surface.h"
 
 using namespace transformesh;
 using openvdb::FloatGrid;
@@ -24,17 +22,6 @@ namespace {
 constexpr int most_rounds = 2000;
 /// The morph has ended when a round changes the volume by less than this share.
 constexpr double rest = 1e-6;
-
-FloatGrid::Ptr level_set(const Mesh& mesh, double voxel) {
-  std::vector<openvdb::Vec3s> points;
-  std::vector<openvdb::Vec3I> triangles;
-  for (const Vec3& p : mesh.positions)
-    points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()),
-                        static_cast<float>(p.z()));
-  for (const auto& [a, b, c] : mesh.faces) triangles.emplace_back(a, b, c);
-  return openvdb::tools::meshToLevelSet<FloatGrid>(
-      *openvdb::math::Transform::createLinearTransform(voxel), points, triangles);
-}
 
 void morph(FloatGrid& grid, const FloatGrid& target) {
   openvdb::tools::LevelSetMorphing<FloatGrid> morphing(grid, target);
@@ -52,19 +39,6 @@ void morph(FloatGrid& grid, const FloatGrid& target) {
     if (std::abs(next - volume) < rest * std::abs(next)) return;
     volume = next;
   }
-}
-
-Mesh surface(const FloatGrid& grid) {
-  std::vector<openvdb::Vec3s> points;
-  std::vector<openvdb::Vec4I> quads;
-  openvdb::tools::volumeToMesh(grid, points, quads);
-  Mesh mesh;
-  for (const auto& p : points) mesh.positions.emplace_back(p.x(), p.y(), p.z());
-  for (const auto& q : quads) {  // clockwise
-    mesh.faces.push_back({q[0], q[2], q[1]});
-    mesh.faces.push_back({q[0], q[3], q[2]});
-  }
-  return mesh;
 }
 
 void measure(double voxel, const std::string& source, const std::string& target,
