@@ -4,6 +4,9 @@ command of tm-evolve: see TIME in tm-evolve(1). Their motion repeats itself afte
 A vertex follows the ball to whose surface it is nearest: by the motion of the ball's center, the change
 of its radius, and back to its surface. So the surface merges where balls meet, and necks between
 balls that part become thin and pinch off.
+
+With the words `balls TIME`, prints the centers and radii at a time instead; with `volume TIME` the volume
+of their union, by a grid of points.
 """
 
 import sys
@@ -40,7 +43,18 @@ def velocities(points, time):
     return drift[nearest] + (growth[nearest] - RETURN * outside)[:, None] * direction
 
 
-def main():
+def union_volume(time, spacing=0.01):
+    centers, radii, _, _ = balls(time)
+    axes = [np.arange(low, high, spacing) for low, high in zip(
+        (centers - radii[:, None]).min(axis=0), (centers + radii[:, None]).max(axis=0) + spacing)]
+    inside = np.zeros([len(axis) for axis in axes], dtype=bool)
+    x, y, z = np.meshgrid(*axes, indexing="ij", sparse=True)
+    for center, radius in zip(centers, radii):
+        inside |= (x - center[0]) ** 2 + (y - center[1]) ** 2 + (z - center[2]) ** 2 < radius**2
+    return inside.sum() * spacing**3
+
+
+def answer_requests():
     source, sink = sys.stdin.buffer, sys.stdout.buffer
     sink.write(b"ready\n")
     sink.flush()
@@ -54,4 +68,10 @@ def main():
         sink.flush()
 
 
-main()
+if sys.argv[1:2] == ["balls"]:
+    for center, radius in zip(*balls(float(sys.argv[2]))[:2]):
+        print(*center, radius)
+elif sys.argv[1:2] == ["volume"]:
+    print(union_volume(float(sys.argv[2])))
+else:
+    answer_requests()
