@@ -99,7 +99,8 @@ class RevolutionFlow {
 
   double radius(std::size_t i) const { return profile_.points[i].x(); }
 
-  /// Velocity of each point: along the normal by curvature, along the curve towards equal distances.
+  /// Velocity of each point: along the normal by curvature, along the curve towards equal
+  /// distances.
   std::vector<ProfilePoint> velocities() const {
     std::vector<ProfilePoint> result(size());
     for (std::size_t i = 0; i < size(); ++i) result[i] = velocity(i);
@@ -125,9 +126,7 @@ class RevolutionFlow {
 
  private:
   std::size_t size() const { return profile_.points.size(); }
-  bool is_pole(std::size_t i) const {
-    return !profile_.is_closed && (i == 0 || i + 1 == size());
-  }
+  bool is_pole(std::size_t i) const { return !profile_.is_closed && (i == 0 || i + 1 == size()); }
 
   /// The neighbors; beyond a pole the curve is mirrored at the axis.
   ProfilePoint before(std::size_t i) const {

@@ -15,10 +15,29 @@ setup() {
   grep -q ' passed' log
 }
 
+# python_lines PAGE: its Python lines, one after the other.
+python_lines() {
+  awk '/^```python$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$tm_root/docs/$1"
+}
+
 @test "the tutorial runs as it is printed" {
-  # Its Python lines, one after the other.
-  awk '/^```python$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$tm_root/docs/python.md" >tutorial.py
+  python_lines python.md >tutorial.py
   [ "$(wc -l <tutorial.py)" -gt 20 ]
+  "$python" tutorial.py >log 2>&1 || fail "$(cat log)"
+}
+
+@test "a film of a velocity in Python takes fifteen lines, which run as they are printed" {
+  python_lines evolution.md >tutorial.py
+  [ "$(sed '/^sheet = /q' tutorial.py | grep -c .)" -le 15 ]
+  # Seven panels side by side, none of which is empty.
+  cat >>tutorial.py <<'PYTHON'
+assert sheet.shape == (300, 1500, 4)
+for panel in np.array_split(sheet, len(frames), axis=1):
+    assert panel[150].std(axis=0).max() > 5
+# The film shows the sheet half way, of more area than the ball.
+areas = [tm.info(frame)["area"] for frame in frames]
+assert max(areas) == areas[3] > 1.5 * areas[0]
+PYTHON
   "$python" tutorial.py >log 2>&1 || fail "$(cat log)"
 }
 
