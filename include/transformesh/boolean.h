@@ -34,11 +34,11 @@ struct Operand {
   const Mesh* mesh = nullptr;
   std::string name{};  ///< name in messages
 };
-
 struct BooleanOptions {
   bool merge_flat = true;               ///< merge coplanar pieces at cuts (clean.h)
   bool source_operand = false;          ///< write the operand of each face as source_operand
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
+  bool cap = false;                     ///< cut_sheet(): add faces of the solid that close the part
 };
 
 struct BooleanResult : CleanResult {
@@ -53,7 +53,8 @@ BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& op
 
 enum class SheetSide { outside, inside };
 /// Returns the part of a sheet outside or inside of a solid, cut along the surface of the solid.
-/// Throws as boolean() does, for the solid.
+/// With a cap it bounds the region behind it. Throws as boolean() does, for the solid, and
+/// InputError if the cap bounds no region.
 BooleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,
                         const BooleanOptions& options = {}, const Progress& progress = Progress());
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "boolean/capped_sheet.h"
 #include "boolean/operand_kinds.h"
 #include "boolean/operands.h"
 #include "boolean/selected_cells.h"
@@ -68,10 +69,11 @@ bool SolidChooser::is_level_set(const WeldedMesh& welded,
   return false;
 }
 
-/// Chooses the faces of the first operand on one side of the others.
+/// Chooses the faces of the first operand on one side of the others, and the cap.
 class SheetChooser : public PieceChooser {
  public:
-  SheetChooser(SheetSide side, const JoinedOperands& joined) : side_(side), joined_(joined) {}
+  SheetChooser(SheetSide side, bool cap, const JoinedOperands& joined)
+      : side_(side), cap_(cap), joined_(joined) {}
 
   void mark_open(WeldedMesh& welded) const override {
     for (const Index face : welded.face_of)
@@ -82,14 +84,14 @@ class SheetChooser : public PieceChooser {
     return false;
   }
   void choose(Arrangement& arrangement, std::vector<char>& kept) const override {
-    for (std::size_t p = 0; p < kept.size(); ++p) {
-      const Piece& piece = arrangement.pieces[p];
-      kept[p] = piece.is_open && (piece.front >= 1) == (side_ == SheetSide::inside) ? 1 : 0;
-    }
+    if (cap_) return choose_capped_sheet(side_, arrangement, kept);
+    for (std::size_t p = 0; p < kept.size(); ++p)
+      kept[p] = is_on_side(arrangement.pieces[p], side_) ? 1 : 0;
   }
 
  private:
   SheetSide side_;
+  bool cap_;
   const JoinedOperands& joined_;
 };
 
@@ -162,7 +164,7 @@ BooleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide si
   check_solids({solid});
   JoinedOperands joined = join_operands(BooleanOperation::unite, {sheet, solid});
   if (joined.mesh.faces.empty()) return empty_result(joined.mesh);
-  return clean_joined(joined, SheetChooser(side, joined), 1, options, progress);
+  return clean_joined(joined, SheetChooser(side, options.cap, joined), 1, options, progress);
 }
 
 }  // namespace transformesh

@@ -13,12 +13,10 @@
 namespace transformesh {
 namespace {
 
-constexpr const char* cut_command = "cut";
-
 BooleanResult combine(const std::string& command, SheetSide side,
                       const std::vector<Operand>& operands, const BooleanOptions& options,
                       const Progress& progress) {
-  if (command != cut_command)
+  if (command != cut_command())
     return boolean(boolean_operation(command), operands, options, progress);
   if (operands.size() != 2) throw UsageError("cut needs two meshes: a sheet and a solid");
   return cut_sheet(operands[0], operands[1], side, options, progress);
@@ -36,10 +34,15 @@ void clear_rows(Mesh& mesh) {
 const std::vector<std::string>& boolean_commands() {
   static const std::vector<std::string> commands = [] {
     std::vector<std::string> all = boolean_operation_names();
-    all.emplace_back(cut_command);
+    all.push_back(cut_command());
     return all;
   }();
   return commands;
+}
+
+const std::string& cut_command() {
+  static const std::string command = "cut";
+  return command;
 }
 
 DocumentsBoolean combine_documents(const std::string& command, SheetSide side,

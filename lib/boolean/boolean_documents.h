@@ -14,6 +14,7 @@ namespace transformesh {
 /// The commands: those of boolean_operation_names(), and cut, for the part of a sheet outside or
 /// inside of a solid.
 const std::vector<std::string>& boolean_commands();
+const std::string& cut_command();
 
 struct DocumentsBoolean {
   BooleanResult result;            ///< without the mesh

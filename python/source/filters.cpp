@@ -85,9 +85,11 @@ MeshPointer cat(const py::args& meshes) {
   return mesh_of(std::move(all));
 }
 
-MeshPointer boolean_of(const std::string& operation, const py::args& meshes, bool inside,
+MeshPointer boolean_of(const std::string& operation, const py::args& meshes, bool inside, bool cap,
                        bool merge_flat, bool source_operand, const py::object& progress) {
   choice("operation", operation, {"union", "intersection", "difference", "xor", "cut"});
+  if ((inside || cap) && operation != cut_command())
+    throw UsageError(std::string(inside ? "inside" : "cap") + " is of cut alone");
   if (meshes.empty()) throw UsageError("boolean: at least one mesh is needed");
   std::vector<Document> documents;
   std::vector<std::string> names;
@@ -97,7 +99,9 @@ MeshPointer boolean_of(const std::string& operation, const py::args& meshes, boo
   }
   const SheetSide side = inside ? SheetSide::inside : SheetSide::outside;
   const DocumentsBoolean combined = without_lock(progress, [&](const Progress& to) {
-    return combine_documents(operation, side, documents, names, {merge_flat, source_operand}, to);
+    BooleanOptions options{merge_flat, source_operand};
+    options.cap = cap;
+    return combine_documents(operation, side, documents, names, options, to);
   });
   warn(with_advice(combined.problems));
   warn(combined.notes);
@@ -226,12 +230,13 @@ void bind_filters(py::module_& module) {
              "Makes a solid of any mesh by the least change; the report has each step, its place, "
              "and how much area and volume changed. See tm-repair(1).");
   module.def("cat", &cat, "Concatenates meshes.");
-  module.def("boolean", &boolean_of, arg("operation"), arg("inside") = false,
-             arg("merge_flat") = true, arg("source_operand") = false, arg("progress") = none,
-             "Combines solids, each by its own winding number: 'union', 'intersection', "
-             "'difference', 'xor', or 'cut' for the part of a sheet outside a solid, `inside` for "
-             "that inside it. `source_operand` writes the number of the mesh that each face comes "
-             "from. See tm-boolean(1).");
+  module.def(
+      "boolean", &boolean_of, arg("operation"), arg("inside") = false, arg("cap") = false,
+      arg("merge_flat") = true, arg("source_operand") = false, arg("progress") = none,
+      "Combines solids, each by its own winding number: 'union', 'intersection', "
+      "'difference', 'xor', or 'cut' for the part of a sheet outside a solid, `inside` for "
+      "that inside it, and `cap` to close it with faces of the solid. `source_operand` writes "
+      "the number of the mesh that each face comes from. See tm-boolean(1).");
   module.def("displace", &displace_mesh, arg("mesh"), arg("velocities") = none, py::kw_only(),
              arg("normal_speed") = none, arg("curvature_speed") = 0.0, arg("time_step") = 1.0,
              arg("alpha") = DisplaceOptions().alpha, arg("mask") = "", arg("keep_out") = none,

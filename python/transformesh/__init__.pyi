@@ -86,6 +86,7 @@ def boolean(
     operation: Literal["union", "intersection", "difference", "xor", "cut"],
     *meshes: Mesh,
     inside: bool = False,
+    cap: bool = False,
     merge_flat: bool = True,
     source_operand: bool = False,
     progress: Progress = None,

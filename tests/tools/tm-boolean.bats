@@ -186,6 +186,39 @@ volume_of() {
   [[ $stderr = "tm-boolean: sheet.off has 1 border"* ]]
 }
 
+@test "--cap closes what a sheet cuts off a ball and a box" {
+  cube 0 2 >solid.off
+  printf '%s\n' OFF "4 2 0" "-1 -1 .5" "3 -1 .5" "3 3 .5" "-1 3 .5" "3 0 1 2" "3 0 2 3" >sheet.off
+  [ "$(volume_of cut --inside --cap sheet.off solid.off)" = 2 ]
+  tm-stitch --flip sheet.off >down.off
+  [ "$(volume_of cut --inside --cap down.off solid.off)" = 6 ]
+  tm-shape sphere --faces 20000 -o ball.ply
+  tm-transform --translate 0,0,-.5 sheet.off | tm-transform --scale 3 -o middle.off
+  half=$(volume_of cut --inside --cap middle.off ball.ply)
+  awk -v half="$half" 'BEGIN { exit !(half > 2.09 && half < 4 * atan2(1, 1) * 2 / 3) }'
+}
+
+@test "--cap is refused where a sheet bounds nothing, and the advice mends it" {
+  cube 0 2 >solid.off
+  cube 1 3 >other.off
+  printf '%s\n' OFF "3 1 0" ".5 .5 1" "1 .5 1" ".5 1 1" "3 0 1 2" >small.off
+  run --separate-stderr tm-boolean cut --inside --cap small.off solid.off -o none.ply
+  [ "$status" -eq 3 ]
+  [[ $stderr = "tm-boolean: the sheet ends inside the solid, at ("*"), so that no cap closes it there" ]]
+  [ ! -e none.ply ]
+  tm-stitch --flip other.off >inwards.off
+  run --separate-stderr tm-boolean cut --cap inwards.off solid.off
+  [ "$status" -eq 3 ]
+  [ "$stderr" = "tm-boolean: the region behind the sheet is not bounded; reverse it with tm-stitch --flip" ]
+  tm-stitch --flip inwards.off -o outwards.off
+  [ "$(volume_of cut --cap outwards.off solid.off)" = 7 ]
+  for option in --cap --inside; do
+    run --separate-stderr tm-boolean union "$option" other.off solid.off
+    [ "$status" -eq 2 ]
+    [ "$stderr" = "tm-boolean: $option is of cut alone" ]
+  done
+}
+
 @test "a script gives the bytes of the same operations through files" {
   tm-shape box 2 2 2 --faces 500 -o a.ply
   tm-shape sphere --radius 1.2 --faces 500 -o "the ball.ply"

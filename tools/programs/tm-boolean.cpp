@@ -50,6 +50,8 @@ void run_script(const Choices& choices, tool::Run& run) {
 }
 
 void combine(Choices& choices, tool::Run& run) {
+  if ((choices.inside || choices.options.cap) && run.program().word != cut_command())
+    throw UsageError(std::string(choices.inside ? "--inside" : "--cap") + " is of cut alone");
   choices.options.merge_flat = !choices.no_merge_flat;
   if (run.program().common.as_float) choices.options.coordinate = Scalar::float32;
   choices.script.empty() ? combine_inputs(choices, run) : run_script(choices, run);
@@ -73,6 +75,8 @@ int main(int argc, char** argv) {
   program.options.text("script", &choices.script, "FILE",
                        "run a file of operations, each a line: NAME = COMMAND OPERAND...");
   program.options.flag("inside", &choices.inside, "of cut: keep the part inside the solid");
+  program.options.flag("cap", &choices.options.cap,
+                       "of cut: close the part with faces of the solid");
   program.options.flag("source-operand", &choices.options.source_operand,
                        "write the operand of each face as the face property source_operand");
   program.options.flag("no-merge-flat", &choices.no_merge_flat,

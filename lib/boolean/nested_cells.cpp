@@ -1,0 +1,119 @@
+#include "boolean/nested_cells.h"
+
+#include <optional>
+
+#include "geometry/solid_angle_winding.h"
+#include "transformesh/measure.h"
+
+namespace transformesh {
+namespace {
+
+/// A cell as one connected set of patches bounds it.
+struct Cell {
+  Index side = no_index;  ///< that names it
+  Index set = no_index;
+  double volume = 0;  ///< negative if unbounded
+  Mesh surface{};     ///< the cell lies behind its faces
+  Box box{};
+};
+
+class NestedCells {
+ public:
+  NestedCells(const Arrangement& arrangement, const Patches& patches, DisjointSets& sides)
+      : arrangement_(arrangement), patches_(patches), sides_(sides), sets_(sides) {
+    for (Index patch = 0; patch < patches.size(); ++patch) sets_.join(2 * patch, 2 * patch + 1);
+  }
+  Index join();
+
+ private:
+  void find_points();
+  void find_cells();
+  void add_patch(Cell& cell, Index patch, bool is_behind) const;
+  bool is_within(const Cell& cell, const Vec3& point) const;
+  const Cell* find_container(const Cell& unbounded) const;
+
+  const Arrangement& arrangement_;
+  const Patches& patches_;
+  DisjointSets& sides_;
+  DisjointSets sets_;
+  std::vector<Vec3> points_;
+  std::vector<Cell> cells_;      ///< bounded
+  std::vector<Cell> unbounded_;  ///< one of each set
+};
+
+// Coordinates are divided so that no volume overflows.
+void NestedCells::find_points() {
+  double size = 0;
+  for (Index i = 0; i < arrangement_.point_count(); ++i) {
+    points_.push_back(arrangement_.position(i));
+    size = std::max(size, points_.back().cwiseAbs().maxCoeff());
+  }
+  for (Vec3& point : points_) point /= size;
+}
+
+void NestedCells::add_patch(Cell& cell, Index patch, bool is_behind) const {
+  for (const Index p : patches_.pieces[patch]) {
+    const auto& [a, b, c] = arrangement_.pieces[p].corners;
+    cell.surface.faces.push_back(is_behind ? Face{a, b, c} : Face{a, c, b});
+    const double volume = points_[a].dot(points_[b].cross(points_[c]));
+    cell.volume += is_behind ? volume : -volume;
+    for (const Index corner : {a, b, c}) cell.box.extend(points_[corner]);
+  }
+}
+
+void NestedCells::find_cells() {
+  std::vector<Cell> of_side(2 * patches_.size());
+  for (Index side = 0; side < of_side.size(); ++side) {
+    Cell& cell = of_side[sides_.find(side)];
+    cell.side = sides_.find(side);
+    cell.set = sets_.find(side);
+    add_patch(cell, side / 2, side % 2 == 1);
+  }
+  std::vector<Cell*> least(of_side.size(), nullptr);
+  for (Cell& cell : of_side) {
+    if (cell.side == no_index) continue;
+    Cell*& best = least[cell.set];
+    if (best == nullptr || cell.volume < best->volume) best = &cell;
+  }
+  for (Cell& cell : of_side)
+    if (cell.side != no_index)
+      (least[cell.set] == &cell ? unbounded_ : cells_).push_back(std::move(cell));
+  for (Cell& cell : cells_) cell.surface.positions = points_;
+}
+
+bool NestedCells::is_within(const Cell& cell, const Vec3& point) const {
+  return cell.box.contains(point) && SolidAngleWinding(cell.surface)(point).rounded() == 1;
+}
+
+// Among cells that contain a set, the one next to it is within all others.
+const Cell* NestedCells::find_container(const Cell& unbounded) const {
+  const auto& [a, b, c] = unbounded.surface.faces.front();
+  const Vec3 point = (points_[a] + points_[b] + points_[c]) / 3;
+  const Cell* best = nullptr;
+  for (const Cell& cell : cells_) {
+    if (cell.set == unbounded.set || (best != nullptr && best->volume <= cell.volume)) continue;
+    if (is_within(cell, point)) best = &cell;
+  }
+  return best;
+}
+
+Index NestedCells::join() {
+  find_points();
+  find_cells();
+  std::optional<Index> outermost;
+  for (const Cell& cell : unbounded_) {
+    const Cell* container = find_container(cell);
+    if (container == nullptr && !outermost) outermost = cell.side;
+    sides_.join(cell.side, container == nullptr ? *outermost : container->side);
+  }
+  return *outermost;
+}
+
+}  // namespace
+
+Index join_nested_cells(const Arrangement& arrangement, const Patches& patches,
+                        DisjointSets& sides) {
+  return NestedCells(arrangement, patches, sides).join();
+}
+
+}  // namespace transformesh
