@@ -27,6 +27,7 @@ struct ReadOptions {
   bool strict = false;
   /// Folder of the files that a .gltf file refers to; empty: such .gltf files are rejected.
   std::string folder = {};
+  bool keep_polygons = false;  ///< PLY, OFF and OBJ are written with the polygons that were read
 };
 
 struct ReadResult {

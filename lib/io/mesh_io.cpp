@@ -15,6 +15,7 @@
 #include "io/formats/vtk.h"
 #include "io/formats/vtp.h"
 #include "io/formats/xyz.h"
+#include "io/polygons/merge_polygons.h"
 #include "io/streams/atomic_file.h"
 #include "io/streams/expand.h"
 #include "io/streams/streams.h"
@@ -32,7 +33,7 @@ std::string_view without_byte_order_mark(std::string_view bytes) {
 
 ReadResult read_expanded(std::string_view bytes, const std::string& name,
                          const ReadOptions& options) {
-  const Source source{without_byte_order_mark(bytes), name, options.strict};
+  const Source source{without_byte_order_mark(bytes), name, options.strict, options.keep_polygons};
   switch (detect_format(source)) {
     case FileKind::ply:
       return read_ply(source);
@@ -61,9 +62,8 @@ ReadResult read_expanded(std::string_view bytes, const std::string& name,
   }
 }
 
-}  // namespace
-
-ReadResult read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+ReadResult read_compressed(std::string_view bytes, const std::string& name,
+                           const ReadOptions& options) {
   if (!is_gzip(bytes)) return read_expanded(bytes, name, options);
   const Expanded expanded = expand_gzip({bytes, name, options.strict});
   ReadResult result = read_expanded(expanded.bytes, name, options);
@@ -73,7 +73,7 @@ ReadResult read_mesh(std::string_view bytes, const std::string& name, const Read
   return result;
 }
 
-WriteResult write_mesh(const Document& document) {
+WriteResult write_triangles(const Document& document) {
   check_writable(document);
   switch (document.style.format) {
     case Format::off:
@@ -99,6 +99,40 @@ WriteResult write_mesh(const Document& document) {
       if (document.style.coordinate == Scalar::float32) check_float_range(document.mesh);
       return write_ply(document);
   }
+}
+
+WriteResult write_polygons(const Document& document) {
+  const Format format = document.style.format;
+  const bool holds_polygons = is_ply(format) || format == Format::off || format == Format::obj;
+  if (holds_polygons) {
+    const MergedPolygons merged = merge_polygons(document);
+    WriteResult result = write_triangles(merged.document);
+    if (merged.unmerged > 0)
+      result.notes.push_back(counted(merged.unmerged, "polygon") +
+                             " written as triangles, as the outline is no single loop");
+    return result;
+  }
+  Document triangles = document;
+  triangles.mesh.face_columns.erase(polygon_column);
+  WriteResult result = write_triangles(triangles);
+  result.notes.push_back(std::string(name_of(format)) + ": " +
+                         counted(count_polygons(document.mesh.face_columns).polygons, "polygon") +
+                         " written as triangles");
+  return result;
+}
+
+}  // namespace
+
+ReadResult read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+  ReadResult result = read_compressed(bytes, name, options);
+  result.document.style.keeps_polygons = options.keep_polygons;
+  return result;
+}
+
+WriteResult write_mesh(const Document& document) {
+  const bool has_polygons = document.mesh.face_columns.find(polygon_column) != nullptr;
+  return document.style.keeps_polygons && has_polygons ? write_polygons(document)
+                                                       : write_triangles(document);
 }
 
 Mesh read_mesh_file(const std::string& path) {

@@ -13,20 +13,6 @@ namespace {
 /// larger one would hide thin parts that are lost, a smaller one would count rounding.
 constexpr double kept_distance = 1e-6;
 
-/// Per face, true if the middle of the face is not on the other mesh.
-std::vector<char> lost_faces(const Mesh& before, const Mesh& after) {
-  std::vector<char> is_lost(before.faces.size(), 1);
-  if (after.faces.empty()) return is_lost;
-  const ClosestPointQuery query(after);
-  const double distance = kept_distance * diagonal_of(bounding_box(before));
-  for (Index f = 0; f < is_lost.size(); ++f) {
-    const auto& [a, b, c] = before.faces[f];
-    const Vec3 middle = (before.positions[a] + before.positions[b] + before.positions[c]) / 3;
-    is_lost[f] = query.face_within(middle, distance) == no_index ? 1 : 0;
-  }
-  return is_lost;
-}
-
 /// A corner of the largest lost face of the component that lost most.
 Vec3 place_of_largest(const Mesh& mesh, const std::vector<char>& is_lost) {
   const Components parts = connected_components(mesh);
@@ -51,8 +37,21 @@ Sizes sizes_of(const Mesh& mesh) {
   return sizes;
 }
 
+std::vector<char> faces_off(const Mesh& mesh, const Mesh& other) {
+  std::vector<char> is_off(mesh.faces.size(), 1);
+  if (other.faces.empty()) return is_off;
+  const ClosestPointQuery query(other);
+  const double distance = kept_distance * diagonal_of(bounding_box(mesh));
+  for (Index f = 0; f < is_off.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    const Vec3 middle = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+    is_off[f] = query.face_within(middle, distance) == no_index ? 1 : 0;
+  }
+  return is_off;
+}
+
 Loss find_loss(const Mesh& before, const Mesh& after) {
-  const std::vector<char> is_lost = lost_faces(before, after);
+  const std::vector<char> is_lost = faces_off(before, after);
   double lost = 0;
   for (Index f = 0; f < is_lost.size(); ++f)
     if (is_lost[f]) lost += face_area(before, f);

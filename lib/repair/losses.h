@@ -2,6 +2,8 @@
 /// Deterministic.
 #pragma once
 
+#include <vector>
+
 #include "transformesh/mesh.h"
 
 namespace transformesh {
@@ -10,6 +12,9 @@ struct Sizes {
   double area = 0, volume = 0;
 };
 Sizes sizes_of(const Mesh& mesh);
+
+/// Returns for each face whether its middle is not on the other mesh. Cost: O(n log n).
+std::vector<char> faces_off(const Mesh& mesh, const Mesh& other);
 
 struct Loss {
   double share = 0;           ///< share of the area of `before`

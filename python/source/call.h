@@ -60,6 +60,7 @@ void bind_errors(py::module_& module);
 void bind_filters(py::module_& module);
 void bind_remeshing(py::module_& module);
 void bind_editing(py::module_& module);
+void bind_cuts(py::module_& module);
 void bind_measures(py::module_& module);
 void bind_pictures(py::module_& module);
 void bind_evolutions(py::module_& module);

@@ -139,10 +139,18 @@ MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>
 
 MeshPointer offset_mesh(const PythonMesh& mesh, const PythonLength& distance,
                         const std::optional<PythonLength>& edge, std::size_t iterations,
-                        const py::object& progress) {
+                        bool miter, const py::object& progress) {
   Document document = mesh.document;
   const std::size_t joined = join_places(document.mesh);
   Lengths lengths(document);
+  if (miter) {
+    const double length = lengths(distance);
+    without_lock(progress, [&](const Progress& to) {
+      offset_mitered(document.mesh, length, document.style.coordinate, to);
+      return true;
+    });
+    return mesh_of(std::move(document), Entries{{"joined_vertices", joined}});
+  }
   const OffsetOptions options{lengths(distance), lengths(edge, 0), iterations};
   const OffsetResult result =
       without_lock(progress, [&](const Progress& to) { return offset(document, options, to); });
@@ -246,8 +254,9 @@ void bind_filters(py::module_& module) {
              "`mask` is a column by which velocities are multiplied. See tm-displace(1).");
   module.def("offset", &offset_mesh, arg("mesh"), arg("distance"), py::kw_only(),
              arg("edge") = none, arg("iterations") = OffsetOptions().iterations,
-             arg("progress") = none,
-             "The surface at a distance, outwards or inwards where negative. See tm-offset(1).");
+             arg("miter") = false, arg("progress") = none,
+             "The surface at a distance, outwards or inwards where negative; `miter` keeps corners "
+             "sharp. See tm-offset(1).");
   module.def("shape", &shape, arg("kind"),
              "Makes a closed mesh: shape('genus', 3, faces=4000). See tm-shape(1).");
   module.def("intersect", &intersect, arg("mesh"), py::kw_only(), arg("progress") = none,

@@ -137,6 +137,7 @@ PYBIND11_MODULE(_transformesh, module) {
   bind_filters(module);
   bind_remeshing(module);
   bind_editing(module);
+  bind_cuts(module);
   bind_measures(module);
   bind_pictures(module);
   bind_evolutions(module);

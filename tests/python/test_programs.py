@@ -217,6 +217,53 @@ def test_offset():
     assert same(tm.offset(tm.parse(box), "5%"), "tm-offset", "--distance", "5%", stdin=box)
 
 
+def test_mitered_offset():
+    box = shape("box", "--faces", 300)
+    mitered = tm.offset(tm.parse(box), 0.1, miter=True)
+    assert same(mitered, "tm-offset", "--miter", "--distance", 0.1, stdin=box)
+    assert tm.info(mitered)["volume"] == pytest.approx(1.2**3)
+
+
+def sheet():
+    box = tm.parse(shape("box", 2, 2, 1))
+    return tm.select(box, where=(box.positions[box.faces][:, :, 2] > 0.49).all(axis=1))
+
+
+def test_thicken():
+    solid = tm.thicken(sheet(), 0.1)
+    assert same(solid, "tm-offset", "--thicken", 0.1, stdin=sheet().to_bytes())
+    assert tm.info(solid)["volume"] == pytest.approx(2 * 2 * 0.1)
+
+
+@pytest.mark.parametrize("cap", [False, True])
+def test_cut(cap):
+    ball = shape("sphere", "--faces", 2000)
+    words = ["--plane", "0,0,1,0.5"] + (["--cap"] if cap else [])
+    part = tm.cut(tm.parse(ball), (0, 0, 1, 0.5), cap=cap)
+    assert same(part, "tm-select", *words, stdin=ball)
+    assert part.positions[:, 2].min() == pytest.approx(0.5)
+    with pytest.raises(tm.UsageError, match="plane"):
+        tm.cut(part, (0, 0, 1))
+
+
+def test_section():
+    segments = tm.section(tm.shape("sphere", faces=5000), (0, 0, 1, 0.5))
+    assert segments.shape[1:] == (2, 3)
+    assert np.allclose(segments[:, :, 2], 0.5)
+    length = np.linalg.norm(segments[:, 0] - segments[:, 1], axis=1).sum()
+    assert length == pytest.approx(2 * np.pi * 0.75**0.5, rel=0.01)
+
+
+def test_capped_sheet(tmp_path):
+    ball = shape("sphere", "--radius", 1.2, "--faces", 2000)
+    (tmp_path / "ball.ply").write_bytes(ball)
+    words = ["cut", "--inside", "--cap", "-", tmp_path / "ball.ply"]
+    below = tm.boolean("cut", sheet(), tm.parse(ball), inside=True, cap=True)
+    assert same(below, "tm-boolean", *words, stdin=sheet().to_bytes())
+    with pytest.raises(tm.UsageError, match="cap"):
+        tm.boolean("union", below, cap=True)
+
+
 @pytest.fixture(scope="module")
 def holes():
     """A torus without two patches of faces, and so with two holes."""

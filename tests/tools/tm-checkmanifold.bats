@@ -210,3 +210,28 @@ edit() {
   assert_status 2
   [[ $output == *"--level needs --certify"* ]]
 }
+
+@test "tm-checkmanifold: cracks are told from holes, and the advice closes them" {
+  tm-shape sphere --faces 500 --double -o ball.ply
+  # Each face has corners of its own, up to 1e-6 from those of its neighbors.
+  tm-convert --format off ball.ply | grep -v '^#' | awk 'BEGIN { srand(1) }
+    NR == 2 { count = $1 }
+    NR > 2 && NR <= 2 + count { for (i = 1; i < 4; ++i) place[NR - 3, i] = $i }
+    NR > 2 + count { for (c = 2; c < 5; ++c) corner[faces, c] = $c; ++faces }
+    END {
+      print "OFF\n" 3 * faces, faces, 0
+      for (f = 0; f < faces; ++f) for (c = 2; c < 5; ++c)
+        printf "%.17g %.17g %.17g\n", place[corner[f, c], 1] + 1e-6 * rand(),
+          place[corner[f, c], 2] + 1e-6 * rand(), place[corner[f, c], 3] + 1e-6 * rand()
+      for (f = 0; f < faces; ++f) print 3, 3 * f, 3 * f + 1, 3 * f + 2
+    }' >cracked.off
+  run --separate-stderr tm-checkmanifold --closed --get problem cracked.off
+  [ "$status" -eq 1 ]
+  [[ $output == *"; borders nearly meet along cracks of up to "*": tm-stitch --tolerance "*" joins them" ]] || fail "$output"
+  width=$(sed 's/.*--tolerance \([^ ]*\) .*/\1/' <<<"$output")
+  tm-stitch --tolerance "$width" cracked.off | tm-checkmanifold --closed
+  # A hole is none.
+  tm-select --box -2,-2,-2,2,2,0.8 ball.ply -o bowl.ply
+  run --separate-stderr tm-checkmanifold --closed --get problem bowl.ply
+  [[ $output == *"; tm-fill closes holes" ]]
+}

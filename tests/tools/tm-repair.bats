@@ -143,6 +143,36 @@ cracked() {
   jq -e '.result.steps == 1 and .result.step_1_count > 0' r.json
 }
 
+@test "a step that takes away volume is named, with the share" {
+  tm-shape box 2 2 2 -o box.ply
+  # Three quarters of the second box are within the first.
+  tm-transform --translate 0.5,0,0 box.ply | tm-cat box.ply - -o both.ply
+  run --separate-stderr tm-repair both.ply -o repaired.ply
+  [ "$status" -eq 0 ]
+  [[ $stderr == *"tm-clean takes away 37"*" % of the volume, in which overlaps counted once for each part, around ("* ]] || fail "$stderr"
+  [ "$(tm-info --get volume repaired.ply)" = 10 ]
+  run --separate-stderr tm-repair box.ply -o repaired.ply
+  [ -z "$stderr" ]
+}
+
+@test "--picture shows what was lost and what is new" {
+  tm-shape sphere --faces 2000 -o ball.ply
+  tm-select --box -2,-2,-2,2,2,0.7 ball.ply -o bowl.ply
+  tm-repair -q bowl.ply --picture change.png -o solid.ply
+  python3 - <<'PYTHON'
+import struct
+data = open("change.png", "rb").read()
+assert data[:8] == b"\x89PNG\r\n\x1a\n"
+width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
+assert (width, height, depth) == (1600, 1200, 8)
+PYTHON
+  tm-repair -q --dry-run --picture again.png bowl.ply
+  cmp change.png again.png
+  run --separate-stderr tm-repair -q bowl.ply --picture /nowhere/change.png -o other.ply
+  [ "$status" -eq 5 ]
+  [ ! -e other.ply ]
+}
+
 @test "a sheet beside a body is dropped, which is said with the place" {
   printf 'OFF\n4 2 0\n5 5 5\n9 5 5\n9 9 5\n5 9 5\n3 0 1 2\n3 0 2 3\n' | tm-cat box.ply - -o sheet.ply
   run --separate-stderr tm-repair sheet.ply -o solid.ply

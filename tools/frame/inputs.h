@@ -36,9 +36,9 @@ class Inputs {
   /// Reads a further mesh or file, which an option names. Stdin can be read once.
   Document read(const std::string& path);
   std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
-  /// Returns the options for reading a file that --strict sets.
+  /// Returns the options for reading a file that --strict and --keep-polygons set.
   ReadOptions reading(const std::string& path) const {
-    return {program_.common.strict, input_folder(path)};
+    return {program_.common.strict, input_folder(path), program_.common.keep_polygons};
   }
 
   /// Returns a length in input units. 1% is of the diagonal of the first mesh (or of `set_basis`),

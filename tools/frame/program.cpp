@@ -108,6 +108,9 @@ void declare_common(Program& program) {
   if (program.reads_points())
     options.flag("strict", &common.strict,
                  "refuse values that are not finite and unknown lines instead of dropping them");
+  if (program.input.may_keep_polygons)
+    options.flag("keep-polygons", &common.keep_polygons,
+                 "keep faces of more than three corners; PLY, OFF and OBJ hold them");
   options.text("report", &common.report, "FILE", "also write a JSON report there");
   options.integer("threads", &common.threads, 0, 1024, "threads to use, 0: one per core");
   options

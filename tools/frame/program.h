@@ -47,6 +47,7 @@ enum class Soups {
 struct InputRules {
   Reads reads = Reads::mesh;
   Soups soups = Soups::kept;
+  bool may_keep_polygons = false;        ///< --keep-polygons is an option
   bool keeps_bytes = false;              ///< the bytes of the mesh stay in memory (Inputs::bytes)
   bool are_cameras = false;              ///< the file holds cameras: no mesh and no points
   std::function<bool()> is_absent = {};  ///< true if the options given leave no input
@@ -87,6 +88,7 @@ struct CommonValues {
   std::string max_memory, completion;
   double max_time = 0;
   bool as_float = false, as_double = false, no_provenance = false, json = false, strict = false;
+  bool keep_polygons = false;
   bool progress = false, no_progress = false, quiet = false, verbose = false;
   bool help = false, version = false;
 };

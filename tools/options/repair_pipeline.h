@@ -9,7 +9,8 @@
 namespace transformesh::tool {
 
 /// Notes each step: its program with options, what was done, where, and how area and volume
-/// changed. Notes also where most of the area was that a step dropped, if it is more than 1 %.
+/// changed. Notes also each step that dropped more than 1 % of the area or of the volume, and
+/// where.
 void note_steps(const RepairResult& result, const Run& run);
 
 /// Returns the commands that give the bytes of the output, joined by pipes. `passes_bytes`: the

@@ -1,6 +1,8 @@
 /// tm-checkmanifold: whether a mesh is an oriented manifold, and where it is not.
 #include "frame/advice.h"
 #include "frame/run.h"
+#include "repair/crack_tolerance.h"
+#include "support/number.h"
 #include "transformesh/check_mesh.h"
 #include "transformesh/errors.h"
 
@@ -14,6 +16,15 @@ struct Options {
   std::optional<long> winding_level;
   bool pass = false;
 };
+
+/// Filling would close cracks by patches: their sides have to be joined.
+std::string with_remedy(const Problem& problem, const Mesh& mesh, const tool::Run& run) {
+  const Cracks cracks = problem.kind == ErrorKind::not_closed ? find_cracks(mesh) : Cracks();
+  if (!(cracks.tolerance > 0)) return tool::with_advice(problem, run.program());
+  return problem.sentence + "; borders nearly meet along cracks of up to " +
+         significant(cracks.width, 3) + ": tm-stitch --tolerance " +
+         significant(cracks.tolerance, 3) + " joins them";
+}
 
 void check(const Document& document, Options& options, tool::Run& run) {
   if (options.winding_level && options.certify.empty())
@@ -29,7 +40,7 @@ void check(const Document& document, Options& options, tool::Run& run) {
   run.report(entries_of(found));
   run.answer(found.problems.empty());
   if (found.problems.empty()) return;
-  const std::string problem = tool::with_advice(found.problems.front(), run.program());
+  const std::string problem = with_remedy(found.problems.front(), document.mesh, run);
   run.report("problem", problem);
   if (!options.pass) return;
   run.note(problem);

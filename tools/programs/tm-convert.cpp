@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
   program.epilog =
       "The output's format is that of --format, else of the name given with -o (.ply .off .obj\n"
       ".stl .glb .vtp .3mf .xyz), else of the input.";
+  program.input.may_keep_polygons = true;
   program.example = "tm-convert mesh.ply -o mesh.stl";
   return program.run(argc, argv, [](tool::Run&) {});
 }

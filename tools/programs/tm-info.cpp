@@ -3,6 +3,7 @@
 
 #include "frame/run.h"
 #include "io/document/unit.h"
+#include "io/polygons/merge_polygons.h"
 #include "transformesh/errors.h"
 #include "transformesh/velocity.h"
 
@@ -33,11 +34,23 @@ std::string unit_name(const Document& document) {
   return unit == nullptr ? "unknown" : std::string(unit->name);
 }
 
+/// A polygon that is kept counts as one face, and its diagonals are no edges.
+Entries described(const Mesh& mesh, bool keeps_polygons) {
+  Entries entries = transformesh::describe(mesh);
+  if (!keeps_polygons) return entries;
+  const PolygonCount count = count_polygons(mesh.face_columns);
+  for (auto& [key, value] : entries)
+    if (key == "faces" || key == "edges")
+      std::get<std::size_t>(value) -= count.triangles - count.polygons;
+  entries.emplace_back("polygons", count.polygons);
+  return entries;
+}
+
 void describe(const std::string& per_vertex, bool with_unit, tool::Run& run) {
   const Mesh& mesh = run.document().mesh;
   run.progress()("measuring");
   if (with_unit) run.report("unit", unit_name(run.document()));
-  const Entries entries = transformesh::describe(mesh);
+  const Entries entries = described(mesh, run.program().common.keep_polygons);
   for (const auto& [key, value] : entries) check_size(key, value, *run.program().output.only_key);
   run.report(entries);
   if (!per_vertex.empty()) write_curvatures(per_vertex, run);
@@ -55,11 +68,13 @@ int main(int argc, char** argv) {
                         {tool::Reads::mesh},
                         {tool::Writes::report}};
   program.input.soups = tool::Soups::reported;
-  program.options.choice("get", &key,
-                         {"vertices", "faces", "edges", "components", "genus", "boundary_loops",
-                          "area", "volume", "bbox_min", "bbox_max", "edge_mean", "edge_min",
-                          "edge_max", "angle_min", "angle_min_mean", "valence6", "unit"},
-                         "print the value of this key only");
+  program.options.choice(
+      "get", &key,
+      {"vertices", "faces", "edges", "components", "genus", "boundary_loops", "area", "volume",
+       "bbox_min", "bbox_max", "edge_mean", "edge_min", "edge_max", "angle_min", "angle_min_mean",
+       "valence6", "unit", "polygons"},
+      "print the value of this key only");
+  program.input.may_keep_polygons = true;
   program.options.flag("units", &with_unit,
                        "also report the unit of lengths; unknown if there is none");
   program.options.text(

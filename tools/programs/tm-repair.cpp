@@ -1,6 +1,7 @@
 /// tm-repair: makes a solid of any mesh.
 #include "frame/run.h"
 #include "io/formats/file_format.h"
+#include "options/repair_picture.h"
 #include "options/repair_pipeline.h"
 #include "transformesh/repair.h"
 
@@ -11,6 +12,7 @@ using namespace transformesh;
 struct Choices {
   RepairOptions options;
   std::optional<Length> max_change;
+  std::string picture;
   bool dry_run = false;
   bool print_pipeline = false;
   bool passes_bytes = false;  ///< the output is the input, byte for byte
@@ -42,6 +44,7 @@ void repair_document(Document& document, Choices& choices, tool::Run& run) {
   if (choices.max_change) choices.options.max_change = run.length(*choices.max_change);
   choices.options.coordinate = document.style.coordinate;
   RepairResult result = repair(document.mesh, choices.options, run.progress());
+  if (!choices.picture.empty()) tool::write_repair_picture(document.mesh, result, choices.picture);
   choices.passes_bytes = is_unchanged(result, document, run);
   if (choices.passes_bytes) result.steps.clear();
   tool::note_steps(result, run);
@@ -77,6 +80,7 @@ int main(int argc, char** argv) {
       .flag("print-pipeline", &choices.print_pipeline,
             "print the pipeline of filters that does the same, instead of the mesh")
       .affects_result = false;
+  tool::declare_repair_picture(program, choices.picture);
   program.example = "tm-repair model.stl > solid.ply";
   program.output.is_mesh = [&] { return choices.writes_mesh(); };
   return program.run(argc, argv,

@@ -78,6 +78,7 @@ int main(int argc, char** argv) {
   tool::Program program{"tm-select", "[OPTION]... [INPUT]",
                         "Keeps the components or faces of a mesh that meet all conditions"};
   program.input.soups = tool::Soups::reported;
+  program.input.may_keep_polygons = true;
   program.options.integer("largest", &choices.largest, 1, 1000000000, "the N largest components");
   program.options.number("at-least", &choices.all.at_least, 0, 1e300,
                          "components at least so large");

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   tool::TransformChoices choices;
   tool::Program program{"tm-transform", "[OPTION]... [INPUT]",
                         "Moves, turns, scales and mirrors a mesh, in the order of the options"};
+  program.input.may_keep_polygons = true;
   tool::declare_transforms(program, choices);
   program.example = "tm-transform --rotate 0,0,1,90 mesh.ply > turned.ply";
   return program.run(argc, argv, [&](tool::Run& run) {

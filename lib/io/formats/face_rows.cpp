@@ -1,8 +1,10 @@
 #include "io/formats/face_rows.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/formats/finite_values.h"
+#include "io/polygons/merge_polygons.h"
 #include "io/polygons/triangulate_polygon.h"
 #include "mesh/surface_columns.h"
 #include "support/counted.h"
@@ -35,6 +37,7 @@ void FaceRows::move_into(Mesh& mesh, const std::string& format, std::vector<std:
   } else {
     const Cuts cuts = cut_polygons(mesh);
     put_together(mesh, cuts);
+    if (keeps_polygons_) number_polygons(mesh, cuts);
     add_notes(cuts, mesh.faces.size(), format, notes, first_number);
     dropped = static_cast<std::size_t>(
         std::count(cuts.kinds.begin(), cuts.kinds.end(), Cuts::Kind::not_finite));
@@ -122,6 +125,16 @@ void FaceRows::put_together(Mesh& mesh, const Cuts& cuts) const {
   split_corner_lists(mesh.face_columns, sources);
 }
 
+void FaceRows::number_polygons(Mesh& mesh, const Cuts& cuts) const {
+  Column& numbers = mesh.face_columns.get(polygon_column, Scalar::uint32, mesh.faces.size());
+  std::size_t face = 0, polygon = 0;
+  std::uint32_t row = no_index;
+  for_each_triangle(cuts, [&](const Face&, const PolygonTriangle& from) {
+    if (from.size > 3 && std::exchange(row, from.row) != from.row) ++polygon;
+    numbers.values[face++] = from.size > 3 ? static_cast<double>(polygon) : 0;
+  });
+}
+
 void FaceRows::add_notes(const Cuts& cuts, std::size_t faces, const std::string& format,
                          std::vector<std::string>& notes, std::uint32_t first_number) const {
   std::size_t small = 0, folded = 0;
@@ -131,7 +144,7 @@ void FaceRows::add_notes(const Cuts& cuts, std::size_t faces, const std::string&
   for (std::size_t i = 0; i < cuts.results.size(); ++i)
     if (cuts.results[i].folds > 0 && folded++ == 0)
       first_folded = polygons_[cuts.numbers[i]].row + first_number;
-  if (polygons_.size() > small)
+  if (polygons_.size() > small && !keeps_polygons_)
     notes.push_back(format + ": " + counted(polygons_.size() - small, "polygon") + " cut into " +
                     counted(faces - triangles_.size(), "triangle"));
   if (folded > 0)

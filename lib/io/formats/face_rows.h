@@ -24,6 +24,9 @@ class FaceRows {
   void add(std::span<const Index> corners);
   std::uint32_t rows() const { return rows_; }
 
+  /// Sets whether move_into() sets polygon_column (merge_polygons.h) if there are polygons.
+  void keep_polygons(bool keeps) { keeps_polygons_ = keeps; }
+
   /// Moves the faces into the mesh. Its vertices must be complete, and its face columns must have
   /// one row for each added row. Face columns then get one row per triangle; texture coordinates
   /// are those of its corners. Vertices with a non-finite coordinate are dropped with the rows that
@@ -44,6 +47,7 @@ class FaceRows {
   template <class Add>
   void for_each_triangle(const Cuts& cuts, const Add& add) const;
   void put_together(Mesh& mesh, const Cuts& cuts) const;
+  void number_polygons(Mesh& mesh, const Cuts& cuts) const;
   void add_notes(const Cuts& cuts, std::size_t faces, const std::string& format,
                  std::vector<std::string>& notes, std::uint32_t first_number) const;
 
@@ -51,6 +55,7 @@ class FaceRows {
   std::vector<Polygon> polygons_;  ///< rows with any other number of corners, in order
   std::vector<Index> corners_;     ///< corners of the polygons
   std::uint32_t rows_ = 0;
+  bool keeps_polygons_ = false;
 };
 
 }  // namespace transformesh

@@ -9,10 +9,6 @@
 namespace transformesh {
 namespace {
 
-bool is_ply(Format format) {
-  return format == Format::ply_ascii || format == Format::ply_little || format == Format::ply_big;
-}
-
 // Returns the extension in lower case, with the dot; empty if there is none.
 std::string extension_of(std::string_view name) {
   std::string extension(name.substr(std::min(name.rfind('.'), name.size())));
@@ -23,6 +19,10 @@ std::string extension_of(std::string_view name) {
 }
 
 }  // namespace
+
+bool is_ply(Format format) {
+  return format == Format::ply_ascii || format == Format::ply_little || format == Format::ply_big;
+}
 
 Format format_for(Format input, std::string_view wanted, std::string_view name) {
   if (wanted == "ply") return Format::ply_little;

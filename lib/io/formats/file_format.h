@@ -29,6 +29,9 @@ std::string unknown_ending(std::string_view name, const std::vector<std::string>
 /// faces that collapse, as round_positions() does.
 std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate = {});
 
+/// True for the three encodings of PLY.
+bool is_ply(Format format);
+
 /// True if the format stores coordinates as float only.
 bool holds_floats(Format format);
 

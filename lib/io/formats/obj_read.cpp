@@ -40,6 +40,7 @@ class ObjReader {
     add_colors();
     add_comments();
     add_face_columns();
+    polygons_.keep_polygons(source_.keeps_polygons);
     polygons_.move_into(mesh(), "obj", result_.notes, 1);
     add_notes();
     result_.document.style.format = Format::obj;

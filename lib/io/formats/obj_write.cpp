@@ -7,6 +7,7 @@
 #include "io/formats/column_groups.h"
 #include "io/formats/obj.h"
 #include "io/formats/obj_labels.h"
+#include "io/polygons/merge_polygons.h"
 #include "io/streams/text_buffer.h"
 #include "transformesh/mesh_io.h"
 
@@ -99,8 +100,9 @@ class ObjWriter {
     keep(group, keeps_.vertex_columns);
     for (std::size_t row = 0; row < mesh_.positions.size(); ++row)
       add_texture_point(group[0]->values[row], group[1]->values[row], group[0]->type);
-    for (const Face& face : mesh_.faces)
-      for (const Index corner : face) texture_corners_.push_back(std::uint64_t{corner} + 1);
+    for (std::size_t row = 0; row < mesh_.faces.size(); ++row)
+      for (std::size_t i = 0; i < outlines_.size(row); ++i)
+        texture_corners_.push_back(std::uint64_t{outlines_.corner(row, i)} + 1);
   }
 
   void add_texture_point(double u, double v, Scalar type) {
@@ -123,7 +125,7 @@ class ObjWriter {
     std::unordered_map<Bits, std::uint64_t, decltype(hash)> numbers(0, hash);
     for (std::size_t row = 0; row + 1 < lists.list_offsets.size(); ++row) {
       const std::size_t first = lists.list_offsets[row];
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < outlines_.size(row); ++i) {
         if (first == lists.list_offsets[row + 1]) {
           texture_corners_.push_back(0);
           continue;
@@ -159,13 +161,14 @@ class ObjWriter {
   }
 
   void add_faces() {
+    std::size_t corner = 0;
     for (std::size_t row = 0; row < mesh_.faces.size(); ++row) {
       add_labels(row);
       text_.add('f');
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < outlines_.size(row); ++i, ++corner) {
         text_.add(' ');
-        text_.add_number(std::uint64_t{mesh_.faces[row][i]} + 1);
-        const std::uint64_t texture = texture_corners_.empty() ? 0 : texture_corners_[3 * row + i];
+        text_.add_number(std::uint64_t{outlines_.corner(row, i)} + 1);
+        const std::uint64_t texture = texture_corners_.empty() ? 0 : texture_corners_[corner];
         if (texture == 0) continue;
         text_.add('/');
         text_.add_number(texture);
@@ -177,8 +180,9 @@ class ObjWriter {
   const Document& document_;
   const Mesh& mesh_;
   TextBuffer text_;
-  Keeps keeps_{"OBJ", {}, {}};
-  std::vector<std::uint64_t> texture_corners_;  ///< three per face, 0 for none; or empty
+  FaceOutlines outlines_{mesh_};
+  Keeps keeps_{"OBJ", {}, {outline_column}};
+  std::vector<std::uint64_t> texture_corners_;  ///< one per corner, 0 for none; or empty
   std::vector<Labels> labels_;
 };
 

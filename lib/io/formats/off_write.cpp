@@ -3,6 +3,7 @@
 #include "io/document/losses.h"
 #include "io/document/scalar.h"
 #include "io/formats/off.h"
+#include "io/polygons/merge_polygons.h"
 #include "io/streams/text_buffer.h"
 #include "transformesh/mesh_io.h"
 
@@ -33,6 +34,7 @@ class OffWriter {
     add_vertices();
     add_faces();
     Keeps keeps{"OFF", normals_, face_colors_};
+    keeps.face_columns.emplace_back(outline_column);
     keeps.vertex_columns.insert(keeps.vertex_columns.end(), colors_.begin(), colors_.end());
     keeps.vertex_columns.insert(keeps.vertex_columns.end(), texture_.begin(), texture_.end());
     return {text_.take(), losses(document_, keeps)};
@@ -67,11 +69,12 @@ class OffWriter {
   }
 
   void add_faces() {
+    const FaceOutlines outlines(mesh_);
     for (std::size_t row = 0; row < mesh_.faces.size(); ++row) {
-      text_.add('3');
-      for (const Index corner : mesh_.faces[row]) {
+      text_.add_number(outlines.size(row));
+      for (std::size_t i = 0; i < outlines.size(row); ++i) {
         text_.add(' ');
-        text_.add_number(corner);
+        text_.add_number(outlines.corner(row, i));
       }
       add_colors(mesh_.face_columns, face_colors_, row);
       text_.add('\n');

@@ -120,6 +120,7 @@ class PlyReader {
       faces_ = std::move(strips_.faces);
       result_.document.mesh.face_columns = {};
     }
+    faces_.keep_polygons(source_.keeps_polygons && !are_strips);
     faces_.move_into(result_.document.mesh, "ply", result_.notes);
     if (strips_.rows == 0) return;
     result_.notes.push_back("ply: " + counted(strips_.rows, "row") + " of triangle strips " +

@@ -5,6 +5,7 @@
 #include "io/document/scalar.h"
 #include "io/document/scalar_bytes.h"
 #include "io/formats/ply.h"
+#include "io/polygons/merge_polygons.h"
 #include "io/streams/text_buffer.h"
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
@@ -72,7 +73,8 @@ OutElement vertex_element(const Document& document) {
 OutElement face_element(const Document& document) {
   const Mesh& mesh = document.mesh;
   const Style& style = document.style;
-  const std::size_t column_count = mesh.face_columns.columns.size();
+  const Column* outlines = mesh.face_columns.find(outline_column);  // the last one
+  const std::size_t column_count = mesh.face_columns.columns.size() - (outlines ? 1 : 0);
   const std::size_t before = std::min(style.face_list_column, column_count);
   OutElement element{"face", mesh.faces.size(), {}};
   add_columns(mesh.face_columns, 0, before, element);
@@ -81,7 +83,13 @@ OutElement face_element(const Document& document) {
   corners.count_type = style.face_list_count;
   corners.type =
       widened(style.face_list_index, std::max<std::size_t>(mesh.positions.size(), 1) - 1);
-  corners.faces = mesh.faces.data();
+  if (outlines == nullptr) {
+    corners.faces = mesh.faces.data();
+  } else {
+    corners.count_type = count_type_of(*outlines);
+    corners.values = outlines->values.data();
+    corners.offsets = outlines->list_offsets.data();
+  }
   add_columns(mesh.face_columns, before, column_count, element);
   return element;
 }

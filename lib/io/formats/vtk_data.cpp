@@ -26,6 +26,7 @@ class Converter {
     add_columns(piece_.point_arrays, mesh.positions.size(), "point", mesh.vertex_columns);
     add_faces();
     zero_values_not_finite(mesh.vertex_columns, source_, "vertex", "vtk", result_.notes);
+    faces_.keep_polygons(source_.keeps_polygons);
     faces_.move_into(mesh, "vtk", result_.notes);
     if (piece_.other_cells > 0)
       note(counted(piece_.other_cells, "cell") + " that are no polygons left out");

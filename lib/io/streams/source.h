@@ -11,6 +11,7 @@ struct Source {
   std::string_view bytes;
   std::string name;
   bool is_strict = false;  ///< rejects content that is otherwise dropped or skipped with a count
+  bool keeps_polygons = false;  ///< numbers the triangles of polygons (merge_polygons.h)
 
   const char* begin() const { return bytes.data(); }
   const char* end() const { return bytes.data() + bytes.size(); }

@@ -98,8 +98,8 @@ TEST_CASE("closed sheets give the intersection and the difference, by solid angl
     for (int i = 0; i < 2; ++i) solid = test::joined(solid, part());
     const Mesh inside = capped(sheet, solid, SheetSide::inside);
     const Mesh outside = capped(sheet, solid, SheetSide::outside);
-    for (int i = 0; i < 100; ++i) {
-      const Vec3 point = random.point(-2, 2);
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 point = random.point(-1.3, 1.3);
       const auto contains = [&](const Mesh& mesh) {
         return test::winding_number(mesh, point) > 0.5;
       };

@@ -1,0 +1,26 @@
+/// A picture of what an operation changed: the mesh before to the left, the mesh after to the
+/// right, from the front in the upper row and from behind in the lower one. All panels show the
+/// same place at the same scale.
+#pragma once
+
+#include <vector>
+
+#include "transformesh/control.h"
+#include "transformesh/image.h"
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+struct ChangePictureOptions {
+  int width = 1600;   ///< pixels of the picture; >= 2
+  int height = 1200;  ///< >= 2, even
+  /// Per face, true if the color is that of a lost face (before) or a new face (after).
+  std::vector<char> is_lost{}, is_new{};
+};
+
+/// Lost faces are red, new ones green, and all others gray. Throws InputError for a mesh without
+/// faces. Deterministic for any number of threads.
+Image draw_change(const Mesh& before, const Mesh& after, const ChangePictureOptions& options,
+                  const Progress& progress = {});
+
+}  // namespace transformesh

@@ -1,0 +1,35 @@
+#include "options/repair_picture.h"
+
+#ifdef TM_SHOW
+#include "io/streams/atomic_file.h"
+#include "picture/change_picture.h"
+#include "repair/losses.h"
+#endif
+
+namespace transformesh::tool {
+
+#ifdef TM_SHOW
+
+void declare_repair_picture(Program& program, std::string& file) {
+  program.options
+      .text("picture", &file, "FILE",
+            "draw the input and the result as PNG: lost faces red, new ones green")
+      .affects_result = false;
+}
+
+void write_repair_picture(const Mesh& input, const RepairResult& result, const std::string& file) {
+  ChangePictureOptions options;
+  options.is_lost = faces_off(input, result.mesh);
+  options.is_new = faces_off(result.mesh, input);
+  write_file(file, write_png(draw_change(input, result.mesh, options)));
+}
+
+#else
+
+void declare_repair_picture(Program& /*program*/, std::string& /*file*/) {}
+void write_repair_picture(const Mesh& /*input*/, const RepairResult& /*result*/,
+                          const std::string& /*file*/) {}
+
+#endif
+
+}  // namespace transformesh::tool

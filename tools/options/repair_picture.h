@@ -1,0 +1,16 @@
+/// The picture of a repair. Without the part of the library that draws, the option does not exist.
+#pragma once
+
+#include <string>
+
+#include "frame/run.h"
+#include "transformesh/repair.h"
+
+namespace transformesh::tool {
+
+void declare_repair_picture(Program& program, std::string& file);
+
+/// Writes a PNG of both meshes: lost faces of the input are red, new ones of the result green.
+void write_repair_picture(const Mesh& input, const RepairResult& result, const std::string& file);
+
+}  // namespace transformesh::tool
