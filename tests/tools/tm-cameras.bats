@@ -142,6 +142,13 @@ agree() {
   tm-cameras --list --center 9,0,-6 in.txt | sed -n 2p | tr -s ' ' | grep -q ' -5 - '
 }
 
+@test "tm-cameras: a table of one camera, which has no pairs" {
+  two_cameras | sed '1s/.*/1/; 3d' >in.txt
+  tm-cameras --list in.txt >table
+  [ "$(wc -l <table)" = 2 ]
+  [[ $(sed -n 2p table | tr -s ' ') = "a.png - 300 0 0 -5 "*" -" ]] || fail "$(cat table)"
+}
+
 @test "tm-cameras: JSON and the report hold the same numbers" {
   needs_command python3
   two_cameras >in.txt

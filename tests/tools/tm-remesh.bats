@@ -521,3 +521,14 @@ far_pairs() {
   one_line "$output"
   [ ! -e bad.ply ]
 }
+
+@test "--edge is --min-edge 0.7 times and --max-edge 1.5 times as long" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape sphere --faces 2000 -o ball.ply
+  tm-remesh --no-provenance --edge 0.1 ball.ply -o edge.ply
+  tm-remesh --no-provenance --min-edge 0.07 --max-edge 0.15 ball.ply -o limits.ply
+  cmp <(sed '1,/^end_header/d' edge.ply) <(sed '1,/^end_header/d' limits.ply)
+  awk -v mean="$(tm-info --get edge_mean edge.ply)" 'BEGIN { exit !(mean > 0.08 && mean < 0.12) }'
+  run --separate-stderr tm-remesh --edge 0.1 --min-edge 0.05 ball.ply
+  [ "$status" -eq 2 ]
+}

@@ -49,7 +49,7 @@ void declare(tool::Program& program, Options& options) {
   program.options.number("noise", &sensor.noise, 0, 255,
                          "standard deviation of the noise, as intensity from 0 to 255");
   program.options.number("gain", &sensor.gain_spread, 0, 0.99,
-                         "intensities are multiplied by 1 -+ up to that");
+                         "random gain of up to +- this share");
   program.options.number("offset", &sensor.offset_spread, 0, 255,
                          "and shifted by up to this intensity");
   program.options.text("compare-silhouettes", &files.masks, "WHERE",

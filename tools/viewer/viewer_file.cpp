@@ -16,9 +16,8 @@ std::string read_viewer() {
       program.parent_path().parent_path() / "share" / "transformesh" / "viewer.html";
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    throw GoalError("the viewer is not there, as '" + path.string() +
-                    "': install what it is made of by scripts/setup --browser, then build and "
-                    "install again");
+    throw GoalError("the viewer is not installed ('" + path.string() +
+                    "' not found): run scripts/setup --browser, then build and install again");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
