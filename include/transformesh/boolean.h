@@ -10,8 +10,7 @@
 /// An empty region gives an empty mesh. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh
 /// arrangements for solid geometry", ACM TOG 35(4), 2016. Throws InputError, naming the operand, if
 /// one is not closed and oriented, and GoalError if rounding cannot be repaired. Deterministic.
-/// Cost: that of clean() for all operands. For `exclude`, and if one of several operands intersects
-/// itself, hidden pieces are cut too.
+/// Cost: that of clean(); more for `exclude` and if one of several operands intersects itself.
 #pragma once
 
 #include <optional>

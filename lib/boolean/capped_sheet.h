@@ -1,8 +1,9 @@
-/// Chooses the pieces that close a part of a sheet together with the surface of a solid: the
-/// boundary of the region that is inside (or outside) the solid, and behind the sheet. The region
-/// consists of the cells of space between pieces of both (Zhou et al. 2016). It is defined if all
-/// borders of the part lie on the surface, no cell is both in front of the sheet and behind it, and
-/// no cell behind it is unbounded. Deterministic.
+/// Chooses pieces of a sheet and of a solid that bound a region together. The region is inside (or
+/// outside) the solid, and behind the sheet. It consists of the cells of space between the pieces.
+/// It is defined under three conditions. All borders of the kept part of the sheet lie on the
+/// surface of the solid. No cell is both in front of the sheet and behind it. No cell behind it is
+/// unbounded. Deterministic. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for
+/// solid geometry", ACM TOG 35(4), 2016.
 #pragma once
 
 #include "clean/arrange/arrange.h"

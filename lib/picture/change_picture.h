@@ -1,5 +1,5 @@
-/// A picture of what an operation changed: the mesh before to the left, the mesh after to the
-/// right, from the front in the upper row and from behind in the lower one. All panels show the
+/// A picture of what an operation changed. The mesh before is to the left, the mesh after to the
+/// right. The upper row shows them from the front, the lower row from behind. All panels show the
 /// same place at the same scale.
 #pragma once
 

@@ -138,8 +138,8 @@ MeshPointer displace_mesh(const PythonMesh& mesh, const std::optional<py::array>
 }
 
 MeshPointer offset_mesh(const PythonMesh& mesh, const PythonLength& distance,
-                        const std::optional<PythonLength>& edge, std::size_t iterations,
-                        bool miter, const py::object& progress) {
+                        const std::optional<PythonLength>& edge, std::size_t iterations, bool miter,
+                        const py::object& progress) {
   Document document = mesh.document;
   const std::size_t joined = join_places(document.mesh);
   Lengths lengths(document);
