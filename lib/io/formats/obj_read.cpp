@@ -259,7 +259,8 @@ ReadResult read_obj(const Source& source) {
   const std::size_t size = source.bytes.find_last_not_of('\0') + 1;
   if (size < source.bytes.size() && source.is_strict)
     source.fail_at_byte(source.begin() + size, "the text ends in a byte of value 0");
-  const Source text{source.bytes.substr(0, size), source.name, source.is_strict};
+  const Source text{source.bytes.substr(0, size), source.name, source.is_strict,
+                    source.keeps_polygons};
   ReadResult result = ObjReader(text).read();
   if (size < source.bytes.size())
     result.notes.push_back("obj: " + counted(source.bytes.size() - size, "byte") +

@@ -189,7 +189,7 @@ class OffReader {
     Mesh& mesh = result_.document.mesh;
     face_colors_.add_columns(polygons_.rows(), mesh.face_columns);
     note_zeroed(face_colors_.bad_rows(), "color", "off", result_.notes);
-    polygons_.keep_polygons(rows_.source().keeps_polygons);
+    polygons_.keep_polygons(source_.keeps_polygons);
     polygons_.move_into(mesh, "off", result_.notes);
   }
 

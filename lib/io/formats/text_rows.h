@@ -54,7 +54,6 @@ class TextRows {
   const char* rest() const { return line_end_; }
   /// Returns the start of the last word or number.
   const char* place() const { return place_; }
-  const Source& source() const { return *source_; }
   [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(place_, what); }
 
   /// Comment lines so far, without the mark and one following space.
