@@ -4,7 +4,6 @@
 #include "flow/diffusion_step.h"
 #include "mesh/touching_borders.h"
 #include "transformesh/measure.h"
-#include "transformesh/velocity.h"
 
 namespace transformesh {
 namespace {
@@ -14,7 +13,7 @@ namespace {
 using Vectors = std::vector<Vec3> (*)(const Mesh& mesh, const DiffusionStep& step, double span);
 
 std::vector<Vec3> mean_curvature(const Mesh& mesh, const DiffusionStep& step, double span) {
-  return span > 0 ? step.second_order(span) : curvature_velocities(mesh, 2);
+  return span > 0 ? step.second_order(span) : step.curvature_vectors();
 }
 
 std::vector<Vec3> volume_preserving(const Mesh& mesh, const DiffusionStep& step, double span) {

@@ -26,7 +26,9 @@ Right solution(const Matrix& matrix, const Right& right) {
 }  // namespace
 
 DiffusionStep::DiffusionStep(const Mesh& mesh)
-    : mesh_(mesh), laplacian_(cotangent_laplacian(mesh)), row_of_(mesh.positions.size(), no_index) {
+    : mesh_(mesh),
+      laplacian_(cotangent_laplacian(mesh, CotangentBounds::each_triangle)),
+      row_of_(mesh.positions.size(), no_index) {
   for (std::size_t v = 0; v < row_of_.size(); ++v) {
     const bool is_border = laplacian_.is_border[v] != 0;
     border_count_ += is_border;
@@ -76,18 +78,25 @@ std::vector<Vec3> DiffusionStep::second_order(double span) const {
   return result;
 }
 
-Eigen::VectorXd DiffusionStep::curvature_sums() const {
-  std::vector<Vec3> pulls(mesh_.positions.size(), Vec3::Zero());
+std::vector<Vec3> DiffusionStep::curvature_vectors() const {
+  std::vector<Vec3> vectors(mesh_.positions.size(), Vec3::Zero());
   for (const auto& [from, to, weight] : laplacian_.edges) {
     const Vec3 pull = weight / 2 * (mesh_.positions[to] - mesh_.positions[from]);
-    pulls[from] += pull;
-    pulls[to] -= pull;
+    vectors[from] += pull;
+    vectors[to] -= pull;
   }
+  for (std::size_t v = 0; v < vectors.size(); ++v)
+    vectors[v] = row_of_[v] == no_index ? Vec3::Zero() : Vec3(vectors[v] / laplacian_.areas[v]);
+  return vectors;
+}
+
+Eigen::VectorXd DiffusionStep::curvature_sums() const {
+  const std::vector<Vec3> vectors = curvature_vectors();
   const std::vector<Vec3> normals = vertex_normals(mesh_);
   Eigen::VectorXd sums(static_cast<Eigen::Index>(vertex_of_.size()));
   for (std::size_t row = 0; row < vertex_of_.size(); ++row) {
     const Index v = vertex_of_[row];
-    sums[static_cast<Eigen::Index>(row)] = -pulls[v].dot(normals[v]) / laplacian_.areas[v];
+    sums[static_cast<Eigen::Index>(row)] = -vectors[v].dot(normals[v]);
   }
   return sums;
 }

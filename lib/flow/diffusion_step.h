@@ -16,6 +16,9 @@ class DiffusionStep {
 
   std::size_t border_count() const { return border_count_; }
 
+  /// Returns the sum of the principal curvatures times the inward normal at each vertex; 0 at fixed
+  /// ones.
+  std::vector<Vec3> curvature_vectors() const;
   /// Solves (M - span L) x = M p for the positions x after a step of mean-curvature flow, where p
   /// are the positions, M the areas and L the Laplacian without the areas. Returns x - p.
   std::vector<Vec3> second_order(double span) const;

@@ -16,6 +16,12 @@ FlowGrid read_vti_grid(const Source& source, std::size_t components);
 /// float or double, with axes along x, y and z. The key `time` is the time. Throws InputError.
 FlowGrid read_nrrd_grid(const Source& source, std::size_t components);
 
+/// Reads the files of `where` (file_list.h) for a flow: speeds for `normal`, velocities for any
+/// other flow. A `step` above 0 is the time from a file to the next, instead of the times that they
+/// state. Nothing if `where` is empty. Throws UsageError for a step without files.
+std::vector<FlowGrid> read_flow_grids(const std::string& flow, const std::string& where,
+                                      double step);
+
 /// True if the bytes start as NRRD does.
 bool is_nrrd(std::string_view bytes);
 

@@ -2,6 +2,7 @@
 
 #include "flow/grid_files.h"
 #include "io/formats/vtk_xml.h"
+#include "io/streams/file_list.h"
 #include "transformesh/flow.h"
 
 namespace transformesh {
@@ -27,6 +28,20 @@ FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::si
       is_nrrd(bytes) ? read_nrrd_grid(source, components) : read_vti_grid(source, components);
   check_values(source, grid);
   return grid;
+}
+
+std::vector<FlowGrid> read_flow_grids(const std::string& flow, const std::string& where,
+                                      double step) {
+  std::vector<FlowGrid> grids;
+  if (!(step >= 0)) throw UsageError("the time from a grid to the next is to be above 0");
+  if (where.empty() && step > 0)
+    throw UsageError("there are no grids that the time from one to the next could be of");
+  if (where.empty()) return grids;
+  for (const std::string& file : files_at(where)) {
+    grids.push_back(read_flow_grid(file_bytes(file), file, flow == "normal" ? 1 : 3));
+    if (step > 0) grids.back().time = step * static_cast<double>(grids.size() - 1);
+  }
+  return grids;
 }
 
 }  // namespace transformesh

@@ -66,11 +66,12 @@ void check(const FlowGrid& grid, std::size_t components) {
 
 GridSeries::GridSeries(std::vector<FlowGrid> grids, std::size_t components)
     : grids_(std::move(grids)) {
-  if (grids_.empty()) throw UsageError("the flow needs a grid");
+  if (grids_.empty()) throw UsageError("the flow has no grid: name its files");
   for (const FlowGrid& grid : grids_) {
     check(grid, components);
     if (!grid.time && grids_.size() > 1)
-      throw InputError("one of " + std::to_string(grids_.size()) + " grids states no time");
+      throw InputError("one of " + std::to_string(grids_.size()) +
+                       " grids states no time: give the time from a grid to the next");
   }
   std::ranges::stable_sort(grids_, {}, [](const FlowGrid& grid) { return grid.time.value_or(0); });
   for (std::size_t i = 1; i < grids_.size(); ++i)

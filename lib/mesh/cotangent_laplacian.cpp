@@ -40,9 +40,42 @@ Vec3 corner_areas(const Mesh& mesh, Index face) {
   return shares;
 }
 
+/// Returns the cotangents of the angles opposite of the halfedges of a face.
+Vec3 scaled_cotangents(const Mesh& mesh, Index face) {
+  // Of 1 degree. Without a bound, the entries of a matrix differ by so much that digits are lost.
+  constexpr double largest = 57.28996163075943;
+  const double cross = face_normal(mesh, face).stableNorm();
+  Vec3 cotangents = Vec3::Zero();
+  if (!(cross > 0)) return cotangents;
+  for (int i = 0; i < 3; ++i) {
+    const Index halfedge = 3 * face + static_cast<Index>(i);
+    const Vec3& apex = mesh.positions[halfedge_source(mesh, previous_halfedge(halfedge))];
+    cotangents[i] = (mesh.positions[halfedge_source(mesh, halfedge)] - apex)
+                        .dot(mesh.positions[halfedge_target(mesh, halfedge)] - apex) /
+                    cross;
+  }
+  const double size = cotangents.cwiseAbs().maxCoeff();
+  if (size > largest) cotangents *= largest / size;
+  return cotangents.allFinite() ? cotangents : Vec3::Zero();
+}
+
+std::vector<double> halfedge_cotangents(const Mesh& mesh, CotangentBounds bounds) {
+  std::vector<double> cotangents;
+  cotangents.reserve(3 * mesh.faces.size());
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    if (bounds == CotangentBounds::each_triangle) {
+      const Vec3 scaled = scaled_cotangents(mesh, f);
+      cotangents.insert(cotangents.end(), {scaled[0], scaled[1], scaled[2]});
+    } else {
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) cotangents.push_back(opposite_cotangent(mesh, h));
+    }
+  }
+  return cotangents;
+}
+
 }  // namespace
 
-CotangentLaplacian cotangent_laplacian(const Mesh& mesh) {
+CotangentLaplacian cotangent_laplacian(const Mesh& mesh, CotangentBounds bounds) {
   const std::size_t count = mesh.positions.size();
   CotangentLaplacian result{{}, std::vector<double>(count, 0), std::vector<char>(count, 0)};
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -50,6 +83,7 @@ CotangentLaplacian cotangent_laplacian(const Mesh& mesh) {
     for (int i = 0; i < 3; ++i) result.areas[mesh.faces[f][i]] += shares[i];
   }
 
+  const std::vector<double> cotangents = halfedge_cotangents(mesh, bounds);
   const Edges edges(mesh);
   result.edges.reserve(edges.size());
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
@@ -58,8 +92,9 @@ CotangentLaplacian cotangent_laplacian(const Mesh& mesh) {
     const Index to = halfedge_target(mesh, halfedges[0]);
     if (halfedges.size() == 1) result.is_border[from] = result.is_border[to] = 1;
     double weight = 0;
-    for (const Index halfedge : halfedges) weight += opposite_cotangent(mesh, halfedge);
-    result.edges.push_back({from, to, std::max(weight, 0.0)});
+    for (const Index halfedge : halfedges) weight += cotangents[halfedge];
+    if (bounds == CotangentBounds::each_edge) weight = std::max(weight, 0.0);
+    result.edges.push_back({from, to, weight});
   }
   return result;
 }

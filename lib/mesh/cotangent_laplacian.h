@@ -1,8 +1,6 @@
-/// The Laplace-Beltrami operator of a mesh by cotangents over mixed areas.
+/// The Laplace-Beltrami operator of a mesh by cotangents over mixed areas. O(n); deterministic.
 /// Reference: Meyer, Desbrun, Schroeder & Barr, "Discrete differential-geometry operators for
-/// triangulated 2-manifolds", Visualization and Mathematics III, 2003. Differences: angles count as
-/// 5 to 175 degrees, and the weight of an edge as at least 0, so that no step is unbounded and
-/// implicit steps keep every vertex inside of the convex hull. O(n); deterministic.
+/// triangulated 2-manifolds", Visualization and Mathematics III, 2003.
 #pragma once
 
 #include <vector>
@@ -11,13 +9,23 @@
 
 namespace transformesh {
 
+/// How the cotangents of thin triangles are bounded.
+enum class CotangentBounds {
+  /// Angles count as 5 to 175 degrees, and the weight of an edge as at least 0. No vertex is pushed
+  /// away from a neighbor, but edges opposite of obtuse angles are in error.
+  each_edge,
+  /// The cotangents of a triangle with an angle below 1 degree are scaled down together. Others are
+  /// exact, and the operator stays negative semidefinite, so that implicit steps are stable.
+  each_triangle
+};
+
 /// The Laplacian of a function f at vertex v is the sum over its edges of
 /// weight * (f(neighbor) - f(v)), divided by 2 * areas[v].
 struct CotangentLaplacian {
   struct WeightedEdge {
     Index from = 0;
     Index to = 0;
-    double weight = 0;  ///< sum of the cotangents opposite of the edge; at least 0
+    double weight = 0;  ///< sum of the cotangents opposite of the edge
   };
 
   std::vector<WeightedEdge> edges;  ///< in the order of Edges
@@ -25,6 +33,6 @@ struct CotangentLaplacian {
   std::vector<char> is_border;  ///< per vertex: it has an edge of one face
 };
 
-CotangentLaplacian cotangent_laplacian(const Mesh& mesh);
+CotangentLaplacian cotangent_laplacian(const Mesh& mesh, CotangentBounds bounds);
 
 }  // namespace transformesh

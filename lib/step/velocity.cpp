@@ -89,7 +89,7 @@ std::vector<Vec3> normal_velocities(const Mesh& mesh, double speed) {
 }
 
 std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed) {
-  const CotangentLaplacian laplacian = cotangent_laplacian(mesh);
+  const CotangentLaplacian laplacian = cotangent_laplacian(mesh, CotangentBounds::each_edge);
   std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
   // Every edge pulls its ends together.
   for (const auto& [from, to, weight] : laplacian.edges) {

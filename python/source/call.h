@@ -64,6 +64,7 @@ void bind_cuts(py::module_& module);
 void bind_measures(py::module_& module);
 void bind_pictures(py::module_& module);
 void bind_evolutions(py::module_& module);
+void bind_flows(py::module_& module);
 void bind_views(py::module_& module);
 
 }  // namespace transformesh::python

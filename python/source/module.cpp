@@ -141,6 +141,7 @@ PYBIND11_MODULE(_transformesh, module) {
   bind_measures(module);
   bind_pictures(module);
   bind_evolutions(module);
+  bind_flows(module);
   bind_views(module);
   module.def(
       "set_threads",

@@ -28,6 +28,7 @@ from ._transformesh import (
     evolve,
     evolve_in_time,
     fill,
+    flow,
     handles,
     hull,
     info,

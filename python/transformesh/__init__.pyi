@@ -168,6 +168,21 @@ def align(
     iterations: int = 200,
     progress: Progress = None,
 ) -> Mesh: ...
+def flow(
+    mesh: Mesh,
+    name: str,
+    *,
+    time: float = 0.0,
+    span: float = 0.0,
+    speed: float = 1.0,
+    period: Optional[float] = None,
+    center: Optional[Sequence[float]] = None,
+    direction: Optional[Sequence[float]] = None,
+    column: Optional[str] = None,
+    grid: str = "",
+    grid_step: float = 0.0,
+    progress: Progress = None,
+) -> Mesh: ...
 def handles(mesh: Mesh, *, max_length: Length = "5x", progress: Progress = None) -> Mesh: ...
 def transform(
     mesh: Mesh,

@@ -20,6 +20,7 @@ tm-convert|filter|
 tm-displace|filter|--normal-speed 0.01
 tm-evolve|loop|--step cat --iterations 1
 tm-fill|filter|
+tm-flow|filter|mean-curvature
 tm-handles|filter|
 tm-hull|source|--cameras SCENE/par.txt --silhouettes SCENE/masks --resolution 20
 tm-info|predicate|

@@ -87,6 +87,7 @@ tm-convert
 tm-displace
 tm-evolve
 tm-fill
+tm-flow
 tm-handles
 tm-info
 tm-intersect

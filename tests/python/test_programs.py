@@ -337,6 +337,43 @@ def test_repair(holes, options, words):
         tm.repair(tm.parse(holes), max_change=1e-6)
 
 
+@pytest.mark.parametrize(
+    "name, options, words",
+    [
+        ("deformation", {"time": 0.5, "period": 2}, ["--time", 0.5, "--period", 2]),
+        (
+            "rotation",
+            {"center": (1, 2, 3), "direction": (0, 1, 1), "speed": -2},
+            ["--center", "1,2,3", "--direction", "0,1,1", "--speed=-2"],
+        ),
+        ("mean-curvature", {"span": 0.01}, ["--span", 0.01]),
+    ],
+)
+def test_flow(name, options, words, tmp_path):
+    ball = shape("sphere", "--faces", 500)
+    moved = tm.flow(tm.parse(ball), name, **options)
+    words += ["--report", tmp_path / "report"]
+    assert same(moved, "tm-flow", name, *words, stdin=ball)
+    assert moved.report == json.loads((tmp_path / "report").read_text())["result"]
+    with pytest.raises(tm.UsageError, match="no parameter 'column'"):
+        tm.flow(moved, name, column="vx")
+
+
+def test_flow_of_a_grid(tmp_path):
+    nodes = np.random.default_rng(1).normal(size=(2, 3, 4, 3)).astype("<f8")  # z, y, x, component
+    header = "NRRD0004\ntype: double\ndimension: 4\nsizes: 3 4 3 2\nencoding: raw\nendian: little\n\n"
+    path = tmp_path / "wind.nrrd"
+    path.write_bytes(header.encode() + nodes.tobytes())
+    corners = tm.Mesh([[0, 0, 0], [3, 2, 1], [1, 2, 0.5]], [[0, 1, 2]])
+    blown = tm.flow(corners, "grid", grid=str(path))
+    found = np.stack([blown.vertex_columns[axis] for axis in ("vx", "vy", "vz")], axis=1)
+    middle = (nodes[0, 2, 1] + nodes[1, 2, 1]) / 2
+    assert np.allclose(found, [nodes[0, 0, 0], nodes[1, 2, 3], middle])
+    far = tm.Mesh([[0, 0, -9], [3, 2, 1], [1, 2, 0.5]], [[0, 1, 2]])
+    with pytest.warns(UserWarning, match="1 vertex outside of the grid"):
+        tm.flow(far, "grid", grid=str(path))
+
+
 @pytest.mark.parametrize("options, words", [({}, []), ({"max_length": 3.5}, ["--max-length", 3.5])])
 def test_handles(options, words, tmp_path):
     torus = shape("torus", "--faces", 2000)

@@ -86,7 +86,7 @@ clamps_nothing() {
   run_examples tm-displace.1
   clamps_nothing
   run_examples tm-cat.1 tm-clean.1 tm-convert.1 tm-morph-step.1 tm-offset.1
-  run_examples tm-align.1 tm-boolean.1 tm-carry.1 tm-fill.1 tm-handles.1 tm-remesh.1 tm-repair.1 tm-sample.1 tm-select.1 tm-stitch.1 tm-tile.1 tm-transform.1
+  run_examples tm-align.1 tm-boolean.1 tm-carry.1 tm-fill.1 tm-flow.1 tm-handles.1 tm-remesh.1 tm-repair.1 tm-sample.1 tm-select.1 tm-stitch.1 tm-tile.1 tm-transform.1
 }
 
 @test "examples of what looks and judges" {

@@ -43,6 +43,8 @@ tm-convert
 tm-displace --normal-speed 1%
 tm-evolve --step cat --iterations 1 --format off
 tm-fill
+tm-flow mean-curvature
+tm-flow surface-diffusion --span 1e-3
 tm-handles
 tm-info
 tm-intersect

@@ -86,9 +86,11 @@ joins() { # FILE PROGRAM OPTION...
   for file in body.ply seam.off; do
     refuses tm-displace --normal-speed 0.01 "$file"
     refuses tm-displace --curvature-speed 0.01 "$file"
+    refuses tm-flow mean-curvature "$file"
     refuses tm-morph-step --target bowl.off "$file"
     tm-stitch -q "$file" -o "$work/mesh.ply"
     tm-displace -q --normal-speed 0.01 "$work/mesh.ply" -o /dev/null
+    tm-flow -q mean-curvature "$work/mesh.ply" -o /dev/null
     tm-morph-step -q --target bowl.off "$work/mesh.ply" -o /dev/null
   done
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/streams/file_list.h"
-#include "support/counted.h"
+#include "flow/flow_notes.h"
+#include "flow/grid_files.h"
 
 namespace transformesh::tool {
 namespace {
@@ -11,19 +11,6 @@ namespace {
 std::optional<Vec3> vector_of(const std::vector<double>& numbers) {
   if (numbers.empty()) return std::nullopt;
   return Vec3(numbers[0], numbers[1], numbers[2]);
-}
-
-/// Grids of speeds have one value per node, those of velocities three.
-std::vector<FlowGrid> grids_of(const FlowChoices& choices, const std::string& name, Run& run) {
-  std::vector<FlowGrid> grids;
-  if (choices.grid.empty()) return grids;
-  for (const std::string& file : files_at(choices.grid)) {
-    run.progress()("read grids");
-    grids.push_back(read_flow_grid(run.in().read_bytes(file), file, name == "normal" ? 1 : 3));
-    if (choices.grid_step > 0)
-      grids.back().time = choices.grid_step * static_cast<double>(grids.size() - 1);
-  }
-  return grids;
 }
 
 std::string line_of(const FlowKind& kind, std::size_t width) {
@@ -66,28 +53,20 @@ std::string flow_list() {
   return text;
 }
 
-Flow flow_of(const std::string& name, const FlowChoices& choices, Run& run) {
-  if (choices.grid_step > 0 && choices.grid.empty())
-    throw UsageError("--grid-step needs --grid WHERE");
+Flow flow_of(const std::string& name, const FlowChoices& choices) {
   FlowOptions options;
   options.speed = choices.speed;
   if (choices.period > 0) options.period = choices.period;
   options.center = vector_of(choices.center);
   options.direction = vector_of(choices.direction);
   if (!choices.column.empty()) options.column = choices.column;
-  options.grids = grids_of(choices, name, run);
+  options.grids = read_flow_grids(name, choices.grid, choices.grid_step);
   return make_flow(name, std::move(options));
 }
 
 void note_flow(const Flow& flow, Run& run) {
-  const FlowCounts& counts = *flow.counts;
-  run.report("outside", counts.outside);
-  run.report("fixed", counts.fixed);
-  if (counts.outside > 0)
-    run.note(counted(counts.outside, "vertex") +
-             " outside of the grid took the value of its nearest point");
-  if (counts.is_time_outside)
-    run.note("a time before the first grid or after the last one took the values of that grid");
+  run.report(entries_of(*flow.counts));
+  for (const std::string& note : notes_of(*flow.counts)) run.note(note);
 }
 
 }  // namespace transformesh::tool

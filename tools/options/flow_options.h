@@ -27,7 +27,7 @@ std::vector<std::string> flow_names();
 std::string flow_list();
 
 /// Returns the flow of this name. Throws UsageError for options that the flow does not have.
-Flow flow_of(const std::string& name, const FlowChoices& choices, Run& run);
+Flow flow_of(const std::string& name, const FlowChoices& choices);
 
 /// Notes and reports what the evaluations of the flow met.
 void note_flow(const Flow& flow, Run& run);

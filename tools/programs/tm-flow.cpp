@@ -15,11 +15,10 @@ struct Choices {
 
 void add_velocities(const Choices& choices, tool::Run& run) {
   if (choices.list) return run.out().set_bytes(tool::flow_list());
-  const Flow flow = tool::flow_of(run.program().word, choices.flow, run);
+  const Flow flow = tool::flow_of(run.program().word, choices.flow);
   const FlowSpeeds speeds = add_flow_columns(run.document().mesh, flow.motion,
                                              {choices.time, choices.span}, run.progress());
-  run.report("max_speed", speeds.maximum);
-  run.report("rms_speed", speeds.rms);
+  run.report(entries_of(speeds));
   tool::note_flow(flow, run);
 }
 

@@ -75,8 +75,8 @@ TEST_CASE("reversing fields take particles back to their start after a period") 
 
 TEST_CASE("a rotation turns once in its period, about its axis") {
   const Vec3 center(1, 2, 3);
-  const AnalyticField field = analytic_field(
-      "rotation", {.period = 2, .center = center, .direction = Vec3(0, 0, 5)});
+  const AnalyticField field =
+      analytic_field("rotation", {.period = 2, .center = center, .direction = Vec3(0, 0, 5)});
   const Vec3 start = center + Vec3(1, 0, 7);
   CHECK((end_of_path(field, start, 2, 1000) - start).norm() < 1e-9);
   CHECK((end_of_path(field, start, 0.5, 1000) - (center + Vec3(0, 1, 7))).norm() < 1e-9);
@@ -91,12 +91,12 @@ TEST_CASE("fields have the values of their formulas") {
   const Vec3 deformation(2 * s(p.x()) * s(p.x()) * S(p.y()) * S(p.z()) * back,
                          -S(p.x()) * s(p.y()) * s(p.y()) * S(p.z()) * back,
                          -S(p.x()) * S(p.y()) * s(p.z()) * s(p.z()) * back);
-  CHECK((analytic_field("deformation", {})(0.7)(p) - deformation).norm() < 1e-14);
+  CHECK((analytic_field("deformation", {})(0.7)(p)-deformation).norm() < 1e-14);
   const Vec3 vortex(-s(p.x()) * s(p.x()) * S(p.y()), S(p.x()) * s(p.y()) * s(p.y()), 0);
-  CHECK((analytic_field("vortex", {})(0)(p) - vortex).norm() < 1e-14);
+  CHECK((analytic_field("vortex", {})(0)(p)-vortex).norm() < 1e-14);
   const double a = std::sqrt(3), b = std::sqrt(2);
   const Vec3 abc(a * S(p.z()) + C(p.y()), b * S(p.x()) + a * C(p.z()), S(p.y()) + b * C(p.x()));
-  CHECK((analytic_field("abc", {})(9)(p) - abc).norm() < 1e-14);
+  CHECK((analytic_field("abc", {})(9)(p)-abc).norm() < 1e-14);
   CHECK(analytic_field("shear", {})(0)(p).isApprox(Vec3(0.15, 0, 0)));
   CHECK(analytic_field("translation", {.direction = Vec3(0, 3, 4)})(0)(p).isApprox(
       Vec3(0, 0.6, 0.8)));

@@ -1,0 +1,192 @@
+#include "flow/curvature_flows.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "helpers/revolution_flow.h"
+#include "helpers/shapes.h"
+#include "transformesh/measure.h"
+#include "transformesh/shapes.h"
+
+using namespace transformesh;
+using doctest::Approx;
+
+namespace {
+
+/// Moves a mesh by steps of the flow's own integrator; no face changes.
+void advance(Mesh& mesh, const char* name, double duration, int steps) {
+  const Motion motion = make_flow(name).motion;
+  REQUIRE(motion.displacement);
+  const double span = duration / steps;
+  for (int i = 0; i < steps; ++i) {
+    const auto displacements = motion.displacement(mesh, {i * span, span, 0}, Progress());
+    for (std::size_t v = 0; v < displacements.size(); ++v) mesh.positions[v] += displacements[v];
+  }
+}
+
+double mean_radius(const Mesh& mesh) {
+  double sum = 0;
+  for (const Vec3& p : mesh.positions) sum += p.norm();
+  return sum / static_cast<double>(mesh.positions.size());
+}
+
+double radius_spread(const Mesh& mesh) {
+  double low = 1e300, high = 0;
+  for (const Vec3& p : mesh.positions) {
+    low = std::min(low, p.norm());
+    high = std::max(high, p.norm());
+  }
+  return (high - low) / mean_radius(mesh);
+}
+
+/// Relative error of the squared radius of a unit sphere at time 0.15, where it is 0.4.
+double sphere_error(std::size_t faces, int steps) {
+  Mesh sphere = make_sphere(Vec3::Zero(), 1, faces);
+  advance(sphere, "mean-curvature", 0.15, steps);
+  return std::abs(std::pow(mean_radius(sphere), 2) / 0.4 - 1);
+}
+
+/// Six times the volume, summed here.
+double volume_of(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.faces)
+    sum += mesh.positions[a].dot(mesh.positions[b].cross(mesh.positions[c]));
+  return sum / 6;
+}
+
+Mesh ellipsoid(double radius, double half_height, int subdivisions) {
+  Mesh mesh = test::icosphere(subdivisions);
+  for (Vec3& p : mesh.positions) p = p.cwiseProduct(Vec3(radius, radius, half_height));
+  return mesh;
+}
+
+double shortest_edge(const Mesh& mesh) { return edge_lengths(mesh).minimum; }
+
+}  // namespace
+
+TEST_CASE("under mean-curvature flow a sphere has r^2 = r0^2 - 4 t, and the error converges") {
+  const double coarse = sphere_error(1250, 250), fine = sphere_error(5000, 1000);
+  MESSAGE("errors of r^2: ", coarse, " ", fine);
+  CHECK(fine < 0.01);
+  CHECK(fine < 0.4 * coarse);
+}
+
+TEST_CASE("an ellipsoid has the axes of the one-dimensional solver on its way") {
+  Mesh mesh = ellipsoid(0.5, 1, 4);
+  test::RevolutionFlow profile(test::ellipsoid_profile(0.5, 1, 201));
+  for (int i = 1; i <= 3; ++i) {
+    advance(mesh, "mean-curvature", 0.02, 200);
+    profile.advance_to(0.02 * i);
+    const Box box = bounding_box(mesh);
+    MESSAGE("axes ", box.max().x(), " ", box.max().z(), " and ",
+            profile.radius(profile.points().size() / 2), " ", profile.points().back().y());
+    CHECK(box.max().x() == Approx(profile.radius(profile.points().size() / 2)).epsilon(0.01));
+    CHECK(box.max().z() == Approx(profile.points().back().y()).epsilon(0.01));
+  }
+}
+
+TEST_CASE("steps a thousand times longer than explicit ones are stable") {
+  for (const char* name : {"mean-curvature", "volume-preserving-curvature", "surface-diffusion"}) {
+    CAPTURE(name);
+    ShapeOptions options;
+    options.kind = "sphere";
+    options.faces = 3000;
+    options.noise = 0.05;
+    Mesh mesh = make_shape(options);
+    const Box before = bounding_box(mesh);
+    const double edge = shortest_edge(mesh);
+    const bool is_fourth_order = std::string(name) == "surface-diffusion";
+    const double limit = is_fourth_order ? std::pow(edge, 4) / 32 : edge * edge / 4;
+    advance(mesh, name, 3 * 1000 * limit, 3);
+    for (const Vec3& p : mesh.positions) REQUIRE(p.allFinite());
+    CHECK(bounding_box(mesh).diagonal().norm() < 1.05 * before.diagonal().norm());
+    CHECK(volume_of(mesh) > 0);
+  }
+}
+
+TEST_CASE("at constant volume an ellipsoid becomes the sphere of its volume") {
+  Mesh mesh = ellipsoid(0.7, 1, 4);
+  const double before = volume_of(mesh);
+  advance(mesh, "volume-preserving-curvature", 1, 200);
+  CHECK(volume_of(mesh) == Approx(before).epsilon(1e-12));
+  MESSAGE("spread of the radius: ", radius_spread(mesh));
+  CHECK(radius_spread(mesh) < 0.005);
+  CHECK(mean_radius(mesh) == Approx(std::cbrt(before * 3 / (4 * std::numbers::pi))).epsilon(0.005));
+}
+
+TEST_CASE("components keep their own volumes") {
+  const Mesh small = test::moved(test::scaled(ellipsoid(0.7, 1, 3), 0.3), Vec3(5, 0, 0));
+  Mesh mesh = test::joined(ellipsoid(0.7, 1, 3), small);
+  const std::size_t faces = mesh.faces.size() / 2;
+  const auto volumes = [&] {
+    Mesh first = mesh, second = mesh;
+    first.faces.resize(faces);
+    second.faces.erase(second.faces.begin(), second.faces.begin() + static_cast<long>(faces));
+    return std::pair(volume_of(first), volume_of(second));
+  };
+  const auto before = volumes();
+  advance(mesh, "volume-preserving-curvature", 0.05, 10);
+  advance(mesh, "surface-diffusion", 1e-5, 10);
+  CHECK(volumes().first == Approx(before.first).epsilon(1e-12));
+  CHECK(volumes().second == Approx(before.second).epsilon(1e-10));
+}
+
+TEST_CASE("surface diffusion damps waves on a sphere at the rate of the closed form") {
+  // r = 1 + a P2(cos) decays as a exp(-24 t), by linearization for degree 2.
+  const double start = 0.05;
+  Mesh mesh = test::icosphere(4);
+  for (Vec3& p : mesh.positions) p *= 1 + start * (3 * p.z() * p.z() - 1) / 2;
+  const auto amplitude = [&] {
+    double sum = 0, weight = 0;
+    for (const Vec3& p : mesh.positions) {
+      const double wave = (3 * std::pow(p.normalized().z(), 2) - 1) / 2;
+      sum += (p.norm() - mean_radius(mesh)) * wave;
+      weight += wave * wave;
+    }
+    return sum / weight;
+  };
+  const double before = amplitude(), volume_before = volume_of(mesh);
+  advance(mesh, "surface-diffusion", 0.02, 80);
+  MESSAGE("decay ", amplitude() / before, " and ", std::exp(-24 * 0.02));
+  CHECK(amplitude() / before == Approx(std::exp(-24 * 0.02)).epsilon(0.05));
+  CHECK(volume_of(mesh) == Approx(volume_before).epsilon(1e-12));
+}
+
+TEST_CASE("borders stay, and a mesh without a volume is refused where that is kept") {
+  Mesh mesh = test::grid(6);
+  mesh.positions[24] += Vec3(0, 0, 0.2);
+  const Mesh start = mesh;
+  const Flow flow = make_flow("mean-curvature");
+  const auto moved = flow.motion.displacement(mesh, {0, 1, 0}, Progress());
+  CHECK(flow.counts->fixed == 24);
+  for (std::size_t v = 0; v < moved.size(); ++v) {
+    const Vec3& p = start.positions[v];
+    if (p.x() == 0 || p.y() == 0 || p.x() == 1 || p.y() == 1) CHECK(moved[v] == Vec3::Zero());
+  }
+  CHECK(moved[24].z() < -0.15);
+  for (const char* name : {"volume-preserving-curvature", "surface-diffusion"}) {
+    const Motion closed_only = make_flow(name).motion;
+    CHECK_THROWS_AS(closed_only.displacement(mesh, {0, 1, 0}, Progress()), InputError);
+    CHECK_THROWS_AS(closed_only.velocity(mesh, {0, 0, 0}, Progress()), InputError);
+  }
+  CHECK_THROWS_AS(flow.motion.velocity(test::soup_of(test::cube()), {}, Progress()), InputError);
+}
+
+TEST_CASE("velocities are the limit of short steps") {
+  const Mesh mesh = ellipsoid(0.7, 1, 3);
+  for (const char* name : {"mean-curvature", "volume-preserving-curvature", "surface-diffusion"}) {
+    CAPTURE(name);
+    const Motion motion = make_flow(name, {.speed = 2}).motion;
+    const auto velocities = motion.velocity(mesh, {}, Progress());
+    const double span = 1e-11;
+    const auto displacements = motion.displacement(mesh, {0, span, 0}, Progress());
+    double worst = 0, largest = 0;
+    for (std::size_t v = 0; v < velocities.size(); ++v) {
+      worst = std::max(worst, (displacements[v] / span - velocities[v]).norm());
+      largest = std::max(largest, velocities[v].norm());
+    }
+    CHECK(worst < 1e-3 * largest);
+  }
+}

@@ -1,0 +1,70 @@
+#include "helpers/revolution_flow.h"
+
+#include <doctest/doctest.h>
+
+using namespace transformesh::test;
+using doctest::Approx;
+
+namespace {
+
+/// Largest difference of a profile's distance from the origin to a sphere's radius.
+double sphere_error(int count) {
+  RevolutionFlow flow(ellipsoid_profile(1, 1, count));
+  flow.advance_to(0.2);
+  double worst = 0;
+  for (const ProfilePoint& p : flow.points())
+    worst = std::max(worst, std::abs(p.norm() - std::sqrt(1 - 4 * 0.2)));
+  return worst;
+}
+
+/// A dumbbell whose radius is `neck` in the middle.
+Profile lemniscate(double neck, int count) {
+  return pole_to_pole(-1, 1, count, [=](double z) {
+    return std::sqrt(std::max(1 - z * z, 0.0)) * std::sqrt(neck * neck + z * z);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the solver for surfaces of revolution has the radius of a shrinking sphere") {
+  CHECK(sphere_error(101) < 2e-4);
+  CHECK(sphere_error(51) / sphere_error(101) > 3.4);  // of second order
+}
+
+TEST_CASE("a ring that is far from the axis collapses as a cylinder does") {
+  CHECK(ring_collapse_time(torus_profile(1000, 0.4, 100)) == Approx(0.08).epsilon(2e-3));
+  CHECK(ring_collapse_time(torus_profile(1000, 0.4, 200)) == Approx(0.08).epsilon(5e-4));
+}
+
+TEST_CASE("times of collapse and pinching converge with the number of points") {
+  const auto converges = [](const auto& time_of) {
+    const double coarse = time_of(100), middle = time_of(200), fine = time_of(400);
+    CAPTURE(fine);
+    CHECK(std::abs(middle - fine) < 0.35 * std::abs(coarse - middle));
+    CHECK(std::abs(middle - fine) < 1e-3 * fine);
+    return fine;
+  };
+  const double ring = converges([](int n) { return ring_collapse_time(torus_profile(1, 0.4, n)); });
+  // The profile's area falls by 2 pi (2 - R / sqrt(R^2 - r^2)), which grows from 2 pi * 0.909.
+  CHECK(ring > 0.08);
+  CHECK(ring < 0.08 / 0.9089);
+  MESSAGE("the ring collapses at ", ring);
+  const double neck = converges([](int n) { return pinch_time(lemniscate(0.3, n + 1)); });
+  MESSAGE("the neck pinches at ", neck);
+  CHECK(neck > 0.045);  // a cylinder of this radius lasts that long; the balls widen the neck
+}
+
+TEST_CASE("an ellipsoid becomes rounder, and vanishes between its inner and outer sphere") {
+  RevolutionFlow flow(ellipsoid_profile(0.5, 1, 201));
+  const auto aspect = [&] {
+    return flow.points().back().y() / flow.radius(flow.points().size() / 2);
+  };
+  CHECK(aspect() == Approx(2));
+  double last = aspect();
+  for (const double time : {0.02, 0.04, 0.06, 0.08}) {
+    flow.advance_to(time);
+    CHECK(aspect() < last);
+    last = aspect();
+  }
+  CHECK(flow.profile_area() > 0);
+}
