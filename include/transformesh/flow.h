@@ -18,7 +18,7 @@ struct FlowGrid {
   Vec3 spacing = Vec3::Ones();               ///< distance of neighboring nodes; > 0
   std::array<std::size_t, 3> size{1, 1, 1};  ///< nodes per axis; values are constant along 1 node
   std::size_t components = 3;                ///< 3: velocities; 1: speeds
-  std::vector<double> values;                ///< of a node side by side
+  std::vector<double> values;                ///< the components of a node are side by side
   std::optional<double> time = {};
 };
 
@@ -42,7 +42,7 @@ struct FlowKind {
 };
 const std::vector<FlowKind>& flow_kinds();
 
-/// What evaluations of a flow met.
+/// Counts what evaluations of a flow met.
 struct FlowCounts {
   std::size_t outside = 0;       ///< most vertices outside of the grids in one evaluation
   bool is_time_outside = false;  ///< a time was before the first grid or after the last one

@@ -1,24 +1,27 @@
 /// Velocity fields in closed form, by which methods that move surfaces are judged. Those of the
 /// unit cube have their features there; they are defined everywhere.
 ///
-/// With s(x) = sin(pi x), S(x) = sin(2 pi x) and C(x) = cos(2 pi x):
-///   rotation     2 pi / period * axis x (p - center)
-///   vortex       (-s(x)^2 S(y), S(x) s(y)^2, 0) cos(pi t / period)
-///   deformation  (2 s(x)^2 S(y) S(z), -S(x) s(y)^2 S(z), -S(x) S(y) s(z)^2) cos(pi t / period)
-///   abc          (A S(z) + C C(y), B S(x) + A C(z), C S(y) + B C(x)), A, B, C = sqrt 3, sqrt 2, 1
-///   shear        (z - center.z, 0, 0)
-///   expansion    p - center
-///   translation  direction / |direction|
+/// Let s(x) be sin(pi x), S(x) be sin(2 pi x) and C(x) be cos(2 pi x).
 ///
-/// References: Zalesak, "Fully multidimensional flux-corrected transport algorithms for fluids",
-/// Journal of Computational Physics 31, 1979 (rotation); Bell, Colella & Glaz, "A second-order
-/// projection method for the incompressible Navier-Stokes equations", Journal of Computational
-/// Physics 85, 1989, and LeVeque, "High-resolution conservative algorithms for advection in
-/// incompressible flow", SIAM Journal on Numerical Analysis 33, 1996 (vortex, deformation, and the
-/// cosine in time that takes particles back); Enright, Fedkiw, Ferziger & Mitchell, "A hybrid
-/// particle level set method for improved interface capturing", Journal of Computational Physics
-/// 183, 2002 (period 3); Dombre et al., "Chaotic streamlines in the ABC flows", Journal of Fluid
-/// Mechanics 167, 1986.
+///     rotation     2 pi / period * axis x (p - center)
+///     vortex       (-s(x)^2 S(y), S(x) s(y)^2, 0) cos(pi t / period)
+///     deformation  (2 s(x)^2 S(y) S(z), -S(x) s(y)^2 S(z), -S(x) S(y) s(z)^2) cos(pi t / period)
+///     abc          (A S(z) + C C(y), B S(x) + A C(z), C S(y) + B C(x))
+///     shear        (z - center.z, 0, 0)
+///     expansion    p - center
+///     translation  direction / |direction|
+///
+/// Reference for the rotation: Zalesak, "Fully multidimensional flux-corrected transport algorithms
+/// for fluids", Journal of Computational Physics 31, 1979.
+/// For the vortex: Bell, Colella & Glaz, "A second-order projection method for the incompressible
+/// Navier-Stokes equations", Journal of Computational Physics 85, 1989.
+/// For the deformation, and the cosine that takes particles back: LeVeque, "High-resolution
+/// conservative algorithms for advection in incompressible flow", SIAM Journal on Numerical
+/// Analysis 33, 1996.
+/// For its period of 3: Enright, Fedkiw, Ferziger & Mitchell, "A hybrid particle level set method
+/// for improved interface capturing", Journal of Computational Physics 183, 2002.
+/// For abc: Dombre et al., "Chaotic streamlines in the ABC flows", Journal of Fluid Mechanics 167,
+/// 1986.
 #pragma once
 
 #include <functional>

@@ -12,13 +12,11 @@ namespace {
 /// which the factor of the velocity is 1.
 using Vectors = std::vector<Vec3> (*)(const Mesh& mesh, const DiffusionStep& step, double span);
 
-std::vector<Vec3> mean_curvature(const Mesh& mesh, const DiffusionStep& step, double span) {
+std::vector<Vec3> mean_curvature(const Mesh&, const DiffusionStep& step, double span) {
   return span > 0 ? step.second_order(span) : step.curvature_vectors();
 }
 
-std::vector<Vec3> volume_preserving(const Mesh& mesh, const DiffusionStep& step, double span) {
-  require_volume(mesh);
-  std::vector<Vec3> vectors = mean_curvature(mesh, step, span);
+std::vector<Vec3> at_constant_volume(const Mesh& mesh, std::vector<Vec3> vectors, double span) {
   if (span > 0)
     restore_volumes(mesh, vectors);
   else
@@ -26,13 +24,17 @@ std::vector<Vec3> volume_preserving(const Mesh& mesh, const DiffusionStep& step,
   return vectors;
 }
 
+std::vector<Vec3> volume_preserving(const Mesh& mesh, const DiffusionStep& step, double span) {
+  require_volume(mesh);
+  return at_constant_volume(mesh, mean_curvature(mesh, step, span), span);
+}
+
 std::vector<Vec3> surface_diffusion(const Mesh& mesh, const DiffusionStep& step, double span) {
   require_volume(mesh);
   std::vector<Vec3> vectors = vertex_normals(mesh);
   const std::vector<double> speeds = step.fourth_order(span);
   for (std::size_t v = 0; v < vectors.size(); ++v) vectors[v] *= speeds[v] * (span > 0 ? span : 1);
-  if (span > 0) restore_volumes(mesh, vectors);
-  return vectors;
+  return at_constant_volume(mesh, std::move(vectors), span);
 }
 
 Vectors vectors_of(std::string_view name) {

@@ -19,8 +19,8 @@ class DiffusionStep {
   /// Returns the sum of the principal curvatures times the inward normal at each vertex; 0 at fixed
   /// ones.
   std::vector<Vec3> curvature_vectors() const;
-  /// Solves (M - span L) x = M p for the positions x after a step of mean-curvature flow, where p
-  /// are the positions, M the areas and L the Laplacian without the areas. Returns x - p.
+  /// Solves (M - span L) x = M p for the positions x after a step of mean-curvature flow. Positions
+  /// are p, areas M, and L is the Laplacian without the areas. Returns x - p.
   std::vector<Vec3> second_order(double span) const;
   /// Solves (M + span L inverse(M) L) v = L h for the speeds v along the normals of surface
   /// diffusion, where h is the sum of the principal curvatures.

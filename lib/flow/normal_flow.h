@@ -1,12 +1,12 @@
 /// Motion along the normals by a speed: growth where the speed is positive, erosion where it is
 /// negative (Huygens' principle).
 ///
-/// A vertex moves such that the planes of its faces move by the speed. The exception is a convex
-/// place that grows, or a concave one that recedes: there the surface at a distance is round, and
-/// the vertex moves by the speed itself along its normal.
-/// References: Jiao, "Face offsetting: a unified approach for explicit moving interfaces", Journal
-/// of Computational Physics 220, 2007; Sethian, "Level Set Methods and Fast Marching Methods",
-/// Cambridge University Press 1999, chapter 2 (Huygens' principle and the entropy condition).
+/// A vertex moves such that the planes of its faces move by the speed. Convex places that grow, and
+/// concave ones that recede, become round instead: the vertex moves along its normal by the speed.
+/// Reference: Jiao, "Face offsetting: a unified approach for explicit moving interfaces", Journal
+/// of Computational Physics 220, 2007.
+/// For round and sharp places: Sethian, "Level Set Methods and Fast Marching Methods", Cambridge
+/// University Press 1999, chapter 2.
 #pragma once
 
 #include <span>

@@ -15,7 +15,7 @@ constexpr double tolerance = 1e-6;
 /// Position between two neighboring nodes of an axis.
 struct Place {
   std::size_t low = 0, high = 0;
-  double weight = 0;  ///< of the high node
+  double weight = 0;  ///< weight of the high node
   bool is_outside = false;
 };
 

@@ -10,9 +10,9 @@ namespace transformesh {
 /// Grids of one quantity at one or more times.
 class GridSeries {
  public:
-  /// Sorts the grids by time. Throws UsageError if there is none, if the numbers of values, nodes
-  /// and components do not agree or spacings are not positive; InputError if one of several grids
-  /// has no time, or two have the same.
+  /// Sorts the grids by time. Throws UsageError if there is none, or if the numbers of values,
+  /// nodes and components do not agree. Throws InputError if one of several grids has no time, or
+  /// if two have the same.
   GridSeries(std::vector<FlowGrid> grids, std::size_t components);
 
   /// Two grids and the weight of the second one.

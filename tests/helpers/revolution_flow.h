@@ -1,10 +1,10 @@
-/// Mean curvature flow of surfaces of revolution, as the motion of their profile curves in the half
-/// plane of the radius r and the height z: an explicit one-dimensional solver that shares nothing
-/// with the library.
+/// Mean-curvature flow of surfaces of revolution, as the motion of their profile curves in the half
+/// plane of the radius r and the height z. This explicit one-dimensional solver shares nothing with
+/// the library.
 ///
-/// The surface moves along its outward normal n by k - n_r / r, where k is the curvature of the
-/// profile with the sign that makes convex places recede: a sphere has r(t)^2 = r(0)^2 - 4 t, a
-/// cylinder r(t)^2 = r(0)^2 - 2 t. Errors are O(h^2) for a spacing h of the points.
+/// The surface moves along its outward normal n by k - n_r / r. The curvature k of the profile has
+/// the sign that makes convex places recede: a sphere has r(t)^2 = r(0)^2 - 4 t, a cylinder
+/// r(t)^2 = r(0)^2 - 2 t. Errors are O(h^2) for a spacing h of the points.
 #pragma once
 
 #include <Eigen/Core>

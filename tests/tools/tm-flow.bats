@@ -143,6 +143,9 @@ uniform_vti() {
   refuses 2 "above 0" mean-curvature --speed=-1 ball.ply
   refuses 2 "the flow has no grid: name its files" grid ball.ply
   refuses 2 "there are no grids" grid --grid-step 1 ball.ply
+  run --separate-stderr tm-flow abc --span 1 ball.ply -o flow.ply
+  assert_status 0
+  [ "$stderr" = "tm-flow: the flow has no steps of its own: --span makes no difference" ]
   refuses 3 "no such file" grid --grid none.vti ball.ply
   refuses 3 "neither" grid --grid ball.ply ball.ply
   tm-select --box=-2,-2,-2,2,2,0 ball.ply -o bowl.ply

@@ -24,9 +24,11 @@ std::string line_of(const FlowKind& kind, std::size_t width) {
 
 void declare_flow(OptionSet& options, FlowChoices& choices) {
   options.number("speed", &choices.speed, -1e300, 1e300, "factor of the velocity");
-  options.number("period", &choices.period, 0, 1e300,
-                 "time of a turn (rotation), or time after which particles are back at their "
-                 "start (default 0: rotation 1, vortex 8, deformation 3)");
+  options
+      .number("period", &choices.period, 0, 1e300,
+              "time of a turn (rotation), or time after which particles are back at their start "
+              "(default: rotation 1, vortex 8, deformation 3)")
+      .default_text.clear();
   options.numbers("center", &choices.center, "X,Y,Z",
                   "fixed point of rotation, shear and expansion (default 0.5,0.5,0.5)");
   options.numbers("direction", &choices.direction, "X,Y,Z",
@@ -35,8 +37,10 @@ void declare_flow(OptionSet& options, FlowChoices& choices) {
                "vertex property that multiplies the speed of normal");
   options.text("grid", &choices.grid, "WHERE",
                "files of VTK ImageData or NRRD: velocities of grid, or speeds of normal");
-  options.number("grid-step", &choices.grid_step, 0, 1e300,
-                 "time from a file of --grid to the next (default 0: files state their times)");
+  options
+      .number("grid-step", &choices.grid_step, 0, 1e300,
+              "time from a file of --grid to the next (default: the times that files state)")
+      .default_text.clear();
 }
 
 std::vector<std::string> flow_names() {

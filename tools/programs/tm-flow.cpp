@@ -19,6 +19,8 @@ void add_velocities(const Choices& choices, tool::Run& run) {
   const FlowSpeeds speeds = add_flow_columns(run.document().mesh, flow.motion,
                                              {choices.time, choices.span}, run.progress());
   run.report(entries_of(speeds));
+  if (choices.span > 0 && !flow.motion.displacement)
+    run.note("the flow has no steps of its own: --span makes no difference");
   tool::note_flow(flow, run);
 }
 
@@ -37,7 +39,7 @@ int main(int argc, char** argv) {
   program.options.number("time", &choices.time, -1e300, 1e300, "time of the velocities");
   program.options.number("span", &choices.span, 0, 1e300,
                          "write the mean velocity of the flow's own step over this time, for flows "
-                         "by curvature (default 0: the velocity at the time)");
+                         "by curvature; 0: the velocity at the time");
   tool::declare_flow(program.options, choices.flow);
   program.example =
       "tm-flow deformation --time 0.1 mesh.ply | tm-displace --time-step 0.02 > next.ply";

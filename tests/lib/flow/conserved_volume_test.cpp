@@ -13,7 +13,7 @@ using doctest::Approx;
 
 namespace {
 
-/// By the divergence theorem, relative to the first vertex.
+/// The volume by the divergence theorem, relative to the first vertex.
 double volume_of(const Mesh& mesh, std::size_t first, std::size_t last) {
   const Vec3 origin = mesh.positions[mesh.faces[first][0]];
   double sum = 0;

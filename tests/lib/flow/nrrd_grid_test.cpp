@@ -14,7 +14,7 @@ const std::string usual =
     "NRRD0004\n# made by hand\ntype: double\ndimension: 4\nsizes: 3 2 1 2\nencoding: raw\n"
     "endian: little\n";
 
-/// So many numbers 0, 1, 2 and so on, little-endian or big-endian.
+/// Bytes of `count` numbers 0, 1, 2 and so on, little-endian or big-endian.
 template <class T>
 std::string data(int count, bool is_big = false) {
   std::string bytes;

@@ -91,9 +91,9 @@ TEST_CASE("series that make no sense are refused") {
   grid.values = {1, 2, 3};
   CHECK_THROWS_AS(GridSeries({}, 3), UsageError);
   CHECK_THROWS_AS(GridSeries({grid}, 1), UsageError);
-  CHECK_THROWS_AS(GridSeries({grid, grid}, 3), InputError);  // without times
+  CHECK_THROWS_AS(GridSeries({grid, grid}, 3), InputError);  // no times
   grid.time = 1;
-  CHECK_THROWS_AS(GridSeries({grid, grid}, 3), InputError);  // with equal times
+  CHECK_THROWS_AS(GridSeries({grid, grid}, 3), InputError);  // equal times
   grid.spacing.y() = 0;
   CHECK_THROWS_AS(GridSeries({grid}, 3), UsageError);
   grid.spacing.y() = 1;

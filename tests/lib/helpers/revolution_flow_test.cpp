@@ -28,7 +28,7 @@ Profile lemniscate(double neck, int count) {
 
 TEST_CASE("the solver for surfaces of revolution has the radius of a shrinking sphere") {
   CHECK(sphere_error(101) < 2e-4);
-  CHECK(sphere_error(51) / sphere_error(101) > 3.4);  // of second order
+  CHECK(sphere_error(51) / sphere_error(101) > 3.4);  // the order is 2
 }
 
 TEST_CASE("a ring that is far from the axis collapses as a cylinder does") {
