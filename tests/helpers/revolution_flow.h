@@ -64,6 +64,27 @@ inline Profile ellipsoid_profile(double radius, double half_height, int count) {
   });
 }
 
+/// Two balls of radius .5 around z = -.7 and .7 with a neck of this radius between them, blended
+/// over .2: the shape that tm-shape calls dumbbell. The neck is at most .3.
+inline Profile dumbbell_profile(double neck, int count) {
+  constexpr double ball = 0.5, center = 0.7, blend = 0.2;
+  const auto distance = [=](double r, double z) {
+    const double height = std::abs(z);
+    const double to_ball = Eigen::Vector2d(r, height - center).norm() - ball;
+    const double to_neck = Eigen::Vector2d(r, std::max(height - center, 0.0)).norm() - neck;
+    const double overlap = std::max(blend - std::abs(to_ball - to_neck), 0.0) / blend;
+    return std::min(to_ball, to_neck) - overlap * overlap * blend / 4;
+  };
+  return pole_to_pole(-center - ball, center + ball, count, [=](double z) {
+    double low = 0, high = 1;  // the distance grows with r
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (distance(middle, z) < 0 ? low : high) = middle;
+    }
+    return low;
+  });
+}
+
 class RevolutionFlow {
  public:
   explicit RevolutionFlow(Profile profile) : profile_(std::move(profile)) {}
@@ -84,6 +105,16 @@ class RevolutionFlow {
       sum += (a.x() * b.y() - b.x() * a.y()) / 2;
     }
     return sum;
+  }
+
+  /// Volume that the surface encloses, as a sum of frustums.
+  double volume() const {
+    double sum = 0;
+    for (std::size_t i = profile_.is_closed ? 0 : 1; i < size(); ++i) {
+      const double a = before(i).x(), b = radius(i);
+      sum += (a * a + a * b + b * b) / 3 * (profile_.points[i].y() - before(i).y());
+    }
+    return std::numbers::pi * sum;
   }
 
   /// Index of the point in the middle of the thinnest neck; the size if there is none.

@@ -87,6 +87,32 @@ TEST_CASE("an ellipsoid has the axes of the one-dimensional solver on its way") 
   }
 }
 
+TEST_CASE("a ring and a dumbbell have the volumes and the neck of the one-dimensional solver") {
+  Mesh ring = test::torus(1, 0.4, 80, 40);
+  test::RevolutionFlow profile(test::torus_profile(1, 0.4, 200));
+  for (int i = 1; i <= 3; ++i) {
+    advance(ring, "mean-curvature", 0.02, 200);
+    profile.advance_to(0.02 * i);
+    MESSAGE("volumes ", volume_of(ring), " and ", profile.volume());
+    CHECK(volume_of(ring) == Approx(profile.volume()).epsilon(0.01));
+  }
+
+  ShapeOptions options;
+  options.kind = "dumbbell";
+  options.neck = 0.25;
+  options.faces = 5000;
+  Mesh dumbbell = make_shape(options);
+  test::RevolutionFlow neck(test::dumbbell_profile(0.25, 401));
+  advance(dumbbell, "mean-curvature", 0.03, 300);
+  neck.advance_to(0.03);
+  double narrowest = 1;
+  for (const Vec3& p : dumbbell.positions)
+    if (std::abs(p.z()) < 0.1) narrowest = std::min(narrowest, p.head<2>().norm());
+  MESSAGE("necks ", narrowest, " and ", neck.radius(neck.neck()));
+  CHECK(narrowest == Approx(neck.radius(neck.neck())).epsilon(0.02));
+  CHECK(volume_of(dumbbell) == Approx(neck.volume()).epsilon(0.01));
+}
+
 TEST_CASE("steps a thousand times longer than explicit ones are stable") {
   for (const char* name : {"mean-curvature", "volume-preserving-curvature", "surface-diffusion"}) {
     CAPTURE(name);
