@@ -51,6 +51,34 @@ const checks = {
     });
   },
 
+  // Of a run with one event: two balls that grow and merge near (1.15, 0, 0).
+  async events(address) {
+    await withPage(address, {}, async (page, browser) => {
+      await settled(page);
+      const [event] = await page.evaluate('viewer.charts.events[0]');
+      assert.equal(event.kind, 'merge');
+      const marks = await page.$$eval('#charts .event title', (all) => all.map((one) => one.textContent));
+      assert(marks.length > 3, `${marks.length} marks`);
+      assert(marks.every((text) => text === `merge, iteration ${event.iteration}`), marks[0]);
+      const cells = await page.$$eval('#event-tables tbody tr > *', (all) => all.map((one) => one.textContent));
+      assert.equal(cells[0], 'merge');
+      assert.equal(cells[5], '1 2 → 1');
+      const before = await pixelsOf(page, browser, '#stage');
+      await page.click('#event-tables button');
+      await settled(page);
+      const shown = await page.evaluate('viewer.times[viewer.place]');
+      assert(Math.abs(shown - Number(event.iteration)) <= 1, `the frame of ${shown} is shown`);
+      // The middle of the view is at the event, in the coordinates of the mesh.
+      const place = await page.evaluate(`(() => {
+        const {group, extent} = viewer.view.cells[0];
+        const {x, y, z} = group.worldToLocal(viewer.view.controls.target.clone());
+        return [x, y, z].map((one, axis) => one * extent.radius + extent.middle[axis]);
+      })()`);
+      [event.x, event.y, event.z].forEach((x, axis) => assert(Math.abs(place[axis] - Number(x)) < 1e-6, `at ${place}`));
+      assert(differenceOf(before, await pixelsOf(page, browser, '#stage')) > 0.05, 'the view has not moved');
+    });
+  },
+
   async curves(address) {
     for (const size of widths) {
       await withPage(address, size, async (page) => {

@@ -13,6 +13,12 @@ setup_file() {
   tm-morph -q sphere.ply --target torus.ply --run slow --alpha 0.15 --every 5
   tm-report one -o one.html
   tm-report one slow -o two.html
+  tm-shape sphere --faces 1000 -o left.ply
+  tm-shape sphere --faces 500 --radius 0.7 --center 2,0,0 -o right.ply
+  tm-cat -q left.ply right.ply -o balls.ply
+  tm-evolve -q balls.ply --step 'tm-displace --alpha 1 --normal-speed 0.05' --smooth none --iterations 8 \
+    --every 2 --run merges
+  tm-report merges -o merges.html
   mkdir photos
   tm-shape dented --faces 3000 --format ply-ascii | tm-photograph -q --ring 12 --size 160x120 --look shade \
     --write-images photos --write-silhouettes masks -o photos.txt
@@ -54,6 +60,10 @@ setup() {
 
 @test "a click on a curve goes to its time, and the curve says what the mesh is" {
   check curves one.html
+}
+
+@test "events are marked in the curves and listed, and a click on one goes to its time and place" {
+  check events merges.html
 }
 
 @test "everything is reached and done by the keyboard" {

@@ -5,14 +5,18 @@ setup_file() {
   cd "$BATS_FILE_TMPDIR"
   tm-shape sphere --faces 1000 --double -o left.ply
   tm-shape sphere --faces 800 --double --radius 0.9 --center 2.2,0,0 -o right.ply
-  tm-cat -q left.ply right.ply -o balls.ply
-  # Moves to the left whatever is right of the middle of the gap, which is 0.3 wide at time 0.
+  # A vertex property has the velocity: the right ball moves to the left; the gap is 0.3 wide.
+  tm-cat -q left.ply right.ply | tm-convert --format ply-ascii | awk '
+    /^element vertex/ { n = $3 }
+    /^element face/ { print "property float speed" }
+    body && n-- > 0 { print $0, ($1 > 1.15 ? -1 : 0); next }
+    /^end_header/ { body = 1 }
+    { print }' >balls.ply
   cat >left.awk <<'AWK'
-BEGIN { OFMT = CONVFMT = "%.17g"; middle = 1.15 - ENVIRON["TM_TIME"] / 2 }
 /^element vertex/ { count = $3 }
 /^element face/ { print "property double vx\nproperty double vy\nproperty double vz" }
 /^end_header/ { body = 1; print; next }
-body && count > 0 { --count; print $0, $1 > middle ? -1 : 0, 0, 0; next }
+body && count > 0 { --count; print $0, $4, 0, 0; next }
 { print }
 AWK
 }
@@ -23,7 +27,7 @@ setup() {
   velocity='tm-convert --format ply-ascii | awk -f left.awk'
 }
 
-approach() { tm-evolve balls.ply -q --no-provenance --time 0.35 --velocity "$velocity" "$@"; }
+approach() { tm-evolve balls.ply -q --no-provenance --time 0.35 --until components:1 --velocity "$velocity" "$@"; }
 
 # column NAME FILE: the values of a column of a CSV file.
 column() {
@@ -54,8 +58,8 @@ column() {
 }
 
 @test "without a time the iteration is the time" {
-  tm-evolve balls.ply -o out.ply -q --iterations 10 --smooth none --events events.csv \
-    --step 'tm-displace --normal-speed 0.04'
+  tm-evolve balls.ply -o out.ply -q --iterations 6 --smooth none --events events.csv \
+    --step 'tm-displace --alpha 1 --normal-speed 0.04'
   [ "$(column kind events.csv)" = merge ]
   [ "$(column time events.csv)" = "$(column iteration events.csv)" ]
   # Each surface approaches the other by 0.04 in an iteration; the gap is 0.3.
