@@ -117,6 +117,8 @@ MeshPointer evolve_mesh_in_time(const PythonMesh& mesh, const py::function& velo
   time_options.keep_volume = keep_volume;
   EvolveOptions options{iteration_of(min_edge, max_edge, smooth, document), {}};
   options.iteration.outermost = outermost;
+  options.iteration.remesh.curved = true;
+  options.iteration.remesh.flip = FlipRule::angle;
   const Motion motion = motion_of(velocity);
   const LoopOptions loop = loop_of(std::numeric_limits<std::size_t>::max(), on_iteration);
   const TimeResult result = without_lock(progress, [&](const Progress& to) {

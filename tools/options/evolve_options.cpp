@@ -36,6 +36,19 @@ void check_step(const EvolveChoices& choices, const Program& program) {
   refuse(program, time_option_names(), " needs --time T, the end of an evolution in time");
 }
 
+/// In time, vertices that the motion carried stay where they are unless --smooth is given.
+RemeshOptions remeshing_of(const EvolveChoices& choices, Run& run) {
+  RemeshOptions options;
+  const bool is_in_time = choices.is_in_time();
+  options.curved = is_in_time;
+  if (is_in_time) options.flip = FlipRule::angle;
+  const std::string usual = is_in_time ? "none" : "0.1";
+  read_smoothing(choices.smooth.empty() ? usual : choices.smooth, options);
+  if (choices.min_film) options.min_film = run.length(*choices.min_film);
+  if (choices.pinch) options.pinch = run.length(*choices.pinch);
+  return options;
+}
+
 }  // namespace
 
 void declare_evolve(Program& program, EvolveChoices& choices) {
@@ -56,6 +69,9 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
   program.options.length("max-edge", &choices.iteration.max_edge, "split longer edges");
   program.options.flag("keep-cavities", &choices.keep_cavities,
                        "keep cavities and what is inside of them, which are filled otherwise");
+  program.options.length("min-film", &choices.min_film, "keep films thicker than this");
+  program.options.length("pinch", &choices.pinch,
+                         "cut and cap necks and handles that a loop up to this long goes around");
   program.reference_edge();
   program.options
       .text("events", &choices.loop.record.events, "FILE",
@@ -78,9 +94,7 @@ EvolveOptions evolution_of(const EvolveChoices& choices, Run& run) {
   EvolveOptions options{choices.iteration, until_of(choices.until, run)};
   options.iteration.reference_edge = run.in().reference_edge();
   options.iteration.outermost = !choices.keep_cavities;
-  options.iteration.remesh = RemeshOptions();
-  const std::string usual = choices.is_in_time() ? "none" : "0.1";
-  read_smoothing(choices.smooth.empty() ? usual : choices.smooth, options.iteration.remesh);
+  options.iteration.remesh = remeshing_of(choices, run);
   return options;
 }
 

@@ -1,6 +1,7 @@
 /// Options of tm-evolve as they are written, and their meaning to the library.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "frame/loop_options.h"
@@ -17,6 +18,7 @@ struct EvolveChoices {
   bool keep_cavities = false;
   DisplaceOptions displace;
   IterationOptions iteration;
+  std::optional<Length> min_film, pinch;
   TimeChoices time;
   LoopChoices loop;
 

@@ -98,6 +98,7 @@ class CleanAndRemesh {
     result_.seconds_remesh = watch_.lap();
     result_.topology = {cleaned_.topology.components - remeshed.components_removed.count,
                         cleaned_.topology.genus};
+    if (remeshed.pinched > 0) result_.topology = topology_of(connected_components(document_.mesh));
     result_.faces = document_.mesh.faces.size();
   }
 
