@@ -42,7 +42,8 @@ Vec3 corner_areas(const Mesh& mesh, Index face) {
 
 /// Returns the cotangents of the angles opposite of the halfedges of a face.
 Vec3 scaled_cotangents(const Mesh& mesh, Index face) {
-  // The cotangent of 1 degree. Without a bound, the entries of a matrix differ by so much that digits are lost.
+  // The cotangent of 1 degree. Without a bound, entries of a matrix differ so much that digits are
+  // lost.
   constexpr double largest = 57.28996163075943;
   const double cross = face_normal(mesh, face).stableNorm();
   Vec3 cotangents = Vec3::Zero();
