@@ -214,7 +214,7 @@ edit() {
 @test "tm-checkmanifold: cracks are told from holes, and the advice closes them" {
   tm-shape sphere --faces 500 --double -o ball.ply
   # Each face has corners of its own, up to 1e-6 from those of its neighbors.
-  tm-convert --format off ball.ply | grep -v '^#' | awk 'BEGIN { srand(1) }
+  tm-convert --format off ball.ply | grep -v '^#' | awk 'BEGIN { srand(1); faces = 0 }
     NR == 2 { count = $1 }
     NR > 2 && NR <= 2 + count { for (i = 1; i < 4; ++i) place[NR - 3, i] = $i }
     NR > 2 + count { for (c = 2; c < 5; ++c) corner[faces, c] = $c; ++faces }

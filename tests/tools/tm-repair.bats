@@ -150,7 +150,7 @@ cracked() {
   run --separate-stderr tm-repair both.ply -o repaired.ply
   [ "$status" -eq 0 ]
   [[ $stderr == *"tm-clean takes away 38 % of the volume, in which overlaps counted once for each part, around ("* ]] || fail "$stderr"
-  [ "$(tm-info --get volume repaired.ply)" = 10 ]
+  is_solid repaired.ply 10
   run --separate-stderr tm-repair box.ply -o repaired.ply
   [ -z "$stderr" ]
 }

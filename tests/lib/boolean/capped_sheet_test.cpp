@@ -89,17 +89,18 @@ TEST_CASE("closed sheets give the intersection and the difference, by solid angl
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     CAPTURE(seed);
     test::Random random(seed);
-    const auto part = [&] {
-      return test::moved(test::scaled(test::icosphere(1), random.uniform(0.2, 1)),
-                         random.point(-1, 1));
+    // The parts of the solid overlap, and no sheet is around all of it: a body that a sheet does
+    // not meet is left out.
+    const auto ball = [&](double least, double most, const Vec3& at) {
+      return test::moved(test::scaled(test::icosphere(1), random.uniform(least, most)), at);
     };
-    const Mesh sheet = part();
-    Mesh solid = part();
-    for (int i = 0; i < 2; ++i) solid = test::joined(solid, part());
+    const Mesh sheet = ball(0.4, 0.8, random.point(-1, 1).normalized());
+    Mesh solid = ball(0.5, 1, random.point(-0.2, 0.2));
+    for (int i = 0; i < 2; ++i) solid = test::joined(solid, ball(0.5, 1, random.point(-0.2, 0.2)));
     const Mesh inside = capped(sheet, solid, SheetSide::inside);
     const Mesh outside = capped(sheet, solid, SheetSide::outside);
     for (int i = 0; i < 200; ++i) {
-      const Vec3 point = random.point(-1.3, 1.3);
+      const Vec3 point = random.point(-1.5, 1.5);
       const auto contains = [&](const Mesh& mesh) {
         return test::winding_number(mesh, point) > 0.5;
       };
