@@ -72,6 +72,7 @@ bare() {
   jq -e '.faces == 10 and .polygons == 6 and .vertices == 14' report.json
   [ "$(tm-info --get faces house.off)" = 17 ]
   [ "$(tm-info --keep-polygons --get faces house.off)" = 10 ]
+  [ "$(tm-info --get polygons house.off)" = 6 ]
   tm-select --largest 1 --keep-polygons house.off | tm-info --keep-polygons --json | jq -e '.edges == 16'
 }
 

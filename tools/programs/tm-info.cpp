@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
       "per-vertex", &per_vertex, "FILE",
       "write the mesh with the property curvature: the mean curvature at each vertex");
   program.output.only_key = &key;
+  program.settle = [&] { program.common.keep_polygons |= key == "polygons"; };
   program.example = "tm-info --get volume mesh.ply";
   return program.run(
       argc, argv, [&](tool::Run& run) { describe(per_vertex, with_unit || key == "unit", run); });
