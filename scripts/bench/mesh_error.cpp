@@ -1,7 +1,7 @@
-// Measures of a closed mesh by arithmetic that shares nothing with the library: volume and area, and
-// distances from an exact sphere in closed form. `encloses` is how often the mesh goes around the
-// center. If that is once, every ray from the center meets the mesh; then no point of the sphere is
-// farther from the mesh than the farthest point of the mesh is from the sphere.
+// Measures of a closed mesh by arithmetic that shares nothing with the library: volume and area,
+// and distances from an exact sphere in closed form. `encloses` is how often the mesh goes around
+// the center. If that is once, every ray from the center meets the mesh; then no point of the
+// sphere is farther from the mesh than the farthest point of the mesh is from the sphere.
 //   mesh-error X Y Z RADIUS MESH
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -33,7 +33,8 @@ double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
                         la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-/// Distances at 28 points of a face in a triangular grid, so that chords count and not only corners.
+/// Distances at 28 points of a face in a triangular grid, so that chords count and not only
+/// corners.
 void add_distances(const Vec3& a, const Vec3& b, const Vec3& c, double radius, double area,
                    Measures& sums) {
   constexpr int parts = 6, points = (parts + 1) * (parts + 2) / 2;

@@ -89,8 +89,8 @@ void advect_there_and_back(FloatGrid& grid, Velocity velocity, double time) {
   there_and_back->advect(span, 0);
 }
 
-/// A step of LevelSetFilter moves by the mean of the principal curvatures for a third of the squared
-/// voxel, which is a sixth of it for their sum. The number of steps is rounded.
+/// A step of LevelSetFilter moves by the mean of the principal curvatures for a third of the
+/// squared voxel, which is a sixth of it for their sum. The number of steps is rounded.
 void flow_by_curvature(openvdb::tools::LevelSetFilter<FloatGrid>& filter, double voxel,
                        double time) {
   const auto steps = std::lround(6 * time / (voxel * voxel));
