@@ -21,8 +21,16 @@ Entries distances_of(const MorphStepResult& result) {
           {"max_distance_from_target", result.from_target.maximum}};
 }
 
-void append_events(Entries& entries, const EvolveResult& result) {
-  if (result.event_count) append(entries, {{"events", *result.event_count}});
+Entries ends_of(const EvolveResult& result) {
+  Entries entries{{"stop", result.is_done ? "converged" : "iteration_limit"},
+                  {"iterations", result.iterations}};
+  append(entries, entries_of(result.last.topology));
+  return entries;
+}
+
+Entries with_events(Entries entries, const EvolveResult& result) {
+  if (result.event_count) entries.emplace_back("events", *result.event_count);
+  return entries;
 }
 
 }  // namespace
@@ -56,30 +64,24 @@ Entries entries_of(const OffsetResult& result) {
 }
 
 Entries entries_of(const EvolveResult& result) {
-  Entries entries{{"stop", result.is_done ? "converged" : "iteration_limit"},
-                  {"iterations", result.iterations}};
-  append(entries, entries_of(result.last.topology));
+  Entries entries = ends_of(result);
   append(entries, {{"clamped_iterations", result.clamped_iterations},
                    {"clamped_share", result.clamped_share},
                    {"max_displacement", result.last.displaced.max_displacement},
                    {"rms_displacement", result.last.displaced.rms_displacement}});
-  append_events(entries, result);
-  return entries;
+  return with_events(entries, result);
 }
 
 Entries entries_of(const TimeResult& result) {
   const EvolveResult& evolution = result.evolution;
-  Entries entries{{"stop", evolution.is_done ? "converged" : "iteration_limit"},
-                  {"iterations", evolution.iterations}};
-  append(entries, entries_of(evolution.last.topology));
+  Entries entries = ends_of(evolution);
   append(entries, {{"time", result.time},
                    {"volume", result.volume},
                    {"volume_drift", result.volume_drift},
                    {"max_move", result.max_move},
                    {"held_back", result.held_back},
                    {"repeated_steps", result.repeated}});
-  append_events(entries, evolution);
-  return entries;
+  return with_events(entries, evolution);
 }
 
 Entries entries_of(const MorphResult& result) {
