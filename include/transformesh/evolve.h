@@ -46,8 +46,8 @@ struct EvolveResult {
   std::size_t clamped_iterations = 0;
   double clamped_share = 0;
   IterationResult last;                    ///< last iteration of this run
-  std::vector<Event> events;               ///< of this run, with `finds_events`
-  std::optional<std::size_t> event_count;  ///< with `finds_events`: those of earlier runs as well
+  std::vector<Event> events;               ///< events of this run, with `finds_events`
+  std::optional<std::size_t> event_count;  ///< includes earlier runs; set with `finds_events`
 };
 
 /// Evolves a document and carries its columns. A run that continues replaces the document by its

@@ -7,8 +7,8 @@
 /// adds a self-intersection or a face without area; intersections of the input stay unless `pinch`
 /// cleans the mesh. Slivers are removed first. Surviving vertices and faces keep their order,
 /// attributes are interpolated. Not preserved: lists of texture coordinates. Not guaranteed: that
-/// every edge length is in the interval. Deterministic for any number of threads; O(n log n); about 150
-/// bytes per face.
+/// every edge length is in the interval. Deterministic for any number of threads; O(n log n); about
+/// 150 bytes per face.
 #pragma once
 
 #include "transformesh/remesh_options.h"

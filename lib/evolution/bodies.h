@@ -1,5 +1,5 @@
-/// Several bodies in one mesh, told apart by a face column, which evolve together and never meet:
-/// each is moved, cleaned and remeshed by itself, and kept away from all others by a gap
+/// Several bodies in one mesh, told apart by a face column, which evolve together and never meet.
+/// Each is moved, cleaned and remeshed by itself, and kept away from all others by a gap
 /// (limit_movements.h, RemeshOptions::keep_out). Bodies move one after the other in ascending order
 /// of their numbers, so that the later ones keep away from where the earlier ones have moved.
 /// Bodies may be nested. Cost of an iteration: O(n log n) for each body, n being the faces of all.

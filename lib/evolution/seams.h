@@ -12,7 +12,7 @@ namespace transformesh {
 struct Seam {
   Extent extent;
   std::set<long> labels;       ///< of the faces at its vertices
-  std::set<Index> components;  ///< of the cleaned mesh
+  std::set<Index> components;  ///< components of the cleaned mesh
 };
 
 /// Returns the seams, the largest first. `cleaned` has the labels of the faces before cleaning.

@@ -36,7 +36,7 @@ class Search {
   }
 
  private:
-  /// The label of a component that consists of one side of a surface only: a solid and a cavity
+  /// The label of a component that consists of one side of a surface only. A solid and a cavity
   /// that are joined become a solid that is open to the outside.
   void find_joined(Index i) {
     const ComponentState& now = after_[i];

@@ -1,8 +1,9 @@
-// Measures of a closed mesh by arithmetic that shares nothing with the library: volume and area,
-// and distances from an exact sphere in closed form. `encloses` is how often the mesh goes around
-// the center. If that is once, every ray from the center meets the mesh; then no point of the
-// sphere is farther from the mesh than the farthest point of the mesh is from the sphere.
-//   mesh-error X Y Z RADIUS MESH
+// mesh-error X Y Z RADIUS MESH
+//
+// Measures of a closed mesh by arithmetic that shares nothing with the library. Prints volume,
+// area, and distances from an exact sphere in closed form. `encloses` is how often the mesh goes
+// around the center. If that is once, every ray from the center meets the mesh. No point of the
+// sphere is then farther from the mesh than the farthest point of the mesh is from the sphere.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

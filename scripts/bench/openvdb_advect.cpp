@@ -1,15 +1,21 @@
-// Motions of a level set by OpenVDB, for comparison with tm-evolve. FIELD is one of
-//   rotation        one turn in a unit of time about the vertical axis through (.5, .5, .5)
-//   vortex          single vortex of the unit cube, reversed so that it takes TIME to come back
-//   deformation     Enright's field, likewise
-//   normal          growth at unit speed along the normals
-//   mean-curvature  motion by the sum of the principal curvatures
+// openvdb-advect FIELD TIME RESOLUTION SOURCE OUTPUT
+//
+// Moves a level set by OpenVDB, for comparison with tm-evolve. FIELD is one of these:
+//
+// - rotation: one turn in a unit of time about the vertical axis through (.5, .5, .5).
+// - vortex: the single vortex of the unit cube, reversed so that it takes TIME to come back.
+// - deformation: Enright's field, reversed likewise.
+// - normal: growth at unit speed along the normals.
+// - mean-curvature: motion by the sum of the principal curvatures.
+//
 // The unit cube has RESOLUTION voxels along each side. Prints the CPU seconds of the motion and of
-// meshing the result on one thread; reading SOURCE and its conversion to a level set are left out.
-//   openvdb-advect FIELD TIME RESOLUTION SOURCE OUTPUT
-// References: Museth, "VDB: High-resolution sparse volumes with dynamic topology", ACM Transactions
-// on Graphics 32, 2013; Enright, Fedkiw, Ferziger & Mitchell, "A hybrid particle level set method
-// for improved interface capturing", Journal of Computational Physics 183, 2002.
+// meshing the result on one thread. They exclude reading SOURCE and its conversion to a level set.
+//
+// Reference: Museth, "VDB: High-resolution sparse volumes with dynamic topology", ACM Transactions
+// on Graphics 32, 2013.
+//
+// Reference: Enright, Fedkiw, Ferziger & Mitchell, "A hybrid particle level set method for improved
+// interface capturing", Journal of Computational Physics 183, 2002.
 #include <openvdb/tools/LevelSetAdvect.h>
 #include <openvdb/tools/LevelSetFilter.h>
 #include <tbb/global_control.h>

@@ -1,6 +1,7 @@
-// The exact shape of a torus that moves by its mean curvature, as a mesh: its profile by the
-// one-dimensional solver of the tests, which shares nothing with the library.
-//   torus-flow MAJOR MINOR TIME OUTPUT
+// torus-flow MAJOR MINOR TIME OUTPUT
+//
+// Writes the exact shape of a torus that moves by its mean curvature, as a mesh. Its profile comes
+// from the one-dimensional solver of the tests, which shares nothing with the library.
 #include <numbers>
 
 #include "driver.h"

@@ -1,30 +1,48 @@
+// Entries of evolutions: the names that reports have had, and the words for how they ended.
 #include <doctest/doctest.h>
-
-#include <algorithm>
 
 #include "entries/entries.h"
 #include "transformesh/evolve_in_time.h"
+#include "transformesh/offset.h"
 
 using namespace transformesh;
 
 namespace {
 
-const Value* find(const Entries& entries, const std::string& name) {
-  const auto found =
-      std::ranges::find_if(entries, [&](const auto& entry) { return entry.first == name; });
-  return found != entries.end() ? &found->second : nullptr;
+template <typename Held>
+Held value_of(const Entries& entries, const std::string& name) {
+  for (const auto& [key, value] : entries)
+    if (key == name) return std::get<Held>(value);
+  FAIL("no entry ", name);
+  return {};
 }
 
 }  // namespace
 
-TEST_CASE("the number of events is reported if they were looked for") {
-  TimeResult result;
-  CHECK(find(entries_of(result), "events") == nullptr);
-  CHECK(find(entries_of(result.evolution), "events") == nullptr);
-  result.evolution.event_count = 3;
-  for (const Entries& entries : {entries_of(result), entries_of(result.evolution)}) {
-    REQUIRE(find(entries, "events") != nullptr);
-    CHECK(std::get<std::size_t>(*find(entries, "events")) == 3);
-    CHECK(std::get<std::string>(*find(entries, "stop")) == "iteration_limit");
-  }
+TEST_CASE("an evolution in time reports its time, its volume and its topology") {
+  TimeResult result{.time = 1.5};
+  result.evolution.is_done = true;
+  result.evolution.iterations = 7;
+  result.evolution.last.topology = {3, 2};
+  result.volume = 0.25;
+  result.repeated = 4;
+  const Entries entries = entries_of(result);
+  CHECK(value_of<std::string>(entries, "stop") == "converged");
+  CHECK(value_of<std::size_t>(entries, "iterations") == 7);
+  CHECK(value_of<std::size_t>(entries, "components") == 3);
+  CHECK(value_of<long>(entries, "genus") == 2);
+  CHECK(value_of<double>(entries, "time") == 1.5);
+  CHECK(value_of<double>(entries, "volume") == 0.25);
+  CHECK(value_of<std::size_t>(entries, "repeated_steps") == 4);
+}
+
+TEST_CASE("an evolution that was not done stopped at its limit") {
+  CHECK(value_of<std::string>(entries_of(EvolveResult()), "stop") == "iteration_limit");
+  OffsetResult offset;
+  offset.has_arrived = false;
+  CHECK(value_of<std::string>(entries_of(offset), "stop") == "iteration_limit");
+  offset.has_arrived = offset.has_missed = true;
+  CHECK(value_of<std::string>(entries_of(offset), "stop") == "missed");
+  offset.has_missed = false;
+  CHECK(value_of<std::string>(entries_of(offset), "stop") == "converged");
 }
