@@ -84,7 +84,8 @@ TEST_CASE("floats, big-endian numbers and scalars are read") {
 }
 
 TEST_CASE("NRRD that is no grid of the kind wanted is refused with the reason") {
-  const std::string bytes = "\n" + data<double>(12);
+  std::string bytes("\n");
+  bytes += data<double>(12);
   CHECK(refuses(replaced(usual, "raw", "gzip") + bytes, "encoding"));
   CHECK(refuses(replaced(usual, "double", "short") + bytes, "type"));
   CHECK(refuses(replaced(usual, "little", "middle") + bytes, "endian"));
