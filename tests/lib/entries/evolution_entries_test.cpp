@@ -20,7 +20,8 @@ Held value_of(const Entries& entries, const std::string& name) {
 }  // namespace
 
 TEST_CASE("an evolution in time reports its time, its volume and its topology") {
-  TimeResult result{.time = 1.5};
+  TimeResult result;
+  result.time = 1.5;
   result.evolution.is_done = true;
   result.evolution.iterations = 7;
   result.evolution.last.topology = {3, 2};
