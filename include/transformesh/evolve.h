@@ -28,8 +28,7 @@ struct UntilRule {
 /// Ends when no vertex moved by `length`, in input units, or farther.
 inline UntilRule moved_less_than(double length) { return {length}; }
 
-/// Ends when the root mean square of the movements decreased by less than 1 % in 20 iterations, or
-/// when no vertex moved.
+/// Ends when the rms movement decreased by less than 1 % in 20 iterations, or no vertex moved.
 inline UntilRule stalled() { return {0, true}; }
 
 struct EvolveOptions {
@@ -50,8 +49,7 @@ struct EvolveResult {
   std::optional<std::size_t> event_count;  ///< includes earlier runs; set with `finds_events`
 };
 
-/// Evolves a document and carries its columns. A run that continues replaces the document by its
-/// state.
+/// Carries the columns. A run that continues replaces the document by its state.
 EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options = {},
                     const LoopOptions& loop = {}, const Progress& progress = Progress());
 

@@ -1,10 +1,9 @@
 /// One iteration of an evolution (paper 5.1, Fig. 8): every vertex takes a step, clean() removes
 /// the self-intersections that the step made, remesh() keeps the surface well sampled.
 ///
-/// Guarantees: the result is an oriented manifold. It has no self-intersections, subject to the
-/// limits that remesh() states. Columns are carried. After each stage coordinates and columns are
-/// rounded to the types in which they will be written, as between filters on pipes. Throws as the
-/// stages do. Deterministic for any number of threads.
+/// Guarantees: the result is an oriented manifold without self-intersections, within the limits of
+/// remesh(). Columns are carried. After each stage coordinates and columns are rounded to the types
+/// in which they will be written. Throws as the stages do. Deterministic for any number of threads.
 #pragma once
 
 #include "transformesh/displace.h"
@@ -23,8 +22,7 @@ using Step = std::function<DisplaceResult(Mesh& mesh, const Progress& progress)>
 /// Returns a step that calls displace() with this velocity.
 Step step_along(Velocity velocity, const DisplaceOptions& options = {});
 
-/// Returns options that smooth by a factor in [0, 1] of the Laplace-Beltrami operator
-/// (paper 5.1.2).
+/// Returns options that smooth by a factor in [0, 1] of the Laplace-Beltrami operator.
 RemeshOptions smoothed_by(double factor);
 
 struct IterationOptions {
@@ -35,8 +33,7 @@ struct IterationOptions {
   RemeshOptions remesh = smoothed_by(0.1);  ///< lengths and type of coordinates are not used
   bool outermost = true;                    ///< CleanOptions::outermost
   bool expects_changes = false;  ///< clean() probably changes the mesh; affects only the speed
-  /// Called if clean() changed the mesh, before `outermost` drops components. May change the
-  /// columns of the cleaned mesh.
+  /// Called if clean() changed the mesh, before `outermost` drops components; may change columns.
   std::function<void(const Mesh& before, Mesh& cleaned)> on_cleaned = {};
 };
 
