@@ -24,10 +24,11 @@ AWK
 setup() {
   cd "$BATS_TEST_TMPDIR"
   cp "$BATS_FILE_TMPDIR"/* .
-  velocity='tm-convert --format ply-ascii | awk -f left.awk'
+  words=(balls.ply -q --no-provenance --time 0.35 --until components:1
+    --velocity 'tm-convert --format ply-ascii | awk -f left.awk')
 }
 
-approach() { tm-evolve balls.ply -q --no-provenance --time 0.35 --until components:1 --velocity "$velocity" "$@"; }
+approach() { tm-evolve "${words[@]}" "$@"; }
 
 # column NAME FILE: the values of a column of a CSV file.
 column() {
@@ -69,7 +70,8 @@ column() {
 @test "a run that is killed continues to the same events, for any number of threads" {
   approach -o whole.ply --events whole.csv
   for threads in 1 2 4; do
-    approach -o out.ply --events parts.csv --threads $threads --restart 3>&- &
+    # The program itself, as a function would be another process, which is killed instead.
+    tm-evolve "${words[@]}" -o out.ply --events parts.csv --threads $threads --restart 3>&- &
     pid=$!
     for _ in {1..200}; do
       [ "$(grep -ao 'iteration [0-9]*' out.ply.tm-evolve/mesh.ply 2>/dev/null | cut -d' ' -f2)" != "" ] && break
