@@ -60,6 +60,7 @@ FILES
   touch r/picture.png r/frames/picture.png
   tm-evolve -q --step cat --iterations 2 --every 1 --run r torus.ply
   diff - <(files_of r) <<'FILES'
+events.csv
 frames/frame-00000.ply
 frames/frame-00001.ply
 frames/frame-00002.ply
