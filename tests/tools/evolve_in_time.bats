@@ -90,10 +90,10 @@ END
   [ "$(tail -1 whole | cut -d, -f2)" = 0.6 ]
 }
 
-@test "the volume is kept where remeshing would take it" {
+@test "the volume is kept where smoothing would take it" {
   volume=$(tm-info --get volume "$ball")
   for keep in '' --keep-volume; do
-    tm-evolve "$ball" -o out.ply -q --time 3 --integrator rk4 --max-move 2 --velocity "$once" \
+    tm-evolve "$ball" -o out.ply -q --time 3 --integrator rk4 --max-move 2 --smooth 0.1 --velocity "$once" \
       --max-edge 1.05x $keep
     awk -v a="$volume" -v b="$(tm-info --get volume out.ply)" 'BEGIN { print (b - a) / a }' >>errors
   done
@@ -121,7 +121,8 @@ END
     run --separate-stderr tm-evolve "$ball" -o out.ply "${@:2}"
     assert_failure_with 2 "$1"
   }
-  refused 'the motion is missing' --time 1
+  refused 'give either --flow NAME or --velocity COMMAND' --time 1
+  refused 'give either --flow NAME or --velocity COMMAND' --time 1 --flow abc --velocity cat
   refused 'the motion is missing'
   refused '--max-move needs --time T' --step cat --max-move 1
   refused '--alpha would move vertices by different spans of time' --time 1 --velocity cat --alpha 1
