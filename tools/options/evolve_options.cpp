@@ -36,13 +36,13 @@ void check_step(const EvolveChoices& choices, const Program& program) {
   refuse(program, time_option_names(), " needs --time T, the end of an evolution in time");
 }
 
-/// In time, vertices that the motion carried stay where they are unless --smooth is given.
+/// In time and on curves, vertices that the motion carried stay where they are unless --smooth is
+/// given.
 RemeshOptions remeshing_of(const EvolveChoices& choices, Run& run) {
   RemeshOptions options;
-  const bool is_in_time = choices.is_in_time();
-  options.curved = is_in_time;
-  if (is_in_time) options.flip = FlipRule::angle;
-  const std::string usual = is_in_time ? "none" : "0.1";
+  options.curved = choices.curved;
+  if (choices.curved) options.flip = FlipRule::angle;
+  const std::string usual = choices.is_in_time() || choices.curved ? "none" : "0.1";
   read_smoothing(choices.smooth.empty() ? usual : choices.smooth, options);
   if (choices.min_film) options.min_film = run.length(*choices.min_film);
   if (choices.pinch) options.pinch = run.length(*choices.pinch);
@@ -64,11 +64,13 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
                          "with --step: clamp on the movement by vx vy vz, as a fraction of the "
                          "mean edge at the vertex");
   program.options.text("smooth", &choices.smooth, "KIND",
-                       "smoothing of tm-remesh (default 0.1, with --time none)");
+                       "smoothing of tm-remesh (default 0.1, with --time or --curved none)");
   program.options.length("min-edge", &choices.iteration.min_edge, "collapse shorter edges");
   program.options.length("max-edge", &choices.iteration.max_edge, "split longer edges");
   program.options.flag("keep-cavities", &choices.keep_cavities,
                        "keep cavities and what is inside of them, which are filled otherwise");
+  program.options.flag("curved", &choices.curved,
+                       "remesh on curves, as tm-remesh --curved: keeps smooth shapes and creases");
   program.options.length("min-film", &choices.min_film, "keep films thicker than this");
   program.options.length("pinch", &choices.pinch,
                          "cut and cap necks and handles that a loop up to this long goes around");

@@ -18,6 +18,7 @@ struct EvolveChoices {
   bool keep_cavities = false;
   DisplaceOptions displace;
   IterationOptions iteration;
+  bool curved = false;
   std::optional<Length> min_film, pinch;
   TimeChoices time;
   LoopChoices loop;
