@@ -1,0 +1,55 @@
+# docs/design: what the pages name exists, and each is short and has a figure.
+
+load ../helpers/common
+
+setup() {
+  cd "$tm_root"
+}
+
+# spans PAGE: what stands between backticks outside of fences, one in each line.
+spans() {
+  awk '/^```/ { fenced = !fenced; next } !fenced' "$1" | grep -oE '`[^`]+`' | tr -d '`' | sort -u
+}
+
+# every_path: files and folders without their extensions, below the folders that pages begin paths with.
+every_path() {
+  find lib include tools tests scripts docs man cmake -not -name '*.o' | sed -E 's|\.[a-z0-9]+$||'
+  find lib include tools tests scripts docs man cmake -type f
+}
+
+@test "every path that a design page names exists" {
+  every_path | sort -u >"$BATS_TEST_TMPDIR/paths"
+  for page in docs/design/*.md; do
+    while IFS= read -r path; do
+      grep -qE "(^|/)${path//./[.]}\$" "$BATS_TEST_TMPDIR/paths" || fail "$page names $path"
+    done < <(spans "$page" | grep -E '^[a-z0-9_-]+(/[a-z0-9_.-]+)+/?$' | sed 's|/$||')
+  done
+}
+
+@test "every function, type and key that a design page names is in the sources" {
+  for page in docs/design/*.md; do
+    while IFS= read -r name; do
+      grep -rqwF -- "$name" lib include tools tests scripts || fail "$page names $name"
+    done < <(spans "$page" | grep -E '^[A-Za-z_][A-Za-z0-9_:]*(\(\))?$' | grep -E '_|\(\)|[a-z][A-Z]' |
+      sed -E 's/\(\)$//; s/.*:://')
+  done
+}
+
+@test "every option that a design page names is one of a program" {
+  cat tests/tools/golden/*.help >"$BATS_TEST_TMPDIR/help"
+  for page in docs/design/*.md; do
+    while IFS= read -r option; do
+      grep -qE -- "(^|[ ,])$option\\b" "$BATS_TEST_TMPDIR/help" || fail "$page names $option"
+    done < <(spans "$page" | grep -oE '(^|[ ])--[a-z-]+' | tr -d ' ')
+  done
+}
+
+@test "a design page has at most 150 lines; those that follow data have a figure and say what can fail" {
+  for page in docs/design/*.md; do
+    [ "$(wc -l <"$page")" -le 150 ] || fail "$page is long"
+  done
+  for page in cleaning rounding open-meshes remeshing evolution morphing reconstruction; do
+    grep -qE '^```$|^!\[' "docs/design/$page.md" || fail "$page has no figure"
+    grep -qE '^## (What can fail|Limits|What is guaranteed)' "docs/design/$page.md" || fail "$page"
+  done
+}
