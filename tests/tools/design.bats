@@ -1,9 +1,10 @@
-# docs/design: what the pages name exists, and each is short and has a figure.
+# docs/design and CONTRIBUTING.md: what the pages name exists, and designs are short and have a figure.
 
 load ../helpers/common
 
 setup() {
   cd "$tm_root"
+  pages=(docs/design/*.md CONTRIBUTING.md)
 }
 
 # spans PAGE: what stands between backticks outside of fences, one in each line.
@@ -11,25 +12,27 @@ spans() {
   awk '/^```/ { fenced = !fenced; next } !fenced' "$1" | grep -oE '`[^`]+`' | tr -d '`' | sort -u
 }
 
-# every_path: files and folders without their extensions, below the folders that pages begin paths with.
+# every_path: files and folders, with their extensions and without.
 every_path() {
-  find lib include tools tests scripts docs man cmake -not -name '*.o' | sed -E 's|\.[a-z0-9]+$||'
-  find lib include tools tests scripts docs man cmake -type f
+  find lib include tools tests scripts docs man cmake python -path tools/viewer/node_modules -prune -o -print |
+    sed -E 'p; s|\.[a-z0-9]+$||'
 }
 
-@test "every path that a design page names exists" {
+@test "every path that a page names exists" {
   every_path | sort -u >"$BATS_TEST_TMPDIR/paths"
-  for page in docs/design/*.md; do
+  for page in "${pages[@]}"; do
     while IFS= read -r path; do
       grep -qE "(^|/)${path//./[.]}\$" "$BATS_TEST_TMPDIR/paths" || fail "$page names $path"
-    done < <(spans "$page" | grep -E '^[a-z0-9_-]+(/[a-z0-9_.-]+)+/?$' | sed 's|/$||')
+    done < <(spans "$page" | grep -E '^[a-z0-9_-]+(/[a-z0-9_.-]+)+/?$' |
+      grep -vE '^build' | sed 's|/$||')
   done
 }
 
+# The glossary of CONTRIBUTING.md names functions of other libraries as well.
 @test "every function, type and key that a design page names is in the sources" {
   for page in docs/design/*.md; do
     while IFS= read -r name; do
-      grep -rqwF -- "$name" lib include tools tests scripts || fail "$page names $name"
+      grep -rqwF -- "$name" lib include tools tests scripts python || fail "$page names $name"
     done < <(spans "$page" | grep -E '^[A-Za-z_][A-Za-z0-9_:]*(\(\))?$' | grep -E '_|\(\)|[a-z][A-Z]' |
       sed -E 's/\(\)$//; s/.*:://')
   done
