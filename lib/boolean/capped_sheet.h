@@ -1,8 +1,8 @@
 /// Chooses pieces of a sheet and of a solid that bound a region together. The region is inside (or
 /// outside) the solid, and behind the sheet. It consists of the cells of space between the pieces.
-/// It is defined under three conditions. All borders of the kept part of the sheet lie on the
-/// surface of the solid. No cell is both in front of the sheet and behind it. No cell behind it is
-/// unbounded. Deterministic. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for
+/// The region is defined under three conditions. All borders of the kept part of the sheet lie on
+/// the surface of the solid. No cell is both in front of the sheet and behind it. No cell behind it
+/// is unbounded. Deterministic. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for
 /// solid geometry", ACM TOG 35(4), 2016.
 #pragma once
 
