@@ -26,10 +26,13 @@ function Inlines(inlines)
   return result
 end
 
--- [text](docs/python.md), of the project's root or beside
+-- [text](docs/design/cleaning.md), [text](docs/python.md#section), [text](python.md): a page of the site,
+-- whose names are relative like those of files. Sphinx leads to the top of a page only.
 function Link(link)
-  local name = link.target:match('^docs/([%w-]+)%.md$') or link.target:match('^([%w-]+)%.md$')
-  if name then return page(pandoc.utils.stringify(link), '/' .. name:lower()) end
+  local name = link.target:gsub('#.*$', ''):match('^(.+)%.md$')
+  if not name or link.target:match('^%a+://') then return end
+  name = name:gsub('^docs/', '')
+  return page(pandoc.utils.stringify(link), name:lower())
 end
 
 -- The programs of a table

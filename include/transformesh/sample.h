@@ -8,7 +8,7 @@
 /// deterministic in mesh, options and seed.
 ///
 /// Reference: Cline, Jeschke, White, Razdan & Wonka, "Dart throwing on surfaces", Computer Graphics
-/// Forum 28(4), 2009: darts are thrown, then parts of faces that no disk covers are split until
+/// Forum 28(4), 2009. Darts are thrown, then parts of faces that no disk covers are split until
 /// none is left. The disks of half the distance cover .55 of a plane, .60 of the densest packing
 /// (Renyi's random sequential addition). Cost: O(n + count); Poisson disk: O(n + points), about .02
 /// ms per point.

@@ -42,7 +42,7 @@ std::vector<ScriptLine> parse_boolean_script(std::string_view text);
 struct ScriptResult {
   Mesh mesh;
   std::vector<Problem> problems;     ///< problems_of() the results
-  std::size_t pairs = 0;             ///< that intersected, in all operations
+  std::size_t pairs = 0;             ///< intersecting pairs of faces, sum over the operations
   std::size_t rounding_repairs = 0;  ///< in all operations
   std::size_t in_place = 0;          ///< operations for which a part of the mesh was enough
   double merge_displacement = 0;     ///< a bound of how far merging moved the surface, in all

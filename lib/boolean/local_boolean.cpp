@@ -65,7 +65,7 @@ class LocalBoolean {
   EditedSolid& solid_;
   const Mesh& operand_;
   const BooleanOptions& options_;
-  Box reach_;                    ///< that faces of the part touch
+  Box reach_;                    ///< the part consists of all faces that touch this box
   std::vector<Index> faces_;     ///< faces of the solid in the part; ascending
   std::vector<Index> vertices_;  ///< their vertices; ascending
   std::vector<char> is_inner_;   ///< per vertex of the part: all faces around it are in the part

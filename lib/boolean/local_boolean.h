@@ -17,7 +17,7 @@
 namespace transformesh {
 
 struct LocalBooleanResult {
-  std::size_t pairs = 0;          ///< that intersected
+  std::size_t pairs = 0;          ///< intersecting pairs of faces
   double merge_displacement = 0;  ///< a bound of how far merging moved the surface
 };
 

@@ -213,7 +213,7 @@ OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
   result.topology = clean_in_place(document, progress, false).topology;
   if (result.has_arrived)
     result.topology = offset.drop_shards(document.mesh, result.edge, result.topology);
-  if (document.mesh.faces.empty()) throw GoalError("only shards are left");
+  if (document.mesh.faces.empty()) throw GoalError("only shards smaller than an edge are left");
   result.deviation = offset.deviation(document.mesh, progress);
   result.has_missed = result.deviation.missed > most_missed * result.edge;
   return result;

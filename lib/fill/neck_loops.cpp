@@ -227,7 +227,7 @@ bool NeckTest::widens(double length, const std::vector<Index>& start,
                       const std::unordered_set<Index>& barred) const {
   using Entry = std::pair<double, Index>;
   const double width = length / 2;
-  std::unordered_map<std::int64_t, double> areas;  // of bands
+  std::unordered_map<std::int64_t, double> areas;  // areas of bands
   std::unordered_set<Index> is_done;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (const Index h : start) queue.emplace(0, h / 3);

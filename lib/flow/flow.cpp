@@ -41,11 +41,11 @@ void check(const FlowKind& kind, const FlowOptions& options) {
   refuse_unless(!options.grids.empty(), kind, "grid");
   if (!std::isfinite(options.speed)) throw UsageError("the speed is not a finite number");
   if (options.period && !(*options.period > 0 && std::isfinite(*options.period)))
-    throw UsageError("the period is to be a number above 0");
+    throw UsageError("the period must be a number above 0");
   if (options.center && !options.center->allFinite())
     throw UsageError("the center is not a finite point");
   if (options.direction && !(options.direction->allFinite() && options.direction->stableNorm() > 0))
-    throw UsageError("the direction is to be a finite vector other than 0");
+    throw UsageError("the direction must be a finite vector other than 0");
 }
 
 /// Calls body(first, last) on ranges of the vertices.

@@ -14,7 +14,7 @@ void check_values(const Source& source, const FlowGrid& grid) {
       source.fail("a value of node " + std::to_string(i / grid.components) +
                   " of the grid is not a finite number");
   if (!grid.origin.allFinite() || !grid.spacing.allFinite() || !(grid.spacing.minCoeff() > 0))
-    source.fail("the spacing of the grid is to be above 0 along each axis");
+    source.fail("the spacing of the grid must be above 0 along each axis");
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::si
 std::vector<FlowGrid> read_flow_grids(const std::string& flow, const std::string& where,
                                       double step) {
   std::vector<FlowGrid> grids;
-  if (!(step >= 0)) throw UsageError("the time from a grid to the next is to be above 0");
+  if (!(step >= 0)) throw UsageError("the time from one grid to the next must be above 0");
   if (where.empty() && step > 0)
     throw UsageError("there are no grids that the time from one to the next could be of");
   if (where.empty()) return grids;

@@ -113,7 +113,7 @@ double distance_of(const Triangle& first, const Triangle& second) {
 KeepOut::KeepOut(const KeepOutOptions& options)
     : surface_(options.surface), gap_(options.gap), bvh_(*options.surface) {
   if (!(std::isfinite(gap_) && gap_ > 0))
-    throw UsageError("the gap to what is to be kept out of must be above 0");
+    throw UsageError("the gap to the surface to stay away from must be above 0");
   normals_.reserve(surface_->faces.size());
   for (Index f = 0; f < surface_->faces.size(); ++f)
     normals_.push_back(unit_normal(triangle_of(*surface_, f)));

@@ -18,7 +18,7 @@ Eigen::Matrix4d parse_matrix(std::string_view bytes, const std::string& name) {
   while (rows.next_row())
     while (rows.has_more()) {
       const auto number = rows.finite_number<double>([] { return std::string("a number"); });
-      if (count == 16) rows.fail("a 4x4 matrix has 16 numbers, but here is a seventeenth");
+      if (count == 16) rows.fail("a 4x4 matrix has 16 numbers, but the file has more");
       matrix(count / 4, count % 4) = number;
       ++count;
     }

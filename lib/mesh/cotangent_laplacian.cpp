@@ -16,11 +16,11 @@ double opposite_cotangent(const Mesh& mesh, Index halfedge) {
                            mesh.positions[halfedge_target(mesh, halfedge)] - apex);
 }
 
-/// How much of a face belongs to each corner: the part nearest to it, or, where the face is obtuse,
-/// half of it to the obtuse corner and a quarter to each other.
+/// Returns the area of a face that belongs to each corner: the part that is nearest to the corner.
+/// If the face is obtuse, half of it belongs to the obtuse corner and a quarter to each other one.
 Vec3 corner_areas(const Mesh& mesh, Index face) {
-  Vec3 squares;     // of the lengths of the edges from corner i
-  Vec3 cotangents;  // of the angles across from them
+  Vec3 squares;     // squared lengths of the edges from corner i
+  Vec3 cotangents;  // cotangents of the angles opposite to these edges
   for (int i = 0; i < 3; ++i) {
     const Index halfedge = 3 * face + static_cast<Index>(i);
     squares[i] = (mesh.positions[halfedge_target(mesh, halfedge)] -

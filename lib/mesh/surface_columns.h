@@ -1,7 +1,7 @@
 /// Columns that describe the surface and become stale if the surface changes. Normals are the
-/// columns nx ny nz of vertices or faces. Corner lists are the texture coordinates of faces:
-/// floating-point list columns with `tex` or `uv` in their names, with the same number of values
-/// for each corner, in the order of the corners. Source points are described in
+/// columns nx ny nz of vertices or faces. Corner lists are the texture coordinates of faces. They
+/// are floating-point list columns with `tex` or `uv` in their names, and have the same number of
+/// values for each corner, in the order of the corners. Source points are described in
 /// geometry/source_points.h. Cost: O(n), none without such columns.
 #pragma once
 

@@ -83,8 +83,7 @@ int checked_sign(const Matrix4& matrix) {
   if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
     throw UsageError("the matrix is not affine: its last row must be 0 0 0 1");
   const int sign = sign_of_determinant(linear_part(matrix));
-  if (sign == 0)
-    throw UsageError("the matrix is singular: it flattens the mesh, which has no way back");
+  if (sign == 0) throw UsageError("the matrix is singular: it flattens the mesh");
   return sign;
 }
 

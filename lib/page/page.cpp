@@ -88,7 +88,7 @@ Json report_json(const PageRun& run) {
   if (run.report.empty()) return nullptr;
   Json report = Json::parse(run.report, nullptr, false);
   if (!report.is_object())
-    throw InputError("the report of '" + run.name + "' is damaged: it is no JSON object");
+    throw InputError("the report of '" + run.name + "' is damaged: it is not a JSON object");
   return report;
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t vertices_per_task = 4096;
 
 void check(const Mesh& mesh, std::span<const Vec3> velocities, const DisplaceOptions& options) {
   if (!std::isfinite(options.time_step)) throw UsageError("the time step is not a finite number");
-  if (!(options.alpha >= 0)) throw UsageError("alpha is to be at least 0");
+  if (!(options.alpha >= 0)) throw UsageError("alpha must be at least 0");
   if (velocities.size() != mesh.positions.size()) {
     throw UsageError("one velocity is needed for each vertex");
   }

@@ -1,12 +1,13 @@
-"""Checks the prose that was written since a commit: comments, Markdown texts and commit subjects.
+"""Checks prose: comments, Markdown texts and commit subjects.
 
-    prose.py COMMIT FILE...
+    prose.py COMMIT [--old PREFIX]... FILE...
 
-Reports comments that begin with a word that refers to something else (of, where, those), and sentences
-of more than 30 words. A sentence does not count if the tree of COMMIT contains it, in any file, but for
-single words that were renamed. Also reports subjects of commits since COMMIT that are longer than 72
-characters. Exit code 1 if there are any.
+Reports comments that begin with a word that refers to something else (of, where, it), and sentences of
+more than 30 words. References to the literature may be longer. Files whose names begin with a PREFIX may keep sentences that the tree of COMMIT
+contains, in any file and with single words renamed. Also reports subjects of commits since COMMIT that
+are longer than 72 characters. Exit code 1 if there are any.
 """
+import argparse
 import re
 import subprocess
 import sys
@@ -15,7 +16,7 @@ from source_text import blank, without_strings
 
 MOST_WORDS = 30
 MOST_SUBJECT = 72
-FIRST_WORDS = ('what|where|of|with|by|as|and|but|else|another|anew|then|from now on|those|such|so many')
+FIRST_WORDS = ('what|where|of|with|by|as|and|but|else|another|anew|then|from now on|those|such|so many|it|that')
 FIRST = re.compile(rf'(?:{FIRST_WORDS})\b', re.I)
 CPP_COMMENT = re.compile(r'///?<?(?!/)')
 SHELL_COMMENT = re.compile(r'(?:^|(?<=\s))#(?![!#{])')
@@ -129,7 +130,7 @@ def problems_of(name, text):
             yield line, parts[0], f"begins with '{FIRST.match(parts[0]).group()}'"
         for sentence in parts:
             words = count_words(sentence)
-            if words > MOST_WORDS:
+            if words > MOST_WORDS and not sentence.startswith('Reference'):
                 yield line, sentence, f'a sentence of {words} words'
 
 
@@ -145,14 +146,15 @@ def long_subjects(commit):
             yield f'commit {number}: a subject of {len(subject)} characters: {subject}'
 
 
-def main(commit, files):
+def main(commit, old_prefixes, files):
     found = list(long_subjects(commit))
     before = OldText(commit)
     for name in files:
         with open(name, encoding='utf-8', errors='replace') as file:
             text = file.read()
+        is_old = name.startswith(tuple(old_prefixes))
         for line, sentence, problem in problems_of(name, text):
-            if not before.has(sentence):
+            if not (is_old and before.has(sentence)):
                 found.append(f'{name}:{line}: {problem}: {sentence}')
     for problem in found:
         print(f'lint: {problem}', file=sys.stderr)
@@ -160,4 +162,9 @@ def main(commit, files):
 
 
 if __name__ == '__main__':
-    sys.exit(main(sys.argv[1], sys.argv[2:]))
+    parser = argparse.ArgumentParser()
+    parser.add_argument('commit')
+    parser.add_argument('--old', action='append', default=[])
+    parser.add_argument('files', nargs='*')
+    given = parser.parse_intermixed_args()
+    sys.exit(main(given.commit, given.old, given.files))

@@ -1,5 +1,5 @@
 # Chains of programs on random CAD-like bodies, each output judged by an oracle that links nothing
-# of the library. `chains --seeds 1..5000 --jobs 2` runs many, `chains --pipelines` the README's.
+# of the library. `chains --seeds 1..5000 --jobs 2` runs many, `chains --pipelines` those of the recipes.
 
 load ../helpers/common
 
@@ -29,17 +29,18 @@ percent() {
   diff -r one two
 }
 
-@test "chains: every pipeline of the runner is in the README" {
+@test "chains: every pipeline of the runner is in the README or the recipes" {
   "$chains" --pipelines --list >commands
-  # A line of the README that ends in a pipe goes on in the next.
-  sed -e ':more' -e '/|$/ { N; s/\n */ /; b more' -e '}' "$tm_root/README.md" >readme
+  # A line that ends in a pipe continues in the next one.
+  cat "$tm_root/README.md" "$tm_root/docs/recipes.md" |
+    sed -e ':more' -e '/|$/ { N; s/\n */ /; b more' -e '}' >readme
   [ "$(wc -l <commands)" -ge 12 ]
   while IFS= read -r command; do
-    grep -qF -- "${command% -o *}" readme || fail "not in the README: $command"
+    grep -qF -- "${command% -o *}" readme || fail "not printed: $command"
   done <commands
 }
 
-@test "chains: the README's pipelines on 5 bodies have no finding" {
+@test "chains: the pipelines of the recipes on 5 bodies have no finding" {
   run "$chains" --pipelines --seeds 1..5 --jobs 2 --bin "$tm_build/bin"
   grep -v '^pair' <<<"$output"
   assert_status 0

@@ -48,7 +48,7 @@ inline double sampled_distance(const Mesh& from, const Mesh& to, int steps) {
         double least = std::numeric_limits<double>::infinity();
         for (const Face& other : to.faces) {
           least = std::min(least, squared_to_triangle(p, corners(to, other)));
-          if (least <= largest) break;  // it can not become the largest
+          if (least <= largest) break;  // this sample cannot be the farthest
         }
         largest = std::max(largest, least);
       }

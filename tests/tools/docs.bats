@@ -30,6 +30,14 @@ links() { "$tm_root/scripts/links" "$@"; }
   if has_browser; then check texts out/index.html; fi
 }
 
+@test "the gallery makes the picture of the README, below 60 kB" {
+  needs_command pandoc
+  GALLERY=cleaned gallery out
+  cmp out/cleaned/picture.png "$tm_root/docs/cleaned.png"
+  [ "$(wc -c <"$tm_root/docs/cleaned.png")" -lt 60000 ]
+  grep -qF '(docs/cleaned.png)' "$tm_root/README.md"
+}
+
 @test "commands of the gallery that fail are named, and leave no picture" {
   mkdir bin
   printf '#!/bin/sh\nexit 3\n' >bin/tm-render
@@ -87,6 +95,6 @@ HTML
   links site
   if has_browser; then
     check texts site/index.html site/gallery.html site/man/tm-clean.1.html site/reference/cpp/clean.html \
-      site/reference/python.html site/readme.html
+      site/reference/python.html site/readme.html site/recipes.html
   fi
 }

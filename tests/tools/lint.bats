@@ -78,11 +78,22 @@ make_repository() {
 
 @test "prose that is new follows the rules; what was there before does not count" {
   make_repository
-  python3 "$checks/prose.py" "$begin" old.h
+  python3 "$checks/prose.py" "$begin" --old=old old.h
   printf '%s\n' '/// Number of faces.' 'int a;  ///< of old' '/// Where old is, e.g. here. Then more.' >new.h
-  run ! python3 "$checks/prose.py" "$begin" old.h new.h
+  run ! python3 "$checks/prose.py" "$begin" --old=old old.h new.h
   [[ $output == *"new.h:2: begins with 'of'"*"new.h:3: begins with 'Where'"* ]]
   [ "$(wc -l <<<"$output")" -eq 2 ]
+}
+
+@test "prose is checked as a whole; only files that are listed may keep old sentences" {
+  make_repository
+  run ! python3 "$checks/prose.py" "$begin" old.h
+  [[ $output == *"old.h:1: begins with 'Of'"* ]]
+  python3 "$checks/prose.py" "$begin" --old=none --old=ol old.h
+  printf '%s\n' 'int a;  // it is old' "/// Reference: A $(printf 'word %.0s' {1..40})" >new.h
+  run ! python3 "$checks/prose.py" "$begin" new.h
+  [[ $output == *"new.h:1: begins with 'it'"* ]]
+  [ "$(wc -l <<<"$output")" -eq 1 ]
 }
 
 @test "sentences of more than thirty words and long subjects are found" {
@@ -107,9 +118,9 @@ make_repository() {
   git commit -qm 'Add a sentence'
   begin=$(git rev-parse HEAD)
   sed -i 's/film/movie/' old.bash
-  python3 "$checks/prose.py" "$begin" old.bash
+  python3 "$checks/prose.py" "$begin" --old=old old.bash
   sed -i -E 's/word([0-9]*[05])\b/term\1/g' old.bash
-  run ! python3 "$checks/prose.py" "$begin" old.bash
+  run ! python3 "$checks/prose.py" "$begin" --old=old old.bash
 }
 
 @test "strings, here-documents and HTML comments are not prose; list items are sentences of their own" {

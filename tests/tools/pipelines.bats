@@ -1,25 +1,14 @@
-# The pipelines of the README, its lines exactly as printed, and what comes out of them.
+# The pipelines of docs/recipes.md, its lines exactly as printed, and what comes out of them.
 
 load ../helpers/common
 
-# The shell lines of the README, without those that set up the project itself.
-readme_lines() {
-  awk '/^```sh$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$tm_root/README.md"
-}
-
 setup_file() {
-  export folder=$BATS_FILE_TMPDIR/readme
+  export folder=$BATS_FILE_TMPDIR/recipes
   mkdir "$folder"
-  cd "$tm_root"
-  readme_lines >"$BATS_FILE_TMPDIR/all.sh"
-  # Its first line puts this folder's programs on PATH; the others run in an empty folder.
-  [ "$(head -n 1 "$BATS_FILE_TMPDIR/all.sh")" = 'export PATH=$PWD/build/bin:$PATH' ]
-  {
-    echo "export PATH=$tm_build/bin:\$PATH"
-    tail -n +2 "$BATS_FILE_TMPDIR/all.sh"
-  } >"$BATS_FILE_TMPDIR/readme.sh"
   cd "$folder"
-  bash "$BATS_FILE_TMPDIR/readme.sh" >"$BATS_FILE_TMPDIR/stdout" 2>"$BATS_FILE_TMPDIR/stderr" || {
+  awk '/^```sh$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$tm_root/docs/recipes.md" \
+    >"$BATS_FILE_TMPDIR/recipes.sh"
+  bash "$BATS_FILE_TMPDIR/recipes.sh" >"$BATS_FILE_TMPDIR/stdout" 2>"$BATS_FILE_TMPDIR/stderr" || {
     cat "$BATS_FILE_TMPDIR/stderr"
     return 1
   }
@@ -38,9 +27,14 @@ expect() { # EXPRESSION NUMBER...
   echo "$*" | awk "{ exit !($expression) }" || fail "not so: $expression, with $*"
 }
 
-@test "set-up is two commands" {
-  setup_lines=$(awk '/^```bash$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$tm_root/README.md")
-  [ "$setup_lines" = $'scripts/quickstart\nscripts/check' ]
+@test "to install are three lines: two scripts, and the folder of the programs" {
+  awk '/^```bash$/ { inside = 1; next } /^```/ { inside = 0 } inside { sub(/ *#.*/, ""); print }' \
+    "$tm_root/README.md" >lines
+  diff lines - <<'LINES'
+scripts/quickstart
+scripts/check
+export PATH=$PWD/build/bin:$PATH
+LINES
   [ -x "$tm_root/scripts/quickstart" ] && [ -x "$tm_root/scripts/check" ]
 }
 
@@ -50,7 +44,7 @@ expect() { # EXPRESSION NUMBER...
 }
 
 @test "every result is a closed manifold without a self-intersection" {
-  for mesh in union intersection difference body result now twisted repaired; do
+  for mesh in union intersection difference body result now twisted turned repaired; do
     tm-checkmanifold --closed "$mesh.ply" >/dev/null || fail "$mesh.ply is not closed and manifold"
     tm-intersect --check "$mesh.ply" >/dev/null || fail "$mesh.ply intersects itself"
   done

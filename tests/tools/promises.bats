@@ -27,7 +27,7 @@ rows() {
 
 # sentences PAGE: one in each line.
 sentences() {
-  awk -v RS= '{ gsub("\n", " "); gsub("[.] +", ".\n"); print }' "$tm_root/man/$1"
+  grep -v '^# ' "$tm_root/man/$1" | awk -v RS= '{ gsub("\n", " "); gsub("[.] +", ".\n"); print }'
 }
 
 @test "every promise is on its page and has its test" {

@@ -1,16 +1,31 @@
-# The commands of the README that pipelines.bats does not run: its indented lines, each by itself,
-# and the lines of Python.
+# README.md and docs/recipes.md: indented lines run one by one, sessions print what is shown, and the
+# lines of Python run. Their blocks of sh are run by pipelines.bats.
 
 load ../helpers/common
 
-# indented_lines [SECTION]: the indented lines of the README, or of one of its sections.
+recipes=$tm_root/docs/recipes.md
+
+# indented_lines FILE: its indented lines outside of fences. A line that ends in a backslash continues.
 indented_lines() {
-  awk -v section="${1-}" '
-    /^```/ { fenced = !fenced }
-    /^## / { inside = $0 == "## " section }
-    /^    / && !fenced && (inside || section == "") { print substr($0, 5) }' "$tm_root/README.md" |
-    # A line that ends in a backslash goes on in the next.
+  awk '/^```/ { fenced = !fenced } /^    / && !fenced { print substr($0, 5) }' "$1" |
     sed -e ':more' -e '/\\$/ { N; s/\\\n */ /; b more' -e '}'
+}
+
+# block LANGUAGE FILE: the lines of all fenced blocks of that language.
+block() {
+  awk -v fence="^\`\`\`$1\$" '$0 ~ fence { inside = 1; next } /^```/ { inside = 0 } inside' "$2"
+}
+
+# The step that the recipe of one's own velocity writes.
+write_step() {
+  awk '/^STEP$/ { inside = 0 } inside { print } /^cat > twist/ { inside = 1 }' "$recipes" >twist
+  chmod +x twist
+}
+
+make_photographs() {
+  tm-shape dented --faces 5000 -o photographed.ply
+  tm-photograph --ring 16 --size 160x120 --write-images photos --write-silhouettes masks -o cameras.txt \
+    photographed.ply
 }
 
 setup_file() {
@@ -28,6 +43,8 @@ setup_file() {
   for i in 1 2 3; do
     tm-render --size 80x60 --orbit "$((30 * i)),20" -o "frame-$i.png" b.ply
   done
+  write_step
+  make_photographs
 }
 
 setup() {
@@ -61,28 +78,44 @@ run_line() {
   bash -euo pipefail -c "$1" >log 2>&1 </dev/null || fail "$1: $(cat log)"
 }
 
-@test "every block of the README is run by a test" {
-  # Blocks of sh, and what those of bash are, by pipelines.bats; of cpp by examples_cpp.bats.
-  diff <(grep -oE '^```[a-z]+' "$tm_root/README.md" | sort -u) <(printf '```%s\n' bash cpp python sh)
-  # All but one of the indented lines belong to the two tests below.
-  diff <(indented_lines) <(
-    head -n 3 < <(indented_lines)
-    echo 'cmake -DTM_VIEWS=ON build && cmake --build build --target installed && sudo cmake --install build'
-    indented_lines Pipelines
-  )
+@test "every block of the README and of the recipes is run by a test" {
+  # Blocks of sh and of bash by pipelines.bats, of cpp by examples_cpp.bats, the others below.
+  diff <(grep -ohE '^```[a-z]+' "$tm_root/README.md" | sort -u) <(printf '```%s\n' bash console)
+  diff <(grep -ohE '^```[a-z]+' "$recipes" | sort -u) <(printf '```%s\n' cpp python sh)
+  [ "$(indented_lines "$tm_root/README.md" | wc -l)" -eq 6 ]
+  [ "$(indented_lines "$recipes" | wc -l)" -ge 9 ]
 }
 
-@test "the lines that open the README" {
-  while IFS= read -r -u 7 line; do run_line "$line"; done 7< <(indented_lines | head -n 3)
-  for file in solid.ply part.ply next.ply; do tm-checkmanifold --closed "$file"; done
+@test "the README is short" {
+  [ "$(wc -l <"$tm_root/README.md")" -le 110 ]
+}
+
+@test "the session of the README prints what it shows" {
+  block console "$tm_root/README.md" >session
+  [ "$(grep -c '^\$ ' session)" -ge 4 ]
+  while IFS= read -r -u 7 line; do
+    printf '%s\n' "$line"
+    # The check of the tangle says no, by its exit code.
+    bash -c "${line#\$ }" 2>&1 </dev/null || true
+  done 7< <(grep '^\$ ' session) | diff session -
+}
+
+@test "each line of the README runs as it is printed" {
+  while IFS= read -r -u 7 line; do run_line "$line"; done 7< <(indented_lines "$tm_root/README.md")
+  for file in solid.ply part.ply thicker.ply morphed.ply twisted.ply surface.ply; do
+    tm-checkmanifold --closed "$file" && tm-intersect --check "$file"
+  done
 }
 
 @test "every recipe in one line runs as it is printed" {
-  [ "$(indented_lines Pipelines | wc -l)" -ge 5 ]
-  while IFS= read -r -u 7 line; do run_line "$line"; done 7< <(indented_lines Pipelines)
+  # The tests of the installation run this one.
+  install='cmake -DTM_VIEWS=ON build && cmake --build build --target installed && sudo cmake --install build'
+  indented_lines "$recipes" | grep -qxF "$install"
+  while IFS= read -r -u 7 line; do run_line "$line"; done 7< <(indented_lines "$recipes" | grep -vxF "$install")
+  tm-checkmanifold --closed next.ply
 }
 
-@test "recipes make what the README says" {
+@test "recipes make what they say" {
   # The offset is as much larger as its distance times the area, about.
   diagonal=$(tm-info --json body.ply | jq '[.bbox_max, .bbox_min] | transpose | map((.[0] - .[1]) | . * .) | add | sqrt')
   jq -n --argjson before "$(tm-info --json body.ply)" --argjson after "$(tm-info --json thicker.ply)" \
@@ -106,7 +139,7 @@ run_line() {
 
 @test "the lines of Python run as they are printed" {
   ls "$tm_build"/python/transformesh/_transformesh.*.so >/dev/null 2>&1 || skip "the Python module is not built"
-  awk '/^```python$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$tm_root/README.md" >lines.py
+  block python "$recipes" >lines.py
   [ "$(wc -l <lines.py)" -ge 3 ]
   python=$(sed -n 's/^Python3_EXECUTABLE:[A-Z]*=//p' "$tm_build/CMakeCache.txt")
   PYTHONPATH=$tm_build/python PYTHONDONTWRITEBYTECODE=1 "$python" lines.py

@@ -93,7 +93,7 @@ volume_of() {
   run --separate-stderr tm-boolean intersection a.off b.off --require-nonempty -o none.ply
   [ "$status" -eq 4 ]
   [ ! -e none.ply ]
-  # It is an operand as others are.
+  # An empty mesh is an operand like any other.
   [ "$(volume_of union a.off empty.ply)" = 1 ]
   [ "$(volume_of difference a.off empty.ply)" = 1 ]
   tm-boolean -q intersection a.off empty.ply -o result.ply

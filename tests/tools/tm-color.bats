@@ -75,7 +75,7 @@ value() { awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2";
   tm-stitch --flip "$scene/truth.ply" -o inside_out.ply
   run --separate-stderr "${color[@]}" inside_out.ply
   assert_status 3
-  [[ $stderr == *"no view sees any of the mesh"* ]]
+  [[ $stderr == *"the mesh is visible in no view"* ]]
   run --separate-stderr "${color[@]}" --texture --texture-size 16 "$scene/truth.ply" -o a.obj
   assert_status 4
   [ ! -e a.obj ] && [ ! -e a.png ]

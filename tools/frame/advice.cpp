@@ -63,8 +63,8 @@ constexpr std::array table{
     Advice{Kind::meets_keep_out, "",
            "cut one from the other first, as the difference in tm-clean(1)"},
     Advice{Kind::bad_reference_edge, "reference-edge",
-           "measure it anew with --reference-edge auto"},
-    Advice{Kind::bad_reference_edge, "", "measure it anew with tm-convert --reference-edge auto"},
+           "measure it again with --reference-edge auto"},
+    Advice{Kind::bad_reference_edge, "", "measure it again with tm-convert --reference-edge auto"},
     Advice{Kind::no_velocity, "normal-speed",
            "give --normal-speed or --curvature-speed, or write the vertex properties vx vy vz"},
     Advice{Kind::no_source_points, "closest",
@@ -91,10 +91,10 @@ constexpr std::array table{
     Advice{Kind::views_disagree, "least-agreement", "see --least-agreement"},
     Advice{Kind::few_views_disagree, "drop-bad-views",
            "look at camera and mask, or leave out what disagrees with --drop-bad-views"},
-    Advice{Kind::bad_state, "restart", "begin anew with --restart"},
+    Advice{Kind::bad_state, "restart", "begin again with --restart"},
     Advice{Kind::other_settings, "resume", "leave out --resume"},
     Advice{Kind::interrupted_run, "restart",
-           "continue it with --resume, or throw it away with --restart"},
+           "continue it with --resume, or discard it with --restart"},
     Advice{Kind::not_a_run, "", "a loop such as tm-morph writes it with --run {name}"},
 };
 

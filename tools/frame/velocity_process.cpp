@@ -61,7 +61,7 @@ void VelocityProcess::wait_until_ready() {
 }
 
 void VelocityProcess::throw_ended() {
-  kill(-child_, SIGTERM);  // it may have closed its output only
+  kill(-child_, SIGTERM);  // the command may have closed only its output
   int status = 0;
   while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
   }

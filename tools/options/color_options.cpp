@@ -103,7 +103,8 @@ void color(Document& document, std::span<const PictureView> views, const ColorCh
   run.report("unseen", result.unseen);
   run.report("disagreement", result.disagreement);
   run.report("largest_gain", result.largest_gain);
-  if (result.unseen > 0) run.say().detail("no photograph sees " + counted(result.unseen, "vertex"));
+  if (result.unseen > 0)
+    run.say().detail(counted(result.unseen, "vertex") + " visible in no photograph");
 }
 
 }  // namespace transformesh::tool

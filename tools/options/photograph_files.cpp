@@ -24,8 +24,8 @@ CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
   for (CameraRecord& record : list.cameras) {
     if (record.width != 0) continue;
     if (!files.size_is_given && (needs_size || record.is_centered))
-      throw UsageError("how large is the image of " + record.name + " (" + record.place +
-                       ")? The camera file does not state it: give --size WxH");
+      throw UsageError("the camera file does not state the size of the image of " + record.name +
+                       " (" + record.place + "): give --size WxH");
     record.set_size(ring.width, ring.height, "--size");
   }
   return list;

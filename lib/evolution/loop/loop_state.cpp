@@ -12,7 +12,8 @@ LoopState::LoopState(const std::string& text) : restores_(true) {
   for (std::string name, number; words >> name >> number;) {
     const auto value = number_in<double>(number);
     if (!value)
-      throw InputError(ErrorKind::bad_state, "a state holds '" + number + "', which is no number");
+      throw InputError(ErrorKind::bad_state,
+                       "a state holds '" + number + "', which is not a number");
     values_[name] = *value;
   }
 }
@@ -21,7 +22,7 @@ double LoopState::kept(const std::string& name) const {
   const auto found = values_.find(name);
   if (found != values_.end()) return found->second;
   throw InputError(ErrorKind::bad_state,
-                   "the state of the run is that of another loop, as it holds no '" + name + "'");
+                   "the state of the run belongs to another loop: it holds no '" + name + "'");
 }
 
 std::string LoopState::text() const {

@@ -40,7 +40,7 @@ std::string taken(std::vector<std::string>& comments, std::string_view key,
                                   [&](const std::string& line) { return line.starts_with(key); });
   if (found == comments.end())
     throw InputError("'" + file +
-                     "' is no state of a run; remove its folder, or name another output");
+                     "' is not the state of a run; remove its folder, or name another output");
   std::string rest = found->substr(key.size());
   comments.erase(found);
   return rest;

@@ -152,7 +152,7 @@ RunDescription read_run(const std::string& folder) {
       throw InputError("'" + name + "' is of a later version of this suite");
     return {json.at("tool"), json.at("version"), json.at("commands")};
   } catch (const Json::exception&) {
-    throw InputError("'" + name + "' is damaged: it describes no run");
+    throw InputError("'" + name + "' is damaged: it does not describe a run");
   }
 }
 

@@ -102,7 +102,7 @@ bool is_natural_less(std::string_view first, std::string_view second) {
 }
 
 std::vector<std::string> files_at(const std::string& where) {
-  if (where.empty()) throw InputError("an empty name names no file");
+  if (where.empty()) throw InputError("the name of a file is empty");
   if (is_file(where)) return {where};
   std::vector<std::string> files;
   if (is_folder(where)) {

@@ -43,7 +43,7 @@ MappedFile::MappedFile(const std::string& path) {
   if (is_regular && size > 0) data = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
   const int error = errno;
   close(descriptor);
-  if (!is_regular) fail(path, "a pipe or a folder is no file that can be read several times");
+  if (!is_regular) fail(path, "a pipe or a folder cannot be read several times");
   if (size == 0) fail(path, "it is empty");
   if (data == MAP_FAILED) fail(path, std::strerror(error));
   bytes_ = {static_cast<const char*>(data), size};

@@ -102,8 +102,8 @@ std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const ColorSamples& 
   const auto seen = static_cast<std::size_t>(std::count(is_known.begin(), is_known.end(), 1));
   if (seen == 0)
     throw InputError(
-        "no view sees any of the mesh: are cameras, photographs and mesh of one "
-        "scene, in the same units?");
+        "the mesh is visible in no view: check that cameras, photographs and mesh "
+        "belong to one scene and have the same units");
   result.unseen = samples.count - seen;
   result.largest_gain = largest_gain(gains);
   result.disagreement = differences / static_cast<double>(seen);

@@ -90,7 +90,8 @@ double least(LinearProgram program, int axis, double sign) {
   program.set_c(axis, sign);
   const Solution solution = CGAL::solve_linear_program(program, CGAL::Gmpzf());
   if (solution.is_infeasible())
-    throw InputError("no point lies in all silhouettes: do the cameras belong to these images?");
+    throw InputError(
+        "no point lies in all silhouettes: check that the cameras belong to these images");
   if (solution.is_unbounded())
     throw InputError("the silhouettes do not bound the object on all sides: name its box");
   return sign * CGAL::to_double(solution.objective_value());

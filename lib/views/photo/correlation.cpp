@@ -226,8 +226,8 @@ CorrelationSums correlate(int width, int first_row, int end_row, const Correlati
                           const std::function<void(int, const WindowRow&)>& look) {
   static constexpr std::array runs{run<1>, run<2>, run<3>, run<4>, run<5>};
   if (options.radius < 1 || options.radius > 5) throw UsageError("a window's radius is 1 to 5");
-  if (!(options.noise_variance > 0)) throw UsageError("the variance of noise is to be above 0");
-  if (!(options.contrast >= 0)) throw UsageError("the contrast is to be at least 0");
+  if (!(options.noise_variance > 0)) throw UsageError("the variance of noise must be above 0");
+  if (!(options.contrast >= 0)) throw UsageError("the contrast must be at least 0");
   if (options.robust != 0 && !(options.robust >= 1e-3 && options.robust <= 1e3))
     throw UsageError("the scale of a robust loss is 0, for none, or from 0.001 to 1000");
   if (width < 1 || first_row >= end_row) return {};

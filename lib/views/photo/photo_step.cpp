@@ -17,7 +17,7 @@ namespace {
 void check(const PhotoStepOptions& options) {
   const auto check_least = [](double value, const char* name) {
     if (!(value >= 0 && std::isfinite(value)))
-      throw UsageError(std::string(name) + " is to be at least 0");
+      throw UsageError(std::string(name) + " must be at least 0");
   };
   check_least(options.stiffness, "the stiffness");
   check_least(options.damping, "the damping");
@@ -25,7 +25,7 @@ void check(const PhotoStepOptions& options) {
   check_least(options.silhouettes, "the pull of silhouettes");
   check_least(options.least_cosine, "the least cosine");
   if (!(options.smoothing >= 0 && options.smoothing <= 1))
-    throw UsageError("the smoothing is to be from 0 to 1");
+    throw UsageError("the smoothing must be from 0 to 1");
 }
 
 std::vector<ViewPair> compared_pairs(const std::vector<ViewPair>& pairs, PairOrder order) {
@@ -133,7 +133,7 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
   const Photoconsistency measured =
       photoconsistency(mesh, scene.views, seen, compared_pairs(scene.pairs, options.order),
                        options.photographs, progress);
-  if (measured.pixels == 0) throw InputError("no two views see the same part of the mesh");
+  if (measured.pixels == 0) throw InputError("no part of the mesh is visible in two views");
   progress("move");
   const ContourGaps gaps = contour_gaps(mesh, scene.views, seen, scene.distances, options.meaning);
 

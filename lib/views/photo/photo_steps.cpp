@@ -55,7 +55,7 @@ PhotoStepsResult photo_steps(Mesh& mesh, const PhotoScene& scene, const PhotoSte
                              const Progress& progress) {
   if (options.iterations < 1) throw UsageError("at least one iteration is needed");
   if (!(options.momentum >= 0 && options.momentum < 1))
-    throw UsageError("the momentum is to be at least 0 and less than 1");
+    throw UsageError("the momentum must be at least 0 and less than 1");
   PhotoStepOptions step = options.step;
   Momentum momentum(options.momentum, step.alpha);
   PhotoStepsResult result;

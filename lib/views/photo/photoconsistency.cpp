@@ -47,11 +47,11 @@ struct FaceSums {
 
 void check(std::span<const View> views, std::span<const ViewPair> pairs,
            const PhotoconsistencyOptions& options) {
-  if (!(options.depth_tolerance >= 0)) throw UsageError("the depth tolerance is to be at least 0");
+  if (!(options.depth_tolerance >= 0)) throw UsageError("the depth tolerance must be at least 0");
   for (const ViewPair& pair : pairs) {
     if (pair.first < views.size() && pair.second < views.size()) continue;
     throw UsageError("views " + std::to_string(pair.first) + " and " + std::to_string(pair.second) +
-                     " are to be compared, of " + std::to_string(views.size()));
+                     " cannot be compared: there are " + std::to_string(views.size()));
   }
 }
 

@@ -4,7 +4,7 @@
 //   chains --write SEED FOLDER [--bin FOLDER]
 //     keeps the body, what every program wrote, and the commands in chain.sh
 //   chains --pipelines [--seeds A..B] [--write SEED FOLDER] ...
-//     runs the pipelines of the README on 50 bodies instead; --list prints their commands
+//     runs the pipelines of docs/recipes.md on 50 bodies instead; --list prints their commands
 //   chains --judge FILE...
 //     prints what each mesh is; exit code 1 where one is not closed, manifold, free of
 //     intersections and of faces without area

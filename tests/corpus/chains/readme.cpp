@@ -13,8 +13,8 @@ namespace chains {
 namespace {
 
 struct Pipeline {
-  std::string preparation;  ///< what the README takes as given, made of the body
-  std::string command;      ///< as the README prints it; empty: only the preparation is run
+  std::string preparation;  ///< makes the meshes that the command needs from the body
+  std::string command;      ///< the words as printed; if empty, only the preparation is run
   std::string output;
 };
 
@@ -74,7 +74,7 @@ TriangleMesh second_operand(const TriangleMesh& first, Random& random) {
   return mesh;
 }
 
-/// A body without cutter, of about unit size at the origin: lengths of the README fit it.
+/// A body without cutter, of about unit size at the origin: lengths of the recipes fit it.
 TriangleMesh first_operand(Random& random, bool& is_rotated_with_contact) {
   Body body = random_body(random);
   while (body.is_single_solid) body = random_body(random);

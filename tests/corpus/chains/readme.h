@@ -1,4 +1,4 @@
-/// The pipelines of the README on random bodies instead of its own shapes.
+/// The pipelines of README.md and docs/recipes.md on random bodies instead of the shapes there.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace chains {
 
-/// The commands as the README prints them.
+/// Returns the commands as README.md and docs/recipes.md print them.
 std::vector<std::string> readme_commands();
 
 /// Runs all of them on the body of this seed; every mesh that they write is judged.
