@@ -23,7 +23,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 512;
+constexpr std::size_t points_per_task = 512;  ///< affects time only
 constexpr std::size_t samples = 40000;
 constexpr double close_enough = 0.01;     ///< of an edge
 constexpr double least_edge = 1.0 / 400;  ///< of the diagonal

@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t faces_per_task = 4096;
+constexpr std::size_t faces_per_task = 4096;  ///< affects time only
 constexpr std::size_t faces_at_once = 64;
 /// Of the slots of the table one in so many is used at most: most searches find nothing, and end at
 /// the first slot that is free.

@@ -12,7 +12,7 @@ namespace transformesh {
 namespace {
 
 constexpr double least_cosine = 0.5;
-constexpr std::size_t faces_per_task = 2048;
+constexpr std::size_t faces_per_task = 2048;  ///< affects time only
 /// The cosine of 20 degrees: below that, a flip for valence may not make the least angle smaller.
 constexpr double narrow = 0.9396926207859084;
 /// A stretched edge may pass the old one at this distance, as a share of its length.

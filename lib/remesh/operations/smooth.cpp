@@ -14,7 +14,7 @@ namespace {
 /// Moves below this share of the star's size are left out.
 constexpr double rest = 5e-3;
 constexpr double least_weight = 0.01;
-constexpr std::size_t things_per_task = 2048;
+constexpr std::size_t things_per_task = 2048;  ///< affects time only
 
 class Relaxer {
  public:
