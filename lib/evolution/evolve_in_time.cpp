@@ -159,8 +159,8 @@ class TimeLoop : public Loop {
   bool is_near_event() const { return event_end_ - time_ > rounding * options_.end; }
 
   /// Returns the longest span of the next step. Before the end of a span in which the topology
-  /// changes, this is half the time until its end, so that bisection locates the event; or all of
-  /// that time once it is within the tolerance.
+  /// changes, this is half the time until its end, so that bisection locates the event. Within the
+  /// tolerance it is all of that time.
   double longest_span() const {
     if (is_near_event()) {
       const double gap = event_end_ - time_;
