@@ -73,7 +73,7 @@ TEST_CASE("under mean-curvature flow a sphere has r^2 = r0^2 - 4 t, and the erro
   CHECK(fine < 0.4 * coarse);
 }
 
-TEST_CASE("an ellipsoid has the axes of the one-dimensional solver on its way") {
+TEST_CASE("the axes of an ellipsoid agree with the one-dimensional solver at all times") {
   Mesh mesh = ellipsoid(0.5, 1, 4);
   test::RevolutionFlow profile(test::ellipsoid_profile(0.5, 1, 201));
   for (int i = 1; i <= 3; ++i) {
@@ -87,7 +87,7 @@ TEST_CASE("an ellipsoid has the axes of the one-dimensional solver on its way") 
   }
 }
 
-TEST_CASE("a ring and a dumbbell have the volumes and the neck of the one-dimensional solver") {
+TEST_CASE("volumes and necks of a ring and a dumbbell agree with the one-dimensional solver") {
   Mesh ring = test::torus(1, 0.4, 80, 40);
   test::RevolutionFlow profile(test::torus_profile(1, 0.4, 200));
   for (int i = 1; i <= 3; ++i) {
@@ -180,7 +180,7 @@ TEST_CASE("surface diffusion damps waves on a sphere at the rate of the closed f
   CHECK(volume_of(mesh) == Approx(volume_before).epsilon(1e-12));
 }
 
-TEST_CASE("borders stay, and a mesh without a volume is refused where that is kept") {
+TEST_CASE("borders stay, and flows that keep the volume refuse open meshes") {
   Mesh mesh = test::grid(6);
   mesh.positions[24] += Vec3(0, 0, 0.2);
   const Mesh start = mesh;

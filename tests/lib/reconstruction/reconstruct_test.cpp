@@ -250,7 +250,7 @@ TEST_CASE(
   CHECK(notes[1].find("beginning anew, 16 times as stiff") != std::string::npos);
 }
 
-TEST_CASE("components that are small beside the largest go at last") {
+TEST_CASE("components that are small relative to the largest are removed at the end") {
   Mesh mesh = test::moved(test::scaled(test::icosphere(4), 0.6), Vec3(0, -0.3, 0));
   const Mesh moon = test::moved(test::scaled(test::icosphere(4), 0.25), Vec3(0, 0.75, 0));
   const auto offset = static_cast<Index>(mesh.positions.size());
