@@ -82,7 +82,7 @@ TEST_CASE("source points of a cleaned mesh have its positions, those of input ve
 }
 
 TEST_CASE(
-    "vertices of a remeshed mesh name the closest place that looks their way, by brute force") {
+    "source points of a remeshed mesh are the closest with a similar normal, by brute force") {
   const Mesh input = test::torus(2, 0.7, 40, 20);
   Mesh mesh = input;
   remesh(mesh, edges_around(0.3));

@@ -21,8 +21,7 @@ TEST_CASE("an initial mesh is torn if a twentieth of its coverage is lost") {
   CHECK_FALSE(is_torn(1000, 950));
 }
 
-TEST_CASE(
-    "a surface explodes where it goes to pieces, leaves the silhouettes or is hardly compared") {
+TEST_CASE("a surface explodes if it breaks up, leaves the silhouettes or loses coverage") {
   const auto explodes = [](const auto& change) {
     Sweep sweep = moving(0.5);
     change(sweep);

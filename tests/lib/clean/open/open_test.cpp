@@ -158,8 +158,7 @@ TEST_CASE("a sheet affects only surfaces that it meets") {
   }
 }
 
-TEST_CASE(
-    "what lies within a closed body goes, and nothing that a body with a hole merely surrounds") {
+TEST_CASE("surfaces inside a closed body vanish; those that a body with a hole surrounds stay") {
   const Mesh ball = test::icosphere(3);
   const Mesh small_sheet = sheet([](double x, double y) { return Vec3(0.3 * x, 0.3 * y, 0.01); });
   CHECK(cleaned(test::joined(ball, small_sheet)).faces.size() == ball.faces.size());
