@@ -36,8 +36,8 @@ void check_step(const EvolveChoices& choices, const Program& program) {
   refuse(program, time_option_names(), " needs --time T, the end of an evolution in time");
 }
 
-/// In time and on curves, vertices that the motion carried stay where they are unless --smooth is
-/// given.
+/// Returns the options of remeshing. With --time or --curved, smoothing is off unless --smooth is
+/// given, so that it does not displace vertices that the motion has moved.
 RemeshOptions remeshing_of(const EvolveChoices& choices, Run& run) {
   RemeshOptions options;
   options.curved = choices.curved;
