@@ -52,8 +52,8 @@ BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& op
 
 enum class SheetSide { outside, inside };
 /// Returns the part of a sheet outside or inside of a solid, cut along the surface of the solid.
-/// With a cap it bounds the region behind it. Throws as boolean() does, for the solid, and
-/// InputError if the cap bounds no region.
+/// With `cap` the part and faces of the solid bound the region behind the sheet. Throws as
+/// boolean() does for the solid, and InputError if there is no such region.
 BooleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,
                         const BooleanOptions& options = {}, const Progress& progress = Progress());
 

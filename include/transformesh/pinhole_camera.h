@@ -1,9 +1,9 @@
 /// The camera of a calibrated photograph without lens distortion: K [R | t] maps the world to
 /// pixels. Reference: Hartley & Zisserman, "Multiple View Geometry in Computer Vision", chapter 6.
 ///
-/// With q = K (R X + t) the pixel is (q1 / q3, q2 / q3), x to the right and y down, with pixel
-/// centers at integers. q3 is the depth in input units. The ray of a pixel is scaled so that
-/// X = center() + depth * ray(x, y).
+/// A point X projects to q = K (R X + t) and to the pixel (q1 / q3, q2 / q3), with x to the right,
+/// y down, and pixel centers at integers. The depth is q3, in input units. The ray of a pixel is
+/// scaled so that X = center() + depth * ray(x, y).
 #pragma once
 
 #include <span>

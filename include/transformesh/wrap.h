@@ -1,5 +1,5 @@
 /// A rough closed mesh around points, such as a sparse reconstruction, to start an evolution from.
-/// It need not have the right topology.
+/// Its topology may differ from that of the scanned object.
 ///
 /// Points with normals: Poisson surface reconstruction (Kazhdan, Bolitho & Hoppe, "Poisson surface
 /// reconstruction", SGP 2006), with the function of CGAL and its zero set by marching tetrahedra.

@@ -8,6 +8,7 @@
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/iteration_text.h"
 #include "evolution/loop/loop.h"
+#include "evolution/loop/mesh_document.h"
 #include "evolution/loop/record.h"
 #include "evolution/loop/stages.h"
 #include "evolution/recorded_loops.h"
@@ -108,16 +109,8 @@ EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& o
 
 EvolveResult evolve(Mesh& mesh, const Step& step, const EvolveOptions& options,
                     const LoopOptions& loop, const Progress& progress) {
-  Document document;
-  document.mesh = std::move(mesh);
-  try {
-    const EvolveResult result = evolve(document, step, options, loop, progress);
-    mesh = std::move(document.mesh);
-    return result;
-  } catch (...) {
-    mesh = std::move(document.mesh);
-    throw;
-  }
+  return with_document(
+      mesh, [&](Document& document) { return evolve(document, step, options, loop, progress); });
 }
 
 }  // namespace transformesh

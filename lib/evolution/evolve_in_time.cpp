@@ -13,6 +13,7 @@
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/iteration_text.h"
 #include "evolution/loop/loop.h"
+#include "evolution/loop/mesh_document.h"
 #include "evolution/loop/record.h"
 #include "evolution/loop/stages.h"
 #include "evolution/loop/stopwatch.h"
@@ -98,7 +99,7 @@ class TimeLoop : public Loop {
       step = step_over(integration, step.span / 2, edges.vertex_mean);
       iterate_along(document, step, edges.mean, progress);
     }
-    if (options_.keep_volume) drift_ += keeper_.restore(document, iteration_, progress);
+    if (options_.keep_volume) restore_volume(document, progress);
     accept(document.mesh, step, remaining);
     if (events_) events_->end_step(document.mesh, iteration, time_);
     // The time of the step includes the velocities and all repeated trials.
@@ -197,6 +198,11 @@ class TimeLoop : public Loop {
     last_ = iterate(document, move, iteration_, progress);
   }
 
+  void restore_volume(Document& document, const Progress& progress) {
+    if (keeper_.restore(document)) last_.topology = clean_all(document, progress);
+    drift_ += volume(document.mesh) - keeper_.volume();
+  }
+
   void accept(const Mesh& mesh, const TrialStep& step, double remaining) {
     const bool is_end = step.span >= remaining;
     time_ = is_end ? options_.end : time_ + step.span;
@@ -249,16 +255,9 @@ TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOp
 TimeResult evolve_in_time(Mesh& mesh, const Motion& motion, const TimeOptions& time,
                           const EvolveOptions& options, const LoopOptions& loop,
                           const Progress& progress) {
-  Document document;
-  document.mesh = std::move(mesh);
-  try {
-    TimeResult result = evolve_in_time(document, motion, time, options, loop, progress);
-    mesh = std::move(document.mesh);
-    return result;
-  } catch (...) {
-    mesh = std::move(document.mesh);
-    throw;
-  }
+  return with_document(mesh, [&](Document& document) {
+    return evolve_in_time(document, motion, time, options, loop, progress);
+  });
 }
 
 }  // namespace transformesh

@@ -77,18 +77,15 @@ void VolumeKeeper::begin(Mesh& mesh, const std::vector<Vec3>& displacements) {
   for (std::size_t v = 0; v < displacements.size(); ++v) column.values[v] = displacements[v].norm();
 }
 
-double VolumeKeeper::restore(Document& document, const IterationOptions& options,
-                             const Progress& progress) {
+bool VolumeKeeper::restore(Document& document) const {
   Mesh& mesh = document.mesh;
   const std::vector<double> weights = taken_weights(mesh);
-  if (mesh.faces.empty()) return -volume_;
+  if (mesh.faces.empty()) return false;
   const double limit = largest_motion * halfedge_lengths(mesh).mean;
-  if (move_to_volume(mesh, volume_, weights, limit)) {
-    refresh_normals(mesh);
-    round_as_written(document);
-    clean_in_place(document, progress, options.outermost, options.on_cleaned);
-  }
-  return transformesh::volume(mesh) - volume_;
+  if (!move_to_volume(mesh, volume_, weights, limit)) return false;
+  refresh_normals(mesh);
+  round_as_written(document);
+  return true;
 }
 
 }  // namespace transformesh

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "evolution/loop/stages.h"
+#include "transformesh/document.h"
 
 namespace transformesh {
 
@@ -15,10 +15,14 @@ class VolumeKeeper {
   /// vertex's movement as a vertex column, which cleaning and remeshing interpolate.
   void begin(Mesh& mesh, const std::vector<Vec3>& displacements);
 
-  /// Call after remeshing. Removes the column, restores the volume and cleans again. If vertices
-  /// would have to move farther than a tenth of the mean edge, for example after a component has
-  /// vanished, they do not move. Returns the remaining difference of the volume.
-  double restore(Document& document, const IterationOptions& options, const Progress& progress);
+  /// Call after remeshing. Removes the column and restores the volume, up to the rounding of the
+  /// document's coordinates. Returns true if vertices moved: call clean_all() then. Leaves the mesh
+  /// unchanged if vertices would have to move farther than a tenth of the mean edge, for example
+  /// after a component has vanished.
+  bool restore(Document& document) const;
+
+  /// The volume that begin() found.
+  double volume() const { return volume_; }
 
  private:
   double volume_ = 0;

@@ -18,11 +18,8 @@
 // interface capturing", Journal of Computational Physics 183, 2002.
 #include <openvdb/tools/LevelSetAdvect.h>
 #include <openvdb/tools/LevelSetFilter.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
-#include <ctime>
-#include <iostream>
 #include <memory>
 #include <numbers>
 
@@ -125,16 +122,12 @@ void move(FloatGrid& grid, const std::string& field, double time, double voxel) 
 void measure(const std::string& field, double time, double voxel, const std::string& source,
              const std::string& output) {
   const Mesh mesh = read_file(source);
-  // Further threads would spend CPU time on waiting.
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  openvdb::initialize();
+  const OneThread one_thread;
   const FloatGrid::Ptr grid = level_set(mesh, voxel);
-  const std::clock_t start = std::clock();
-  move(*grid, field, time, voxel);
-  const Mesh result = surface(*grid);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  write_file(output, result);
-  std::cout << "seconds: " << seconds << '\n';
+  time_surface(output, [&] {
+    move(*grid, field, time, voxel);
+    return grid;
+  });
 }
 
 }  // namespace

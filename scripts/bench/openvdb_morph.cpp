@@ -4,11 +4,8 @@
 //   openvdb-morph VOXEL SOURCE TARGET OUTPUT
 #include <openvdb/tools/LevelSetMeasure.h>
 #include <openvdb/tools/LevelSetMorph.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
-#include <ctime>
-#include <iostream>
 
 #include "driver.h"
 #include "mesh_file.h"
@@ -46,16 +43,12 @@ void measure(double voxel, const std::string& source, const std::string& target,
              const std::string& output) {
   const Mesh from = read_file(source);
   const Mesh to = read_file(target);
-  // Further threads would spend CPU time on waiting.
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  openvdb::initialize();
-  const std::clock_t start = std::clock();
-  const FloatGrid::Ptr grid = level_set(from, voxel);
-  morph(*grid, *level_set(to, voxel));
-  const Mesh result = surface(*grid);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  write_file(output, result);
-  std::cout << "seconds: " << seconds << '\n';
+  const OneThread one_thread;
+  time_surface(output, [&] {
+    const FloatGrid::Ptr grid = level_set(from, voxel);
+    morph(*grid, *level_set(to, voxel));
+    return grid;
+  });
 }
 
 }  // namespace

@@ -4,9 +4,14 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/MeshToVolume.h>
 #include <openvdb/tools/VolumeToMesh.h>
+#include <tbb/global_control.h>
 
+#include <ctime>
+#include <iostream>
+#include <string>
 #include <vector>
 
+#include "mesh_file.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {
@@ -35,6 +40,26 @@ inline Mesh surface(const openvdb::FloatGrid& grid) {
     mesh.faces.push_back({q[0], q[3], q[2]});
   }
   return mesh;
+}
+
+/// Limits OpenVDB to one thread while it exists: more would spend CPU time on waiting.
+class OneThread {
+ public:
+  OneThread() { openvdb::initialize(); }
+
+ private:
+  tbb::global_control limit_{tbb::global_control::max_allowed_parallelism, 1};
+};
+
+/// Writes the surface of the level set that `body` returns, and prints the CPU seconds of `body`
+/// and of meshing.
+template <typename Body>
+void time_surface(const std::string& output, const Body& body) {
+  const std::clock_t start = std::clock();
+  const Mesh result = surface(*body());
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  write_file(output, result);
+  std::cout << "seconds: " << seconds << '\n';
 }
 
 }  // namespace transformesh

@@ -100,6 +100,31 @@ END
   awk 'NR == 1 { lost = $1 } END { exit !(lost < -5e-4 && $1 > -1e-5 && $1 < 1e-5) }' errors
 }
 
+@test "volume lost to 32-bit rounding is reported, and the advised conversion avoids it" {
+  tm-shape sphere --faces 1000 --center 1,0,0 --float -o float.ply
+  keep() { run --separate-stderr tm-evolve "$1" -o out.ply --time 1 --velocity "$once" --keep-volume; }
+  keep float.ply
+  assert_status 0
+  [[ $stderr == *"volume that could not be restored"*"32-bit coordinates round it: run tm-convert --double first"* ]]
+  tm-convert --double float.ply -o double.ply
+  keep double.ply
+  assert_status 0
+  [[ $stderr != *"volume that could not be restored"* ]]
+}
+
+@test "a part that was remeshed as the man page advises keeps its sharp edges with --curved" {
+  tm-shape box 2 1 0.4 --faces 12 -o base.ply
+  tm-shape cylinder 0.3 1 --faces 200 | tm-transform --translate 0.05,0.03,0 -o drill.ply
+  tm-boolean difference base.ply drill.ply | tm-remesh --edge 0.1 -o part.ply
+  tm-evolve part.ply -o turned.ply -q --time 1 --time-step 0.02 --integrator rk4 --curved \
+    --flow rotation --center 0,0,0
+  tm-checkmanifold --closed --intersections turned.ply
+  tm-compare --reference part.ply turned.ply >distances
+  # The limit is a twentieth of the longest edge: collapses may move the surface so far. Without
+  # --curved, the distance is 0.06.
+  awk '/^hausdorff:/ { exit !($2 < 0.0085) }' distances
+}
+
 @test "commands that break the protocol are reported, and nothing hangs" {
   persistent() {
     run --separate-stderr timeout 20 tm-evolve "$ball" -o out.ply --time 1 --persistent --velocity "$1"

@@ -125,9 +125,12 @@ void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
     run.note("vertices moved by up to " + significant(result.max_move, 2) +
              " mean edges in a step; a smaller --time-step, or auto, follows the motion better");
   }
-  if (choices.options.keep_volume && std::abs(result.volume_drift) > 1e-9 * result.volume) {
+  if (choices.options.keep_volume &&
+      std::abs(result.volume_drift) > 1e-9 * std::abs(result.volume)) {
+    const bool is_float = run.document().style.coordinate == Scalar::float32;
     run.note("volume that could not be restored: " + significant(result.volume_drift, 3) +
-             "; it was lost or gained where components, handles or cavities changed");
+             (is_float ? "; 32-bit coordinates round it: run tm-convert --double first"
+                       : "; it was lost or gained where the surface merged, split or vanished"));
   }
 }
 

@@ -45,7 +45,7 @@ Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
 }
 
 // True if a set of connected borders coincides completely with other borders in the same direction.
-// Then it bounds a patch that is inside out.
+// Such borders bound a patch whose orientation is reversed.
 bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   const std::vector<Index> border = check_manifold(mesh).border_halfedges;
   const auto ends_of = [&](Index h) {

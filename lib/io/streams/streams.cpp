@@ -67,9 +67,6 @@ std::size_t first_read_size(int descriptor) {
 
 char* Bytes::reserve(std::size_t size) {
   if (capacity_ - size_ < size) {
-    // Lets a program prepare memory if it replaces operator new, which realloc() does not call. The
-    // programs of this suite no longer replace it.
-    if (data_ == nullptr && size > block) ::operator delete(::operator new(size));
     const std::size_t capacity = std::max(size_ + size, 2 * capacity_);
     char* data = static_cast<char*>(std::realloc(data_.get(), capacity));
     if (data == nullptr) throw std::bad_alloc();

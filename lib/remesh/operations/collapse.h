@@ -19,9 +19,9 @@ struct CollapseCounts {
 /// 60 degrees. It must make no sliver, no too long edge and no contact. The merged vertex lies at
 /// the midpoint, shifted along the normal so that the volume stays (Lindstrom & Turk, "Fast and
 /// memory efficient polygonal simplification", Visualization 1998), or at the end that must stay.
-/// With ShapeRules::curved it lies at either end or on the curved edge, nearest to the planes of
-/// the faces that give way. Reference for that: Garland & Heckbert, "Surface simplification using
-/// quadric error metrics", SIGGRAPH 1997.
+/// ShapeRules::curved chooses among both ends and the middle of the curved edge the position with
+/// the least sum of squared distances to the planes of the replaced faces. Reference: Garland &
+/// Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997.
 CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits,
                                     const Progress& progress);
