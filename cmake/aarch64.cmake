@@ -1,4 +1,4 @@
-# Builds for arm64 Linux by GCC, with the libraries of scripts/sysroot.
+# Toolchain file: builds for arm64 Linux with GCC and the libraries of scripts/sysroot.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
@@ -11,5 +11,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-# The programs write their completions while they are built.
+# The build runs the programs, which write their completions.
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static)

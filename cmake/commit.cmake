@@ -1,5 +1,5 @@
-# TM_COMMIT: what `--version` says beside the number, empty outside a clone. A new commit configures
-# again, which costs seconds, and links the programs again.
+# Sets TM_COMMIT, which `--version` prints after the version number; empty outside of a git clone. A
+# new commit makes CMake configure again, which takes seconds, and relinks the programs.
 set(TM_COMMIT "")
 find_package(Git QUIET)
 if(Git_FOUND AND EXISTS ${PROJECT_SOURCE_DIR}/.git)

@@ -1,5 +1,6 @@
-# Debian packages, by scripts/package: the programs, and the library with its headers. The programs
-# load the system's image libraries, as Debian wants it, whose faults are mended there.
+# Settings of the Debian packages that scripts/package makes: the programs, the library with its
+# headers, and the Python module. The programs use the system's image libraries as shared libraries,
+# as Debian requires, so that security fixes apply to them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME transformesh)
 set(CPACK_PACKAGE_VENDOR "The TransforMesh authors")
@@ -45,10 +46,10 @@ set(CPACK_DEBIAN_PYTHON_DESCRIPTION
 triangle meshes, remeshing, morphing, evolution with any velocity, and
 reconstruction from photographs.")
 
-# What Debian wants beside the files themselves.
+# Documents that Debian requires in each package.
 include(GNUInstallDirs)
 find_program(TM_GZIP gzip)
-# The licence of what the viewer is made of beside our own.
+# License of three.js, which is part of the viewer.
 set(three_copyright "")
 if(TARGET viewer)
   file(READ ${PROJECT_SOURCE_DIR}/tools/viewer/node_modules/three/LICENSE licence)

@@ -1,5 +1,6 @@
-# The library as others use it: `find_package(transformesh)` and `transformesh::transformesh`, or
-# `pkg-config transformesh`. Its interface is the folder include/transformesh.
+# Installs the library for other projects. They use `find_package(transformesh)` and the target
+# `transformesh::transformesh`, or `pkg-config transformesh`. The public headers are
+# include/transformesh.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 

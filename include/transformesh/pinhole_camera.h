@@ -2,7 +2,7 @@
 /// pixels. Reference: Hartley & Zisserman, "Multiple View Geometry in Computer Vision", chapter 6.
 ///
 /// A point X projects to q = K (R X + t) and to the pixel (q1 / q3, q2 / q3), with x to the right,
-/// y down, and pixel centers at integers. Depth q3 is in input units. The ray of a pixel is
+/// y down, and pixel centers at integers. The depth is q3, in input units. The ray of a pixel is
 /// scaled so that X = center() + depth * ray(x, y).
 #pragma once
 

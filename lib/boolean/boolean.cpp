@@ -15,17 +15,17 @@ namespace {
 
 constexpr const char* operand_column = "source_operand";
 
-/// Kinds of the errors which say that a region is empty, in exact numbers or once rounded.
+/// Kinds of errors of clean_region() that mean that the region is empty, exactly or after rounding.
 constexpr std::array empty_region_kinds{ErrorKind::no_positive_winding, ErrorKind::no_such_level,
                                         ErrorKind::canceling_faces, ErrorKind::no_area,
                                         ErrorKind::thinner_than_rounding};
 
-/// The signs of the only operand of an operation that failed with this error.
+/// Returns the signs of the only operand if the operation failed with an error of this kind.
 WindingSigns signs_of_one(ErrorKind kind) {
   return {false, kind == ErrorKind::no_positive_winding};
 }
 
-/// Chooses the boundary of what a Boolean operation selects.
+/// Chooses the boundary of the region that a Boolean operation selects.
 class SolidChooser : public PieceChooser {
  public:
   SolidChooser(BooleanOperation operation, const std::vector<Operand>& operands,
@@ -45,9 +45,12 @@ class SolidChooser : public PieceChooser {
   std::vector<WindingSigns>& signs_;  ///< per operand; set when pieces are chosen
 };
 
-// The sum of winding numbers is at least 1 where any is, if none is negative. It reaches the number
-// of operands only where each is 1, if none is more. Less those of subtracted operands it is 1 only
-// inside the first operand alone, if that is nowhere more.
+// Returns true if the sum s of the winding numbers w of all operands decides the operation:
+// - Union: if no w is negative, s >= 1 exactly in the union.
+// - Intersection: if every w is 0 or 1, s equals the number of operands exactly in the
+// intersection.
+// - Difference: subtracted operands are reversed. If the w of the first operand is 0 or 1, and no
+//   other w was negative before the reversal, s >= 1 exactly in the difference.
 bool SolidChooser::is_level_set(const WeldedMesh& welded,
                                 const std::vector<Meeting>& meetings) const {
   const std::vector<OperandKind> kinds = find_operand_kinds(welded, meetings, joined_);
@@ -69,7 +72,7 @@ bool SolidChooser::is_level_set(const WeldedMesh& welded,
   return false;
 }
 
-/// Chooses the faces of the first operand on one side of the others, and the cap.
+/// Chooses the faces of the first operand, a sheet, on one side of a solid, and the cap if wanted.
 class SheetChooser : public PieceChooser {
  public:
   SheetChooser(SheetSide side, bool cap, const JoinedOperands& joined)
@@ -101,7 +104,7 @@ void number_operands(JoinedOperands& joined) {
   std::copy(joined.operand_of.begin(), joined.operand_of.end(), column.values.begin());
 }
 
-/// The result if a region is empty.
+/// Returns the result for an empty region: no faces, and the columns of the operands.
 BooleanResult empty_result(const Mesh& joined) {
   BooleanResult empty;
   empty.mesh.vertex_columns = joined.vertex_columns.select({});
@@ -154,7 +157,7 @@ BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& op
     note_operands(operands, signs, result);
     return result;
   } catch (const InputError&) {
-    check_solids(operands);  // which names the operand
+    check_solids(operands);  // throws an error that names the operand
     throw;
   }
 }

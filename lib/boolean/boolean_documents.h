@@ -1,5 +1,5 @@
-/// Boolean operations on documents: their meshes are combined, their comments and further elements
-/// united.
+/// Boolean operations on documents, which are meshes with the comments and further elements of
+/// their files. The result has the combined mesh, and the comments and elements of all operands.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace transformesh {
 
-/// The commands: those of boolean_operation_names(), and cut, for the part of a sheet outside or
-/// inside of a solid.
+/// Names of all commands: those of boolean_operation_names(), and cut_command().
 const std::vector<std::string>& boolean_commands();
+/// Name of the command that calls cut_sheet().
 const std::string& cut_command();
 
 struct DocumentsBoolean {
@@ -22,15 +22,16 @@ struct DocumentsBoolean {
   std::vector<std::string> notes;  ///< lines that append() returns
 };
 
-/// Makes the first document that of the result. `names` are those of the documents, for messages.
-/// Positions are rounded to doubles as soon as one document has doubles. `side` is for cut.
+/// Runs a command on the meshes and stores the result in documents[0]; the other documents lose
+/// their meshes. `names` has the file name of each document, for messages. Positions are rounded
+/// to doubles if a document has doubles, and to floats otherwise. Only cut_command() uses `side`.
 DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
                                    std::vector<Document>& documents,
                                    const std::vector<std::string>& names, BooleanOptions options,
                                    const Progress& progress);
 
-/// Copies the comments on lengths of a document that was read, unless the other one has such a
-/// unit: the unit, and the bound of how far flat faces moved. Returns whether the units agree.
+/// Copies the unit of `read` to `all` if `all` has none, and keeps the larger bound of how far
+/// flat faces moved. Returns false if both documents have units and these differ.
 bool unite_length_comments(Document& all, const Document& read);
 
 }  // namespace transformesh

@@ -22,7 +22,8 @@ std::string in_line(std::size_t line, const std::string& what) {
 
 constexpr std::string_view blanks = " \t\r";
 
-// Separated by blanks; one in double quotes may hold blanks.
+// Splits a line into words at blanks. A word in double quotes may contain blanks; '#' at the start
+// of a word begins a comment.
 std::vector<std::string> words_of(std::string_view line, std::size_t number) {
   std::vector<std::string> words;
   for (;;) {
@@ -47,11 +48,12 @@ ScriptLine line_of(const std::vector<std::string>& words, std::size_t number) {
   return {number, words[0], boolean_operation(words[2]), {words.begin() + 3, words.end()}};
 }
 
-/// A mesh that was read or that a line made, which is then a solid that can be changed in place.
+/// The value of a name: a mesh from a file, or the result of a line. The result of a line is an
+/// EditedSolid, which can be changed in place.
 struct Value {
   Mesh mesh;
-  std::optional<EditedSolid> solid;  ///< in place of the mesh
-  double displacement = 0;           ///< a bound of how far merging moved its surface
+  std::optional<EditedSolid> solid;  ///< if set, the value; `mesh` is empty then
+  double displacement = 0;           ///< bound of how far merging moved the surface
 
   Mesh& whole() {
     if (solid) mesh = solid->take();
@@ -80,7 +82,7 @@ class ScriptRun {
   const std::function<Mesh(const std::string&)>& read_;
   const BooleanOptions& options_;
   const Progress& progress_;
-  std::map<std::string, std::size_t> last_use_;  ///< the last line that names it as an operand
+  std::map<std::string, std::size_t> last_use_;  ///< per operand: the last line that uses it
   std::map<std::string, Value> values_;
   ScriptResult result_;
 };
@@ -96,7 +98,8 @@ Value& ScriptRun::value_of(const std::string& name) {
   return values_.emplace(name, Value{read_(name), {}, 0}).first->second;
 }
 
-// If a line changes the result of an earlier one by one operand, and not by itself.
+// Runs a line of the form A = union A B or A = difference A B in place, if A is the result of an
+// earlier line. Returns false if the line has another form or combine_in_place() declines.
 bool ScriptRun::run_in_place(const ScriptLine& line) {
   const bool can_be =
       line.operation == BooleanOperation::unite || line.operation == BooleanOperation::subtract;

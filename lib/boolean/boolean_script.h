@@ -1,12 +1,13 @@
-/// Boolean operations one after the other in one process, as a text that names their operands:
+/// Runs a script of Boolean operations in one process. Each line names a result, an operation and
+/// its operands:
 ///
 ///     # comment
 ///     plate = difference plate.ply hole-1.ply hole-2.ply
 ///     plate = union plate "a rib.ply"
 ///
-/// An operand is a result of an earlier line, or else a file. The last line makes the result of the
-/// whole. Every result is rounded, as if it were written and read again. A mesh is dropped once no
-/// later line names it.
+/// An operand is the result of an earlier line; if no earlier line has that name, it is a file. The
+/// result of the last line is the result of the script. Every result is rounded as if it were
+/// written to a file and read again. A mesh is freed when no later line names it.
 #pragma once
 
 #include <functional>
@@ -20,35 +21,37 @@
 namespace transformesh {
 
 struct ScriptLine {
-  std::size_t number = 0;  ///< in the text, from 1
+  std::size_t number = 0;  ///< line number in the text, from 1
   std::string result;
   BooleanOperation operation = BooleanOperation::unite;
   std::vector<std::string> operands;
 };
 
-/// union, intersection, difference and xor, in the order of the enumerators.
+/// Returns "union", "intersection", "difference" and "xor", in the order of the enumerators.
 const std::vector<std::string>& boolean_operation_names();
-/// The operation of a name, which is one of these.
+/// Returns the operation of a name in boolean_operation_names().
 BooleanOperation boolean_operation(std::string_view name);
 
-/// Says which operands enclose nothing, and whether rounding leaves nothing of the result.
+/// Returns a problem for each operand that encloses nothing, and one if rounding leaves nothing of
+/// the result. `names` has a name for each operand.
 std::vector<Problem> problems_of(const BooleanResult& result,
                                  const std::vector<std::string>& names);
 
-/// Throws InputError, naming the line, unless each says NAME = OPERATION OPERAND... and there is
-/// one.
+/// Parses a script. Throws InputError, naming the line, unless every line that is not blank or a
+/// comment has the form NAME = OPERATION OPERAND... and there is at least one such line.
 std::vector<ScriptLine> parse_boolean_script(std::string_view text);
 
 struct ScriptResult {
   Mesh mesh;
   std::vector<Problem> problems;     ///< problems_of() the results
   std::size_t pairs = 0;             ///< intersecting pairs of faces, sum over the operations
-  std::size_t rounding_repairs = 0;  ///< in all operations
-  std::size_t in_place = 0;          ///< operations for which a part of the mesh was enough
-  double merge_displacement = 0;     ///< a bound of how far merging moved the surface, in all
+  std::size_t rounding_repairs = 0;  ///< sum over the operations
+  std::size_t in_place = 0;          ///< operations that changed only a part of a mesh
+  double merge_displacement = 0;     ///< bound of how far merging flat faces moved the surface
 };
 
-/// Runs the lines. `read` returns the mesh of a file. Throws as boolean() does, naming the line.
+/// Runs the lines. `read` returns the mesh in a file. Throws the errors of boolean(), with the line
+/// number in the message.
 ScriptResult run_boolean_script(const std::vector<ScriptLine>& lines,
                                 const std::function<Mesh(const std::string& file)>& read,
                                 const BooleanOptions& options, const Progress& progress);

@@ -14,12 +14,13 @@ namespace {
 
 std::array<double, 3> array_of(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
 
-/// Whether a piece of the closed part separates the solid from what is around it.
+/// True if a piece belongs to the solid, and is in its boundary: outside in front, inside behind.
 bool is_surface(const Piece& piece) {
   return !piece.is_open && piece.front < 1 && piece.front + piece.multiplicity >= 1;
 }
 
-/// Leaves the multiplicity of the pieces that bound cells. Returns whether a sheet is among them.
+/// Sets the multiplicity of all pieces to 0 except those of the sheet on `side` and those in the
+/// boundary of the solid. Returns true if pieces of the sheet remain.
 bool keep_dividing(SheetSide side, Arrangement& arrangement) {
   bool has_sheet = false;
   for (Piece& piece : arrangement.pieces) {
@@ -30,7 +31,8 @@ bool keep_dividing(SheetSide side, Arrangement& arrangement) {
   return has_sheet;
 }
 
-// The surface of the solid has no borders.
+// Throws InputError if an edge has only one remaining piece. The boundary of the solid has no such
+// edge, so that this is a border of the sheet off the solid's surface.
 void refuse_borders(SheetSide side, const Arrangement& arrangement) {
   std::vector<char> counts(arrangement.pieces.size());
   for (std::size_t p = 0; p < counts.size(); ++p)
@@ -72,8 +74,8 @@ class CellsBehind {
   const Patches& patches_;
   DisjointSets sides_;
   Index outermost_;              ///< a side of the unbounded cell
-  std::vector<char> is_front_;   ///< per cell, which is named by one of its sides
-  std::vector<char> is_behind_;  ///< per cell
+  std::vector<char> is_front_;   ///< at the representative side of each cell: in front of the sheet
+  std::vector<char> is_behind_;  ///< at the representative side of each cell: behind the sheet
 };
 
 void CellsBehind::mark(Index patch) {

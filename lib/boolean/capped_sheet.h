@@ -1,9 +1,11 @@
-/// Chooses pieces of a sheet and of a solid that bound a region together. The region is inside (or
-/// outside) the solid, and behind the sheet. It consists of the cells of space between the pieces.
-/// The region is defined under three conditions. All borders of the kept part of the sheet lie on
-/// the surface of the solid. No cell is both in front of the sheet and behind it. No cell behind it
-/// is unbounded. Deterministic. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for
-/// solid geometry", ACM TOG 35(4), 2016.
+/// Chooses the pieces of a sheet and of a solid that together bound a region. The region lies
+/// behind the sheet, and inside or outside the solid. It is a union of cells, which are the regions
+/// into which the pieces divide space. The region is defined under three conditions:
+/// - All borders of the kept part of the sheet lie on the surface of the solid.
+/// - No cell is both in front of the sheet and behind it.
+/// - No cell behind the sheet is unbounded.
+/// Cost: that of join_nested_cells(). Deterministic. Reference for the cells: Zhou, Grinspun, Zorin
+/// & Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016.
 #pragma once
 
 #include "clean/arrange/arrange.h"
@@ -11,12 +13,12 @@
 
 namespace transformesh {
 
-/// Does what PieceChooser::choose() says. `arrangement` is that of a closed solid, of which all
-/// pieces are known by their winding number, and of a sheet as an open component. Chooses nothing
-/// if no part of the sheet is on that side. Throws InputError if the region is not defined.
+/// Implements PieceChooser::choose(). `arrangement` contains a closed solid, whose pieces have
+/// winding numbers, and a sheet as an open component. Chooses nothing if no part of the sheet is on
+/// `side` of the solid. Throws InputError if the region is not defined.
 void choose_capped_sheet(SheetSide side, Arrangement& arrangement, std::vector<char>& kept);
 
-/// Whether a piece belongs to the part of the sheet on that side.
+/// True if a piece belongs to the sheet and lies on `side` of the solid.
 inline bool is_on_side(const Piece& piece, SheetSide side) {
   return piece.is_open && (piece.front >= 1) == (side == SheetSide::inside);
 }

@@ -1,5 +1,6 @@
-/// A solid that is changed in places, many times. Faces that go leave gaps, and new ones follow, so
-/// that a change costs no more than the faces that it concerns. Deterministic.
+/// A solid that is edited many times, a few faces at a time. Removed faces stay in the array and
+/// are marked; new faces are appended. The cost of an edit is therefore proportional to the faces
+/// that are removed and added. Deterministic.
 #pragma once
 
 #include <optional>
@@ -15,21 +16,23 @@ class EditedSolid {
  public:
   explicit EditedSolid(Mesh mesh);
 
-  /// Has faces that are gone, and vertices that no face uses.
+  /// The mesh as it is stored: with removed faces, and with vertices that no face uses.
   const Mesh& mesh() const { return mesh_; }
+  /// Number of faces that are not removed.
   std::size_t faces() const { return mesh_.faces.size() - gone_; }
-  /// The faces whose boxes touch this box, ascending. Cost: O(n) with a small factor, as faces that
-  /// follow each other are usually neighbors.
+  /// Returns the faces whose bounding boxes touch `box`, ascending. Cost: O(n) with a small factor:
+  /// consecutive faces are usually neighbors, so that most blocks of faces are skipped.
   std::vector<Index> faces_touching(const Box& box) const;
 
-  /// The winding number at a point, from a ray. Empty near the surface.
+  /// Returns the winding number at a point, found by axis-parallel rays. Empty if rounding leaves
+  /// all three rays undecided, which happens only near the surface.
   std::optional<int> winding_at(const Vec3& point) const;
 
-  /// Faces go, and those of another mesh follow. `vertex_of` has the vertex of the solid for each
-  /// vertex of that mesh, or no_index for a new one. Both have the same columns.
+  /// Removes faces and appends those of `added`, which must have the same columns as the solid.
+  /// `vertex_of` maps each vertex of `added` to a vertex of the solid, or to no_index if it is new.
   void replace(const std::vector<Index>& removed, const Mesh& added, std::vector<Index> vertex_of);
 
-  /// The solid without gaps; this one is empty then.
+  /// Returns the solid without the removed faces, and leaves this object empty.
   Mesh take();
 
  private:
@@ -40,9 +43,9 @@ class EditedSolid {
 
   Mesh mesh_;
   BoxFrame frame_;
-  std::vector<FloatBox> boxes_;   ///< per face; empty if it is gone
-  std::vector<FloatBox> blocks_;  ///< around the boxes of as many faces as a block has
-  std::size_t gone_ = 0;          ///< faces
+  std::vector<FloatBox> boxes_;   ///< bounding box per face; empty if the face is removed
+  std::vector<FloatBox> blocks_;  ///< bounding box of each block of `block_size` faces
+  std::size_t gone_ = 0;          ///< number of removed faces
 };
 
 }  // namespace transformesh

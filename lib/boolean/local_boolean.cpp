@@ -16,11 +16,12 @@
 namespace transformesh {
 namespace {
 
-/// The solid has at least so many times the faces of the part and the operand. For larger parts the
-/// whole operation, which cuts only what shows, takes less time.
+/// Least ratio of the number of faces of the solid to that of the part and the operand together.
+/// For larger parts boolean() takes less time, since it cuts only faces at the exterior. The ratio
+/// decides which of the two runs.
 constexpr std::size_t least_ratio = 4;
 
-/// Vertex column with the vertices of the solid; -1 for others.
+/// Temporary vertex column with the index of the vertex in the solid; -1 for other vertices.
 constexpr const char* vertex_number = "tm:vertex";
 
 bool have_same_columns(const Columns& a, const Columns& b) {
@@ -31,7 +32,7 @@ bool have_same_columns(const Columns& a, const Columns& b) {
                     is_alike);
 }
 
-/// The face from its smallest vertex on.
+/// Returns the face rotated so that its smallest vertex index comes first.
 Face normalized(Face face) {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   return face;
@@ -48,7 +49,7 @@ class LocalBoolean {
   struct Change {
     std::vector<Index> removed;    ///< faces of the solid
     std::vector<Index> added;      ///< faces of the assembly
-    std::vector<Index> vertex_of;  ///< per vertex of the assembly: that of the solid, or no_index
+    std::vector<Index> vertex_of;  ///< per vertex of the assembly: vertex of the solid, or no_index
   };
 
   bool find_part();
@@ -67,7 +68,7 @@ class LocalBoolean {
   const BooleanOptions& options_;
   Box reach_;                    ///< the part consists of all faces that touch this box
   std::vector<Index> faces_;     ///< faces of the solid in the part; ascending
-  std::vector<Index> vertices_;  ///< their vertices; ascending
+  std::vector<Index> vertices_;  ///< vertices of `faces_` in the solid; ascending
   std::vector<char> is_inner_;   ///< per vertex of the part: all faces around it are in the part
   JoinedOperands joined_;        ///< the part and the operand
   std::vector<char> kept_;       ///< per piece
@@ -75,8 +76,9 @@ class LocalBoolean {
   LocalBooleanResult result_;
 };
 
-// All faces that meet a face near the operand are in the part, and so is all that its pieces could
-// meet once they are rounded.
+// Finds the part: all faces that touch the box around the faces that touch the operand's box. The
+// part thus contains all faces that pieces of a cut face can meet after rounding. Returns false if
+// the part is too large.
 bool LocalBoolean::find_part() {
   const Mesh& mesh = solid_.mesh();
   reach_ = bounding_box(operand_);
@@ -119,7 +121,7 @@ void LocalBoolean::collect_part() {
   std::fill(values.begin() + static_cast<std::ptrdiff_t>(vertices_.size()), values.end(), -1);
 }
 
-// Nothing if the operand is not simple, or if faces of the solid meet.
+// Returns nothing if the operand is not simple or if two faces of the solid intersect.
 std::optional<Arrangement> LocalBoolean::arranged() {
   const auto welded = std::make_shared<WeldedMesh>(weld(joined_.mesh));
   const std::vector<Meeting> meetings = find_meetings(*welded, Progress());
@@ -141,8 +143,10 @@ bool LocalBoolean::assemble_chosen(Arrangement& arrangement) {
   return round_once(assembly_, options_.coordinate).places == 0;
 }
 
-// Around an outer vertex the part lacks faces, so that the others may look like several fans: all
-// of them keep the vertex. Around an inner one further fans are new.
+// Assigns vertices of the solid to the vertices of the assembly. The assembly has a copy of a
+// vertex for each umbrella of faces. Around a vertex that is not inner, the part lacks faces, so
+// that one umbrella may appear as several: all copies keep the vertex. Otherwise only the first
+// copy does.
 void LocalBoolean::number_vertices() {
   std::vector<double>& numbers = assembly_.mesh.vertex_columns.find(vertex_number)->values;
   std::vector<char> is_taken(vertices_.size(), 0);
@@ -171,7 +175,7 @@ void LocalBoolean::merge() {
   result_.merge_displacement = merged.displacement;
 }
 
-// Faces that are left as they were stay where they are.
+// Compares the assembly with the part, so that faces that occur in both stay in their place.
 LocalBoolean::Change LocalBoolean::find_change() const {
   const Mesh& mesh = assembly_.mesh;
   Change change;
@@ -196,7 +200,8 @@ LocalBoolean::Change LocalBoolean::find_change() const {
   return change;
 }
 
-// Merged faces can reach beyond the part, where they are as good as in the plane of what was there.
+// Returns true if no added face intersects the rest of the solid. Merged faces can reach beyond the
+// part and differ from the faces that they replace by rounding.
 bool LocalBoolean::is_clear_of_rest(const Change& change) const {
   Mesh both = mesh_of_faces(assembly_.mesh, change.added);
   const Box box = bounding_box(both);

@@ -1,12 +1,13 @@
-/// A Boolean operation in the place where a small operand meets a large solid. The faces of the
-/// solid there and all of the operand are arranged; the rest of the solid stays as it is.
+/// A Boolean operation of a large solid and a small operand, restricted to the faces near the
+/// operand. These faces are called the part. The arrangement contains the part and the operand
+/// only; the rest of the solid stays as it is.
 ///
-/// The rest need not be known, as the winding number in front of a face of the solid is 0. A ray
-/// finds the winding number at an operand that meets no face. Nothing is changed if the operand is
-/// not a simple solid or has other columns, or if the part is a large share of the whole. The same
-/// holds if rounding has to be repaired. Cost: that of the faces in the box around the faces that
-/// the operand's box touches, and a scan of the boxes of all faces. Exact as boolean() is;
-/// deterministic.
+/// The rest is not needed to find winding numbers: in front of every face of the solid the winding
+/// number is 0. A ray finds the winding number at an operand that meets no face. The solid stays
+/// unchanged if the operand is not a simple solid (operand_kinds.h) or has other columns. It also
+/// stays unchanged if the part is a large share of the solid or if rounding would need repairs.
+/// Cost: that of boolean() for the part, and a scan of the boxes of all faces. Exact as boolean()
+/// is; deterministic.
 #pragma once
 
 #include <optional>
@@ -18,10 +19,11 @@ namespace transformesh {
 
 struct LocalBooleanResult {
   std::size_t pairs = 0;          ///< intersecting pairs of faces
-  double merge_displacement = 0;  ///< a bound of how far merging moved the surface
+  double merge_displacement = 0;  ///< bound of how far merging flat faces moved the surface
 };
 
-/// `operation` is unite or subtract. The solid is a result of boolean().
+/// Changes the solid, or returns nothing and leaves it unchanged. `operation` must be unite or
+/// subtract, and the solid must be a result of boolean().
 std::optional<LocalBooleanResult> combine_in_place(BooleanOperation operation, EditedSolid& solid,
                                                    const Mesh& operand,
                                                    const BooleanOptions& options);

@@ -8,12 +8,12 @@
 namespace transformesh {
 namespace {
 
-/// A cell as one connected set of patches bounds it.
+/// A cell of the arrangement of one connected set of patches alone.
 struct Cell {
-  Index side = no_index;  ///< that names it
-  Index set = no_index;
-  double volume = 0;  ///< negative if unbounded
-  Mesh surface{};     ///< the cell lies behind its faces
+  Index side = no_index;  ///< the representative of its sides
+  Index set = no_index;   ///< the representative of the connected set of patches
+  double volume = 0;      ///< six times the signed volume; negative if unbounded
+  Mesh surface{};         ///< the cell lies behind these faces
   Box box{};
 };
 
@@ -37,11 +37,11 @@ class NestedCells {
   DisjointSets& sides_;
   DisjointSets sets_;
   std::vector<Vec3> points_;
-  std::vector<Cell> cells_;      ///< bounded
-  std::vector<Cell> unbounded_;  ///< one of each set
+  std::vector<Cell> cells_;      ///< the bounded cells of all sets
+  std::vector<Cell> unbounded_;  ///< the unbounded cell of each set
 };
 
-// Coordinates are divided so that no volume overflows.
+// Copies the points, divided by the largest coordinate so that no volume overflows.
 void NestedCells::find_points() {
   double size = 0;
   for (Index i = 0; i < arrangement_.point_count(); ++i) {
@@ -85,7 +85,8 @@ bool NestedCells::is_within(const Cell& cell, const Vec3& point) const {
   return cell.box.contains(point) && SolidAngleWinding(cell.surface)(point).rounded() == 1;
 }
 
-// Among cells that contain a set, the one next to it is within all others.
+// Returns the smallest bounded cell of another set that contains the set, or null. Cells that
+// contain a set are nested, so that the smallest one surrounds it directly.
 const Cell* NestedCells::find_container(const Cell& unbounded) const {
   const auto& [a, b, c] = unbounded.surface.faces.front();
   const Vec3 point = (points_[a] + points_[b] + points_[c]) / 3;

@@ -1,15 +1,16 @@
-/// Joins the cells of space that an arrangement has in several parts: around each connected set of
-/// patches lies a cell which continues one of another set. Cost: O(n) for each set within the box
-/// of a cell of another set. Volumes and winding numbers are floating point: sets of patches have
-/// to be farther from each other than rounding. Deterministic.
+/// Joins the sides of patches that bound the same cell of space but belong to different connected
+/// sets of patches. Each connected set has one outer cell. This cell is part of the smallest cell
+/// of another set that contains the set, or of the unbounded cell of the arrangement. Cost: O(n)
+/// for each set in the bounding box of a cell of another set. Volumes and winding numbers are
+/// floating point: sets of patches must be farther apart than rounding errors. Deterministic.
 #pragma once
 
 #include "clean/exterior/patches.h"
 
 namespace transformesh {
 
-/// `sides` are those of join_sides_around_edges(), where no patch has a border. Returns a side of
-/// the unbounded cell. `patches` has at least one patch.
+/// Joins elements of `sides`, which join_sides_around_edges() returned, and returns a side of the
+/// unbounded cell. There must be at least one patch, and no patch may have a border.
 Index join_nested_cells(const Arrangement& arrangement, const Patches& patches,
                         DisjointSets& sides);
 

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// The connected components of operands, and what is known of each operand.
+/// Finds the connected components of operands, and facts from which the kind of each follows.
 class OperandParts {
  public:
   OperandParts(const WeldedMesh& welded, const JoinedOperands& operands)
@@ -20,12 +20,12 @@ class OperandParts {
 
  private:
   struct Facts {
-    bool is_open = false;       ///< along an edge more faces run one way than the other
+    bool is_open = false;       ///< faces traverse an edge more often in one direction
     bool is_crowded = false;    ///< an edge has more than two faces: components end there
-    bool has_copies = false;    ///< faces have the same three points
-    bool meets_part = false;    ///< faces of one component meet
-    bool meets_itself = false;  ///< faces meet, of one component or of two
-    int least = 0, most = 0;    ///< w in front of components, as if reversed if subtracted
+    bool has_copies = false;    ///< two faces have the same three points
+    bool meets_part = false;    ///< two faces of one component intersect
+    bool meets_itself = false;  ///< two faces intersect, of one component or of two
+    int least = 0, most = 0;    ///< w in front of components, as oriented before join_operands()
   };
 
   Index operand_of(Index face) const { return operands_.operand_of[welded_.face_of[face]]; }
@@ -44,13 +44,13 @@ class OperandParts {
   const WeldedMesh& welded_;
   const JoinedOperands& operands_;
   std::vector<Facts> operand_;
-  std::vector<Index> opposites_;     ///< per halfedge within its operand; no_index at its borders
+  std::vector<Index> opposites_;     ///< per halfedge, in its operand; no_index if none or several
   std::vector<Index> component_of_;  ///< per face
   std::vector<Index> seeds_;         ///< the first face of each component
-  std::unordered_map<Index, std::set<Index>> copies_;  ///< equal faces, by the first of them
+  std::unordered_map<Index, std::set<Index>> copies_;  ///< faces with equal corners, per first face
 };
 
-// Faces of other operands at an edge do not count.
+// Pairs the halfedges at an edge, separately for each operand.
 void OperandParts::pair_at_edge(std::span<const Index> halfedges) {
   for (const Index h : halfedges) {
     Facts& facts = operand_[operand_of(h / 3)];
@@ -109,7 +109,8 @@ void OperandParts::find_components() {
     if (component_of_[f] == no_index) collect_component(f);
 }
 
-// The first of equal faces stands for its copies, and equal faces are no meetings.
+// Collects faces with the same three points. Meetings list only the first of them, and never a pair
+// of them.
 void OperandParts::find_copies() {
   for (Index f = 0; f < welded_.faces.size(); ++f) {
     const Index first = welded_.first_copy[f];
@@ -153,7 +154,8 @@ int OperandParts::winding_in_front_of(Index seed, const RayCastFrontWinding& ray
   return winding;
 }
 
-// If components meet, each is judged alone.
+// Finds the winding number in front of each component of an operand. If components of the operand
+// intersect, each ray counts only faces of its own component.
 void OperandParts::cast_rays() {
   const RayCastFrontWinding ray(welded_, seeds_.size());
   for (const Index seed : seeds_) {

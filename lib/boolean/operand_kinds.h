@@ -1,6 +1,6 @@
-/// Which values the winding number w of each operand takes, as far as is known without an
-/// arrangement. Where these are simple, one winding number of all operands together decides a
-/// Boolean operation. Exact. Cost: O(n), and a ray for each component of an operand.
+/// Bounds the values that the winding number w of each operand takes, without an arrangement. If
+/// the bounds are tight enough, the sum of the winding numbers of all operands decides a Boolean
+/// operation. Exact. Cost: O(n), and a ray for each component of an operand.
 #pragma once
 
 #include <span>
@@ -13,12 +13,13 @@
 namespace transformesh {
 
 enum class OperandKind {
-  simple,        ///< w is 0 or 1
-  not_negative,  ///< w >= 0
-  unknown        ///< any w; the operand may be open
+  simple,        ///< w is 0 or 1 everywhere
+  not_negative,  ///< w >= 0 everywhere
+  unknown        ///< w may have any value, and the operand may be open
 };
 
-/// Per operand. `meetings` are those of the welded mesh of all operands.
+/// Returns the kind of each operand. `meetings` are the intersecting pairs of `welded`, the welded
+/// mesh of all operands.
 std::vector<OperandKind> find_operand_kinds(const WeldedMesh& welded,
                                             std::span<const Meeting> meetings,
                                             const JoinedOperands& operands);

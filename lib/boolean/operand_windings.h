@@ -1,4 +1,5 @@
-/// The winding numbers of all operands at one place, and whether a Boolean operation selects that.
+/// The winding numbers of all operands in one cell of space, and whether a Boolean operation
+/// selects the cell. The caller moves from cell to cell and changes the winding numbers.
 #pragma once
 
 #include <vector>
@@ -7,28 +8,28 @@
 
 namespace transformesh {
 
-/// Whether the winding number of an operand is positive or negative anywhere.
+/// True if the winding number of an operand is positive in any cell, and negative in any cell.
 struct WindingSigns {
   bool is_positive = false, is_negative = false;
 };
 
 class OperandWindings {
  public:
-  /// All are 0.
+  /// Starts in a cell in which all winding numbers are 0.
   OperandWindings(BooleanOperation operation, std::size_t operands)
       : operation_(operation), winding_(operands, 0), signs_(operands) {}
 
-  /// O(1).
+  /// Adds `by` to the winding number of an operand. O(1).
   void change(Index operand, int by);
   bool is_selected() const;
-  /// Per operand, of all the numbers that it has had.
+  /// Returns the signs of all winding numbers that each operand has had so far.
   const std::vector<WindingSigns>& signs() const { return signs_; }
 
  private:
   BooleanOperation operation_;
   std::vector<int> winding_;  ///< per operand
   std::vector<WindingSigns> signs_;
-  std::size_t inside_of_ = 0;  ///< operands with w >= 1
+  std::size_t inside_of_ = 0;  ///< number of operands with winding number >= 1
 };
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
-/// The operands of a Boolean operation as one mesh: one after the other, those that are subtracted
-/// reversed. O(n).
+/// Concatenates the operands of a Boolean operation to one mesh, in their order. Subtracted
+/// operands are reversed. O(n).
 #pragma once
 
 #include <vector>
@@ -10,14 +10,14 @@ namespace transformesh {
 
 struct JoinedOperands {
   Mesh mesh;
-  std::vector<Index> operand_of;  ///< per face of the mesh
+  std::vector<Index> operand_of;  ///< per face of `mesh`
   std::vector<char> is_reversed;  ///< per operand
 };
 
-/// A difference subtracts all operands but the first.
+/// Joins the operands. BooleanOperation::subtract reverses all operands except the first.
 JoinedOperands join_operands(BooleanOperation operation, const std::vector<Operand>& operands);
 
-/// Throws InputError, naming the operand, unless each is closed and oriented.
+/// Throws InputError, naming the operand, if an operand is not closed or not oriented.
 void check_solids(const std::vector<Operand>& operands);
 
 }  // namespace transformesh

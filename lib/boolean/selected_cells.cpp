@@ -11,12 +11,12 @@
 namespace transformesh {
 namespace {
 
-/// The operands whose winding numbers change from the front of a piece to its back, ascending, and
-/// by how much they grow.
+/// Pairs of an operand and the change of its winding number from the front of a piece to its back.
+/// Sorted by operand; operands without a change are left out.
 using Jumps = std::vector<std::pair<Index, int>>;
 
-/// The jumps at the pieces of an arrangement. Pieces get the number of theirs as multiplicity, so
-/// that patches are of pieces with the same jumps.
+/// Numbers the different jumps in an arrangement. The constructor stores the number of its jumps as
+/// the multiplicity of each piece, so that all pieces of a patch have the same jumps.
 class PieceJumps {
  public:
   PieceJumps(const JoinedOperands& operands, Arrangement& arrangement);
@@ -30,7 +30,7 @@ class PieceJumps {
 
  private:
   std::map<Jumps, std::int32_t> numbers_;
-  std::vector<const Jumps*> numbered_;  ///< at 0, without any jump
+  std::vector<const Jumps*> numbered_;  ///< per number; number 0 has no jump
 };
 
 PieceJumps::PieceJumps(const JoinedOperands& operands, Arrangement& arrangement) {
@@ -57,18 +57,18 @@ class SelectedCells {
  public:
   SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
                 const WindingAt& first_at, Arrangement& arrangement);
-  /// Per side of a patch (patches.h): whether its cell is selected. Empty if a part of the first
-  /// operand does not tell.
+  /// Returns for each side of a patch (patches.h) whether its cell is selected. Empty if `first_at`
+  /// returned no winding number.
   std::vector<char> find();
   const Patches& patches() const { return patches_; }
-  /// Per operand, once the sides are found.
+  /// Returns the signs of the winding numbers of each operand; call find() first.
   const std::vector<WindingSigns>& signs() const { return signs_; }
 
  private:
   struct Step {
     Index cell;
-    Index through;         ///< the side of a patch by which the cell was left, or no_index
-    std::size_t next = 0;  ///< of the sides of the cell
+    Index through;         ///< side of a patch through which the cell was entered, or no_index
+    std::size_t next = 0;  ///< index of the next side of the cell to visit
   };
 
   const Piece& piece_at(Index side) const;
@@ -90,10 +90,10 @@ class SelectedCells {
   Patches patches_;
   RayCastFrontWinding ray_;
   std::vector<Index> cell_of_;             ///< per side
-  std::vector<std::vector<Index>> sides_;  ///< per cell, which is named by one of its sides
-  std::vector<char> is_selected_;          ///< per cell, or unknown
+  std::vector<std::vector<Index>> sides_;  ///< at the representative side of each cell: its sides
+  std::vector<char> is_selected_;          ///< per cell: 0, 1 or `unknown`
   std::vector<WindingSigns> signs_;        ///< per operand
-  std::vector<Step> way_;                  ///< from the first cell to the one just entered
+  std::vector<Step> way_;                  ///< stack of the cells from the first to the current one
 };
 
 SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
@@ -118,7 +118,8 @@ SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& o
   is_selected_.assign(sides_.size(), unknown);
 }
 
-// From the cell on that side of a patch to the cell on its other side, or back.
+// Changes the winding numbers from those of the cell at `side` to those of the cell on the other
+// side of the patch. A `sign` of -1 reverses the change.
 void SelectedCells::cross(OperandWindings& windings, Index side, int sign) const {
   const Piece& piece = piece_at(side);
   const int direction = side % 2 == 0 ? sign : -sign;
@@ -129,7 +130,7 @@ const Piece& SelectedCells::piece_at(Index side) const {
   return arrangement_.pieces[patches_.pieces[side / 2].front()];
 }
 
-// Not so at the borders of a part.
+// True if the jumps of the first operand cancel at an edge. At borders of a part they do not.
 bool SelectedCells::is_whole_edge(std::span<const Index> halfedges) const {
   int sum = 0;
   for (const Index h : halfedges) {
@@ -139,7 +140,8 @@ bool SelectedCells::is_whole_edge(std::span<const Index> halfedges) const {
   return sum == 0;
 }
 
-// The first operand does not meet the patch: the number is the same at all of its corners.
+// Returns the winding number of the first operand at a patch that does not belong to it. The
+// operand does not intersect the patch, so that all corners have the same winding number.
 std::optional<int> SelectedCells::first_at_patch(Index patch) const {
   const std::size_t given = arrangement_.welded->points.size();
   for (const Index piece : patches_.pieces[patch])
@@ -179,8 +181,8 @@ void SelectedCells::enter(Index cell, const OperandWindings& windings) {
   is_selected_[cell] = windings.is_selected() ? 1 : 0;
 }
 
-// Depth first, so that one set of winding numbers is enough: on the way back, what the way there
-// changed is taken back.
+// Visits cells from the cell at `side`, depth first. One set of winding numbers is enough: each
+// change is undone when the search backtracks.
 bool SelectedCells::spread_from(Index side) {
   std::optional<OperandWindings> begin = windings_at(side);
   if (!begin) return false;
@@ -208,7 +210,8 @@ bool SelectedCells::spread_from(Index side) {
   return true;
 }
 
-// Patches of the first operand come first, as no ray has to be cast there.
+// Starts at patches of the first operand, since the winding number of the first operand is known
+// there without a call of `first_at_`.
 std::vector<char> SelectedCells::find() {
   std::vector<char> of_side;
   for (Index side = 0; side < sides_.size(); ++side) {

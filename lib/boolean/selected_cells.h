@@ -1,7 +1,9 @@
-/// Chooses the pieces between cells of space that a Boolean operation selects and cells that it
-/// does not (Zhou et al. 2016). A ray finds the winding numbers of all operands in one cell of
-/// every connected set of pieces. From cell to cell they change by the sources of the pieces
-/// between them. Exact. Cost: O(n log n), whatever the number of operands. Deterministic.
+/// Chooses the pieces between the cells of space that a Boolean operation selects and the cells
+/// that it does not select. A ray finds the winding numbers of all operands in one cell of every
+/// connected set of pieces. The source faces of the pieces between two cells give the difference of
+/// their winding numbers. Exact. Cost: O(n log n), for any number of operands. Deterministic.
+/// Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for solid geometry", ACM TOG
+/// 35(4), 2016. Departure: cells of different connected sets of pieces are not joined.
 #pragma once
 
 #include <functional>
@@ -13,17 +15,17 @@
 
 namespace transformesh {
 
-/// The winding number at a point of a solid of which the arrangement has a part only. Empty near
-/// the surface. In front of faces of a solid that number is 0, and 1 behind them.
+/// Returns the winding number at a point of a solid of which the arrangement contains only a part.
+/// Empty near the surface. The solid has winding number 0 in front of its faces and 1 behind them.
 using WindingAt = std::function<std::optional<int>(const Vec3& point)>;
 
 struct Selection {
-  bool is_known = true;               ///< false if `first_at` did not tell a winding number
+  bool is_known = true;               ///< false if `first_at` returned nothing where needed
   std::vector<WindingSigns> signs{};  ///< per operand
 };
 
-/// Does what PieceChooser::choose() says. If `first_at` is given, the first operand is part of a
-/// solid.
+/// Implements PieceChooser::choose(). If `first_at` is not null, the first operand is a part of a
+/// solid, and `first_at` returns winding numbers of the whole solid.
 Selection choose_selected(BooleanOperation operation, const JoinedOperands& operands,
                           const WindingAt& first_at, Arrangement& arrangement,
                           std::vector<char>& kept);

@@ -1,6 +1,6 @@
-/// Whether a mesh agrees with the target of a morph (paper 5.2) all over, and not merely at its
-/// vertices: a bridge over a gap, or a thin sheet across a hole, may have all its vertices on the
-/// target.
+/// Tests whether a mesh agrees with the target of a morph (paper 5.2) everywhere, and not only at
+/// its vertices. A bridge over a gap, or a thin sheet across a hole, can have all its vertices on
+/// the target.
 #pragma once
 
 #include <cstddef>
@@ -13,30 +13,33 @@
 
 namespace transformesh {
 
-/// The part of a target that a morph has to reach: the target without its cavities, which a surface
-/// that evolves does not keep, and without components that float in them.
+/// The part of a target that a morph must reach. Cavities, and components inside of cavities, are
+/// left out: cleaning removes them from an evolving surface.
 struct MorphGoal {
-  /// Nothing for points, and for what is open, not manifold, or intersects itself.
+  /// Topology of this part. Empty if the target has no faces, is not a closed manifold, or
+  /// intersects itself.
   std::optional<Topology> topology;
-  std::size_t left_out = 0;             ///< components of the target, 0 where there is no topology
-  std::optional<Target> without_those;  ///< if there are any
-  /// The surface or the points from which distances to the mesh are measured.
+  std::size_t left_out = 0;             ///< left-out components; 0 if there is no topology
+  std::optional<Target> without_those;  ///< the target without `left_out`; empty if that is 0
+  /// Returns the surface or the points from which distances to the mesh are measured.
   const Target& of(const Target& target) const { return without_those ? *without_those : target; }
 };
+/// Returns the goal of a morph to this target.
 MorphGoal goal_of(const Target& target, const Progress& progress = Progress());
 
 struct Agreement {
-  std::string fault;  ///< why the mesh is not the target, with the place; empty where it is
-  Mismatch mismatch;  ///< of a fault
-  /// Largest distances there and back, over points all over the faces (compare.h), of a target
-  /// with faces.
+  std::string fault;  ///< why and where the mesh differs from the target; empty if they agree
+  Mismatch mismatch;  ///< details of the fault
+  /// Largest distances of sample points of one surface from the other (compare.h). Empty if the
+  /// target has no faces.
   std::optional<double> to_target, from_target;
 };
 
-/// Points all over the mesh have to be at most half its longest edge away from the target, which a
-/// sharp edge can be cut off by; no point of the target may be missed by more than that edge, as a
-/// thin tip can be; and the topology has to be that of the goal, where it has one. Of points
-/// nothing can be said: no fault. Cost: that of farthest_from() with 40 000 samples.
+/// Compares a mesh with a target. They agree under three conditions, where L is the longest edge of
+/// the mesh. Points of the mesh are at most L / 2 away from the target, since edges that cut off a
+/// sharp edge of the target can be that far away. Points of the goal are at most L away from the
+/// mesh, since a thin tip can be missed by that. If the goal has a topology, the mesh has the same.
+/// Returns no fault if the target has no faces. Cost: that of farthest_from() with 40 000 samples.
 Agreement agreement(const Mesh& mesh, const Topology& topology, const TargetQuery& query,
                     const MorphGoal& goal, const Progress& progress = Progress());
 

@@ -49,7 +49,7 @@ Body body_of(const Document& document, double number, const std::vector<Index>& 
   return body;
 }
 
-/// All bodies but one, without columns.
+/// Returns all bodies except one as a mesh without columns.
 Mesh others_of(const std::vector<Body>& bodies, std::size_t left_out) {
   Mesh all;
   for (std::size_t i = 0; i < bodies.size(); ++i) {

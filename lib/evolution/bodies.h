@@ -1,8 +1,9 @@
-/// Several bodies in one mesh, told apart by a face column, which evolve together and never meet.
-/// Each is moved, cleaned and remeshed by itself, and kept away from all others by a gap
-/// (limit_movements.h, RemeshOptions::keep_out). Bodies move one after the other in ascending order
-/// of their numbers, so that the later ones keep away from where the earlier ones have moved.
-/// Bodies may be nested. Cost of an iteration: O(n log n) for each body, n being the faces of all.
+/// Evolves several bodies in one mesh without contact between them. A face column holds the number
+/// of the body of each face. Each body is moved, cleaned and remeshed separately, and keeps a gap
+/// from all others (limit_movements.h, RemeshOptions::keep_out). Bodies move one after the other,
+/// in ascending order of their numbers, so that later bodies avoid the new positions of earlier
+/// ones. Bodies may be nested. Cost of an iteration: O(n log n) per body, for n faces of all
+/// bodies.
 #pragma once
 
 #include <string>
@@ -17,7 +18,7 @@ struct BodyContact {
   double gap = 0;      ///< least distance of two bodies; input units; > 0
 };
 
-/// One body, and the vertex of the whole mesh for each of its vertices.
+/// One body. `vertices` has, for each of its vertices, the vertex of the whole mesh.
 struct Body {
   Document document;
   double number = 0;
@@ -28,15 +29,16 @@ struct Body {
 /// becomes a vertex of each. Throws InputError if there is no such face column.
 std::vector<Body> split_bodies(const Document& document, const std::string& column);
 
-/// Joins bodies to one mesh with their numbers in the column. Comments are those of `document`.
+/// Replaces the mesh of `document` by all bodies, with their numbers in the face column. Comments
+/// stay.
 void join_bodies(const std::vector<Body>& bodies, const std::string& column, Document& document);
 
-/// Cleans each body by itself. Returns the sums of components and genus.
+/// Cleans each body separately. Returns the sums of components and genus.
 Topology clean_bodies(Document& document, const BodyContact& contact, bool outermost,
                       const Progress& progress);
 
-/// Makes one iteration; `displacements` are those of the vertices of all bodies. Throws InputError
-/// if two bodies intersect, with the numbers of the bodies.
+/// Makes one iteration. `displacements` has an entry per vertex of the document. Throws InputError,
+/// naming a body, if two bodies intersect.
 IterationResult iterate_bodies(Document& document, const std::vector<Vec3>& displacements,
                                const BodyContact& contact, const IterationOptions& options,
                                const Progress& progress);

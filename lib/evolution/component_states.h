@@ -1,5 +1,5 @@
-/// Labeled components of a mesh: the face column `component_label` (events.h), and the measures of
-/// components that events report.
+/// Labels of components, stored as the face column `component_label` (events.h), and the measures
+/// of components that events report.
 #pragma once
 
 #include <set>
@@ -10,8 +10,8 @@
 
 namespace transformesh {
 
-/// Center of points, and twice their root mean square distance from it: the center and the diameter
-/// of a circle or a sphere with evenly spread points.
+/// Center of points, and twice their root mean square distance from it. If the points are evenly
+/// spread on a circle or a sphere, these are its center and diameter.
 struct Extent {
   Vec3 center = Vec3::Zero();
   double size = 0;
@@ -19,8 +19,8 @@ struct Extent {
 Extent extent_of(std::span<const Vec3> points);
 
 struct ComponentState {
-  std::set<long> labels;  ///< labels of the faces; new faces, such as caps, have none
-  long label = 0;
+  std::set<long> labels;  ///< labels of the faces before the last change; new faces have none
+  long label = 0;         ///< label of the component
   long genus = 0;
   double volume = 0;
   bool is_cavity = false;  ///< closed, with negative volume
@@ -33,7 +33,7 @@ std::vector<ComponentState> component_states(const Mesh& mesh, const Components&
 /// Returns the label of each face; 0 for all if the mesh has no such column.
 std::vector<long> face_labels(const Mesh& mesh);
 
-/// Labels each face by its component's state.
+/// Stores the label of its component for each face.
 void write_labels(Mesh& mesh, const Components& components, std::span<const ComponentState> states);
 
 }  // namespace transformesh

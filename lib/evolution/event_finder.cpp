@@ -22,17 +22,19 @@ bool takes_part(const Event& event, long label) {
   return has(event.before) && !has(event.after);
 }
 
-/// The curves along which a part is cut off shrink to points at the moment when it separates.
+/// True if a part separated. The curve along which it is cut off shrinks to a point, so that its
+/// size says nothing; these events report the free diameter instead.
 bool separates(const Event& event) {
   return event.kind == EventKind::split || event.kind == EventKind::cavity_closed;
 }
 
+/// Returns the diameter of the largest ball around `center` that does not meet the mesh.
 double free_diameter(const Mesh& mesh, const Vec3& center) {
   return 2 * ClosestPointQuery(mesh)(center).distance;
 }
 
-/// True for a part that separated and was removed in the same step, as remeshing does with parts
-/// that are too small. A cavity that closes may be filled at once: this is an event.
+/// True if a part separated and was removed in the same step. Remeshing removes parts that are too
+/// small; such a split is not reported. A cavity that closes and is filled is reported.
 bool is_brief(const Event& event, const std::set<long>& labels) {
   return event.kind == EventKind::split && !labels.contains(event.after.back().label);
 }

@@ -1,6 +1,6 @@
-/// Finds the events of an evolution, step by step (events.h). A loop calls start() once,
-/// begin_step() before each trial of a step, watch() from iterate(), and end_step() when the step
-/// is accepted: a step that is repeated is reported once.
+/// Finds the events of an evolution, step by step (events.h). A loop calls watch() and start()
+/// once, begin_step() before each trial of a step, and end_step() when a trial is accepted. A step
+/// that is repeated is thus reported once.
 #pragma once
 
 #include <optional>
@@ -15,23 +15,23 @@ namespace transformesh {
 
 class EventFinder {
  public:
-  /// Labels the components of the mesh at the start.
+  /// Labels the components of the initial mesh.
   void start(Mesh& mesh);
 
-  /// Forgets what an earlier trial of the step found.
+  /// Begins a trial of a step, and discards the events of an earlier trial.
   void begin_step(const Mesh& mesh);
 
-  /// Makes iterate() show the mesh before and after cleaning. The finder has to outlive the
-  /// options.
+  /// Sets IterationOptions::on_cleaned, so that iterate() passes the meshes before and after
+  /// cleaning. The finder must outlive the options.
   void watch(IterationOptions& options);
 
-  /// Call with the mesh at the end of the accepted step.
+  /// Accepts the trial. `mesh` is the mesh at its end.
   void end_step(const Mesh& mesh, std::size_t iteration, double time);
 
-  /// Rows of the events of the last step.
+  /// Returns the CSV rows of the events of the last step.
   std::vector<std::string> last_rows() const;
 
-  /// True if an event has been found in the trial of a step, before end_step().
+  /// True if the current trial has found an event. Call before end_step().
   bool has_found() const { return !found_.empty(); }
 
   void report(EvolveResult& result) const {
@@ -50,10 +50,10 @@ class EventFinder {
 
   long next_label_ = 1, label_after_step_ = 1;
   Mesh before_;                         ///< positions, faces and labels when the step began
-  std::optional<LabeledStates> begun_;  ///< components then, measured when they are needed
+  std::optional<LabeledStates> begun_;  ///< components of `before_`; empty until needed
   LabeledStates now_;                   ///< components after the last cleaning
-  std::vector<Event> found_;            ///< in the trial
-  std::vector<Event> events_;
+  std::vector<Event> found_;            ///< events of the current trial
+  std::vector<Event> events_;           ///< events of all accepted steps
   std::size_t events_before_step_ = 0, event_count_ = 0;
 };
 

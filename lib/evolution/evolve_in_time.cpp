@@ -30,12 +30,13 @@
 namespace transformesh {
 namespace {
 
-/// Growth of the span from one step to the next if the error or an implicit integrator limits it.
-/// The next trial is shortened if that was too much, which costs one evaluation.
+/// Largest growth factor of the span from one step to the next, if the error or an implicit
+/// integrator limits the span. If the longer span fails, one evaluation is lost. Smaller factors
+/// take more steps after a fast motion ends.
 constexpr double span_growth = 1.5;
 
-/// Relative rounding error of a sum of spans, with a margin for a million of them. Without it, a
-/// span of this length remains before the end of an event, which is too short for a step.
+/// Bound for the relative rounding error of a sum of a million spans. Without it, a remainder of
+/// rounding size before the end of an event would become a step, which is too short.
 constexpr double rounding = 1e-9;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -101,7 +102,7 @@ class TimeLoop : public Loop {
     if (options_.keep_volume) restore_volume(document, progress);
     accept(document.mesh, step, remaining);
     if (events_) events_->end_step(document.mesh, iteration, time_);
-    // The velocities, and the steps that were repeated, count as the motion.
+    // The time of the step includes the velocities and all repeated trials.
     last_.seconds = watch.lap();
     last_.seconds_step = last_.seconds - last_.seconds_clean - last_.seconds_remesh;
   }
@@ -158,7 +159,9 @@ class TimeLoop : public Loop {
 
   bool is_near_event() const { return event_end_ - time_ > rounding * options_.end; }
 
-  /// Toward the end of a span in which the topology changes, the interval is bisected.
+  /// Returns the longest span of the next step. Before the end of a span in which the topology
+  /// changes, this is half the time until its end, so that bisection locates the event. Within the
+  /// tolerance it is all of that time.
   double longest_span() const {
     if (is_near_event()) {
       const double gap = event_end_ - time_;
@@ -225,7 +228,7 @@ class TimeLoop : public Loop {
   IterationResult last_;
   Topology topology_;
   double time_ = 0, event_end_ = 0;
-  double span_ = 0, usual_span_ = 0;  ///< span of the last step; the same without events
+  double span_ = 0, usual_span_ = 0;  ///< span of the last step; of the last one not near an event
   double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
   std::size_t repeated_ = 0, held_back_ = 0;
   bool is_closed_ = false, is_done_ = false;

@@ -47,7 +47,7 @@ DisplaceResult movement(const Mesh& before, const Mesh& after) {
   return result;
 }
 
-// Those that the filter added do not stay.
+// Removes velocity columns that the filter added.
 void drop_velocities(const Mesh& before, Mesh& after) {
   for (const char* name : velocity_names)
     if (before.vertex_columns.find(name) == nullptr) after.vertex_columns.erase(name);

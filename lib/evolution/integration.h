@@ -1,6 +1,8 @@
-/// One step of an explicit Runge-Kutta method for the vertices of a surface: the motion is
-/// evaluated at the stages on the same connectivity. The difference to an embedded method of lower
-/// order estimates the local error.
+/// One step of an explicit Runge-Kutta method for the vertices of a surface. All stages evaluate
+/// the motion on the same connectivity. The difference from an embedded method of lower order
+/// estimates the local error: Euler's method for midpoint, and midpoint for rk4. Reference: Hairer,
+/// Norsett & Wanner, "Solving ordinary differential equations I", 2nd ed., 1993, section II.4.
+/// Cost: 1, 2 or 4 evaluations of the motion.
 #pragma once
 
 #include <vector>
@@ -12,23 +14,24 @@ namespace transformesh {
 
 struct Integrated {
   std::vector<Vec3> displacements;
-  double error = 0;  ///< largest difference of a vertex to the embedded method, in input units
+  double error = 0;  ///< largest distance of a vertex from its position by the embedded method
 };
 
-/// A step from one point of time. Its first stage is evaluated once, for any number of spans.
+/// Steps of different spans from one point in time. The first stage is evaluated once for all
+/// spans.
 class Integration {
  public:
   /// Pre: `motion` and `mesh` outlive the object, and `mesh` does not change.
   Integration(const Motion& motion, const Mesh& mesh, double time, Integrator integrator,
               const Progress& progress);
 
-  /// Returns the velocities at the beginning of the step; empty if the motion has an integrator of
-  /// its own.
+  /// Returns the velocities at the beginning of the step; empty if the motion computes
+  /// displacements itself.
   const std::vector<Vec3>& initial_velocities() const { return first_; }
 
-  /// Returns the step over this span. Throws InputError if the motion returns another number of
-  /// vectors than there are vertices, or one that is not finite. Euler's method and motions with
-  /// their own integrator have no embedded method: `error` is 0.
+  /// Returns the step over this span. Throws InputError if the number of vectors of the motion is
+  /// not that of the vertices, or if a vector is not finite. `error` is 0 for Euler's method and
+  /// for motions that compute displacements, since these have no embedded method.
   Integrated over(double span) const;
 
  private:
@@ -45,12 +48,12 @@ class Integration {
   std::vector<Vec3> first_;
 };
 
-/// Returns the order to which the error estimate of the embedded pair vanishes with the span: 2 for
-/// midpoint, 3 for rk4.
+/// Returns k if the error estimate is proportional to span^k for short spans: 2 for midpoint, 3 for
+/// rk4.
 int error_order(Integrator integrator);
 
-/// Moves the vertices and computes normals again. Rounding, cleaning and remeshing are left to the
-/// iteration. `mean_edge` is that of the mesh before, for the result.
+/// Moves the vertices and recomputes normals; does not round, clean or remesh. `mean_edge` is the
+/// mean edge length before the movement, and is copied to the result.
 DisplaceResult move_vertices(Mesh& mesh, const std::vector<Vec3>& displacements, double mean_edge);
 
 }  // namespace transformesh

@@ -17,13 +17,15 @@
 namespace transformesh {
 namespace {
 
-/// Eigenvalues below this share of the largest are noise. Creases of less than 2 degrees move by
-/// their mean normal, 0.0005 of the distance short; at 0.1, creases of 35 degrees do.
+/// Eigenvalues below this share of the largest count as 0. Creases of less than 2 degrees then move
+/// along their mean normal, which is short by 0.0005 of the distance. At 0.1, this would affect
+/// creases of up to 35 degrees.
 constexpr double least_eigenvalue = 1e-3;
-/// Longest movement, in distances: a corner of 30 degrees. Sharper spikes are cut.
+/// Longest movement as a multiple of the distance; reached at a corner of 30 degrees. Sharper
+/// spikes are cut off.
 constexpr double miter_limit = 4;
-/// Remains of a part that turned inside out twice lie nearer to the source than this share of the
-/// distance. Curved surfaces miss the distance by less.
+/// A component that is closer to the source everywhere than this share of the distance is removed.
+/// Such components are parts that turned inside out twice. Curved surfaces are closer by less.
 constexpr double least_distance = 0.95;
 
 struct Planes {
@@ -49,7 +51,8 @@ void move(Mesh& mesh, const std::vector<Vec3>& directions, double distance) {
     mesh.positions[v] += distance * directions[v];
 }
 
-/// Appends the mesh once more, reversed and moved, with walls along the borders.
+/// Appends a reversed copy of the mesh, moved by `distance` * directions, and walls along the
+/// borders.
 void append_other_side(Mesh& mesh, const std::vector<Vec3>& directions, double distance) {
   const std::vector<Index> opposites = opposite_halfedges(mesh);
   const auto count = static_cast<Index>(mesh.positions.size());
@@ -73,7 +76,7 @@ void append_other_side(Mesh& mesh, const std::vector<Vec3>& directions, double d
   mesh.face_columns = mesh.face_columns.select(rows);
 }
 
-/// Drops components that are nearer to the source than the distance everywhere.
+/// Removes components that are closer to the source everywhere than `least_distance` * distance.
 void drop_remains(Mesh& mesh, const Mesh& source, double distance) {
   const ClosestPointQuery closest(source);
   const Components parts = connected_components(mesh);
@@ -117,7 +120,7 @@ std::vector<Vec3> miter_directions(const Mesh& mesh) {
       const Vec3 u = (mesh.positions[face[(i + 1) % 3]] - corner).stableNormalized();
       const Vec3 v = (mesh.positions[face[(i + 2) % 3]] - corner).stableNormalized();
       const Vec3 cross = u.cross(v);
-      // The sine stands for the angle: weights only decide where more than three planes meet.
+      // The sine replaces the angle: weights matter only if more than three planes meet.
       const double weight = cross.norm();
       if (!(weight > 0)) continue;
       const Vec3 normal = cross / weight;

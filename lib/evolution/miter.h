@@ -1,4 +1,4 @@
-/// Moves surfaces so that their planes stay planes and their sharp edges stay sharp.
+/// Directions for moving a surface so that planes stay planes and sharp edges stay sharp.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace transformesh {
 
-/// Movements of the vertices that move the planes of the faces around each by 1 along their
-/// normals, in the least-squares sense; exact where up to three planes meet. Where planes meet in
-/// a sharp spike, at most 4 long. O(n).
+/// Returns a vector per vertex. A movement by this vector moves the planes of all faces at the
+/// vertex by 1 along their normals, in the least-squares sense; exactly if at most three planes
+/// meet. Vectors are at most 4 long, which is reached in sharp spikes. O(n).
 /// Reference: Garland & Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH
 /// 1997, whose quadric of planes is minimized.
 std::vector<Vec3> miter_directions(const Mesh& mesh);

@@ -77,7 +77,7 @@ class MorphingLoop : public Loop {
   [[noreturn]] void vanish(const Mesh& mesh) const;
 
   const Target& target_;
-  const std::optional<Target> measured_;  ///< with its thickness, if that is needed and missing
+  const std::optional<Target> measured_;  ///< target with thickness, if needed and not yet measured
   const TargetQuery query_;
   const MorphOptions& options_;
   MorphRule rule_;
@@ -88,11 +88,12 @@ class MorphingLoop : public Loop {
   int scale_ = 0;
   MorphStepResult step_;
   IterationResult last_;
-  std::optional<Agreement> agreement_;  ///< if it was looked at
+  std::optional<Agreement> agreement_;  ///< comparison with the target, if there was one
 };
 
-// False where that fails, and something else is to be tried. With the edges of the scale first, the
-// step is shorter.
+// Makes an iteration at the current scale. If `remeshes_first`, the mesh is first remeshed to the
+// edges of the scale, which shortens the clamped step. Returns false if the iteration fails and
+// another attempt is possible.
 bool MorphingLoop::takes_iteration(Document& document, bool remeshes_first,
                                    const Progress& progress) {
   scale_ = rule_.scale();
@@ -123,7 +124,8 @@ void MorphingLoop::vanish(const Mesh& mesh) const {
                   cause.data);
 }
 
-// A coarse scale may have no edges for what is left, or steps so long that they turn it inside out.
+// Makes an iteration. If it fails, tries finer scales, and shorter steps after remeshing. At a
+// coarse scale, edges may be longer than the surface is wide, or steps may turn it inside out.
 void MorphingLoop::take_iteration(Document& document, const Progress& progress) {
   const Document before = options_.scales > 1 ? document : Document();
   bool is_first_try = true;
@@ -169,7 +171,8 @@ std::string MorphingLoop::message() const {
          significant(std::max(step_.to_target.rms, step_.from_target.rms), 3);
 }
 
-// Nothing moves towards the target any more, and smoothing rounds nothing off again.
+// Aligns edges with the sharp edges of the target. Called after the last iteration, so that no
+// smoothing rounds them off.
 void MorphingLoop::align(Document& document, const Progress& progress) {
   const bool may_align = target_.is_mesh() && options_.features != Features::off;
   if (!may_align || (options_.features == Features::automatic && !has_features(target_.mesh)))
@@ -200,7 +203,8 @@ void MorphingLoop::finish(Document& document, const Progress& progress) {
   conclude(document, progress);
 }
 
-// Cleaning the last mesh may undo what was found before, unless there was nothing to clean.
+// Cleans the last mesh and compares it with the target. The comparison of the last iteration is
+// used if cleaning changed nothing.
 void MorphingLoop::conclude(Document& document, const Progress& progress) {
   CleanedTopology cleaned;
   try {

@@ -12,8 +12,11 @@
 namespace transformesh {
 namespace {
 
+/// A place of the target farther from the mesh than this many longest edges is apart from it; up to
+/// this distance, shorter edges may reach it.
 constexpr double few_edges = 3;
-/// A gap is resolved by edges shorter than half of it.
+
+/// Edges must be shorter than a gap divided by this to resolve it.
 constexpr double edges_across = 2;
 
 Target measured(const Target& target, double edge) {
@@ -27,7 +30,7 @@ Problem narrow_at(const Vec3& place, double width, double edge, bool has_uniform
           {.position = position_data(place), .lengths = {width, edge}}};
 }
 
-/// The narrowest vertex of the target.
+/// Returns a problem that names the narrowest vertex of the target; empty if none is narrow.
 std::optional<Problem> narrowest(const Target& target, double edge, bool has_uniform_edges) {
   const std::vector<double>& widths = target.thickness;
   const auto least = std::min_element(widths.begin(), widths.end());

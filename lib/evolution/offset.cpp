@@ -23,23 +23,40 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 512;
+constexpr std::size_t points_per_task = 512;  ///< affects time only
+/// Sample points per surface for measuring the deviation. More find smaller deviations and take
+/// more time, in proportion.
 constexpr std::size_t samples = 40000;
-constexpr double close_enough = 0.01;     ///< of an edge
-constexpr double least_edge = 1.0 / 400;  ///< of the diagonal
-constexpr double most_edge = 1.0 / 60;    ///< likewise
-constexpr double most_share = 0.5;        ///< of the distance
-/// A part whose vertices are farther off than this share of an edge, as root mean square, is what
-/// is left where nothing is so far inside.
+
+/// The iteration ends if the root mean square distance of the vertices from the offset surface is
+/// at most this share of an edge.
+constexpr double close_enough = 0.01;
+
+/// Shortest and longest default edge, as shares of the bounding box diagonal. They bound the number
+/// of faces from above and the error on coarse meshes.
+constexpr double least_edge = 1.0 / 400;
+constexpr double most_edge = 1.0 / 60;
+
+/// Longest default edge as a share of the distance, so that rounded edges have several faces.
+constexpr double most_share = 0.5;
+
+/// A component is removed if its root mean square distance from the offset surface exceeds this
+/// share of an edge. Inward offsets leave such components in parts that are too thin.
 constexpr double shard_deviation = 0.5;
+
+/// The iteration also ends if the distance has not improved for this many iterations.
 constexpr std::size_t patience = 8;
-/// So near the source, as a share of the distance, its own normals tell the way.
+
+/// A vertex closer to the source than this share of the distance moves along its own normal, since
+/// the direction from the closest point would be rounding error.
 constexpr double at_source = 1e-6;
-/// So far from the true offset, in edges, the result has missed it. Corners of boxes are cut by up
-/// to .52. At half the value every box is told of; at twice, a plate two thirds of an edge thick
-/// has lost a twentieth of its volume in silence.
+
+/// The result counts as incomplete if a point of the true offset is farther away than this many
+/// edges. Corners of boxes are cut off by up to 0.52 edges. At half this value, every box gives a
+/// warning. At twice this value, a plate of 2/3 of an edge loses 1/20 of its volume without one.
 constexpr double most_missed = 0.75;
-/// What counts as on the true offset, as a share of the distance.
+
+/// A point counts as on the true offset if its distance from the source is right up to this share.
 constexpr double on_offset = 1e-6;
 
 void check(const Mesh& mesh, double distance) {
@@ -58,11 +75,13 @@ class Offset {
   Offset(const Mesh& source, double distance)
       : source_(source), distance_(distance), query_(source) {}
 
-  /// From every vertex to the offset surface, along the gradient.
+  /// Returns the vector from each vertex to the offset surface, along the gradient of the distance.
   std::vector<Vec3> ways(const Mesh& mesh);
   OffsetDeviation deviation(const Mesh& mesh, const Progress& progress) const;
+  /// Returns the root mean square length of the last result of ways().
   double rms() const { return rms_; }
-  /// Removes parts that are nowhere near the offset surface. Returns the topology of what is left.
+  /// Removes components that are far from the offset surface (`shard_deviation`). Returns the
+  /// topology of the remaining mesh.
   Topology drop_shards(Mesh& mesh, double edge, const Topology& known) const;
 
  private:
@@ -76,7 +95,7 @@ class Offset {
   const Mesh& source_;
   double distance_;
   ClosestPointQuery query_;
-  double rms_ = std::numeric_limits<double>::infinity();  ///< of the ways asked for last
+  double rms_ = std::numeric_limits<double>::infinity();  ///< see rms()
 };
 
 std::vector<Vec3> Offset::ways(const Mesh& mesh) {
@@ -106,7 +125,8 @@ OffsetDeviation Offset::deviation(const Mesh& mesh, const Progress& progress) co
   return result;
 }
 
-// Vertices are moved onto the offset surface, so they tell nothing about the surface between them.
+// Measures the deviation at sample points of the faces too: vertices were moved onto the offset
+// surface, so that deviations are larger between them.
 void Offset::measure_excess(const Mesh& mesh, OffsetDeviation& result) const {
   const std::vector<Vec3> points = surface_samples(mesh, samples, 1);
   std::vector<double> off(points.size() + mesh.positions.size());
@@ -120,7 +140,8 @@ void Offset::measure_excess(const Mesh& mesh, OffsetDeviation& result) const {
   for (const double length : off) result.most = std::max(result.most, length);
 }
 
-// Straight out from points of the source, where nothing else is nearer.
+// Measures how far the result is from points of the true offset. These are sample points of the
+// source moved along their normals, if no other part of the source is closer.
 void Offset::measure_missed(const Mesh& mesh, OffsetDeviation& result) const {
   const ClosestPointQuery to_result(mesh);
   std::vector<Vec3> goals = surface_samples(source_, samples, 2);
@@ -172,8 +193,8 @@ double edge_of(const Mesh& mesh, const OffsetOptions& options) {
   return options.edge > 0 ? options.edge : offset_edge(mesh, options.distance);
 }
 
-/// The normals of slivers are mostly rounding error, and vertices would follow them. Of remeshing
-/// only that step is done (remesh.h).
+/// Removes slivers. Their normals are mostly rounding error, and vertices would follow these. Zero
+/// iterations of remeshing do only this (remesh.h).
 void remove_slivers(Document& document, const OffsetOptions& options, const Progress& progress) {
   const double edge = edge_of(document.mesh, options);
   RemeshOptions removal;
@@ -207,7 +228,7 @@ OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
     result.has_arrived = is_close || stalled.add(offset.rms());
   }
 
-  // Remeshing slid vertices off the offset surface: one more step without it.
+  // Remeshing moved vertices off the offset surface; one more step follows without remeshing.
   step(document.mesh, progress);
   round_as_written(document);
   result.topology = clean_in_place(document, progress, false).topology;
@@ -228,7 +249,7 @@ OffsetResult offset(Document& document, const OffsetOptions& options, const Prog
   try {
     return offset_mesh(document, options, progress);
   } catch (const GoalError&) {
-    // Where all goes, what is left for a moment is inside out, or too small.
+    // If all of the surface vanishes, the error is about the last remains, which would mislead.
     if (options.distance > 0) throw;
     throw GoalError(
         "nothing of the surface is left, or its walls are too thin for its edges: "

@@ -1,5 +1,5 @@
-/// The loops of evolve.h and morph.h with a record that the caller has opened.
-/// LoopOptions::record is not used.
+/// Variants of the functions in evolve.h, evolve_in_time.h, morph.h and track.h for a Record that
+/// the caller has opened. LoopOptions::record is ignored.
 #pragma once
 
 #include <functional>
@@ -28,10 +28,10 @@ TrackResult track(Document& document, const std::vector<std::string>& names,
                   const Progress& progress = Progress());
 
 /// Returns "vertices moved less far than their velocities prescribe in 30 of 30 iterations, at most
-/// 87 % of them: clamped to 0.2 of the mean edge". Pre: there are such iterations.
+/// 87 % of them: clamped to 0.2 of the mean edge". Pre: vertices were clamped in an iteration.
 std::string clamps_in_words(const EvolveResult& result, double alpha);
 
-/// Returns converged, stalled or iteration_limit.
+/// Returns "converged", "stalled" or "iteration_limit".
 const char* name_of(MorphStop stop);
 
 }  // namespace transformesh

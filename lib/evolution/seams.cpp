@@ -21,7 +21,8 @@ std::vector<char> find_new_vertices(const Mesh& before, const Mesh& cleaned) {
   return is_new;
 }
 
-/// Surfaces that touch exactly at vertices are joined without new ones.
+/// Marks vertices at which faces with different labels meet. Surfaces that touch exactly at
+/// vertices are joined there without new vertices.
 void mark_where_labels_meet(const Mesh& mesh, const std::vector<long>& labels,
                             std::vector<char>& is_marked) {
   std::vector<long> first(mesh.positions.size(), 0);
@@ -32,7 +33,7 @@ void mark_where_labels_meet(const Mesh& mesh, const std::vector<long>& labels,
     }
 }
 
-/// Joins marked vertices along edges.
+/// Returns the connected sets of marked vertices, connected by edges.
 DisjointSets connected(const Mesh& mesh, const std::vector<char>& is_marked) {
   DisjointSets sets(mesh.positions.size());
   for (const Face& face : mesh.faces)

@@ -1,5 +1,6 @@
-/// Curves along which cleaning joined and cut surfaces: the connected sets of vertices that are new
-/// after cleaning, or at which faces with different labels meet. Cost: O(n log n).
+/// Finds seams: the curves along which cleaning joined or cut surfaces. A seam is a connected set
+/// of vertices that are new after cleaning or at which faces with different labels meet. Cost: O(n
+/// log n).
 #pragma once
 
 #include <set>
@@ -11,11 +12,11 @@ namespace transformesh {
 
 struct Seam {
   Extent extent;
-  std::set<long> labels;       ///< of the faces at its vertices
-  std::set<Index> components;  ///< components of the cleaned mesh
+  std::set<long> labels;       ///< labels of the faces at its vertices
+  std::set<Index> components;  ///< components of the cleaned mesh at its vertices
 };
 
-/// Returns the seams, the largest first. `cleaned` has the labels of the faces before cleaning.
+/// Returns the seams, the largest first. Faces of `cleaned` have the labels from before cleaning.
 std::vector<Seam> find_seams(const Mesh& before, const Mesh& cleaned, const Components& components);
 
 }  // namespace transformesh

@@ -10,22 +10,24 @@
 namespace transformesh {
 namespace {
 
-/// Shortest span, as a fraction of the time at which the evolution ends: a million steps of this
-/// length do not change the fifth digit of the time.
+/// Shortest span as a fraction of the end time. A million steps of this span would change the time
+/// by only 1e-6 of the end time: the evolution would not end.
 constexpr double shortest_span = 1e-12;
 
-/// Safety factor for the next trial after one that moved too far or had too large an error. Hairer,
-/// Norsett & Wanner recommend .8 to .9.
+/// Safety factor for the span of the next trial after one that moved too far or had too large an
+/// error. Hairer, Norsett & Wanner, "Solving ordinary differential equations I", section II.4,
+/// recommend 0.8 to 0.9.
 constexpr double safety = 0.9;
 
-/// Shortens `span` to an equal division of what remains, so that no last step is much shorter.
+/// Returns the longest span of at most `span` that divides `remaining` into equal steps, so that
+/// the last step is not much shorter.
 double divided(double remaining, double span) {
   constexpr double tiny = 1e-9;  // relative rounding error of the division
   if (!(span < remaining)) return remaining;
   return remaining / std::ceil(remaining / span - tiny);
 }
 
-/// The factor by which a trial has to be shortened; at least 1 if it is accepted.
+/// Returns the factor by which the span of a trial must be multiplied; 1 if the trial is accepted.
 double allowed_factor(const TrialStep& trial, const TimeOptions& options) {
   double factor = 1;
   if (trial.max_move > options.max_move) factor = safety * options.max_move / trial.max_move;
@@ -62,7 +64,8 @@ TrialStep chosen_step(const Integration& integration, const TimeOptions& options
     return step_over(integration, std::min(span, longest), edge_means);
   }
   const double speed = largest_share(integration.initial_velocities(), edge_means);
-  // A little shorter than the limit, which later stages may exceed: another trial costs as much.
+  // A little shorter than the limit, which later stages could exceed; another trial costs as much
+  // as the first.
   const double limit = safety * options.max_move;
   double span = speed > 0 ? std::min(longest, limit / speed) : longest;
   for (;;) {
@@ -74,7 +77,7 @@ TrialStep chosen_step(const Integration& integration, const TimeOptions& options
     TrialStep trial = step_over(integration, span, edge_means);
     const double factor = allowed_factor(trial, options);
     if (factor == 1) return trial;
-    // At most a tenth at once: far from the limit the estimates do not hold.
+    // The span shrinks at most to a tenth at once, since estimates are unreliable for long spans.
     span *= std::clamp(factor, 0.1, safety);
   }
 }

@@ -1,4 +1,4 @@
-/// Chooses the span of time of a step (evolve_in_time.h).
+/// Chooses the time span of a step (evolve_in_time.h).
 #pragma once
 
 #include <span>
@@ -8,25 +8,25 @@
 
 namespace transformesh {
 
-/// A span of time and what the vertices do in it.
+/// A time span and the movement of the vertices in it.
 struct TrialStep {
   double span = 0;
   Integrated integrated;
-  double max_move = 0;  ///< largest movement of a vertex, in mean lengths of its edges
+  double max_move = 0;  ///< largest movement of a vertex / mean length of its edges
 };
 
-/// Returns the largest length of a vector in units of `scales`, both by vertex. A vector at a
-/// vertex with scale 0, which has no edges, does not count.
+/// Returns the maximum over the vertices of the length of the vector, divided by the scale.
+/// Vertices with scale 0, which have no edges, are skipped.
 double largest_share(std::span<const Vec3> vectors, std::span<const double> scales);
 
-/// Returns the step that ends at `time + remaining` at the latest. With `options.span` > 0 it has
-/// that span. Otherwise no vertex moves by more than `options.max_move` of the mean length of its
-/// edges `edge_means`, the error is at most `options.tolerance`, and the span is at most
-/// `longest`. Throws GoalError if such a span is shorter than 1e-12 of `options.end`.
+/// Returns the next step, whose span is at most `remaining` and `longest`. If `options.span` > 0,
+/// the step has that span. Otherwise no vertex moves by more than `options.max_move` times the mean
+/// length of its edges (`edge_means`), and the error is at most `options.tolerance`. Throws
+/// GoalError if that requires a span shorter than 1e-12 of `options.end`.
 TrialStep chosen_step(const Integration& integration, const TimeOptions& options, double remaining,
                       double longest, std::span<const double> edge_means);
 
-/// Returns the same step over another span, with its measures.
+/// Returns the step over a given span.
 TrialStep step_over(const Integration& integration, double span,
                     std::span<const double> edge_means);
 

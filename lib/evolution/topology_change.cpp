@@ -36,8 +36,8 @@ class Search {
   }
 
  private:
-  /// The label of a component that consists of one side of a surface only. A solid and a cavity
-  /// that are joined become a solid that is open to the outside.
+  /// Finds the components whose label disappears because they were joined to the component that
+  /// kept its label. Two solids merge. A solid and a cavity become a solid with an opened cavity.
   void find_joined(Index i) {
     const ComponentState& now = after_[i];
     for (const long label : now.labels) {
@@ -57,7 +57,7 @@ class Search {
     return std::ranges::any_of(after_, [&](const auto& state) { return state.label == label; });
   }
 
-  /// Parts with new labels separated from the one that kept the label.
+  /// Finds parts with new labels, which separated from the part that kept the label.
   void find_separated(long label, const std::vector<Index>& parts) {
     const ComponentState& whole = before_.at(label);
     for (const Index i : parts) {
@@ -74,7 +74,7 @@ class Search {
     }
   }
 
-  /// The component before that a part with a new label comes from: the largest one.
+  /// Returns the label of the largest earlier component among those of the faces of a part.
   std::optional<long> source_of(const ComponentState& part) const {
     std::optional<long> source;
     for (const long label : part.labels) {
@@ -85,7 +85,8 @@ class Search {
     return source;
   }
 
-  /// Joins and splits at one place leave the sum of the genus of the components that take part.
+  /// Finds opened and closed handles. Merges and splits do not change the sum of the genus of the
+  /// components involved, so that any difference is the number of handles.
   void find_handles() {
     DisjointSets groups(after_.size());
     for (const auto& [label, parts] : parts_)
@@ -121,8 +122,8 @@ class Search {
           after_[largest].extent);
   }
 
-  /// Marks and returns the largest seam that satisfies the condition, if possible one at which no
-  /// other event is.
+  /// Returns the largest seam that satisfies the condition and marks it as used. Prefers seams not
+  /// used by another event.
   std::optional<Extent> seam_where(const auto& condition) {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < seams_.size(); ++i) {
@@ -141,7 +142,7 @@ class Search {
     });
   }
 
-  /// The middle between the nearest seams of the part and of another part.
+  /// Returns the midpoint of the closest pair of seams, one of the part and one of another part.
   std::optional<Extent> separating_seam(Index part, const std::vector<Index>& parts) {
     std::optional<Extent> best;
     double least = 0;
@@ -165,7 +166,8 @@ class Search {
         parts, [&](Index other) { return other != part && seam.components.contains(other); });
   }
 
-  /// `otherwise` is the place if there is no seam, as of a part that a vertex separated.
+  /// Adds an event. `otherwise` gives the place if there is no seam, for example if a part
+  /// separated at a single vertex.
   void add(EventKind kind, std::vector<LabeledVolume> was, std::vector<LabeledVolume> now,
            const std::optional<Extent>& seam, const Extent& otherwise) {
     const Extent& extent = seam ? *seam : otherwise;
@@ -182,11 +184,11 @@ class Search {
   std::span<const ComponentState> after_;
   std::span<const Seam> seams_;
   std::vector<char> is_used_;
-  std::map<long, std::vector<Index>> parts_;  ///< components after that have faces with the label
+  std::map<long, std::vector<Index>> parts_;  ///< per label: later components with faces of it
   std::vector<Event> events_;
 };
 
-/// The label that a component takes, or nothing.
+/// Returns the label that a component takes from its faces; empty if all are taken.
 std::optional<long> label_for(const ComponentState& state, const LabeledStates& before,
                               const std::set<long>& taken) {
   std::optional<long> best;

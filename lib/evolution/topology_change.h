@@ -1,5 +1,5 @@
-/// Finds the events (events.h) between the labeled components before a change of the surface and
-/// the components after it, whose faces have the labels of those that they come from.
+/// Finds the events (events.h) of a change of the surface, from the labeled components before it
+/// and the components after it. Faces keep their labels from before the change.
 #pragma once
 
 #include <map>
@@ -14,17 +14,18 @@ namespace transformesh {
 
 using LabeledStates = std::map<long, ComponentState>;
 
-/// True if each component after the change has one label, no two have the same one, and the genus
-/// of each is that before.
+/// True if the faces of each component have a single label, no two components have the same label,
+/// and each component has the genus that it had before.
 bool is_same_topology(const LabeledStates& before, std::span<const ComponentState> after);
 
-/// Labels the components: the largest takes the label, among those of its faces that no larger one
-/// took, whose component was the largest. If none is left, it gets `next_label`, which increases.
-/// Only labels of `before` count.
+/// Labels the components, the largest first. A component takes a label of its faces that is not yet
+/// taken; if there are several, that of the largest component before the change. A solid takes no
+/// label of a cavity, nor a cavity that of a solid. If no label is left, the component gets
+/// `next_label`, which is incremented. Only labels in `before` count.
 void assign_labels(const LabeledStates& before, std::span<ComponentState> after, long& next_label);
 
-/// Returns the events without iteration and time, given labeled components and the seams, the
-/// largest first. Components that vanished are not looked for.
+/// Returns the events without iteration and time. `after` must be labeled, and `seams` must be
+/// sorted, the largest first. Components that vanished are not reported.
 std::vector<Event> find_events(const LabeledStates& before, std::span<const ComponentState> after,
                                std::span<const Seam> seams);
 

@@ -14,7 +14,8 @@
 namespace transformesh {
 namespace {
 
-/// Edges across the narrow places of a target that was not followed with edges of one length.
+/// MorphStepOptions::gap_edges of the second attempt, if a morph with edges of one length did not
+/// converge. More edges across narrow places resolve more and take more time.
 constexpr double gap_edges_again = 1.5;
 
 std::string quoted(const std::string& text) {
@@ -66,7 +67,8 @@ class TrackingLoop : public Loop {
   double seconds_ = 0;
 };
 
-// The first surface is kept unless the second one converges.
+// Morphs again with shorter edges at narrow places. The first result stays unless this one
+// converges.
 void TrackingLoop::follow_again(Document again, Document& document, const Target& target,
                                 const Progress& progress) {
   MorphOptions options = options_;

@@ -14,8 +14,9 @@ namespace {
 
 const std::string column_name = "tm_movement";
 
-/// Largest motion, as a fraction of the mean edge. Remeshing and cleaning of one step change less:
-/// what needs more is a change of topology, which a motion along normals would only spread.
+/// Largest movement as a fraction of the mean edge. Remeshing and cleaning need less in one step.
+/// A change of topology needs more; a movement along normals would spread its volume over the
+/// surface.
 constexpr double largest_motion = 0.1;
 
 /// Returns three times the gradient of the volume with respect to each position: the sum of the
@@ -29,6 +30,7 @@ std::vector<Vec3> volume_gradients(const Mesh& mesh) {
   return gradients;
 }
 
+/// Removes the column of movements, and returns it divided by its maximum; 1 for all if that is 0.
 std::vector<double> taken_weights(Mesh& mesh) {
   std::vector<double> weights;
   if (const Column* column = mesh.vertex_columns.find(column_name)) {
@@ -52,8 +54,8 @@ bool move_to_volume(Mesh& mesh, double volume, const std::vector<double>& weight
   }
   const std::vector<Vec3> start = mesh.positions;
   double distance = 0;
-  // Newton's method on a cubic polynomial that is nearly linear: two steps suffice for small
-  // distances; the third absorbs rounding.
+  // Newton's method for a cubic polynomial that is nearly linear. Two steps suffice for small
+  // distances; the third removes rounding errors.
   for (int round = 0; round < 3; ++round) {
     const std::vector<Vec3> gradients = volume_gradients(mesh);
     double slope = 0;

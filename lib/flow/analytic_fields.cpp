@@ -21,7 +21,8 @@ struct HalfWave {
   double cosine_of_twice() const { return 1 - 2 * sine * sine; }
 };
 
-/// The factor that takes every particle back to its start after `period`.
+/// Returns the factor of a velocity field that brings every particle back to its start after
+/// `period`.
 double reversal(double time, double period) { return elementary::cos(pi * time / period); }
 
 Vec3 vortex_at(const Vec3& p) {
@@ -36,7 +37,7 @@ Vec3 deformation_at(const Vec3& p) {
           -x.sine_of_twice() * y.sine_of_twice() * z.squared_sine()};
 }
 
-/// The coefficients of Dombre et al., with which some streamlines are chaotic.
+/// ABC flow with the coefficients of Dombre et al., for which some streamlines are chaotic.
 Vec3 abc_at(const Vec3& p) {
   constexpr double a = std::numbers::sqrt3, b = std::numbers::sqrt2, c = 1;
   const HalfWave x(p.x()), y(p.y()), z(p.z());
@@ -45,7 +46,7 @@ Vec3 abc_at(const Vec3& p) {
           c * y.sine_of_twice() + b * x.cosine_of_twice()};
 }
 
-/// A field that reverses in time.
+/// Returns the field multiplied by reversal().
 AnalyticField reversing(Vec3 (*at)(const Vec3&), double period) {
   return [=](double time) -> VectorAt {
     const double factor = reversal(time, period);

@@ -1,5 +1,5 @@
-/// Velocity fields in closed form, by which methods that move surfaces are judged. Those of the
-/// unit cube have their features there; they are defined everywhere.
+/// Velocity fields in closed form: standard test cases for methods that move surfaces. The vortex,
+/// deformation and abc fields are meant for the unit cube, and are periodic outside of it.
 ///
 /// Let s(x) be sin(pi x), S(x) be sin(2 pi x) and C(x) be cos(2 pi x).
 ///
@@ -31,12 +31,12 @@
 
 namespace transformesh {
 
-/// The velocity at a point.
+/// Returns the velocity at a point.
 using VectorAt = std::function<Vec3(const Vec3& point)>;
-/// The velocity at a time.
+/// Returns the velocity field at a time.
 using AnalyticField = std::function<VectorAt(double time)>;
 
-/// Returns the field of this name, without the factor `speed`; null if there is none.
+/// Returns the field of this name; null if there is none. Ignores `options.speed`.
 AnalyticField analytic_field(std::string_view name, const FlowOptions& options);
 
 }  // namespace transformesh

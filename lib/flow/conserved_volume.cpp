@@ -11,14 +11,14 @@
 namespace transformesh {
 namespace {
 
-/// Volumes of components, and their derivatives by a motion of the vertices.
+/// Volume of each component, and its derivative under a motion of the vertices.
 struct Volumes {
   std::vector<double> value;
   std::vector<double> rate;
 };
 
-/// Coordinates are relative to the first corner of each component, so that a place far from the
-/// origin costs no digits.
+/// Computes the volumes of components. Coordinates are relative to the first corner of each
+/// component, so that no digits are lost far from the origin.
 class ComponentVolumes {
  public:
   explicit ComponentVolumes(const Mesh& mesh)
@@ -88,7 +88,7 @@ void remove_volume_rates(const Mesh& mesh, std::vector<Vec3>& velocities) {
 
 /// Newton's method for one distance per component: the volume is a cubic polynomial of it.
 void restore_volumes(const Mesh& mesh, std::vector<Vec3>& displacements) {
-  // From a start a tenth off, four steps reach rounding; eight leave room for long spans.
+  // If the volume is off by a tenth, four steps converge to rounding; long spans may need more.
   constexpr int most_steps = 8;
   const ComponentVolumes volumes(mesh);
   const std::vector<Vec3> normals = vertex_normals(mesh);

@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// Returns displacements over a span, or velocities for a span of 0. Both count time in units in
-/// which the factor of the velocity is 1.
+/// Returns displacements over a span, or velocities if the span is 0. The unit of time is such that
+/// the speed of the flow is 1.
 using Vectors = std::vector<Vec3> (*)(const Mesh& mesh, const DiffusionStep& step, double span);
 
 std::vector<Vec3> mean_curvature(const Mesh&, const DiffusionStep& step, double span) {

@@ -25,12 +25,12 @@
 
 namespace transformesh {
 
-/// Receives the number of border vertices held fast.
+/// Receives the number of border vertices, which stay fixed.
 using FixedCounter = std::function<void(std::size_t)>;
 
-/// Returns the flow of this name, whose velocity has the factor `speed`; without functions if there
-/// is none. Evaluations throw InputError for coincident borders, and for open meshes whose volume
-/// would have to be kept; GoalError if the equations have no solution in double precision.
+/// Returns the flow of this name, multiplied by `speed`; a Motion without functions if there is
+/// none. Its functions throw InputError for coincident borders, and for open meshes if the flow
+/// keeps the volume. They throw GoalError if the equations have no solution in double precision.
 Motion curvature_flow(std::string_view name, double speed, const FixedCounter& fixed);
 
 }  // namespace transformesh

@@ -10,7 +10,7 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// Solves for one or more right-hand sides.
+/// Solves a linear system for the columns of `right`. Throws GoalError if the result is not finite.
 template <class Right>
 Right solution(const Matrix& matrix, const Right& right) {
   const Eigen::SimplicialLDLT<Matrix> factors(matrix);
@@ -38,7 +38,7 @@ DiffusionStep::DiffusionStep(const Mesh& mesh)
   }
 }
 
-/// -L of the free vertices, where fixed neighbors only contribute to the diagonal.
+/// Returns -L, restricted to the free vertices. Fixed neighbors contribute to the diagonal only.
 DiffusionStep::Matrix DiffusionStep::stiffness() const {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * laplacian_.edges.size());

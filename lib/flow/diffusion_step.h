@@ -9,21 +9,23 @@
 
 namespace transformesh {
 
-/// Equations of the vertices that are free to move. Others, on borders or without area, are fixed.
+/// The equations of one mesh. Vertices on borders, or without area around them, are fixed; all
+/// others are unknowns.
 class DiffusionStep {
  public:
   explicit DiffusionStep(const Mesh& mesh);
 
   std::size_t border_count() const { return border_count_; }
 
-  /// Returns the sum of the principal curvatures times the inward normal at each vertex; 0 at fixed
-  /// ones.
+  /// Returns at each vertex the inward normal times the sum of the principal curvatures; zero at
+  /// fixed vertices.
   std::vector<Vec3> curvature_vectors() const;
-  /// Solves (M - span L) x = M p for the positions x after a step of mean-curvature flow. Positions
-  /// are p, areas M, and L is the Laplacian without the areas. Returns x - p.
+  /// Solves (M - span L) x = M p for the positions x after a step of mean-curvature flow. Here p
+  /// are the positions, M is the diagonal matrix of vertex areas, and L the cotangent matrix
+  /// without areas. Returns x - p.
   std::vector<Vec3> second_order(double span) const;
-  /// Solves (M + span L inverse(M) L) v = L h for the speeds v along the normals of surface
-  /// diffusion, where h is the sum of the principal curvatures.
+  /// Solves (M + span L inverse(M) L) v = L h for the speeds v of surface diffusion along the
+  /// normals, where h is the sum of the principal curvatures.
   std::vector<double> fourth_order(double span) const;
 
  private:

@@ -15,7 +15,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t vertices_per_task = 1024;
+constexpr std::size_t vertices_per_task = 1024;  ///< affects time only
 
 const FlowKind& kind_of(const std::string& name) {
   std::vector<std::string> names;
@@ -93,8 +93,8 @@ Motion grid_motion(const FlowOptions& options, const std::shared_ptr<FlowCounts>
   }};
 }
 
-/// The speed of each vertex is the product of the factor, the column and the grid, if there are
-/// any.
+/// Returns a motion whose speed at each vertex is the product of options.speed, the column and the
+/// grid. A column or grid that is not given counts as 1.
 Motion normal_motion(const FlowOptions& options, const std::shared_ptr<FlowCounts>& counts) {
   std::shared_ptr<const GridSeries> grids;
   if (!options.grids.empty()) grids = std::make_shared<const GridSeries>(options.grids, 1);

@@ -1,20 +1,20 @@
-/// Velocities of a motion as the vertex columns vx, vy and vz, which displace() and other programs
-/// read.
+/// Stores velocities of a motion as the vertex columns vx, vy and vz, which column_velocities()
+/// reads.
 #pragma once
 
 #include "transformesh/motion.h"
 
 namespace transformesh {
 
-/// Sizes of the velocities, over all vertices.
+/// Maximum and root mean square of the lengths of all velocities.
 struct FlowSpeeds {
   double maximum = 0;
   double rms = 0;
 };
 
-/// Writes the velocities at a moment. If the moment has a span and the motion its own integrator,
-/// these are displacements over the span, divided by the span. Throws InputError with the vertex
-/// for a velocity that is not finite.
+/// Stores the velocities at a moment. If the moment has a span and the motion computes
+/// displacements, velocities are displacements over the span, divided by the span. Throws
+/// InputError, naming the vertex, if a velocity is not finite.
 FlowSpeeds add_flow_columns(Mesh& mesh, const Motion& motion, const Moment& moment,
                             const Progress& progress = Progress());
 

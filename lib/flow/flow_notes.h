@@ -1,4 +1,4 @@
-/// Sentences about what a flow met, for messages and warnings.
+/// Sentences for messages about vertices and times outside of the grids of a flow.
 #pragma once
 
 #include <string>

@@ -7,8 +7,8 @@
 namespace transformesh {
 namespace {
 
-/// Returns per vertex how far its neighbors are in front of the plane across its normal, summed
-/// over the faces: negative where the surface is convex.
+/// Returns for each vertex the sum of the heights of its neighbors over its tangent plane, counted
+/// once per face. Negative where the surface is convex.
 std::vector<double> neighbor_heights(const Mesh& mesh, const std::vector<Vec3>& normals) {
   std::vector<double> heights(mesh.positions.size(), 0);
   for (const Face& face : mesh.faces) {

@@ -1,8 +1,9 @@
-/// Motion along the normals by a speed: growth where the speed is positive, erosion where it is
-/// negative (Huygens' principle).
+/// Motion along the normals at a given speed: growth where the speed is positive, erosion where it
+/// is negative (Huygens' principle).
 ///
-/// A vertex moves such that the planes of its faces move by the speed. Convex places that grow, and
-/// concave ones that recede, become round instead: the vertex moves along its normal by the speed.
+/// A vertex moves so that the planes of its faces move at the speed, which keeps edges sharp. The
+/// exceptions are convex vertices that grow and concave vertices that recede. The exact surface is
+/// round there, and the vertex moves along its normal at the speed. Cost: O(n).
 /// Reference: Jiao, "Face offsetting: a unified approach for explicit moving interfaces", Journal
 /// of Computational Physics 220, 2007.
 /// For round and sharp places: Sethian, "Level Set Methods and Fast Marching Methods", Cambridge

@@ -11,7 +11,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
-/// Largest number of values along an axis: no product of four sizes overflows 64 bits.
+/// Largest number of values along an axis, so that no product of four sizes overflows 64 bits.
 constexpr double most_values = 65535;
 
 std::string_view trimmed(std::string_view text) {
@@ -40,7 +40,7 @@ class NrrdReader {
   }
 
  private:
-  /// Lines up to an empty one: `name: value`, `key:=value`, or a comment.
+  /// Reads lines up to an empty one: `name: value`, `key:=value`, or a comment.
   void read_header() {
     std::string_view rest = source_.bytes;
     for (bool is_first = true;; is_first = false) {
@@ -70,7 +70,8 @@ class NrrdReader {
     return found == fields_.end() ? std::string_view() : found->second;
   }
 
-  /// Reads numbers between blanks, commas and parentheses. `none` stands for no vector.
+  /// Reads `count` numbers, separated by blanks, commas and parentheses. Skips `none`, which stands
+  /// for an axis without direction.
   std::vector<double> numbers(const std::string& name, std::size_t count) const {
     std::string text(field(name));
     for (char& c : text)

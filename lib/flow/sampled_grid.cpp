@@ -8,8 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// A point is outside of a grid if it is farther from it than this fraction of the spacing. Rounded
-/// coordinates of points on the boundary would count as outside at 0.
+/// A point counts as outside of a grid if its distance exceeds this fraction of the spacing. At 0,
+/// points on the boundary could count as outside because of rounding.
 constexpr double tolerance = 1e-6;
 
 /// Position between two neighboring nodes of an axis.
@@ -50,7 +50,7 @@ GridValue value_in(const FlowGrid& grid, const Vec3& point) {
 }
 
 void check(const FlowGrid& grid, std::size_t components) {
-  constexpr std::size_t most_nodes = 1048576;  // no number of values overflows 64 bits
+  constexpr std::size_t most_nodes = 1048576;  // per axis: the number of values fits into 64 bits
   if (std::ranges::max(grid.size) > most_nodes) throw UsageError("a grid has too many nodes");
   const std::size_t nodes = grid.size[0] * grid.size[1] * grid.size[2];
   if (grid.components != components)

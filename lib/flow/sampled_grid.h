@@ -22,14 +22,14 @@ class GridSeries {
     double weight = 0;
     bool is_outside = false;  ///< the time is before the first grid or after the last one
   };
-  /// Returns the grids around a time; outside of all times, the nearest grid.
+  /// Returns the grids before and after a time; the nearest grid twice if the time is outside.
   Interval around(double time) const;
 
  private:
   std::vector<FlowGrid> grids_;
 };
 
-/// A value at a point; the first component alone if the grid has one.
+/// The value of a grid at a point. If the grid has one component, only value.x() is used.
 struct GridValue {
   Vec3 value = Vec3::Zero();
   bool is_outside = false;  ///< the point was clamped to the box of the nodes

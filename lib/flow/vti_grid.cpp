@@ -11,7 +11,7 @@ namespace {
 
 using Node = pugi::xml_node;
 
-/// Largest number of nodes along an axis: no product of three sizes overflows 64 bits.
+/// Largest number of nodes along an axis, so that no product of three sizes overflows 64 bits.
 constexpr double most_nodes = 2097151;
 
 class VtiReader {
@@ -65,7 +65,7 @@ class VtiReader {
     return result;
   }
 
-  /// Extents count nodes from the origin on.
+  /// Returns a grid without values. Extents are ranges of node indices; node 0 is at the origin.
   FlowGrid frame_of(const Node& image, const Node& piece) const {
     const auto whole = numbers<6>(image, "WholeExtent", {});
     const auto extent = numbers<6>(piece, "Extent", whole);
@@ -87,7 +87,9 @@ class VtiReader {
     return grid;
   }
 
-  /// Returns the active array, else the only one with so many components.
+  /// Returns the active array with `components_` components. If the file names none, returns the
+  /// only array with that many components, and fails if there are several. If there is no array of
+  /// the active one's name, returns the last one with that many components.
   Node array_in(const Node& data) const {
     const std::string active = data.attribute(components_ == 3 ? "Vectors" : "Scalars").value();
     Node found;

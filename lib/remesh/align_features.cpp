@@ -28,30 +28,43 @@
 namespace transformesh {
 namespace {
 
+/// Rounds that move vertices onto corners and lines: first with the mesh as it is, then alternating
+/// with remeshing and relaxation. More rounds take time and align the vertices that are left.
 constexpr int snap_rounds = 3;
 constexpr int relax_rounds = 3;
-/// How far vertices go at most to corners and to sharp edges, in mean edges at the vertex.
+/// The largest distance that a vertex moves to a corner and to a line, as a multiple of the mean
+/// length of its edges. Larger values reach more lines and distort more triangles.
 constexpr double corner_reach = 1.2;
 constexpr double line_reach = 0.8;
-constexpr double longest_allowed = 1.6;  ///< of edges, in those of the limits
-constexpr double round_enough =
-    0.25;                        ///< least roundness of triangles at a vertex that moves to a line
-constexpr double along = 0.1;    ///< of its length: how far the middle of an edge is from a line
-constexpr double sliver = 0.15;  ///< what flips do not make
-constexpr std::size_t corner_tries = 4;  ///< nearest vertices, of which one goes to a corner
-/// What counts as on a line or corner, and as nearer, in mean edges.
+/// The longest edge that moves may leave, as a multiple of AlignOptions::max_edge.
+constexpr double longest_allowed = 1.6;
+/// Moves may leave triangles of at least this roundness, or none less round than before.
+constexpr double round_enough = 0.25;
+/// An edge runs along a line if its middle is within this share of its length from the line.
+constexpr double along = 0.1;
+/// Flips make no triangles that are at most this round.
+constexpr double sliver = 0.15;
+/// Number of nearest vertices that are tried in turn for each corner.
+constexpr std::size_t corner_tries = 4;
+/// A vertex is on a line if it is within this share of its mean edge from the line.
 constexpr double contact = 1e-9;
+/// A flip must bring the middle of the edge nearer to the target by more than this share of its
+/// length, so that no edge flips back and forth.
 constexpr double nearer = 0.02;
-constexpr double corner_cosine = 0.7071067811865476;  ///< a line that turns by more has a corner
+/// A vertex where a line turns by more than 45 degrees is a corner.
+constexpr double corner_cosine = 0.7071067811865476;
+/// A mesh has features if edges of more than this angle have more than this share of the length of
+/// all edges. A larger share would miss meshes with few sharp edges, a smaller one takes noise.
 constexpr double certain_angle_deg = 60;
 constexpr double certain_share = 0.02;
 
-constexpr char on_corner = 2;  ///< 1: on a line
+/// The value of is_held_ for a vertex on a corner; 1 is a vertex on a line, 0 any other.
+constexpr char on_corner = 2;
 
 double cosine_of(double angle_deg) { return elementary::cos(angle_deg * std::numbers::pi / 180); }
 
-/// Calls visit(halfedge) for one halfedge of every edge between two faces whose normals turn by
-/// more than the angle of that cosine.
+/// Calls visit(halfedge) for one halfedge of each edge between two faces whose normals enclose an
+/// angle with a cosine below `cosine`.
 template <class Visit>
 void for_each_sharp_edge(const Mesh& mesh, double cosine, const Visit& visit) {
   const Edges edges(mesh);
@@ -65,7 +78,8 @@ void for_each_sharp_edge(const Mesh& mesh, double cosine, const Visit& visit) {
   }
 }
 
-/// The sharp edges of a target, and the vertices where they end, turn or meet.
+/// The lines (chains of sharp edges) of a target, and their corners: the vertices where lines end,
+/// turn or meet.
 class SharpLines {
  public:
   SharpLines(const Mesh& target, double cosine) {
@@ -98,7 +112,7 @@ class SharpLines {
     return in.dot(out) < corner_cosine * in.norm() * out.norm();
   }
 
-  Mesh segments_;  ///< triangles without area
+  Mesh segments_;  ///< each sharp edge as a triangle without area, for ClosestPointQuery
   std::vector<Vec3> corners_;
   std::optional<ClosestPointQuery> closest_;
 };
@@ -124,7 +138,7 @@ class Aligner {
 
  private:
   struct Candidate {
-    double distance;  ///< from the line, in mean edges
+    double distance;  ///< from the nearest line, in mean lengths of the vertex's edges
     Index vertex;
     bool operator<(const Candidate& other) const {
       return distance != other.distance ? distance < other.distance : vertex < other.vertex;
@@ -156,8 +170,8 @@ class Aligner {
   const EdgeLimits limits_{options_.min_edge, options_.max_edge};
   double cosine_;
   const Progress& progress_;
-  std::vector<char> is_held_;  ///< per vertex: on a corner or a line
-  std::vector<Vec3> sides_;    ///< per vertex: the normal of the target where it is nearest
+  std::vector<char> is_held_;  ///< per vertex: 0, 1 on a line, or on_corner
+  std::vector<Vec3> sides_;    ///< per vertex: the normal of the nearest face of the target
   VertexStar star_;
 };
 
@@ -181,7 +195,7 @@ void Aligner::hold_what_is_on_lines() {
   }
 }
 
-// Whether it is there.
+// Moves the vertex to the goal; returns whether it is there afterwards.
 bool Aligner::move(VertexMover& mover, Index vertex, const Vec3& goal) {
   const Vec3 target = mesh_.rounded(goal);
   if (mesh_.position(vertex) == target) return true;
@@ -218,7 +232,7 @@ void Aligner::find_sides() {
       sides_[v] = face_normal(target_, surface_(mesh_.position(v)).face).stableNormalized();
 }
 
-/// Whether the edge goes from one side of a line nearby to another.
+/// Whether the ends of the edge are on different sides of a line that passes near its middle.
 bool Aligner::crosses_line(Index first, Index second) const {
   if (is_held_[first] != 0 || is_held_[second] != 0) return false;
   if (!(sides_[first].dot(sides_[second]) < cosine_)) return false;
@@ -234,7 +248,7 @@ bool Aligner::crosses_line(Index vertex) const {
   return crosses;
 }
 
-// Where neither end could be moved onto the line.
+// Splits edges that still cross a line, because neither of their ends could be moved onto it.
 void Aligner::split_what_crosses() {
   find_sides();
   ExactGuard guard(mesh_);
@@ -300,7 +314,7 @@ void Aligner::flip_towards_target(EmbeddingGuard& guard) {
   }
 }
 
-// Those along a line from one vertex on it to the next.
+// Marks the edges that run along a line between two vertices on it.
 void Aligner::mark_aligned_edges() {
   mesh_.clear_features();
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
@@ -314,8 +328,8 @@ void Aligner::mark_aligned_edges() {
   }
 }
 
-// Edges of their lengths and better angles; what is on lines stays there. Where `moves`, lines
-// slide along themselves and back onto the target's, and the rest relaxes onto it.
+// Splits, collapses and flips edges for better lengths and angles; vertices on lines stay on them.
+// If `moves`, all vertices also relax within the surface, and those on lines return to these.
 void Aligner::tidy(bool moves) {
   mark_aligned_edges();
   const double longest = limits_.longest;

@@ -1,4 +1,4 @@
-/// Checks what the options of remeshing say by themselves, without a mesh.
+/// Checks the options of remeshing without a mesh.
 #pragma once
 
 #include "transformesh/remesh_options.h"

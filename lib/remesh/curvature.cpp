@@ -29,7 +29,7 @@ double spectral_radius(const Eigen::Matrix3d& matrix) {
   return scale * std::max(largest, -smallest);
 }
 
-/// Curvature summed over a part of the surface, and its area.
+/// The curvature tensor integrated over a part of the surface, and the area of that part.
 struct Bending {
   Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
   double area = 0;
@@ -41,14 +41,15 @@ struct Bending {
   double largest() const { return area > 0 ? spectral_radius(tensor) / area : 0; }
 };
 
-/// The angle between the normals of the faces at an edge, positive where it is convex.
+/// The angle between the normals of the two faces at an edge, positive if the edge is convex.
 double bend_angle(const EditableMesh& mesh, Index halfedge, const Vec3& unit_edge) {
   const Vec3 here = mesh.face_normal(halfedge / 3);
   const Vec3 there = mesh.face_normal(mesh.opposite(halfedge) / 3);
   return elementary::atan2(here.cross(there).dot(unit_edge), here.dot(there));
 }
 
-/// The area of a face, and half of the bending at its edges: the other faces there have the rest.
+/// The area of a face and its curvature tensor, to which each edge contributes half: the other face
+/// at the edge has the other half.
 Bending bending_of(const EditableMesh& mesh, Index face) {
   Bending bending;
   bending.area = 0.5 * mesh.face_normal(face).norm();
@@ -73,7 +74,8 @@ std::vector<double> largest_curvatures(const EditableMesh& mesh) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) rings[mesh.source(h)].add(bending);
   }
 
-  // One ring alone depends much on how it is triangulated, so the neighbors' rings are added.
+  // The curvature of a single ring depends strongly on its triangulation, so the rings of the
+  // neighbors are added.
   std::vector<double> curvatures(mesh.vertex_slots(), 0);
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
     if (!mesh.has_vertex(v)) continue;

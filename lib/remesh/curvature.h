@@ -1,4 +1,4 @@
-/// How strongly a triangulated surface bends.
+/// Estimates the curvature of a triangulated surface.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,12 @@
 
 namespace transformesh {
 
-/// The larger absolute principal curvature at every vertex (0 where there is none): that of the
-/// tensor which sums angle times length over the edges of the faces up to two rings away, over
-/// their area (Cohen-Steiner & Morvan, "Restricted Delaunay triangulations and normal cycle", SoCG
-/// 2003). Borders and edges marked as features bend nothing. Converges on fine meshes; noise counts
-/// as curvature. O(n); floating point; deterministic.
+/// Returns for each vertex the largest absolute principal curvature; 0 for dead vertices. It is the
+/// spectral radius of a tensor that sums the dihedral angle times the length of edges, divided by
+/// the area of the faces. Sums are over the faces of the vertex and of its neighbors. Reference:
+/// Cohen-Steiner & Morvan, "Restricted Delaunay triangulations and normal cycle", SoCG 2003.
+/// Borders and features do not contribute. Converges on fine meshes; noise counts as curvature.
+/// O(n); floating point; deterministic.
 std::vector<double> largest_curvatures(const EditableMesh& mesh);
 
 }  // namespace transformesh

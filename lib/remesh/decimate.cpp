@@ -17,26 +17,37 @@
 namespace transformesh {
 namespace {
 
-/// The mesh is coarsened in stages, each of which has its own guard: with one made for the longest
-/// edges at once, each of its cells would hold many vertices.
-constexpr double stage_share = 0.4;  ///< of the faces of the stage before
-constexpr double longest_edge = 5;   ///< in a stage, as a multiple of what its faces take
+/// Decimation proceeds in stages, each of which reduces the faces to this share and has its own
+/// guard. The cells of a guard grow with the longest edge that it allows. A single guard for the
+/// final edges would have many vertices in each cell, and each test would take long.
+constexpr double stage_share = 0.4;
+/// Edges of a stage may be this many times as long as those of equilateral triangles that cover the
+/// area. The factor grows by stage_growth after each stage that does not reach its goal.
+constexpr double longest_edge = 5;
 constexpr double stage_growth = 1.6;
-constexpr double border_weight = 10;  ///< of a border's planes, as a multiple of a face's
-constexpr double shortness = 3e-8;    ///< weight of an edge's squared length
+/// The weight of planes at borders and sharp edges, relative to the planes of faces. It trades off
+/// the fidelity of lines against that of faces.
+constexpr double border_weight = 10;
+/// The weight of the squared length of an edge in its cost. It is small enough to decide only where
+/// the surface is flat, so that short edges are collapsed first there.
+constexpr double shortness = 3e-8;
+/// The largest excess of faces, as a share of the wanted number, that is no failure.
 constexpr double tolerance = 0.01;
-constexpr std::size_t least_faces = 4;  ///< of a closed surface
-/// A stage within an error is the last one if it removes at most a 200th of the faces, and no more
-/// edges would become too long. A larger part leaves more faces; a smaller one repeats refusals.
+/// A closed surface has at least this many faces.
+constexpr std::size_t least_faces = 4;
+/// Decimation within an error ends after a stage that removes at most a 200th of the faces and
+/// refuses at most as many collapses as too long. A larger part leaves more faces; a smaller one
+/// repeats refusals.
 constexpr std::size_t few_share = 200;
 
-/// A stage ends after so many collapses that would make edges too long: others are dearer.
+/// The number of collapses refused as too long after which a stage ends: all collapses that follow
+/// cost more, so the next stage, which allows longer edges, should choose first.
 std::size_t most_too_long(std::size_t faces) { return std::max<std::size_t>(10, faces / 50); }
 
-/// Positions relative to a corner of the box, so that squares stay small.
+/// Quadrics use positions relative to the first corner of the mesh, so that squares stay small.
 class Decimator {
  public:
-  /// Keeps references. `error`: allowed distance from this mesh.
+  /// Keeps references to `options` and `progress`. `error`: largest allowed distance from `mesh`.
   Decimator(const Mesh& mesh, const DecimateOptions& options, std::optional<double> error,
             const Progress& progress);
 
@@ -44,7 +55,7 @@ class Decimator {
   Mesh to_mesh() const { return mesh_.to_mesh(); }
 
  private:
-  /// A place to which an edge may be collapsed.
+  /// A position to which an edge may be collapsed.
   struct Place {
     double cost;
     Vec3 position;
@@ -53,7 +64,7 @@ class Decimator {
     double cost;
     Index halfedge, source, target;
     std::uint32_t source_version, target_version;
-    std::size_t rank;  ///< place of this rank by cost
+    std::size_t rank;  ///< index in places() of the position to try
     bool operator<(const Candidate& other) const {
       return cost != other.cost ? cost > other.cost : halfedge > other.halfedge;
     }
@@ -78,7 +89,7 @@ class Decimator {
   std::optional<VertexRoles> roles_;
   std::optional<ErrorBound> bound_;
   std::vector<Quadric> quadrics_;        ///< per vertex
-  std::vector<std::uint32_t> versions_;  ///< per vertex: how often it moved
+  std::vector<std::uint32_t> versions_;  ///< per vertex: how many were merged into it
   std::priority_queue<Candidate> queue_;
   DecimateResult result_;
 };
@@ -118,7 +129,7 @@ void Decimator::add_quadrics() {
     if (mesh_.has_halfedge(h) && is_line(mesh_, h)) add_border(h);
 }
 
-// The plane through a border or a sharp edge that stands on its face.
+// Adds the plane through a border or sharp edge that is perpendicular to its face.
 void Decimator::add_border(Index halfedge) {
   const Vec3 from = mesh_.position(mesh_.source(halfedge));
   const Vec3 along = mesh_.position(mesh_.target(halfedge)) - from;
@@ -128,9 +139,8 @@ void Decimator::add_border(Index halfedge) {
   quadrics_[mesh_.target(halfedge)] += plane;
 }
 
-/// The best place of all, both ends and the middle, the cheapest first. An end that is bound more
-/// than the other one is the only place. A place that is refused gives way to the next one when
-/// that is the cheapest of all edges.
+/// The positions to which an edge may be collapsed, by increasing cost: the minimizer of the
+/// quadric, the middle and both ends. If one end has the higher role, it is the only position.
 std::vector<Decimator::Place> Decimator::places(Index source, Index target) const {
   const Quadric sum = quadrics_[source] + quadrics_[target];
   const Vec3 &from = mesh_.position(source), &to = mesh_.position(target);
@@ -156,7 +166,8 @@ std::vector<Decimator::Place> Decimator::places(Index source, Index target) cons
   return places;
 }
 
-/// Does nothing if there are not as many places.
+/// Enqueues the collapse of the edge to the position of that rank, unless there are fewer
+/// positions.
 void Decimator::push(Index halfedge, std::size_t rank) {
   const Index source = mesh_.source(halfedge), target = mesh_.target(halfedge);
   const std::vector<Place> all = places(source, target);
@@ -179,7 +190,8 @@ void Decimator::merge(Index stays, Index goes) {
   mesh_.for_each_neighbor(stays, [&](Index, Index halfedge) { push(halfedge); });
 }
 
-/// Returns how many edges would have become too long.
+/// Collapses edges until `wanted` faces are left or the queue is empty. Returns how many collapses
+/// were refused because an edge would have become longer than `longest`.
 std::size_t Decimator::run_stage(std::size_t wanted, double longest) {
   EmbeddingGuard guard(mesh_, longest, keep_out_ ? &*keep_out_ : nullptr);
   EdgeCollapser collapser(mesh_, guard, *roles_, longest, bound_ ? &*bound_ : nullptr);
@@ -246,8 +258,8 @@ void check(const Mesh& mesh, const DecimateOptions& options) {
         "allow an error above 0 where borders are kept or a surface is kept out");
 }
 
-/// Merges flat faces, which a bound would have to follow through many collapses. Nothing is merged
-/// if that could move what is to stay, or exceeds the error.
+/// Merges coplanar faces first: collapsing them one by one would update the error bound many times.
+/// Nothing is merged if a border or a distance has to be kept, or if merging exceeds the error.
 MergeFlatResult merge_flat_faces(Mesh& mesh, const DecimateOptions& options,
                                  const Progress& progress) {
   if (options.keep_border || options.keep_out.surface != nullptr) return {};

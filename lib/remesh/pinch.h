@@ -1,4 +1,4 @@
-/// Lets thin necks and handles of a surface part, as those of fluids do.
+/// Cuts thin necks and handles of a surface, as surface tension does in fluids.
 #pragma once
 
 #include "transformesh/control.h"
@@ -11,10 +11,10 @@ struct PinchResult {
   std::size_t refused = 0;  ///< loops around which no caps fit
 };
 
-/// Cuts handles (handles.h) and necks (fill/necks.h) around which a loop of edges of at most
-/// `length` goes, and caps both sides. If caps intersect the surface, clean() resolves that. A mesh
-/// without such loops stays as it is. Throws InputError for a mesh that is no closed oriented
-/// manifold. Pre: `length` > 0.
+/// Cuts handles (handles.h) and necks (fill/necks.h) along loops of edges of at most `length`, and
+/// caps both sides. If caps intersect the surface, clean() resolves that. A mesh without such loops
+/// stays unchanged. Throws InputError if the mesh is not a closed oriented manifold. Pre: `length`
+/// > 0.
 PinchResult pinch(Mesh& mesh, double length, Scalar coordinate, const Progress& progress);
 
 }  // namespace transformesh

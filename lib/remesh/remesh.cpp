@@ -35,22 +35,25 @@ namespace {
 
 constexpr double most_faces = 500e6;
 constexpr double largest_extent = 1e75;
-/// Edges far too short are collapsed in stages of this many times the typical length.
+/// If edges are far too short, they are collapsed in stages. Each stage collapses edges shorter
+/// than this many times the typical length.
 constexpr double stage_growth = 1.6;
-/// Shares of the edge length that curvature takes: shorter edges are collapsed, longer ones split.
-/// The second is below 1 because faces relax after the splits, and curvature varies.
+/// Edges shorter or longer than these shares of the length for the curvature are collapsed or
+/// split. The second is below 1 because faces relax after splits and curvature varies: longer
+/// edges would exceed the error.
 constexpr double adaptive_shortest = 0.55;
 constexpr double adaptive_longest = 0.95;
-/// From so many iterations on, a mesh is made anew and evened out at the end. With fewer it is part
-/// of an evolution, whose next step sees to its shape.
+/// From this number of iterations on, smooth_bilaplacian() ends the remeshing: it removes most of
+/// the offsets of vertices from a smooth surface. Calls with fewer iterations are usually steps of
+/// an evolution, which are left as they are.
 constexpr int iterations_anew = 3;
 constexpr double usual_feature_angle_deg = 40;
-/// A new vertex that leaves its chord by at most a fifth of it lengthens edges, up to this many
-/// times the longest. The guard refuses longer ones, so that without this the middles of the
-/// longest edges would stay on chords.
+/// Under RemeshOptions::curved, new vertices leave their edges by up to a fifth of the length,
+/// which makes edges longer by up to this factor. The guard refuses longer edges: without the
+/// factor, the midpoints of the longest edges would stay on the straight edge.
 constexpr double lifted_edge = 1.05;
 
-/// Areas are roots of fourth powers of lengths, which must not overflow.
+/// Throws InputError if fourth powers of lengths, from which areas are computed, could overflow.
 void check_size(const Mesh& mesh) {
   Vec3 lowest = mesh.positions[0];
   Vec3 highest = lowest;
@@ -107,8 +110,8 @@ SizeRange sizes_of(const EditableMesh& mesh) {
   return range;
 }
 
-/// Returns whether there are degenerate faces. Throws UsageError if edges of that length would make
-/// too many faces.
+/// Returns whether there are degenerate faces. Throws UsageError if edges of length `max_edge`
+/// would take too many faces.
 bool survey_faces(const EditableMesh& mesh, double max_edge) {
   double faces = 0;
   bool has_degenerate = false;
@@ -128,12 +131,12 @@ bool survey_faces(const EditableMesh& mesh, double max_edge) {
   return has_degenerate;
 }
 
-/// What all iterations share.
+/// The data that all iterations share.
 struct Task {
   EditableMesh& mesh;
   const RemeshOptions& options;
   EdgeLimits limits;
-  const ClosestPointQuery* surface;  ///< to project onto, or none
+  const ClosestPointQuery* surface;  ///< projection target, or null
   const KeepOut* keep_out;
   const Progress& progress;
   RemeshResult& result;
@@ -191,7 +194,8 @@ class Iteration {
   }
   void smooth(bool is_first) {
     const RemeshOptions& options = task_.options;
-    // Between collapses and flips, relaxation pays only where a mesh is good already.
+    // Relaxation between collapses and flips is worth its time only for a mesh that is good
+    // already.
     if (options.smoothing == Smoothing::tangential && !is_first) relax();
     const bool twice = options.smoothing == Smoothing::bilaplace;
     if (options.smoothing != Smoothing::laplace && !twice) return;
@@ -206,7 +210,8 @@ class Iteration {
   EmbeddingGuard& guard_;
 };
 
-/// Components are kept if they are wider than the films that are kept.
+/// The least width of components that are kept: that of films if these are kept and it is smaller
+/// than the shortest edge, else the shortest edge.
 double least_width(const Task& task) {
   const double film = task.options.min_film / sizes_of(task.mesh).largest;
   return film > 0 ? std::min(film, task.limits.shortest) : task.limits.shortest;
@@ -223,7 +228,7 @@ void remove_small(const Task& task) {
   all.volume += removed.volume;
 }
 
-/// Lengths over all edges, in units of the local size.
+/// Statistics of the lengths of all edges, relative to the local size.
 struct ScaledLengths {
   double typical = 0;  ///< root of the mean square
   double longest = 0;
@@ -235,7 +240,7 @@ struct ScaledLengths {
       if (!mesh.has_face(face)) continue;
       const std::array<double, 3> squared = mesh.scaled_squared_lengths(face);
       for (Index i = 0; i < 3; ++i) {
-        // Without a branch, as it is a coin toss which of two halfedges is the lower.
+        // No branch here: the processor cannot predict which of two halfedges is the lower.
         const bool is_lower = 3 * face + i < mesh.opposite(3 * face + i);
         longest = std::max(longest, squared[i]);
         sum += is_lower ? squared[i] : 0;
@@ -247,9 +252,8 @@ struct ScaledLengths {
   }
 };
 
-/// Where edges are far too short, collapses them in stages of less than twice the length: with the
-/// guard made for the longest edges at once, each of its cells would hold many vertices. Returns
-/// the lengths that came of it.
+/// If edges are far too short, collapses them in stages, each with its own guard. A guard for the
+/// final edges would have many vertices in each cell and be slow. Returns the resulting lengths.
 ScaledLengths coarsen(const Task& task) {
   for (bool goes_on = true;;) {
     const ScaledLengths lengths(task.mesh);
@@ -276,8 +280,8 @@ std::unique_ptr<EmbeddingGuard> make_guard(const Task& task,
                                           task.keep_out, longest_edge);
 }
 
-/// Collapses what is far too short and splits what is too long. Returns the guard of the mesh that
-/// came of it.
+/// Collapses edges that are far too short and splits those that are too long. Returns the guard for
+/// the resulting mesh.
 std::unique_ptr<EmbeddingGuard> refine(const Task& task) {
   const ScaledLengths lengths = coarsen(task);
   if (lengths.longest <= task.limits.longest) {
@@ -307,7 +311,7 @@ void iterate(const Task& task, bool is_first, bool is_finish) {
   remove_small(task);
 }
 
-/// Removes slivers, if there are any, and counts what is left.
+/// Removes slivers and counts those that are left.
 void treat_slivers(const Task& task) {
   const SliverTest is_sliver(task.mesh, task.limits.shortest * sizes_of(task.mesh).smallest);
   Slivers left = count_slivers(task.mesh, is_sliver);

@@ -1,4 +1,4 @@
-/// Remeshes a mesh whose connectivity the caller knows already.
+/// Variant of remesh() for callers that know the connectivity.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace transformesh {
 
-/// Does what remesh.h says. `opposites` holds the opposite of each halfedge (adjacency.h), or is
-/// empty if they are not known.
+/// Equals remesh() of remesh.h. `opposites` has the opposite of each halfedge (adjacency.h), or is
+/// empty if unknown.
 RemeshResult remesh_connected(Mesh& mesh, const RemeshOptions& options, const Progress& progress,
                               std::vector<Index> opposites);
 

@@ -9,7 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Of the longest to the shortest edge: below that, halves of split edges would be collapsed again.
+/// The least ratio of the longest to the shortest edge. Below it, halves of split edges would be
+/// collapsed again.
 constexpr double least_ratio = 1.5;
 
 void check_lengths(double min_edge, double max_edge) {

@@ -12,11 +12,12 @@
 namespace transformesh {
 namespace {
 
-constexpr double growth = 0.3;  ///< of sizes, per length
+/// Sizes grow by at most this per unit of length. Larger values make fewer and less round faces.
+constexpr double growth = 0.3;
 
 double size_for(double curvature, const SizeBounds& bounds) {
   const double error = bounds.error;
-  // This is (6 e / k - 3 e^2) k: flat parts, with k = 0, divide nothing by zero.
+  // This is the squared size, 6 e / k - 3 e^2, times the curvature k, to avoid division by zero.
   const double square_times_curvature = 6 * error - 3 * error * error * curvature;
   if (square_times_curvature <= bounds.shortest * bounds.shortest * curvature)
     return bounds.shortest;
@@ -46,7 +47,7 @@ std::vector<double> sizes_of_curvature(const EditableMesh& mesh, const SizeBound
 }
 
 void grade_sizes(const EditableMesh& mesh, std::vector<double>& sizes) {
-  // Sizes spread from the smallest one upwards, as in Dijkstra's shortest paths.
+  // Sizes spread from the smallest upwards, as distances in Dijkstra's algorithm.
   struct Reached {
     double size;
     Index vertex;

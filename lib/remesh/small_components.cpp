@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// Walks over a component as long as all its edges are short, and measures it on the way.
+/// Traverses a component while all its edges are short, and measures it.
 class ComponentWalk {
  public:
   ComponentWalk(const EditableMesh& mesh, double edge)
@@ -23,7 +23,7 @@ class ComponentWalk {
   double volume() const { return six_volumes_ / 6; }
   double mean_size() const { return sizes_ / (3.0 * static_cast<double>(faces_.size())); }
 
-  /// False where the face was reached before, or a long edge shows that the component is not small.
+  /// Returns false if the face was reached before or the component has a long edge.
   bool walk(Index seed) {
     if (reached_[seed] || !has_short_edges(seed)) return false;
     faces_.assign(1, seed);
@@ -44,7 +44,7 @@ class ComponentWalk {
   }
 
  private:
-  /// False next to a face that an earlier walk reached, which then met a long edge.
+  /// Returns false if a neighbor was reached by an earlier walk, which then found a long edge.
   bool visit(Index face, const Vec3& origin) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       const Index opposite = mesh_.opposite(h);
@@ -67,10 +67,10 @@ class ComponentWalk {
   std::vector<Index> faces_;
   bool has_border_ = false;
   double six_volumes_ = 0;
-  double sizes_ = 0;  ///< sum over the corners of the faces
+  double sizes_ = 0;  ///< sum of the sizes at the corners of the faces
 };
 
-/// The second longest side of the box around the faces along their principal axes.
+/// The second longest side of the bounding box of the faces along their principal axes.
 double width_of(const EditableMesh& mesh, const std::vector<Index>& faces) {
   const Vec3 origin = mesh.position(mesh.source(3 * faces[0]));
   Vec3 sum = Vec3::Zero();

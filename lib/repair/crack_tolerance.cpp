@@ -12,24 +12,25 @@
 namespace transformesh {
 namespace {
 
-/// Least ratio between the next length and the crack width. Rounded coordinates leave ratios of
-/// thousands. A lower one would take narrow slots for cracks, a much higher one would miss cracks
-/// in finely meshed files with six digits.
+/// Least ratio of the next larger length to the crack width. Rounded coordinates give ratios of
+/// thousands. A lower limit would take narrow slots for cracks; a much higher limit would miss
+/// cracks in finely meshed files with six digits.
 constexpr double clear_gap = 8;
 
-/// Largest crack width as a share of the diagonal: files with four digits have 1e-4. At 1e-3 thin
-/// walls without an edge face would be joined.
+/// Largest crack width as a share of the bounding box diagonal. Files with four digits have cracks
+/// of 1e-4. A limit of 1e-3 would join the two sides of thin walls without rim faces.
 constexpr double widest_crack = 2e-4;
 
-/// Share of edges, of the vertices at cracks, that may be shorter than the tolerance and vanish.
-/// A mesh whose shortest edges are as short as its cracks are wide is joined all the same.
+/// Largest ratio of the number of edges up to the crack width, which collapse, to the number of
+/// vertices at cracks. A few edges may be that short; if many are, the distances are no cracks.
 constexpr double lost_edges = 0.1;
 
-/// Cosine of the angle between two faces at an edge, 25 degrees, below which they fold back.
+/// Cosine of 25 degrees. Two faces at an edge fold back if the angle between them is smaller. A
+/// larger angle would take sharp edges for the rims of plates.
 constexpr double folded_back = 0.9;
 
-/// The mesh with one vertex for all positions that are joined. Faces that lose a corner have no
-/// edges.
+/// Returns the mesh with one vertex index for all positions within `tolerance`. Faces that lose a
+/// corner are removed.
 Mesh welded(const Mesh& mesh, double tolerance) {
   const std::vector<Index> joined = weld_positions(mesh.positions, tolerance);
   Mesh result{mesh.positions, mesh.faces, {}, {}};
@@ -47,7 +48,7 @@ struct Distance {
 
 struct Lengths {
   std::vector<double> edges;      ///< ascending
-  std::vector<Distance> borders;  ///< each border vertex from the nearest edge, ascending
+  std::vector<Distance> borders;  ///< border vertices to nearest border edges, ascending
 };
 
 std::vector<double> lengths_of(const Mesh& mesh, const Edges& edges) {
@@ -63,8 +64,8 @@ std::vector<double> lengths_of(const Mesh& mesh, const Edges& edges) {
   return lengths;
 }
 
-/// The distances of border vertices from the nearest border edges that do not end in them, up to
-/// `farthest`, which stands for longer ones.
+/// Returns the distance of each border vertex from the nearest border edge that does not end in it,
+/// or `farthest` if that is smaller.
 std::vector<Distance> border_distances(const Mesh& mesh, const BorderEdges& borders,
                                        double farthest) {
   std::vector<Distance> distances;
@@ -83,8 +84,8 @@ std::size_t count_up_to(const std::vector<double>& sorted, double length) {
   return static_cast<std::size_t>(std::ranges::upper_bound(sorted, length) - sorted.begin());
 }
 
-/// The widest distance that is clearly shorter than the next one and than almost all edges.
-/// Distances below `least` count as that.
+/// Returns the largest border distance that is clearly shorter than the next one and than almost
+/// all edges. Distances below `least` count as `least`.
 Cracks widest_clear(const Lengths& lengths, double least, double diagonal) {
   Cracks found;
   const auto& borders = lengths.borders;
@@ -102,6 +103,7 @@ Cracks widest_clear(const Lengths& lengths, double least, double diagonal) {
   return found;
 }
 
+/// Returns the unit vector in the plane of a face, perpendicular to a halfedge, into the face.
 Vec3 direction_into(const Mesh& mesh, Index halfedge) {
   const Vec3& a = mesh.positions[halfedge_source(mesh, halfedge)];
   const Vec3& b = mesh.positions[halfedge_target(mesh, halfedge)];
@@ -110,7 +112,8 @@ Vec3 direction_into(const Mesh& mesh, Index halfedge) {
   return (c - a - along * along.dot(c - a)).stableNormalized();
 }
 
-/// True if most edges that the tolerance closes do not fold back, as a thin plate's rim would.
+/// True if, at most of the closed border edges, the two faces do not fold back. At the rim of a
+/// thin plate they do.
 bool continues(const Edges& edges_before, const Mesh& after) {
   std::vector<char> was_border(3 * after.faces.size(), 0);
   for (std::size_t e = 0; e < edges_before.size(); ++e) {

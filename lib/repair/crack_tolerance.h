@@ -7,15 +7,16 @@
 namespace transformesh {
 
 struct Cracks {
-  double width = 0;           ///< largest distance of a vertex from the other side; 0: no crack
-  double tolerance = 0;       ///< joins the sides (StitchOptions::tolerance); 0: no crack
-  std::size_t vertices = 0;   ///< border vertices at cracks
-  Vec3 place = Vec3::Zero();  ///< the widest
+  double width = 0;           ///< largest distance of a vertex from the other side; 0 if no crack
+  double tolerance = 0;       ///< StitchOptions::tolerance that closes the cracks; 0 if no crack
+  std::size_t vertices = 0;   ///< number of border vertices at cracks
+  Vec3 place = Vec3::Zero();  ///< border vertex at the widest place
 };
 
-/// Finds the cracks of a mesh. Compares the distances of border vertices from their nearest others
-/// with the lengths of edges. Cracks exist if there is a clear gap between the two, and if the
-/// faces on both sides continue each other, unlike the two sides of a thin plate.
+/// Finds the cracks of a mesh. Compares the distances between border vertices and border edges with
+/// the lengths of all edges. Cracks exist under two conditions: their widths are clearly smaller
+/// than almost all other lengths, and the faces on their two sides continue each other. The faces
+/// at the rim of a thin plate without rim faces fold back instead.
 Cracks find_cracks(const Mesh& mesh);
 
 }  // namespace transformesh

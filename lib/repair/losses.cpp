@@ -9,11 +9,11 @@
 namespace transformesh {
 namespace {
 
-/// Distance from the result, as a share of the diagonal, up to which a face counts as kept. A
-/// larger one would hide thin parts that are lost, a smaller one would count rounding.
+/// A face counts as kept up to this distance from the other mesh, as a share of the bounding box
+/// diagonal. A larger limit would hide the loss of thin parts; a smaller one would count rounding.
 constexpr double kept_distance = 1e-6;
 
-/// A corner of the largest lost face of the component that lost most.
+/// Returns a corner of the largest lost face of the component that lost the most area.
 Vec3 place_of_largest(const Mesh& mesh, const std::vector<char>& is_lost) {
   const Components parts = connected_components(mesh);
   std::vector<double> lost(parts.components.size(), 0);

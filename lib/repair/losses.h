@@ -1,5 +1,5 @@
-/// Measures what a step of a repair changed: sizes, the place, and the surface that is gone.
-/// Deterministic.
+/// Measures how a step of a repair changed a mesh: area and volume, the first changed place, and
+/// the share of the surface that was removed. Deterministic.
 #pragma once
 
 #include <vector>
@@ -11,21 +11,22 @@ namespace transformesh {
 struct Sizes {
   double area = 0, volume = 0;
 };
+/// Returns the area of a mesh and the volume of its closed components.
 Sizes sizes_of(const Mesh& mesh);
 
-/// Returns for each face whether its middle is not on the other mesh. Cost: O(n log n).
+/// Returns for each face of `mesh` whether its centroid does not lie on `other`. Cost: O(n log n).
 std::vector<char> faces_off(const Mesh& mesh, const Mesh& other);
 
 struct Loss {
-  double share = 0;           ///< share of the area of `before`
-  Vec3 place = Vec3::Zero();  ///< in the component that lost most
+  double share = 0;           ///< lost area / area of `before`, in [0, 1]
+  Vec3 place = Vec3::Zero();  ///< corner of a lost face in the component that lost the most area
 };
 
-/// Returns how much of the surface of a mesh is not in the other one. Cost: O(n log n).
+/// Returns how much of the surface of `before` is missing in `after`. Cost: O(n log n).
 Loss find_loss(const Mesh& before, const Mesh& after);
 
-/// A corner of the first face of one mesh that the other does not have; the origin if there is
-/// none.
+/// Returns the first corner, in the order of the faces, at which the two meshes differ. Returns the
+/// origin if they do not differ.
 Vec3 first_change(const Mesh& before, const Mesh& after);
 
 }  // namespace transformesh

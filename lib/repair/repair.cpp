@@ -21,17 +21,18 @@
 namespace transformesh {
 namespace {
 
-/// Share of the faces from which on a model is double-sided: bodies that touch have a few faces
-/// upon reverses, double-sided models all or most.
+/// A model counts as double-sided if at least this share of its faces has a duplicate with opposite
+/// orientation. Bodies that touch have a few such faces; double-sided models have all or most.
 constexpr double double_sided_share = 0.5;
 
-/// Holes whose box has a diagonal of up to this share of the model's get patches that continue the
-/// surface smoothly. Larger ones get flat patches: there the generalized winding number of the open
-/// surface is 1/2, while a smooth patch over an open bowl would be a ball.
+/// Holes get smooth patches if the diagonal of their bounding box is at most this share of the
+/// model's diagonal. Larger holes get flat patches, near the places where the generalized winding
+/// number of the open surface is 1/2; a smooth patch would turn an open bowl into a ball. A larger
+/// share inflates openings; a smaller one leaves dents in curved surfaces.
 constexpr double small_hole = 0.1;
 
-/// Rounds of filling and cleaning: cleaning closes slits that filling leaves, and a second round
-/// fills holes that cleaning left. More never helped.
+/// Most rounds of filling and cleaning. Cleaning closes slits that filling leaves, and the second
+/// round fills holes that cleaning leaves. More rounds never helped.
 constexpr int most_rounds = 3;
 
 bool is_oriented_manifold(const ManifoldReport& found) {
@@ -45,8 +46,8 @@ bool is_solid(const MeshCheck& check, bool may_be_open) {
          (may_be_open || check.manifold.is_closed());
 }
 
-/// True if the reverses of faces are a second side. In a model that is oriented, a few reverses are
-/// walls between bodies that touch, which cancel out.
+/// True if the mesh has a second side that must be removed. In an oriented mesh, a few duplicates
+/// with opposite orientation are walls between bodies that touch, and cleaning cancels them.
 bool has_one_side_too_many(const Mesh& mesh) {
   const auto reverses = static_cast<double>(count_double_sided(mesh));
   if (reverses == 0) return false;
@@ -58,7 +59,7 @@ bool has_one_side_too_many(const Mesh& mesh) {
   return !describe_misorientation(welded).empty();
 }
 
-/// True if every face has its corners in the same places, in the same order.
+/// True if all faces have the same corner positions in the same order.
 bool has_same_triangles(const Mesh& before, const Mesh& after) {
   if (before.faces.size() != after.faces.size()) return false;
   for (std::size_t f = 0; f < before.faces.size(); ++f)
@@ -103,7 +104,8 @@ MeshCheck Repair::check() const {
   return check_mesh(steps_.mesh(), options, progress_);
 }
 
-// A surface with one side cannot be oriented: it is left open where faces disagree.
+// Stitches the mesh. A surface with one side cannot be oriented; it stays open at the edges where
+// faces disagree.
 void Repair::stitch(StitchOptions options) {
   try {
     steps_.stitch(options);

@@ -23,7 +23,8 @@ void add_finding(RepairStep& step, std::size_t count, const std::string& noun,
   step.findings.push_back(counted(count, noun) + ' ' + verb);
 }
 
-/// Filling drops nothing, and stitching only faces that lie upon others or have no area.
+/// True if the operation may remove surface. Filling removes nothing; stitching removes only
+/// duplicates and faces without area.
 bool may_lose(const RepairStep& step) {
   return std::holds_alternative<CleanOptions>(step.operation) ||
          std::holds_alternative<SelectionOptions>(step.operation);

@@ -1,7 +1,7 @@
-/// The operations of a repair, applied one after the other to one mesh and recorded. Each function
-/// applies one operation to the mesh as its program would read and write it, so that the recorded
-/// operations give the same mesh as programs on pipes. An operation that changes nothing is not
-/// recorded.
+/// Applies the operations of a repair to a mesh, one after the other, and records them. Each
+/// operation reads and returns rounded coordinates, as a program does that reads and writes files.
+/// The recorded operations therefore give the same mesh as a pipeline of programs. An operation
+/// that changes nothing is not recorded.
 #pragma once
 
 #include "transformesh/repair.h"
@@ -15,19 +15,19 @@ class RepairSteps {
 
   const Mesh& mesh() const { return mesh_; }
 
-  /// Throws InputError for a surface with one side if it is to be oriented.
+  /// Throws InputError if `options` ask for an orientation and the surface has only one side.
   void stitch(const StitchOptions& options);
-  /// Closes all holes of at most this diameter, by patches that may intersect the mesh.
+  /// Fills all holes of at most this diameter with patches that may intersect the mesh.
   void fill(bool fair, double max_diameter);
   void clean();
-  /// Drops components with less area.
+  /// Removes components with an area below `least_area`.
   void drop_components(double least_area);
 
   std::vector<RepairStep> take_steps() { return std::move(steps_); }
   Mesh take_mesh() { return std::move(mesh_); }
 
  private:
-  /// Rounds `after` as it would be written, measures the change and takes it over.
+  /// Rounds `after` as it would be written, measures the change, and makes it the current mesh.
   void record(Mesh after, RepairStep step);
 
   Mesh mesh_;

@@ -8,9 +8,9 @@
 namespace transformesh {
 namespace {
 
-/// Share of the whole area below which a component is a shard: a ball of 1/300 of the diameter of
-/// the model. By the isoperimetric inequality its volume is less than 4e-8 of a compact model.
-/// Without it cut faces leave crumbs; ten times as much would drop screws of a machine.
+/// A component is a shard if its area is below this share of the total area: the area of a ball of
+/// 1/300 of the model's diameter. Its volume is below 4e-8 of that of a compact model
+/// (isoperimetric inequality). At 0, crumbs of cut faces stay; at 1e-4, screws of a machine vanish.
 constexpr double shard_share = 1e-5;
 
 }  // namespace

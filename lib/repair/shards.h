@@ -1,11 +1,12 @@
-/// Components that are too small to be parts of a model: crumbs of cut faces. O(n).
+/// Finds shards: components that are too small to be parts of a model, such as crumbs of cut faces.
+/// O(n).
 #pragma once
 
 #include "transformesh/mesh.h"
 
 namespace transformesh {
 
-/// Returns the least area that a component must have to stay; 0 if all may stay.
+/// Returns the area below which a component is a shard; 0 if the mesh has no shards.
 double least_area(const Mesh& mesh);
 
 }  // namespace transformesh

@@ -12,16 +12,21 @@
 namespace transformesh {
 namespace {
 
+/// Least number of samples. The least overlap, 20 % of them, is then the least number of pairs.
 constexpr std::size_t least_samples = 100;
-/// Registrations that are tried at first: as the mesh is, and turned about each axis both ways.
-/// From one start alone, a quarter of 20 degree rotations of a figure end in a wrong place.
+
+/// Number of short registrations: from the position of the mesh, and from rotations by
+/// `start_angle_deg` about each axis in both directions. From the position alone, a quarter of 20
+/// degree rotations of a figure end in a wrong position. The time grows in proportion.
 constexpr int starts = 7;
 constexpr double start_angle_deg = 30;
-/// Enough to tell a right place from a wrong one, at a fifth of the time of the registration.
+/// Samples of a short registration. They suffice to distinguish a right from a wrong position, in a
+/// fifth of the time of the final registration.
 constexpr std::size_t samples_of_start = 1000;
 constexpr int iterations_of_start = 40;
 
-/// Maps input units to units of the diagonal of the reference, around its center.
+/// The frame of the registration. Its origin is the center of the reference's bounding box, and its
+/// unit is the diagonal of that box.
 struct Frame {
   Vec3 center;
   double size;
@@ -42,7 +47,7 @@ RigidMotion start_motion(int start, const Vec3& center) {
   return motion;
 }
 
-/// The end of the short registration with the least fractional root mean square.
+/// Returns the result of the short registration with the least cost (Overlap).
 RigidMotion best_start(const Mesh& mesh, const RegistrationSurface& surface,
                        const Progress& progress) {
   RigidMotion best;
@@ -61,7 +66,7 @@ RigidMotion best_start(const Mesh& mesh, const RegistrationSurface& surface,
       least = cost;
       best = registration.motion();
     } catch (const GoalError&) {
-      continue;  // The registration from the start that is left says so again.
+      continue;  // If all starts fail, the final registration throws the error again.
     }
   }
   return best;
@@ -71,7 +76,7 @@ void refuse_empty(const Mesh& mesh, const std::string& name) {
   if (mesh.positions.empty()) throw InputError(name + " has no vertices");
 }
 
-/// In units of the reference.
+/// Throws InputError if the area of a mesh, in the frame of the reference, is zero or infinite.
 void check_area(const Mesh& mesh, const std::string& name) {
   if (mesh.faces.empty()) return;
   const double area = surface_area(mesh);
@@ -93,7 +98,7 @@ Frame frame_of(const Mesh& reference) {
   return {box.min() + (box.max() - box.min()) / 2, size};
 }
 
-/// The motion in input units.
+/// Returns the matrix of a motion in input units.
 Matrix4 matrix_of(const RigidMotion& motion, const Frame& frame) {
   Matrix4 matrix = Matrix4::Identity();
   matrix.topLeftCorner<3, 3>() = motion.rotation;

@@ -15,7 +15,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t vertices_per_task = 4096;
+constexpr std::size_t vertices_per_task = 4096;  ///< affects time only
 
 void check(const Mesh& mesh, std::span<const Vec3> velocities, const DisplaceOptions& options) {
   if (!std::isfinite(options.time_step)) throw UsageError("the time step is not a finite number");
@@ -35,7 +35,8 @@ struct Step {
   bool is_clamped = false;
 };
 
-/// The velocity is scaled by its largest coordinate first, so that no square overflows.
+/// Returns time_step * velocity, shortened to `limit`. The velocity is first divided by its largest
+/// coordinate, so that no square overflows.
 Step clamped_step(const Vec3& velocity, double time_step, double limit) {
   const double scale = velocity.cwiseAbs().maxCoeff();
   if (scale == 0 || time_step == 0) return {};
@@ -45,8 +46,8 @@ Step clamped_step(const Vec3& velocity, double time_step, double limit) {
   return {std::copysign(limit, time_step) * direction.normalized(), true};
 }
 
-/// Throws where faces collapse or become flat, because coordinates are farther apart than the edges
-/// were.
+/// Throws GoalError if, at most vertices, the spacing of coordinates exceeds the mean edge length.
+/// Faces would collapse there.
 void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
                   const std::vector<char>& is_moved) {
   std::size_t lost = 0;
@@ -60,9 +61,9 @@ void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
   }
 }
 
-/// Per vertex.
+/// Clamped steps; each vector has an entry per vertex.
 struct AxisDirections {
-  std::vector<double> limits;
+  std::vector<double> limits;  ///< alpha * e_avg(p)
   std::vector<Vec3> displacements;
   std::vector<char> is_clamped;
 };
@@ -83,7 +84,7 @@ AxisDirections clamped_ways(std::span<const Vec3> velocities, const HalfedgeLeng
   return ways;
 }
 
-/// Returns which vertices moved.
+/// Moves the vertices, and returns for each whether its position changed.
 std::vector<char> move(Mesh& mesh, const std::vector<Vec3>& displacements, Scalar coordinate) {
   std::vector<char> is_moved(displacements.size(), 0);
   parallel_for(is_moved.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {
@@ -96,7 +97,7 @@ std::vector<char> move(Mesh& mesh, const std::vector<Vec3>& displacements, Scala
   return is_moved;
 }
 
-/// Sums up in the order of the vertices.
+/// Computes the summary of a step. Sums are in the order of the vertices, hence deterministic.
 void summarize(const AxisDirections& ways, const std::vector<char>& is_moved,
                DisplaceResult& result) {
   double squares = 0;

@@ -1,4 +1,4 @@
-/// Displaces a mesh whose edge lengths the caller has measured already.
+/// Variant of displace() for callers that have already measured the edge lengths.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-/// Does what displace() does, given halfedge_lengths() of the mesh.
+/// Equals displace(); `edges` must be halfedge_lengths() of the mesh.
 DisplaceResult displace_measured(Mesh& mesh, std::span<const Vec3> velocities,
                                  const DisplaceOptions& options, const HalfedgeLengths& edges);
 

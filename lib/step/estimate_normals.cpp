@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 1024;
+constexpr std::size_t points_per_task = 1024;  ///< affects time only
 
 using Neighbors = std::vector<std::vector<Index>>;
 
@@ -26,7 +26,7 @@ Neighbors find_neighbors(std::span<const Vec3> points, std::size_t count) {
 }
 
 Vec3 direction_of_least_spread(std::span<const Vec3> points, const std::vector<Index>& chosen) {
-  // Offsets are taken from one of the points, so that equal points give exactly nothing.
+  // Offsets are relative to one of the points, so that equal points give exactly zero.
   const Vec3& origin = points[chosen[0]];
   Vec3 mean = Vec3::Zero();
   for (const Index p : chosen) mean += (points[p] - origin) / static_cast<double>(chosen.size());
@@ -40,7 +40,7 @@ Vec3 direction_of_least_spread(std::span<const Vec3> points, const std::vector<I
   return solver.eigenvectors().col(0).normalized();
 }
 
-// The neighbors of each point, and those whose neighbor it is.
+// Returns the symmetric neighborhood graph: p and q are adjacent if one is a neighbor of the other.
 Neighbors made_mutual(const Neighbors& neighbors) {
   Neighbors mutual(neighbors.size());
   for (Index p = 0; p < neighbors.size(); ++p) {
@@ -53,8 +53,9 @@ Neighbors made_mutual(const Neighbors& neighbors) {
   return mutual;
 }
 
-/// Prim's algorithm, begun at the highest point that is not reached yet: the tree grows along the
-/// edge whose ends agree best, and the new end is turned to agree.
+/// Propagates signs by Prim's algorithm, which starts at the highest point not yet reached. The
+/// tree grows along the edge whose normals are most parallel, and flips the new normal if it is
+/// opposite.
 class Orientation {
  public:
   Orientation(std::span<const Vec3> points, const Neighbors& neighbors, std::vector<Vec3>& normals)

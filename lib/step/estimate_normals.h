@@ -1,11 +1,13 @@
-/// Normals for points that have none: each is the direction of least spread of its neighbors
-/// (principal component analysis), and neighbors are turned to agree along a spanning tree that
-/// crosses sharp bends last. Reference: Hoppe et al., "Surface reconstruction from unorganized
-/// points", SIGGRAPH 1992.
+/// Estimates normals of points. Each normal is the direction of least variance of the neighbors of
+/// the point (principal component analysis). Signs are propagated along a minimum spanning tree of
+/// the neighborhood graph, whose edges cost more if the two normals differ more. Reference: Hoppe,
+/// DeRose, Duchamp, McDonald & Stuetzle, "Surface reconstruction from unorganized points", SIGGRAPH
+/// 1992.
 ///
-/// Where the neighborhoods fall into several groups, each is turned outwards on its own at its
-/// highest point, so a cavity comes out reversed. Right where points sample a closed surface more
-/// densely than its sheets are apart. Floating point; deterministic. Cost: O(k n log n).
+/// Each connected component of the graph gets an upward normal at its highest point, so that the
+/// normals around a cavity are reversed. Signs are right if the points sample a closed surface and
+/// are closer to each other than its sheets are. Floating point; deterministic. Cost: O(k n log n)
+/// for k neighbors.
 #pragma once
 
 #include <span>
@@ -15,8 +17,9 @@
 
 namespace transformesh {
 
-/// Unit normals, one per point; zero where all neighbors coincide. `neighbors`, at least 3,
-/// is how many others a point looks at. Throws InputError for fewer than four points.
+/// Returns a unit normal per point, or zero if all its neighbors coincide. `neighbors` is the
+/// number of other points in a neighborhood, at least 3. Throws InputError for fewer than four
+/// points.
 std::vector<Vec3> estimate_normals(std::span<const Vec3> points, std::size_t neighbors = 12);
 
 }  // namespace transformesh

@@ -12,7 +12,9 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t faces_per_task = 256;
+constexpr std::size_t faces_per_task = 256;  ///< affects time only
+/// After this many halvings, at 1/32 of its movement, a vertex stops. More halvings leave smaller
+/// remaining gaps and take more tests.
 constexpr int most_halvings = 5;
 
 class Holder {
@@ -64,8 +66,9 @@ class Holder {
     return keep_out_.allows({&after, 1}, {&before, 1}, sides);
   }
 
-  // Each side is cut from the lower vertex before to the higher one after, so that the prisms of
-  // neighbors have the same.
+  // Returns the sides of the prism that a face sweeps. The diagonal of each side goes from the old
+  // position of the vertex with the lower index to the new position of the other vertex. Prisms of
+  // adjacent faces thus share their side.
   static std::array<Triangle, 6> swept_sides(const Face& corners, const Triangle& before,
                                              const Triangle& after) {
     std::array<Triangle, 6> sides;
@@ -82,7 +85,7 @@ class Holder {
     return sides;
   }
 
-  // Returns the faces at the vertices that go less far now.
+  // Halves the movements of the vertices of `faces`. Returns all faces at these vertices.
   std::vector<Index> hold_back_at(const std::vector<Index>& faces, std::vector<int>& halvings,
                                   const VertexFaces& faces_at) {
     std::vector<Index> vertices;

@@ -1,15 +1,16 @@
-/// Shortens the movements of vertices so that a surface moved by them stays away from another.
+/// Shortens the movements of vertices so that the moved surface keeps a gap from an obstacle, which
+/// is another surface.
 ///
-/// A face may move where it can reach nothing nearer than the gap on any way, or where its place at
-/// the end is no nearer than the gap (or than it was, where it was nearer) and nothing of the other
-/// surface lies in the prism that it sweeps (keep_out.h). Where one may not, the movements of its
-/// three vertices are halved, five times, and then are none; all that changed is asked again. So
-/// the moved surface keeps the gap but for rounding, has not swept over any of the other surface,
-/// and no vertex turns from its way. Movement along the other surface and away from it stays free.
+/// A face may move in two cases. Either its longest movement is too short to bring it closer to the
+/// obstacle than the gap. Or KeepOut::allows() its new position: the face keeps the gap there, and
+/// no part of the obstacle lies in the prism that it sweeps. If a face may not move, movements of
+/// its three vertices are halved; after five halvings they are set to zero. All faces at changed
+/// vertices are tested again. As a result, the moved surface keeps the gap up to rounding and has
+/// not passed through the obstacle. Directions of movements stay the same. A face that was closer
+/// than the gap does not come closer.
 ///
-/// Positions and movements are those of the vertices of `mesh`; the other columns are not used.
-/// Throws InputError where the mesh meets the other surface, UsageError for a gap that is not
-/// positive. Cost: O(n log n) for n faces; in parallel; deterministic.
+/// Throws InputError if the mesh intersects the obstacle, and UsageError if the gap is not
+/// positive. Cost: O(n log n) for n faces, in parallel; deterministic.
 #pragma once
 
 #include <vector>
@@ -20,12 +21,14 @@ namespace transformesh {
 
 struct LimitedMovements {
   std::size_t held_back = 0;  ///< vertices whose movement was shortened
-  std::size_t near = 0;       ///< faces that are nearer than the gap before they move
+  std::size_t near = 0;       ///< faces that are closer than the gap before they move
 };
 
-/// Where a vertex goes, as a number of that type. Without movement it stays.
+/// Returns position + movement, rounded to `coordinate`; the unrounded position if the movement is
+/// zero.
 Vec3 moved_position(const Vec3& position, const Vec3& movement, Scalar coordinate);
 
+/// Shortens `movements`, one per vertex of the mesh.
 LimitedMovements limit_movements(const Mesh& mesh, const KeepOutOptions& keep_out,
                                  Scalar coordinate, std::vector<Vec3>& movements);
 

@@ -18,14 +18,22 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t vertices_per_task = 64;
-/// A ball that is still not empty after so many cuts is taken as it is.
+constexpr std::size_t vertices_per_task = 64;  ///< affects time only
+/// Most times that a ball shrinks. A ball that is not empty after that keeps its last diameter,
+/// which is too large.
 constexpr int most_cuts = 20;
-/// A contact counts if it is deeper inside the ball than this share of the radius.
+
+/// A ball shrinks if an opposite sheet reaches deeper into it than this share of the radius.
+/// Smaller shares give more accurate diameters and take more searches.
 constexpr double depth = 0.05;
-constexpr double facing = -0.5;  ///< cosine of 120 degrees
-/// Cosine of 20 degrees: a face that turns by less from the normals at its vertex is not asked on
-/// its own. Smaller angles cost time on curved targets, and change nothing at sharp edges.
+
+/// Cosine of 120 degrees. Sheets whose normals differ by more are opposite. Smaller angles would
+/// count blunt corners as narrow places.
+constexpr double facing = -0.5;
+
+/// Cosine of 20 degrees. At a vertex, a face whose normal differs by less from a normal already
+/// tested is skipped. Smaller angles cost time on curved targets, and change nothing at sharp
+/// edges.
 constexpr double alike = 0.94;
 /// Rounding error of the distance from a point to a face that contains it, relative to coordinates.
 constexpr double rounding = 1e-12;
@@ -36,11 +44,13 @@ struct Contact {
   Vec3 point = Vec3::Zero();
   Vec3 normal = Vec3::Zero();
 };
-/// The closest point, within `distance` of `center`, of the sheets that face the contact.
+/// Returns the closest point to `center` within `distance` that lies on a sheet opposite to the
+/// contact.
 using Search =
     std::function<std::optional<Vec3>(const Vec3& center, double distance, const Contact& contact)>;
 
-/// The diameter of the ball that touches the contact with its center along `direction`.
+/// Returns the diameter of the largest empty ball that touches the contact and whose center lies
+/// along `direction`; infinity if it is not less than `reach`.
 double ball_width(const Contact& contact, const Vec3& direction, double reach,
                   const Search& closest) {
   double radius = reach / 2;
@@ -50,7 +60,7 @@ double ball_width(const Contact& contact, const Vec3& direction, double reach,
     const std::optional<Vec3> other = closest(center, (1 - depth) * radius, contact);
     if (!other) return width;
 
-    // The next ball passes through that point too.
+    // The next ball passes through the contact and through *other.
     const Vec3 way = *other - contact.point;
     radius = way.squaredNorm() / (2 * way.dot(direction));
     if (!(radius > 0)) return width;
@@ -73,8 +83,8 @@ std::vector<double> measured(std::size_t count, const std::function<double(Index
   return widths;
 }
 
-/// The search among the faces of a mesh. Those with a corner at the contact are no other sheet,
-/// however sharp the edge.
+/// Returns a search among the faces of a mesh. Faces with a corner at the contact do not count as
+/// an opposite sheet, even if the edge between them is sharp.
 Search search_of(const ClosestPointQuery& query) {
   return [&query](const Vec3& center, double distance, const Contact& contact) {
     return query.closest_within(
@@ -97,7 +107,8 @@ Search search_of(const KdTree& tree, const Target& target) {
   };
 }
 
-/// The least width at a point, by that normal and those of the faces that turn away from it.
+/// Returns the least thickness at a contact, tested with its normal and with the normals of those
+/// faces that differ from it.
 double least_width(const Mesh& mesh, const Contact& first, std::span<const Index> faces,
                    double reach, const Search& closest) {
   std::vector<Vec3> normals{first.normal};

@@ -1,16 +1,16 @@
-/// Local thickness of a surface and of the space beside it (local feature size, but without what
-/// curvature adds). At a point with a normal it is the diameter of the smallest ball that touches
-/// the surface there, from outside or from inside, and touches another sheet, whose normal turns
-/// away by more than 120 degrees. So gaps and walls are narrow; curved parts and edges are not. At
-/// a sharp edge the normals of its faces count one by one: a slot is as narrow at its rim as
-/// inside.
+/// Measures the local thickness of a surface and of the gaps beside it: local feature size without
+/// the effect of curvature. The thickness at a point with a normal is the diameter of the smallest
+/// ball that touches the surface at the point, from outside or from inside, and touches an opposite
+/// sheet. A sheet is opposite if its normal differs by more than 120 degrees. Gaps and walls are
+/// therefore thin; curved parts and sharp edges are not. At a sharp edge the normals of its faces
+/// are tested separately, so that a slot is as narrow at its rim as inside.
 ///
-/// Balls are made smaller until no more of such a sheet lies inside than 5 % of the radius.
-/// Reference: Ma, Bae & Choi, "3D medial axis point approximation using nearest neighbors and the
-/// normal field", The Visual Computer 28, 2012; here with the closest points of faces, and without
-/// the sheets that do not face the point.
-/// Floating point; deterministic for any number of threads. Cost: O(n log n), some ten closest
-/// points a vertex, in parallel.
+/// A ball shrinks until no opposite sheet reaches deeper into it than 5 % of its radius. Reference:
+/// Ma, Bae & Choi, "3D medial axis point approximation using nearest neighbors and the normal
+/// field", The Visual Computer 28, 2012. Departures: contacts are closest points on faces instead
+/// of sample points, and sheets that are not opposite are ignored. Floating point; deterministic
+/// for any number of threads. Cost: O(n log n), about ten closest-point queries per vertex, in
+/// parallel.
 #pragma once
 
 #include <vector>
@@ -20,20 +20,20 @@
 
 namespace transformesh {
 
-/// One diameter per vertex of the target, in input units: infinity where nothing is narrower than
-/// `reach` (above 0). Of points, contacts are with points only, and diameters are too large by what
-/// the samples miss.
+/// Returns a diameter per vertex of the target, in input units; infinity if it is not less than
+/// `reach`, which must be > 0. If the target is a point set, contacts are points, so that diameters
+/// are too large by an amount that depends on the sampling density.
 std::vector<double> local_thickness(const Target& target, double reach,
                                     const Progress& progress = Progress());
 
-/// The least one at the point of the target's faces that is closest to `place`, and at the corners
-/// of its face nearer than `reach`. Cost: O(n).
+/// Returns the least thickness at the point of the target's faces that is closest to `place`, and
+/// at the corners of its face that are closer to `place` than `reach`. Cost: O(n).
 double local_thickness_near(const TargetQuery& target, const Vec3& place, double reach);
 
-/// The target with its thickness measured, up to `gap_edges` times `edge` (both above 0). Its faces
-/// are split until no edge is longer than half of that, or of `edge` if that is more: a narrow
-/// place inside a large face shows at no vertex, and one beside it is no reason for short edges all
-/// over the face.
+/// Returns the target with its thickness measured up to `gap_edges` * `edge`; both must be > 0.
+/// Faces are first split until no edge is longer than half of that, or half of `edge` if that is
+/// larger. Without the split, a narrow place inside a large face would be at no vertex, and one at
+/// a corner would count for the whole face.
 Target with_thickness(const Target& target, double gap_edges, double edge,
                       const Progress& progress = Progress());
 

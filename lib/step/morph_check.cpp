@@ -17,7 +17,7 @@ std::string named(const std::string& what, const std::string& name) {
   return name.empty() ? what : what + ' ' + name;
 }
 
-// Without columns. Corners that weld make faces without area, which have no say.
+// Returns the mesh without columns, with equal positions merged. Faces that collapse are removed.
 Mesh welded(const Mesh& mesh) {
   Mesh result;
   result.positions = mesh.positions;
@@ -29,7 +29,7 @@ Mesh welded(const Mesh& mesh) {
   return result;
 }
 
-// Returns the number of its border edges.
+// Throws InputError if the mesh is not oriented or inside out. Returns the number of border edges.
 std::size_t check_orientation(const Mesh& mesh, const std::string& what) {
   const Problem problem = find_misorientation(mesh);
   if (!problem.sentence.empty()) throw InputError(prefixed(what + " is not oriented: ", problem));

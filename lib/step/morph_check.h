@@ -1,8 +1,6 @@
-/// Whether a morph can get anywhere: what its target and its source have to be (paper 5.2).
-///
-/// A surface knows which side of a target it is on by the target's orientation alone. Equal
-/// positions are one vertex. `name` is that of its file for messages, or empty. Cost: O(n log n),
-/// and that of finding intersections; deterministic.
+/// Checks the source of a morph (paper 5.2). The sign of the distance to the target, and thus the
+/// direction of a morph, follows from the orientation of both meshes. Equal positions count as one
+/// vertex. Cost: O(n log n); deterministic.
 #pragma once
 
 #include <string>
@@ -13,8 +11,9 @@
 
 namespace transformesh {
 
-/// Throws InputError for a source that is not oriented or inside out. Returns a warning if its box
-/// does not meet that of the target: then it finds nothing there.
+/// Throws InputError if the source is not oriented or is inside out. Returns a warning if its
+/// bounding box does not overlap that of the target: it would shrink to nothing. `name` is the
+/// source's file name for messages, or empty.
 std::vector<Problem> check_source(const Mesh& source, const Target& target,
                                   const std::string& name);
 

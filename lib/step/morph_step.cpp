@@ -15,12 +15,15 @@
 namespace transformesh {
 namespace {
 
-/// The largest distance from the target has to come out right while it is no more than this.
+/// Distances from the target are exact up to this many mean edge lengths, and estimated beyond.
+/// A larger value makes `from_target` more accurate early in a morph and takes more searches.
 constexpr double far_from_target_in_edges = 4;
-constexpr double least_share = 0.05;  ///< of the largest size, for the smallest
 
-/// Vertices farther away move by their clamp, whatever their distance, unless a mask shortens the
-/// movement.
+/// Smallest value of the column `size`, as a share of the largest; limits the number of vertices.
+constexpr double least_share = 0.05;
+
+/// Returns the distance beyond which the clamp limits the movement of every vertex, so that it need
+/// not be known exactly. Infinity if a mask shortens movements.
 double exact_within(const MorphStepOptions& options, const HalfedgeLengths& edges) {
   if (!options.mask.empty()) return std::numeric_limits<double>::infinity();
   const double clamped_beyond = options.displace.alpha * edges.maximum / options.displace.time_step;

@@ -1,4 +1,4 @@
-/// A step of a morph whose target is searched in step after step.
+/// Variant of morph_step() for many steps with one target.
 #pragma once
 
 #include "step/target_query.h"
@@ -6,7 +6,7 @@
 
 namespace transformesh {
 
-/// Does what morph_step() of morph_step.h does. The query keeps its search structures.
+/// Equals morph_step() of morph_step.h, but reuses the search structures of `query`.
 MorphStepResult morph_step(Mesh& mesh, const TargetQuery& query,
                            const MorphStepOptions& options = {},
                            const Progress& progress = Progress());

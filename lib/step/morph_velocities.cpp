@@ -17,16 +17,18 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t queries_per_task = 512;
+constexpr std::size_t queries_per_task = 512;  ///< affects time only
+/// Number of tangent planes for the sign of a far point. Fewer give wrong signs beyond thin tips.
 constexpr std::size_t planes_of_points = 12;
+/// Most target vertices in distance_from_target(). More cost time and make the summary finer.
 constexpr std::size_t most_vertices_of_target = 1024;
 
 constexpr double wide = std::numeric_limits<double>::infinity();
 
-/// What a search from every vertex of the mesh finds.
+/// Results of the searches from all vertices of the mesh.
 struct Found {
   std::vector<double> distances;
-  std::vector<double> thickness;  ///< empty where the target's is
+  std::vector<double> thickness;  ///< empty if the target's thickness is not measured
 };
 
 std::vector<double> room_for_thickness(const Mesh& mesh, const Target& target) {
@@ -40,7 +42,7 @@ Found search_surface(const Mesh& mesh, const TargetQuery& query, double exact_wi
   const Target& target = query.target();
   const ClosestPointQuery& closest = query.surface();
   Found found{{}, room_for_thickness(mesh, target)};
-  // What is near enough depends on where the search begins, so that a hint would change it.
+  // Approximate searches get no hint: their result would depend on it.
   const auto search = [&](Index v, double sign, Index hint) {
     const Vec3& p = mesh.positions[v];
     if (sign != 0) return searched_distance(p, closest.nearby(p, far_tolerance), sign);
@@ -58,9 +60,10 @@ Found search_surface(const Mesh& mesh, const TargetQuery& query, double exact_wi
   return found;
 }
 
-/// The signed distance to the planes at those vertices, nearest first. The plane of the nearest one
-/// is right by the surface. Farther away than samples are from each other, the mean over all planes
-/// says on which side the point is, and is taken where the nearest one's plane says otherwise.
+/// Returns the signed distance to the target's tangent planes at the vertices `nearest`, nearest
+/// first. Near the surface this is the distance to the first plane. Farther away than the samples
+/// are from each other, the weighted mean over all planes decides the side; it replaces the
+/// distance to the first plane if the signs differ.
 double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
                           std::span<const Vec3> normals, std::span<const Index> nearest) {
   const auto squared = [&](Index q) { return (p - points[q]).squaredNorm(); };
@@ -81,7 +84,8 @@ double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
   return is_same_side ? to_nearest : sum / weights;
 }
 
-// Distances to tangent planes jump from vertex to vertex, so they are never estimated.
+// Searches from every vertex: distances to tangent planes are not continuous, so that estimates
+// from other vertices would be wrong.
 Found search_vertices(const Mesh& mesh, const TargetQuery& query, std::size_t planes) {
   const Target& target = query.target();
   const KdTree& tree = query.vertices();
@@ -111,7 +115,7 @@ Vec3 closest_around_vertex(const Vec3& query, const Mesh& mesh, Index vertex,
   return closest;
 }
 
-/// Takes vertices at equal steps from the list, so that no more than `most` are left.
+/// Returns every k-th point, with the least k that leaves at most `most` points.
 std::vector<Vec3> thinned(std::span<const Vec3> points, std::size_t most) {
   const std::size_t stride = (points.size() + most - 1) / most;
   std::vector<Vec3> result;

@@ -1,18 +1,21 @@
-/// Velocities that evolve a surface towards a target (paper 5.2): F(p) = -phi(p) N(p), phi being
+/// Velocities that evolve a surface towards a target (paper 5.2): F(p) = -phi(p) N(p). Here phi is
 /// the signed distance to the target, negative inside, and N(p) the angle-weighted vertex normal.
-/// What is outside the target shrinks, what is inside grows (Breen & Whitaker, "A level-set
-/// approach for the metamorphosis of solid models", TVCG 2001).
+/// The part of the surface outside of the target shrinks, the part inside grows. Reference: Breen &
+/// Whitaker, "A level-set approach for the metamorphosis of solid models", TVCG 2001.
 ///
-/// - MorphDistance::vertex, the paper's heuristic: with q the target vertex nearest to p and n its
-///   normal, F(p) = ((q - p) . n) N(p). It needs a target sampled as finely as the source, and
-///   vanishes beside sharp edges.
-/// - MorphDistance::points: the same, but farther away than samples are from each other the mean
-///   over twelve planes decides on the side (Kolluri, "Provably good moving least squares", TALG
-///   4(2), 2008): one alone errs beyond the tip of a limb, and the surface runs away there.
-/// - MorphDistance::surface: to the closest point of the target's faces (closest_point.h).
+/// - MorphDistance::vertex is the paper's heuristic: F(p) = ((q - p) . n) N(p), where q is the
+///   target vertex nearest to p and n its normal. The target must be sampled as finely as the
+///   source. F vanishes beside sharp edges.
+/// - MorphDistance::points is `vertex` with another sign at points that are farther from the target
+///   than its samples are from each other. There the weighted mean of the distances to the tangent
+///   planes of twelve vertices decides the side (Kolluri, "Provably good moving least squares",
+///   TALG 4(2), 2008). A single plane gives the wrong sign beyond the tip of a limb, and the
+///   surface would move away without end.
+/// - MorphDistance::surface: distance to the closest point of the target's faces.
 ///
-/// A component of the target outside the source stays unfound; one of the source outside shrinks.
-/// Cost: O(n log m) in parallel; deterministic for any number of threads. Floating point.
+/// A component of the target that the source does not overlap is not reached; a component of the
+/// source outside of the target shrinks. Cost: O(n log m) for n and m vertices, in parallel.
+/// Floating point; deterministic for any number of threads.
 #pragma once
 
 #include <limits>
@@ -26,30 +29,32 @@
 namespace transformesh {
 struct MorphVelocityOptions {
   MorphDistance distance = MorphDistance::surface;
-  /// With MorphDistance::surface, |phi| beyond this is estimated, to a few percent
-  /// (sample_distance.h): for steps that are clamped there anyway. Input units.
+  /// MorphDistance::surface estimates |phi| to a few percent if it exceeds this length
+  /// (sample_distance.h). Set it to a distance beyond which steps are clamped. Input units.
   double exact_within = std::numeric_limits<double>::infinity();
 };
 
 struct MorphVelocities {
   std::vector<Vec3> velocities;  ///< one per vertex of the mesh
-  DistanceSummary to_target;     ///< of |phi| over the vertices of the mesh
-  /// Of the closest face or vertex of the target, where the target's is measured; infinity beyond
-  /// `exact_within`.
+  DistanceSummary to_target;     ///< summary of |phi| over the vertices of the mesh
+  /// Thickness of the target at the face or vertex closest to each vertex; infinity beyond
+  /// `exact_within`. Empty if the target's thickness is not measured.
   std::vector<double> thickness;
 };
 
-/// `order`: hilbert_order() of the vertices, if it is known. Throws InputError for a mesh without
-/// faces, UsageError for surface distance to points.
+/// Returns the velocities of a mesh. `order` may be hilbert_order() of the vertices; if it is
+/// empty, it is computed. Throws InputError for a mesh without faces, and UsageError for
+/// MorphDistance::surface if the target has no faces.
 MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
                                  const MorphVelocityOptions& options = {},
                                  const Progress& progress = Progress(),
                                  std::vector<Index> order = {});
 
-/// Distances from vertices of the target (all, or 513 to 1024 taken evenly from the list of more)
-/// to the surface of the mesh, which show what the mesh has missed. Only faces around the nearest
-/// vertex of the mesh are looked at, so that a distance may be too large by a fraction of an edge;
-/// beyond `exact_within` distances are estimated. Throws InputError for a mesh without faces.
+/// Summarizes the distances from target vertices to the surface of the mesh, which show the parts
+/// of the target that the mesh has not reached. Uses all target vertices, or 513 to 1024 at equal
+/// steps of their order if there are more. Only faces around the nearest mesh vertex are tested, so
+/// that a distance may be too large by a fraction of an edge. Distances beyond `exact_within` are
+/// estimated. Throws InputError for a mesh without faces.
 DistanceSummary distance_from_target(const Target& target, const Mesh& mesh,
                                      double exact_within = std::numeric_limits<double>::infinity(),
                                      const Progress& progress = Progress(),

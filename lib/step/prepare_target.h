@@ -7,15 +7,18 @@
 
 namespace transformesh {
 
-/// Sorts the faces of a target spatially unless they are sorted, and drops their columns. Among
-/// faces at the same distance the first one wins: the order of faces decides about last digits.
+/// Sorts the faces of a target spatially and drops their columns; does nothing if they are already
+/// sorted. Among faces at equal distance a search returns the first, so that the order of the faces
+/// can change the last digits of a result.
 void order_spatially(Target& target);
 
-/// Returns the vertex columns nx ny nz, of unit length or zero, or nothing if one is missing.
+/// Returns the normals in the vertex columns nx, ny and nz, scaled to unit length; zero stays zero.
+/// Returns an empty vector if a column is missing.
 /// Throws InputError for normals that are not finite.
 std::vector<Vec3> stored_normals(const Mesh& mesh);
 
-/// Stores normals as the vertex columns nx ny nz, which make_target() reads for points.
+/// Stores normals as the vertex columns nx, ny and nz. make_target() reads them if there are no
+/// faces.
 void set_normal_columns(Mesh& mesh, const std::vector<Vec3>& normals);
 
 }  // namespace transformesh

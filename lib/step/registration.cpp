@@ -11,19 +11,21 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t samples_per_task = 256;
-/// Cosine of 60 degrees: surfaces that face farther apart are different sides of a thin part. Noise
-/// of a quarter of an edge turns normals of one side by less.
+constexpr std::size_t samples_per_task = 256;  ///< affects time only
+/// Cosine of 60 degrees. Points whose normals differ by more lie on different sides of a thin part
+/// and are not paired. Noise of a quarter of an edge changes normals by less.
 constexpr double least_cosine = 0.5;
-/// Six unknowns need six equations; fewer pairs than this are accidents.
+/// Least number of pairs. Six unknowns need six equations; fewer than 20 pairs are coincidental.
 constexpr std::size_t least_pairs = 20;
-/// Least share of the samples that overlap. With 0.05, noise picks small parts that fit anywhere.
+/// Least share of the samples in the overlap. At 0.05, noise selects small parts that fit anywhere;
+/// larger values exclude meshes that share only a small part.
 constexpr double least_overlap = 0.2;
-/// Pairs lose their weight at this many root mean squares of the overlap. At 2 the noise of the
-/// overlap itself counts as outliers; at 6 outliers pull.
+/// Distance at which the weight of a pair becomes 0, in root mean square distances of the overlap.
+/// At 2, noise counts as outliers; at 6, outliers distort the result.
 constexpr double biweight_reach = 3;
-/// Movement, in root mean squares of the overlap, that counts as rest. Pairs come and go, and keep
-/// moving the mesh by a few thousandths of the noise.
+/// Convergence: largest movement of a pair, in root mean square distances of the overlap. Since
+/// pairs change, the mesh keeps moving by a few thousandths of this distance and would not converge
+/// at a smaller limit.
 constexpr double rest_in_noise = 0.01;
 
 }  // namespace
@@ -44,7 +46,8 @@ Overlap overlap_of(const std::vector<double>& squared_distances, std::size_t sam
   for (std::size_t k = 1; k <= squared_distances.size(); ++k) {
     sum += squared_distances[k - 1];
     if (k < first) continue;
-    // Lambda is 3, as for large outliers in the paper; distances of exact zeros are rounding.
+    // Lambda is 3, as for large outliers in the paper. The constant term keeps exact matches, whose
+    // distances are rounding errors, from being ranked by them.
     const double share = static_cast<double>(k) / static_cast<double>(samples);
     const double mean_square = sum / static_cast<double>(k);
     const double cost = (mean_square + registration_rest * registration_rest) /
@@ -56,7 +59,7 @@ Overlap overlap_of(const std::vector<double>& squared_distances, std::size_t sam
 
 namespace {
 
-/// Weighs the pairs, and drops those without weight.
+/// Sets the biweights of the pairs, and removes pairs with weight 0.
 template <class Pairs>
 void weigh(Pairs& pairs, double mean_square) {
   const double bound = biweight_reach * biweight_reach * mean_square;
@@ -121,7 +124,7 @@ Overlap Registration::overlap_of_pairs(const std::vector<Pair>& pairs) const {
 
 Overlap Registration::overlap() const { return overlap_of_pairs(sorted_pairs()); }
 
-/// One iteration; returns by how much the pairs moved at most.
+/// Performs one iteration. Returns the largest movement of a pair.
 double Registration::improve() {
   std::vector<Pair> pairs = sorted_pairs();
   mean_square_ = overlap_of_pairs(pairs).mean_square;

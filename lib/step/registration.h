@@ -1,8 +1,10 @@
-/// Iterative closest points: pairs samples of a mesh with a surface, and moves them onto it.
+/// Iterative closest points with point-to-plane distances: pairs samples of a mesh with their
+/// closest points on a surface, moves the samples onto the tangent planes, and repeats.
 /// References: Chen & Medioni, "Object modelling by registration of multiple range images", Image
-/// and Vision Computing 10(3), 1992. Phillips, Liu & Tomasi, "Outlier robust ICP for minimizing
-/// fractional RMSD", 3DIM 2007. Beaton & Tukey, "The fitting of power series", Technometrics 16(2),
-/// 1974 (the biweight).
+/// and Vision Computing 10(3), 1992, for the distances. Phillips, Liu & Tomasi, "Outlier robust ICP
+/// for minimizing fractional RMSD", 3DIM 2007, for the overlap. Beaton & Tukey, "The fitting of
+/// power series", Technometrics 16(2), 1974, for the weights. Cost: O(n log m) per iteration, for n
+/// samples and m faces.
 #pragma once
 
 #include <functional>
@@ -13,32 +15,36 @@
 
 namespace transformesh {
 
-/// Pairs that count as the part that both surfaces show.
+/// Overlap of two surfaces: the pairs with the smallest distances.
 struct Overlap {
   std::size_t count = 0;   ///< number of pairs
   double mean_square = 0;  ///< mean squared distance of these pairs
-  double cost = 0;         ///< fractional mean square: less is a better agreement
+  double cost = 0;         ///< fractional mean square distance; a lower value is a better agreement
 };
 
-/// Chooses the number of the least distances with the least fractional mean square. `distances`
-/// are squared and in ascending order; there are `samples` of them with those that have no partner.
+/// Chooses the number of pairs, starting with the smallest distance, that minimizes the fractional
+/// mean square distance. `squared_distances` are ascending. `samples` is the number of samples,
+/// including those without a partner.
 Overlap overlap_of(const std::vector<double>& squared_distances, std::size_t samples);
 
-/// Movement that counts as rest, in units of the coordinates, which are about 1.
+/// A registration has converged if no pair moves farther than this, in a frame in which coordinates
+/// are about 1. Larger than rounding errors, and smaller than any distance of interest.
 inline constexpr double registration_rest = 1e-9;
 
 class Registration {
  public:
-  /// Keeps a reference to the surface. Coordinates are about 1.
+  /// Keeps a reference to the surface. Coordinates must be about 1; align() scales them.
   Registration(const RegistrationSurface& surface, std::vector<OrientedPoint> samples,
                const RigidMotion& start)
       : surface_(surface), samples_(std::move(samples)), motion_(start) {}
 
-  /// Iterates until the pairs are at rest, at most so often. Calls `report` before each iteration.
-  /// Returns the number of iterations. Throws GoalError if too few samples find a partner.
+  /// Iterates until convergence, at most `most` times. Calls `report` with the number of each
+  /// iteration, from 1, before it. Returns the number of iterations. Throws GoalError if too few
+  /// samples find a partner.
   int run(int most, const std::function<void(int)>& report);
 
   const RigidMotion& motion() const { return motion_; }
+  /// Returns PlaneEquations::Solution::stability of the last iteration.
   double stability() const { return stability_; }
   bool has_converged() const { return has_converged_; }
   Overlap overlap() const;
@@ -53,7 +59,7 @@ class Registration {
   const RegistrationSurface& surface_;
   std::vector<OrientedPoint> samples_;
   RigidMotion motion_;
-  double mean_square_ = 0;  ///< mean squared distance of the overlap, last iteration
+  double mean_square_ = 0;  ///< mean squared distance of the overlap in the last iteration
   double stability_ = 0;
   bool has_converged_ = false;
 };

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Samples are the same in every run: a motion depends on the meshes alone.
+/// Fixed seed, so that the result depends on the meshes only.
 constexpr std::uint64_t sample_seed = 1;
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// A surface or a set of points as the reference of a registration: closest points with normals.
+/// The reference of a registration, a surface or a point set: finds closest points with normals.
 #pragma once
 
 #include <optional>
@@ -10,26 +10,28 @@
 
 namespace transformesh {
 
-/// A point of a surface with the unit normal there, or zero if there is none.
+/// A point of a surface with its unit normal; the normal is zero if it is unknown.
 struct OrientedPoint {
   Vec3 position = Vec3::Zero();
   Vec3 normal = Vec3::Zero();
 };
 
-/// Points by area with the normals of their faces; of a mesh without faces vertices at even steps
-/// of their order, with the columns nx ny nz.
+/// Returns `count` random points, uniform by area, with the normals of their faces. For a mesh
+/// without faces, returns at most `count` vertices at equal steps of their order, with the normals
+/// in the columns nx, ny and nz.
 std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, std::size_t count);
 
 class RegistrationSurface {
  public:
-  /// Keeps a reference to the mesh. Normals of points are the columns nx ny nz or are estimated.
+  /// Keeps a reference to the mesh. If it has no faces, normals are those of the columns nx, ny and
+  /// nz, or else estimated.
   explicit RegistrationSurface(const Mesh& mesh);
 
   struct Partner {
     OrientedPoint point;
-    bool is_on_border = false;  ///< the surface ends there
+    bool is_on_border = false;  ///< the closest point lies on a border of the surface
   };
-  /// The closest point. Safe to call from several threads at once.
+  /// Returns the closest point. Thread-safe.
   Partner closest(const Vec3& query) const;
 
  private:
@@ -37,7 +39,7 @@ class RegistrationSurface {
 
   const Mesh& mesh_;
   std::optional<ClosestPointQuery> surface_;
-  std::vector<bool> border_edges_, border_vertices_;  ///< flags of halfedges and vertices
+  std::vector<bool> border_edges_, border_vertices_;  ///< per halfedge, and per vertex
   std::optional<KdTree> points_;
   std::vector<Vec3> normals_;  ///< one per point
 };

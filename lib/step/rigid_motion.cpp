@@ -14,19 +14,20 @@ namespace {
 using Row = std::array<double, 6>;
 using Square = std::array<Row, 6>;
 
-/// Eigenvalues below this share of the largest are rounding: a sphere resists no rotation. Larger
-/// values hold back motions that features of a thousandth of the size determine.
+/// Eigenvalues below this share of the largest count as 0. Rotations of a sphere have such
+/// eigenvalues, due to rounding. A larger share suppresses motions that are determined only by
+/// features of a thousandth of the size.
 constexpr double least_eigenvalue = 1e-10;
-/// Jacobi's method for 6 x 6 takes 5 to 7 sweeps to full accuracy.
+/// Number of sweeps. Jacobi's method for 6 x 6 matrices needs 5 to 7 for full accuracy.
 constexpr int sweeps = 12;
 constexpr double degrees = 180 / std::numbers::pi;
 
 struct Eigensystem {
-  Square matrix;   ///< diagonal in the end
-  Square vectors;  ///< one in each column
+  Square matrix;   ///< diagonal after the last sweep; the eigenvalues
+  Square vectors;  ///< eigenvectors, one per column
 };
 
-/// Applies one rotation to the columns p and q of all rows.
+/// Applies a Jacobi rotation to the columns p and q.
 void turn_columns(Square& matrix, std::size_t p, std::size_t q, double cosine, double sine) {
   for (Row& row : matrix) {
     const double a = row[p], b = row[q];
@@ -43,7 +44,7 @@ void turn_rows(Square& matrix, std::size_t p, std::size_t q, double cosine, doub
   }
 }
 
-/// Makes the entry (p, q) zero.
+/// Makes the entry (p, q) zero by a Jacobi rotation.
 void annihilate(Eigensystem& system, std::size_t p, std::size_t q) {
   Square& a = system.matrix;
   if (a[p][q] == 0) return;
@@ -56,8 +57,8 @@ void annihilate(Eigensystem& system, std::size_t p, std::size_t q) {
   turn_columns(system.vectors, p, q, cosine, tangent * cosine);
 }
 
-/// Cyclic Jacobi (Golub & Van Loan, "Matrix computations", 4th ed., 2013, section 8.5). Plain
-/// loops, so that every machine adds in the same order.
+/// Cyclic Jacobi method (Golub & Van Loan, "Matrix computations", 4th ed., 2013, section 8.5).
+/// Plain loops make the order of additions the same on every machine.
 Eigensystem eigensystem_of(const Square& matrix) {
   Eigensystem system{matrix, {}};
   for (std::size_t i = 0; i < 6; ++i) system.vectors[i][i] = 1;

@@ -1,4 +1,4 @@
-/// Rigid motions, and the least-squares motion that brings points into planes.
+/// Rigid motions, and the rigid motion that minimizes the squared distances of points from planes.
 /// Reference: Chen & Medioni, "Object modelling by registration of multiple range images", Image
 /// and Vision Computing 10(3), 1992.
 #pragma once
@@ -18,28 +18,30 @@ struct RigidMotion {
   Vec3 operator()(const Vec3& point) const { return rotation * point + translation; }
 };
 
-/// Returns the motion that applies `first` and then `second`. The rotation is made orthonormal
-/// again, so that rounding does not add up.
+/// Returns the motion that applies `first` and then `second`. The rotation is orthonormalized, so
+/// that rounding errors do not accumulate.
 RigidMotion compose(const RigidMotion& second, const RigidMotion& first);
 
-/// Angle of a rotation in degrees, from 0 to 180.
+/// Returns the angle of a rotation in degrees, in [0, 180].
 double angle_deg_of(const Eigen::Matrix3d& rotation);
 
-/// Normal equations of the distances of points from planes under a small motion, linearized.
-/// Points are taken relative to their center and in units of their mean size, so that turning and
-/// moving weigh alike.
+/// Normal equations for the small rigid motion that minimizes the squared distances of points from
+/// planes, linearized in the rotation. Coordinates are relative to `center` and in units of `size`,
+/// so that rotation and translation have similar weights.
 class PlaneEquations {
  public:
   PlaneEquations(const Vec3& center, double size) : center_(center), size_(size) {}
 
-  /// `distance` is that of the plane from the point, along the unit normal of the plane.
+  /// Adds a pair. `distance` is the signed distance from the point to the plane along its unit
+  /// normal.
   void add(const Vec3& point, const Vec3& normal, double distance, double weight);
 
   struct Solution {
     RigidMotion motion;
-    double stability = 0;  ///< square root of the least over the largest eigenvalue
+    double stability = 0;  ///< square root of smallest / largest eigenvalue; 0 if undetermined
   };
-  /// Solves the equations. Directions in which nothing resists stay as they are. Deterministic.
+  /// Solves the equations. Motions that the planes do not determine, such as the rotation of a
+  /// sphere, are zero. Deterministic.
   Solution solve() const;
 
  private:

@@ -7,11 +7,15 @@
 namespace transformesh {
 namespace {
 
-/// Runs along the curve have a fixed length, so that estimates do not depend on the threads.
+/// Number of points along the Hilbert curve whose estimates depend on each other. A fixed length
+/// makes estimates independent of the number of threads.
 constexpr std::size_t run_length = 512;
-constexpr double reach = 0.4;  ///< of an estimate, as a share of the distance it starts from
 
-/// The search made last, and what follows from it for points nearby.
+/// An estimate is used up to this share of the distance of its search. Larger shares save searches
+/// and give worse estimates.
+constexpr double reach = 0.4;
+
+/// The last search, from which estimates for nearby points follow.
 struct Anchor {
   Vec3 point = Vec3::Zero();
   SearchedDistance found;

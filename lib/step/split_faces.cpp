@@ -5,7 +5,8 @@
 namespace transformesh {
 namespace {
 
-/// Gives a midpoint to every edge that is too long: its vertex for each halfedge, else no_index.
+/// Appends a midpoint for every edge longer than `longest`. Returns the midpoint of each halfedge,
+/// or no_index.
 std::vector<Index> add_midpoints(Mesh& mesh, double longest) {
   const Edges edges(mesh);
   std::vector<Index> midpoints(3 * mesh.faces.size(), no_index);
@@ -20,7 +21,8 @@ std::vector<Index> add_midpoints(Mesh& mesh, double longest) {
   return midpoints;
 }
 
-/// Appends the parts of the face whose edges from corner i to the next have the midpoints m[i].
+/// Appends the parts of a face. m[i] is the midpoint of the edge from corner i to the next, or
+/// no_index.
 void append_parts(const Face& face, const Face& m, std::vector<Face>& faces) {
   const auto count = std::count_if(m.begin(), m.end(), [](Index v) { return v != no_index; });
   if (count == 3) {
@@ -29,7 +31,7 @@ void append_parts(const Face& face, const Face& m, std::vector<Face>& faces) {
         {{face[0], m[0], m[2]}, {m[0], face[1], m[1]}, {m[2], m[1], face[2]}, {m[0], m[1], m[2]}});
     return;
   }
-  // Turned so that a midpoint is on edge 0, and of two the other one on edge 1.
+  // The face is rotated so that edge 0 has a midpoint; if there are two, edge 1 has the other.
   std::size_t i = 0;
   while (count > 0 && (m[i] == no_index || (count == 2 && m[(i + 1) % 3] == no_index))) ++i;
   const Index a = face[i], b = face[(i + 1) % 3], c = face[(i + 2) % 3];

@@ -1,14 +1,15 @@
-/// Splits faces without moving the surface.
+/// Splits long edges without moving the surface.
 #pragma once
 
 #include "transformesh/mesh.h"
 
 namespace transformesh {
 
-/// Splits edges at their midpoints, in all faces at once, until none is longer than `longest`
-/// (above 0, input units). New vertices follow those that were there; faces are replaced in place.
-/// Columns are dropped. Vertices are the same when their indices are. Returns whether there was
-/// anything to split. Cost: O(n) for the faces of the result. Deterministic.
+/// Splits edges at their midpoints, together with all their faces, until no edge is longer than
+/// `longest`, which must be > 0; input units. New vertices are appended. The parts of a face take
+/// its place in the order of faces. Columns are dropped. Equal positions with different indices are
+/// different vertices. Returns true if an edge was split. Cost: O(n) for n faces of the result.
+/// Deterministic.
 bool split_faces(Mesh& mesh, double longest);
 
 }  // namespace transformesh

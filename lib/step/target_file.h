@@ -1,5 +1,4 @@
-/// Targets as files: meshes in any format that is read, points as PLY without faces or as text
-/// (point_text.h).
+/// Writes targets to files that read_target() reads faster than other meshes or point sets.
 #pragma once
 
 #include <string>
@@ -11,8 +10,9 @@
 
 namespace transformesh {
 
-/// Binary PLY that reads back as the same target, and sooner: points with their normals,
-/// thickness as the vertex column `gap`, faces in spatial order; comments state which.
+/// Returns a binary PLY that reads back as the same target without preparation. Faces are in
+/// spatial order; points have normals; the thickness, if measured, is the vertex column `gap`.
+/// Comments in the header state the spatial order and the measured thickness.
 std::string write_target(const Target& target);
 
 }  // namespace transformesh

@@ -1,7 +1,7 @@
-/// Finds the nearest place of a target. What that takes is made when it is first asked for and
-/// kept, so that an evolution makes it once: hold one for all steps. A Target alone makes one for a
-/// call. Keeps a reference to the target, which must not change. The first call of each must not be
-/// concurrent. Cost: O(n log n) for the first call, then none.
+/// The search structures of a target. Each is built at the first call of its function and kept.
+/// Hold one query for all steps of an evolution. A Target converts to a query for a single call.
+/// Keeps a reference to the target, which must not change. The first call of each function must not
+/// be concurrent with others. Cost: O(n log n) for the first call, then O(1).
 #pragma once
 
 #include <optional>
@@ -19,18 +19,19 @@ class TargetQuery {
   TargetQuery(const Target& target) : target_(&target) {}
   const Target& target() const { return *target_; }
 
-  /// For the faces of a target that is a mesh.
+  /// Finds closest points on the faces. The target must be a mesh.
   const ClosestPointQuery& surface() const {
     if (!surface_)
       surface_.emplace(target_->mesh,
                        target_->has_spatial_order ? FaceOrder::spatial : FaceOrder::any);
     return *surface_;
   }
+  /// Finds nearest vertices, or nearest points of a point set.
   const KdTree& vertices() const {
     if (!vertices_) vertices_.emplace(target_->mesh.positions);
     return *vertices_;
   }
-  /// Of each vertex of a mesh, or each point: unit length or zero.
+  /// Normals of the vertices, or of the points of a point set; of unit length or zero.
   const std::vector<Vec3>& normals() const {
     if (!target_->is_mesh()) return target_->normals;
     if (normals_.empty()) normals_ = vertex_normals(target_->mesh);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 3> velocity_names{"vx", "vy", "vz"};
 
-// The names of all vertex columns, for a message.
+// Returns the names of all vertex columns as part of a message.
 std::string present_names(const Mesh& mesh) {
   std::string names;
   for (const Column& column : mesh.vertex_columns.columns) {
@@ -40,7 +40,7 @@ void add(const std::vector<Vec3>& more, std::vector<Vec3>& velocities) {
   for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] += more[v];
 }
 
-/// The velocities that do not follow from a speed.
+/// Returns the velocities that are given directly or as columns; zero if there is only a speed.
 std::vector<Vec3> start_of(const Mesh& mesh, const VelocityOptions& options, bool has_speed) {
   if (options.given) {
     if (options.given->size() != mesh.positions.size())
@@ -91,14 +91,14 @@ std::vector<Vec3> normal_velocities(const Mesh& mesh, double speed) {
 std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed) {
   const CotangentLaplacian laplacian = cotangent_laplacian(mesh, CotangentBounds::each_edge);
   std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
-  // Every edge pulls its ends together.
+  // Sums the cotangent-weighted edge vectors at each vertex.
   for (const auto& [from, to, weight] : laplacian.edges) {
     const Vec3 pull = weight * (mesh.positions[to] - mesh.positions[from]);
     sums[from] += pull;
     sums[to] -= pull;
   }
 
-  // The sum is 4 H times the area, and points inwards where the surface is convex.
+  // The length of a sum is 4 H * area; it points inwards where the surface is convex.
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const double area = laplacian.areas[v];
     const bool has_curvature = area > 0 && laplacian.is_border[v] == 0;

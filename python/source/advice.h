@@ -1,4 +1,4 @@
-/// Remedies for the library's problems, in terms of Python functions and arguments.
+/// Remedies for problems of the library, which name Python functions and arguments.
 #pragma once
 
 #include <string>

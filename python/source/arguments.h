@@ -1,5 +1,5 @@
-/// What Python hands over besides meshes, checked: numbers, words, another surface. Mistakes are
-/// UsageErrors that name the argument.
+/// Converts and checks arguments from Python that are not meshes: numbers, words, an obstacle. All
+/// functions throw UsageError, naming the argument.
 #pragma once
 
 #include <initializer_list>
@@ -15,29 +15,29 @@
 
 namespace transformesh::python {
 
-/// So many numbers, of any shape.
+/// Returns the numbers of a scalar, sequence or array of any shape. Their number must be `count`.
 std::vector<double> numbers_of(const py::handle& value, std::size_t count, const std::string& name);
 Vec3 vector_of(const std::vector<double>& numbers);
-/// Two corners.
+/// Returns the box between two corners.
 Box box_of(const py::handle& value);
 
-/// One of the words, by its place.
+/// Returns the index of `word` in `words`.
 std::size_t choice(const std::string& name, const std::string& word,
                    std::initializer_list<const char*> words);
 
-/// A factor of the Laplace-Beltrami operator, two where it is used twice, or a word.
+/// Argument `smooth`: a factor of Laplacian smoothing, two factors for two passes, or a word.
 using SmoothingChoice = std::variant<double, std::pair<double, double>, std::string>;
 void set_smoothing(const SmoothingChoice& smooth, RemeshOptions& options);
 
-/// A surface to stay away from, and how far: both or none.
+/// Returns an obstacle with its gap. Both arguments must be given, or none.
 KeepOutOptions keep_out_of(const std::optional<MeshPointer>& surface,
                            const std::optional<PythonLength>& gap, Lengths& lengths);
 
-/// What a program would say on stderr, as warnings.
+/// Issues Python warnings for notes that a program would print on stderr.
 void warn(const std::vector<std::string>& notes);
 
-/// Joins equal places where only indices keep faces apart (join_soup.h), with a warning. Returns
-/// how many vertices were joined with others.
+/// Merges equal positions of a soup (join_soup.h) and issues a warning. Returns the number of
+/// vertices that were merged.
 std::size_t join_places(Mesh& mesh);
 
 }  // namespace transformesh::python

@@ -1,4 +1,4 @@
-/// What every call from Python into the library has: threads, progress, Ctrl-C, and lengths.
+/// Parts common to all calls from Python into the library: threads, progress, Ctrl-C, lengths.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -18,16 +18,17 @@ namespace transformesh::python {
 
 namespace py = pybind11;
 
-/// `transformesh.set_threads`: 0 is one per core.
+/// The number set by `transformesh.set_threads`; 0 means one thread per core.
 extern int threads;
 
-/// A callable of phase and fraction, or none. Ctrl-C ends the call; so does an answer of False.
+/// Returns a Progress that calls `callback(phase, fraction)`, unless it is None. Ctrl-C, or a
+/// result of False, cancels the call.
 Progress progress_to(const py::object& callback);
 
-/// A callable of a line of text, or none.
+/// Returns a function that calls `callback(message)`; does nothing if it is None.
 std::function<void(const std::string& message)> message_callback(const py::object& callback);
 
-/// Calls `body(progress)` without the interpreter's lock, on as many threads as are set.
+/// Calls `body(progress)` without the GIL, on at most `threads` threads.
 template <typename Body>
 auto without_lock(const py::object& callback, Body body) {
   const ThreadLimit limit(threads);
@@ -36,11 +37,11 @@ auto without_lock(const py::object& callback, Body body) {
   return body(progress);
 }
 
-/// Input units, or text as on a command line: 0.7x, 1%.
+/// A length as a number in input units, or as text in the syntax of the programs: 0.7x, 1%.
 using PythonLength = std::variant<double, std::string>;
 
-/// Resolves lengths as the programs do: where one refers to the reference edge, the document gets
-/// the comment that says how long it is.
+/// Resolves lengths as the programs do. If a length refers to the reference edge, the document gets
+/// the comment that states the length of the reference edge.
 class Lengths {
  public:
   explicit Lengths(Document& document);
@@ -55,7 +56,7 @@ class Lengths {
 };
 Length parsed(const PythonLength& length);
 
-/// The parts of the module.
+/// Add the parts of the module.
 void bind_errors(py::module_& module);
 void bind_filters(py::module_& module);
 void bind_remeshing(py::module_& module);

@@ -25,7 +25,7 @@ struct PythonColumns {
   }
 };
 
-// The types of a file and of NumPy.
+// Scalar types, and their names in NumPy.
 const std::pair<Scalar, const char*> type_names[] = {
     {Scalar::int8, "int8"},       {Scalar::uint8, "uint8"},    {Scalar::int16, "int16"},
     {Scalar::uint16, "uint16"},   {Scalar::int32, "int32"},    {Scalar::uint32, "uint32"},
@@ -37,7 +37,7 @@ py::dtype dtype_of(Scalar scalar) {
   return py::dtype("float64");
 }
 
-// Wider integers, as NumPy makes them by itself, are stored as 32 bits.
+// Returns the type of a column for an array. 64-bit integers, the default of NumPy, become 32-bit.
 Scalar scalar_of(const py::array& array) {
   const std::string name = py::str(array.dtype().attr("name"));
   for (const auto& [type, known] : type_names)
@@ -48,7 +48,7 @@ Scalar scalar_of(const py::array& array) {
   throw InputError("a column of " + name + " cannot be stored");
 }
 
-// Of integers that were wider.
+// Throws if an integer does not fit into 32 bits.
 void check_range(const std::string& name, Scalar type, const std::vector<double>& values) {
   const double least = type == Scalar::int32 ? -2147483648.0 : 0;
   const double most = type == Scalar::int32 ? 2147483647.0 : 4294967295.0;
@@ -75,7 +75,7 @@ py::object get(const PythonColumns& self, const std::string& name) {
   py::array_t<double> doubles(static_cast<py::ssize_t>(column.values.size()), column.values.data(),
                               py::cast(self.mesh));
   if (column.type == Scalar::float64) return doubles;
-  // A copy, into which nobody writes by mistake.
+  // The copy is read-only, since writing to it would not change the column.
   py::object copy = doubles.attr("astype")(dtype_of(column.type));
   copy.attr("setflags")(py::arg("write") = false);
   return copy;
@@ -91,7 +91,7 @@ void set(const PythonColumns& self, const std::string& name, const py::array& va
                      " numbers is needed");
   const Scalar type = scalar_of(values);
   const py::array_t<double, py::array::c_style | py::array::forcecast> doubles(values);
-  // The array may be the column itself.
+  // Copies first, since the array may be a view of this column.
   std::vector<double> copy(doubles.data(), doubles.data() + doubles.size());
   check_range(name, type, copy);
   if (Column* old = self.columns().find(name)) retire(self, *old);
@@ -133,7 +133,7 @@ void bind_columns(py::module_& module) {
           .def("__repr__", [](const PythonColumns& self) {
             return std::string(py::str(py::cast(names(self))));
           });
-  // What else a dict can do.
+  // Adds the remaining methods of a dict.
   const py::object mapping = py::module_::import("collections.abc").attr("MutableMapping");
   mapping.attr("register")(columns);
   for (const char* name : {"keys", "values", "items", "get", "update", "pop"})

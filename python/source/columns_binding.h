@@ -1,4 +1,4 @@
-/// Columns of a mesh as a dict of arrays.
+/// Binds the columns of a mesh as a dict of arrays.
 #pragma once
 
 #include "python_mesh.h"

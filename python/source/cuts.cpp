@@ -1,4 +1,4 @@
-/// Cuts at planes, cross sections, and solids of sheets: cut, section, thicken.
+/// Binds cut (at planes), section (cross sections) and thicken (a solid from a sheet).
 #include "arguments.h"
 #include "call.h"
 #include "python_mesh.h"

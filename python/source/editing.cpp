@@ -1,5 +1,4 @@
-/// Everyday steps between the others: fill, handles, transform, align, select, split, sample,
-/// carry.
+/// Binds fill, handles, transform, align, select, split, sample and carry.
 #include <algorithm>
 
 #include "arguments.h"
@@ -78,7 +77,8 @@ Matrix4 mirroring(const py::handle& value) {
   return mirroring_in(vector_of(plane), plane[3]);
 }
 
-/// What one keyword does to the mesh as the matrices before leave it.
+/// Returns the matrix of a keyword argument. `before` is the product of the earlier ones, on which
+/// some keywords depend.
 Matrix4 step_of(const std::string& name, const py::handle& value, const Mesh& mesh,
                 const Matrix4& before) {
   const auto numbers = [&](std::size_t count) { return numbers_of(value, count, name); };
@@ -127,7 +127,7 @@ MeshPointer align_mesh(const PythonMesh& mesh, const PythonMesh& reference, std:
 
 using Numbers = std::optional<std::vector<double>>;
 
-/// A condition as text, or a boolean of each face.
+/// Sets the selection from a condition as text, or from a boolean per face.
 void set_where(const py::object& where, SelectionOptions& options) {
   if (py::isinstance<py::str>(where)) {
     options.where = py::cast<std::string>(where);
@@ -178,7 +178,7 @@ MeshPointer sample_mesh(const PythonMesh& mesh, std::size_t count,
   document.mesh = without_lock(
       progress, [&](const Progress& to) { return sample_surface(document.mesh, options, to); });
 
-  // Points alone, as tm-sample writes them.
+  // The result has only points, as the output of tm-sample.
   document.other_elements.clear();
   document.style.element_order = {"vertex"};
   if (document.style.format == Format::off) document.style.format = Format::ply_little;

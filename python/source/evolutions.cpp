@@ -1,4 +1,4 @@
-/// The loops: evolutions with any velocity, morphs.
+/// Binds evolve, evolve_in_time and morph.
 #include <limits>
 
 #include "advice.h"
@@ -17,7 +17,8 @@
 namespace transformesh::python {
 namespace {
 
-/// As the loops' programs have it: the end of an evolution is PLY, and knows its reference edge.
+/// Returns the document at the beginning of a loop. As in the programs, its format is PLY, and it
+/// has the comment with the reference edge.
 Document beginning(const PythonMesh& mesh) {
   Document document = mesh.document;
   document.style.format = Format::ply_little;
@@ -43,7 +44,7 @@ LoopOptions loop_of(std::size_t iterations, const py::object& on_iteration) {
 
 // --- evolve --------------------------------------------------------------------------------------
 
-/// A Python function of the mesh as it is now, which returns (n, 3) velocities.
+/// Converts a Python function that receives the current mesh and returns (n, 3) velocities.
 Velocity velocity_of(const py::function& function) {
   return [function](const Mesh& now, const Progress&) {
     const py::gil_scoped_acquire locked;
@@ -87,7 +88,7 @@ MeshPointer evolve_mesh(const PythonMesh& mesh, const py::function& velocity,
 
 // --- evolve_in_time ------------------------------------------------------------------------------
 
-/// A Python function of the mesh of a stage and of its time, which returns (n, 3) velocities.
+/// Converts a Python function that receives mesh and time of a stage and returns (n, 3) velocities.
 Motion motion_of(const py::function& function) {
   return {[function](const Mesh& now, const Moment& moment, const Progress&) {
     const py::gil_scoped_acquire locked;
@@ -156,7 +157,7 @@ MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::
   const LoopOptions loop = loop_of(iterations, on_iteration);
   std::vector<Problem> warnings;
   const Target read = without_lock(progress, [&](const Progress& to) {
-    // As of a file, so that faces come in the same order.
+    // Writes and reads the target, so that its faces have the same order as in the programs.
     Target reading = read_target(write_mesh(target.document).bytes, "the target");
     warnings = check_target(reading, "the target", to);
     for (Problem& warning : check_source(document.mesh, reading, "the source"))

@@ -1,5 +1,4 @@
-/// Functions that make a mesh from others: clean, stitch, repair, cat, boolean, displace, offset,
-/// shape, intersect.
+/// Binds clean, stitch, repair, cat, boolean, displace, offset, shape and intersect.
 #include "advice.h"
 #include "arguments.h"
 #include "boolean/boolean_documents.h"

@@ -1,4 +1,4 @@
-/// Velocities of flows by name.
+/// Binds flow, which computes velocities of a named flow.
 #include "arguments.h"
 #include "call.h"
 #include "entries/entries.h"

@@ -1,4 +1,4 @@
-/// What looks at meshes and judges them.
+/// Binds functions that measure and check meshes.
 #include "call.h"
 #include "clean/certify/certify.h"
 #include "python_mesh.h"

@@ -1,4 +1,4 @@
-/// The Python module: the library's functions on meshes whose numbers are NumPy arrays.
+/// The Python module: functions of the library for meshes whose data are NumPy arrays.
 #include <new>
 
 #include "advice.h"
@@ -59,7 +59,8 @@ double Lengths::reference_edge() {
 
 namespace {
 
-/// An exception class of the module with two bases: ours, and Python's own for such a mistake.
+/// Adds an exception class with two bases: one of this module (`own`) and one of Python
+/// (`builtin`).
 PyObject* add_error(py::module_& module, const char* name, PyObject* own, PyObject* builtin,
                     const char* about) {
   const std::string full = std::string("transformesh.") + name;
@@ -72,7 +73,7 @@ PyObject* add_error(py::module_& module, const char* name, PyObject* own, PyObje
 
 PyObject *usage_error, *input_error, *goal_error, *output_error, *cancelled;
 
-/// The facts that the sentence states.
+/// Returns the data of an error as a dict.
 py::dict dict_of(const ErrorData& data) {
   py::dict result;
   if (!data.faces.empty()) result["faces"] = data.faces;

@@ -1,4 +1,4 @@
-/// Pictures of meshes, and pages of runs.
+/// Binds render, which draws pictures, and report, which makes pages of runs.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -23,7 +23,7 @@ Axis axis_of(const std::string& name) {
 
 // --- render --------------------------------------------------------------------------------------
 
-/// The pictures of a movie, or one.
+/// Returns an array (n, height, width, 4) of the pictures of a movie, or (height, width, 4) of one.
 py::array array_of(const std::vector<Image>& images, bool is_movie) {
   const Image& first = images[0];
   std::vector<std::size_t> shape{static_cast<std::size_t>(first.height),
@@ -36,7 +36,7 @@ py::array array_of(const std::vector<Image>& images, bool is_movie) {
   return array;
 }
 
-/// An array (k, 2, 3) of ends.
+/// Returns the segments in an array (k, 2, 3) of ends.
 std::vector<std::pair<Vec3, Vec3>> segments_of(const py::object& ends) {
   if (ends.is_none()) return {};
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(ends);
@@ -52,7 +52,7 @@ std::vector<std::pair<Vec3, Vec3>> segments_of(const py::object& ends) {
 
 struct Scene {
   std::vector<const Mesh*> meshes;
-  std::vector<Mesh> copies;  ///< of those that get a column
+  std::vector<Mesh> copies;  ///< copies of the meshes that get a column
   PictureOptions picture;
 };
 
@@ -114,8 +114,8 @@ py::array render(const py::args& meshes, std::pair<int, int> size, std::pair<dou
 
 // --- report --------------------------------------------------------------------------------------
 
-/// The page that shows runs, which is installed with the programs: share/transformesh beside a
-/// folder that the module is in, in the folder of the build too.
+/// Returns the page that shows runs. If `given` is empty, searches for share/transformesh in the
+/// folders above the module, which is its place in the installation and in the build folder.
 std::string viewer_page(const std::string& given) {
   std::filesystem::path path = given;
   if (given.empty()) {

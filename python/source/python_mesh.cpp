@@ -76,7 +76,7 @@ py::array faces(const MeshPointer& self) {
                             rows.empty() ? nullptr : rows.data()->data(), py::cast(self));
 }
 
-// A file's bytes may be no UTF-8, and come back as they were.
+// Returns bytes as a Python string. Bytes that are not UTF-8 are preserved.
 py::object text_of(const std::string& bytes) {
   return py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "surrogateescape"));

@@ -1,5 +1,5 @@
-/// What Python sees as a Mesh: a document (lib/io/document/document.h) whose numbers NumPy
-/// arrays show without a copy, and what the operation that made it has to say.
+/// The Python class Mesh: a document (lib/io/document/document.h) whose data NumPy arrays show
+/// without a copy, and the report of the operation that made it.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -18,24 +18,24 @@ namespace py = pybind11;
 struct PythonMesh {
   Document document;
   py::dict report;
-  /// Values of columns that are gone or replaced: an array may still show them.
+  /// Values of removed or replaced columns, which an array may still show.
   std::list<std::vector<double>> retired = {};
 };
 using MeshPointer = std::shared_ptr<PythonMesh>;
 
-/// Positions (n, 3) and faces (m, 3), checked as a file is. One copy where their types are doubles
-/// or floats and 32- or 64-bit integers.
+/// Makes a mesh from positions (n, 3) and faces (m, 3), with the checks of a file. Copies the data
+/// once if types are doubles or floats, and 32- or 64-bit integers.
 MeshPointer make_mesh(const py::object& positions, const py::object& faces);
-/// Values by name. A list of numbers becomes a tuple, a length becomes text.
+/// Returns report entries by name. A list of numbers becomes a tuple, a length becomes text.
 py::dict dict_of(const Entries& entries);
 MeshPointer mesh_of(Document document, py::dict report = {});
 MeshPointer mesh_of(Document document, const Entries& report);
 
-/// (n, 3) numbers as vectors. Throws InputError where the shape is another one.
+/// Returns the rows of an array (n, 3). Throws InputError for other shapes.
 std::vector<Vec3> vectors_of(const py::array& array, const std::string& name);
 py::array array_of(const std::vector<Vec3>& vectors);
 
-/// The class Mesh, reading and writing.
+/// Binds the class Mesh, and reading and writing.
 void bind_mesh(py::module_& module);
 
 }  // namespace transformesh::python

@@ -1,4 +1,4 @@
-/// Remeshing, decimation and alignment, as tm-remesh does them.
+/// Binds remesh and decimate, with the options of tm-remesh.
 #include "arguments.h"
 #include "call.h"
 #include "geometry/source_points.h"
@@ -20,7 +20,7 @@ struct RemeshChoices {
   bool curved = false;
 };
 
-/// Degrees, or "auto".
+/// An angle in degrees, or "auto".
 using FeatureAngle = std::variant<double, std::string>;
 
 /// Returns the angle for RemeshOptions: 0 for "auto".
@@ -34,7 +34,8 @@ double angle_of(const FeatureAngle& angle) {
   return degrees;
 }
 
-/// As tm-remesh does: relative lengths are of the reference edge, or of the local size.
+/// Returns the options as tm-remesh does: relative lengths refer to the reference edge, or to the
+/// local size.
 RemeshOptions remesh_options(const RemeshChoices& choices, Document& document) {
   RemeshOptions options = choices.curved ? curved_remeshing() : RemeshOptions();
   Lengths lengths(document);
@@ -73,7 +74,7 @@ MeshPointer mesh_with_joins(Document document, std::size_t joined, const Entries
   return mesh_of(std::move(document), report);
 }
 
-/// The rules of alignment out of those of remeshing, where nothing else may be asked for.
+/// Returns the options of alignment. Throws if options are set that only remeshing has.
 AlignOptions align_options(const RemeshOptions& remesh, const RemeshChoices& choices) {
   const RemeshOptions usual;
   const char* const refused = choices.adaptive                      ? "adaptive"

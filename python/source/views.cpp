@@ -1,4 +1,4 @@
-/// Calibrated photographs: visual hulls and reconstructions, whose views are checked first.
+/// Binds hull and reconstruct, which check the calibrated photographs first.
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ struct CheckedViews {
   ViewCheck check;
 };
 
-/// Reads the views and looks whether they agree, where there is a check; what programs say of that
-/// on stderr are warnings.
+/// Reads the views and, if `options` are given, checks whether they agree. Notes that programs
+/// print on stderr become Python warnings.
 CheckedViews checked_views(ViewSources sources, const std::optional<ViewCheckOptions>& options,
                            const py::object& progress, const std::optional<Box>& box = {}) {
   std::vector<std::string> notes;

@@ -32,7 +32,7 @@ void decimate_by_quadrics(SurfaceMesh& surface, std::size_t edges) {
 void measure(const std::string& method, std::size_t faces, const std::string& input,
              const std::string& output) {
   SurfaceMesh surface = test::surface_mesh<Kernel>(read_file(input));
-  // A closed surface has three edges for two faces.
+  // A closed surface has three edges per two faces.
   const std::size_t edges = faces * 3 / 2;
   const std::clock_t start = std::clock();
   if (method == "gh")

@@ -1,9 +1,11 @@
-// The pairs of self-intersecting faces of a PLY or OFF mesh as CGAL finds them, for comparison with
-// tm-intersect: reads through the library's reader, prints the number of pairs and the CPU seconds
-// that finding them took.
-//   cgal-intersect INPUT
-// CGAL takes faces that share a vertex index as neighbors, tm-intersect those that share a
-// position; where a mesh has vertices twice the counts differ.
+// Finds the pairs of intersecting faces of a PLY or OFF mesh by CGAL, for comparison with
+// tm-intersect. Reads with the library, and prints the number of pairs and the CPU seconds of the
+// search.
+//
+//     cgal-intersect INPUT
+//
+// For CGAL, faces that share a vertex index are neighbors; for tm-intersect, faces that share a
+// position. The counts differ if a mesh has duplicate positions.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 

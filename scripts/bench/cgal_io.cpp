@@ -1,5 +1,4 @@
-// Reading and writing a PLY by CGAL, for comparison with tm-convert: prints the CPU seconds that
-// both took.
+// Reads and writes a PLY by CGAL, for comparison with tm-convert. Prints the CPU seconds.
 //   cgal-io INPUT OUTPUT
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

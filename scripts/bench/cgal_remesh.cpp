@@ -1,5 +1,5 @@
-// Isotropic remeshing by CGAL, for comparison with tm-remesh: reads and writes through the library,
-// prints the CPU seconds that remeshing took.
+// Isotropic remeshing by CGAL, for comparison with tm-remesh. Reads and writes with the library,
+// and prints the CPU seconds of remeshing.
 //   cgal-remesh EDGE ITERATIONS INPUT OUTPUT
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 

@@ -1,4 +1,4 @@
-/// Meshes of CGAL that benchmarks change, and back.
+/// Conversion between meshes of the library and of CGAL, for benchmarks.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,4 +1,4 @@
-# Shared by the benchmarks: the programs, the workloads and a clock.
+# Functions of the benchmarks: paths of programs, input meshes and measurement of time.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=${TM_BUILD:-$root/build}
@@ -19,8 +19,8 @@ workload() {
   tm-shape "$1" "${options[@]}" --faces "$2" -o "$mesh"
 }
 
-# best_of COUNT COMMAND...: sets $seconds to the least user and system time of a run. The command
-# may say no (exit code 1). Its output is in $scratch/stdout.
+# best_of COUNT COMMAND...: runs a command COUNT times and sets $seconds to the least CPU time. Exit
+# code 1 is allowed. The output is in $scratch/stdout.
 best_of() {
   local count=$1 run status spent
   shift
@@ -38,12 +38,12 @@ best_of() {
   done
 }
 
-# value KEY FILE: what a report says.
+# value KEY FILE: prints the value of a key in a report.
 value() {
   awk -v key="$1:" '$1 == key { print $2 }' "$2"
 }
 
-# faces FILE: the number in a PLY header.
+# faces FILE: prints the number of faces in a PLY header.
 faces() {
   sed -n 's/^element face \([0-9]*\).*/\1/p; /^end_header/q' "$1"
 }

@@ -1,4 +1,4 @@
-/// What the programs that benchmarks compare with have in common: a usage, words and errors.
+/// The main function of benchmark programs: usage, arguments and errors.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace transformesh {
 
-/// Calls measure with the words after the program's name; `usage` says how many there are. Returns
-/// the exit code: 2 where their number is another, 3 where measure throws.
+/// Calls `measure` with the arguments. `usage` must list all of them, separated by spaces. Returns
+/// the exit code: 2 if the number of arguments is wrong, 3 if `measure` throws.
 inline int drive(std::span<char*> arguments, const std::string& usage,
                  const std::function<void(const std::vector<std::string>& words)>& measure) {
   const std::vector<std::string> words(arguments.begin() + 1, arguments.end());

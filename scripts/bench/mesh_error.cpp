@@ -34,8 +34,8 @@ double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
                         la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-/// Distances at 28 points of a face in a triangular grid, so that chords count and not only
-/// corners.
+/// Adds the distances from the sphere at 28 points of a face, in a triangular grid. The interior of
+/// faces counts too, and not only corners.
 void add_distances(const Vec3& a, const Vec3& b, const Vec3& c, double radius, double area,
                    Measures& sums) {
   constexpr int parts = 6, points = (parts + 1) * (parts + 2) / 2;

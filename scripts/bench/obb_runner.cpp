@@ -2,9 +2,10 @@
 /// The contract is docs/Runner IO Contract.md, version 1, of
 /// https://github.com/Open-Boolean-Benchmark/boolean-benchmark-runners.
 ///
-/// Raw format: indexed triangles of doubles (Mesh), which boolean() takes and gives. So io_ms is
-/// reading and parsing, import_ms and export_ms are 0, and operation_ms is boolean() with its
-/// defaults: coordinates are rounded to doubles, and flat regions at cuts are merged. Variadic.
+/// The raw format is Mesh (indexed triangles in doubles), which boolean() takes and returns.
+/// Therefore io_ms is reading and parsing, and import_ms and export_ms are 0. operation_ms is
+/// boolean() with its defaults: coordinates are rounded to doubles, and flat regions at cuts are
+/// merged. Operations may have any number of operands.
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -23,7 +24,7 @@ using namespace transformesh;
 using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
-/// The contract asks for partial results every 10 s, as a watchdog may kill the process.
+/// The contract requires partial results every 10 s, since a watchdog may kill the process.
 constexpr std::chrono::seconds flush_interval{10};
 
 struct Unsupported : std::runtime_error {
@@ -62,7 +63,7 @@ Mesh combine(const Json& operation, const std::vector<Mesh>& slots, Json& result
   return mesh;
 }
 
-/// For each operation, the slots that no later one names: their meshes are dropped.
+/// Returns for each operation the slots that no later operation uses, whose meshes are freed.
 std::vector<std::vector<std::size_t>> last_uses(const Json& operations) {
   std::vector<std::size_t> last(operations.size());
   for (std::size_t i = 0; i < operations.size(); ++i) {
@@ -97,7 +98,7 @@ Json run_operation(const Json& operation, const std::string& file, std::vector<M
   return result;
 }
 
-/// Runs the operations of a case up to the first that fails.
+/// Runs the operations of a case until one fails.
 Json run_case(const Json& request) {
   const auto start = Clock::now();
   Json result{{"case_id", request.at("case_id")}, {"status", "success"}, {"ops", Json::array()}};
@@ -120,7 +121,7 @@ Json run_case(const Json& request) {
   return result;
 }
 
-/// Complete or not at all.
+/// Writes the result atomically.
 void write_result(const std::string& path, const Json& result) {
   std::ofstream(path + ".tmp") << result.dump(1) << '\n';
   std::filesystem::rename(path + ".tmp", path);

@@ -53,7 +53,7 @@ openvdb::Vec3d deformation(const openvdb::Vec3d& p) {
           -d.x() * d.y() * s.z() * s.z()};
 }
 
-/// A steady velocity, as LevelSetAdvection takes it.
+/// A steady velocity field with the interface that LevelSetAdvection requires.
 struct Field {
   using ValueType = float;
   using VectorType = openvdb::Vec3f;
@@ -78,13 +78,14 @@ std::unique_ptr<Advection> advection(FloatGrid& grid, Velocity velocity) {
   result->setTemporalScheme(openvdb::math::TVD_RK3);
   result->setTrackerSpatialScheme(openvdb::math::HJWENO5_BIAS);
   result->setTrackerTemporalScheme(openvdb::math::TVD_RK3);
-  // More renewals of the distances move the surface more, and fewer are not possible.
+  // Each renormalization of the distances moves the surface; one is the least number.
   result->setNormCount(1);
   return result;
 }
 
-/// Advects by cos(pi t / time) times the field. That is the steady field for the integral of the
-/// cosine, time / pi, and then back: exact, and with the longest steps that are stable.
+/// Advects by the field times cos(pi t / time). This equals the steady field for the integral of
+/// the cosine, which is time / pi, and then back. The substitution is exact, and allows the longest
+/// stable steps.
 void advect_there_and_back(FloatGrid& grid, Velocity velocity, double time) {
   const auto there_and_back = advection(grid, velocity);
   const auto span = static_cast<float>(time / pi);
@@ -92,8 +93,9 @@ void advect_there_and_back(FloatGrid& grid, Velocity velocity, double time) {
   there_and_back->advect(span, 0);
 }
 
-/// A step of LevelSetFilter moves by the mean of the principal curvatures for a third of the
-/// squared voxel, which is a sixth of it for their sum. The number of steps is rounded.
+/// Flows by the sum of the principal curvatures. A step of LevelSetFilter moves by their mean for a
+/// time of a third of the squared voxel size, which is a sixth for their sum. The number of steps
+/// is rounded.
 void flow_by_curvature(openvdb::tools::LevelSetFilter<FloatGrid>& filter, double voxel,
                        double time) {
   const auto steps = std::lround(6 * time / (voxel * voxel));

@@ -1,6 +1,6 @@
-// A morph between level sets by OpenVDB, for comparison with tm-morph: narrow bands of three voxels
-// around both meshes, LevelSetMorphing until the volume of the source stays, and a mesh of the
-// result. Prints the CPU seconds of all that on one thread, files left out.
+// Morphs level sets by OpenVDB, for comparison with tm-morph. Converts both meshes to narrow bands
+// of three voxels, applies LevelSetMorphing until the volume is constant, and meshes the result.
+// Prints the CPU seconds of this on one thread, without reading and writing files.
 //   openvdb-morph VOXEL SOURCE TARGET OUTPUT
 #include <openvdb/tools/LevelSetMeasure.h>
 #include <openvdb/tools/LevelSetMorph.h>
@@ -17,13 +17,14 @@ using openvdb::FloatGrid;
 namespace {
 
 constexpr int most_rounds = 2000;
-/// The morph has ended when a round changes the volume by less than this share.
+/// The morph ends if a round changes the volume by less than this share. A larger share ends
+/// sooner, farther from the target.
 constexpr double rest = 1e-6;
 
 void morph(FloatGrid& grid, const FloatGrid& target) {
   openvdb::tools::LevelSetMorphing<FloatGrid> morphing(grid, target);
-  // The fastest of the schemes: TVD_RK2 may take steps three times as long as TVD_RK1. The end,
-  // where the speed is zero, does not depend on them, nor on how often distances are renewed.
+  // These are the fastest schemes: TVD_RK2 allows steps three times as long as TVD_RK1. The final
+  // state, at which the speed is zero, depends neither on them nor on the renormalization.
   morphing.setSpatialScheme(openvdb::math::FIRST_BIAS);
   morphing.setTemporalScheme(openvdb::math::TVD_RK2);
   morphing.setTrackerSpatialScheme(openvdb::math::FIRST_BIAS);

@@ -1,7 +1,7 @@
 // torus-flow MAJOR MINOR TIME OUTPUT
 //
-// Writes the exact shape of a torus that moves by its mean curvature, as a mesh. Its profile comes
-// from the one-dimensional solver of the tests, which shares nothing with the library.
+// Writes the exact shape of a torus that moves by mean curvature, as a mesh. Its profile comes from
+// the one-dimensional solver of the tests, which shares no code with the library.
 #include <numbers>
 
 #include "driver.h"
@@ -12,8 +12,8 @@ using namespace transformesh;
 
 namespace {
 
-/// Errors are those of the square of the spacing: with half as many, the volume at .4 of the time
-/// of collapse differs by less than 2e-5 of it.
+/// Points of the profile. Errors are proportional to the square of the spacing. With half as many
+/// points, the volume at 0.4 of the time of collapse changes by less than 2e-5 of itself.
 constexpr int profile_points = 400;
 constexpr int turns = 1200;
 

@@ -1,7 +1,7 @@
 """Splits source text into code, string literals and comments."""
 import re
 
-# In C++ a quote between digits separates them and does not begin a literal.
+# In C++ a single quote between digits is a separator and does not begin a literal.
 CPP = re.compile(
     r'(?P<comment>//[^\n]*|/\*.*?\*/)|\b\d[\w.]*(?:\'\w+)+'
     r'|(?P<string>R"([^(\s]*)\(.*?\)\3"|"(?:\\.|[^"\\\n])*")|(?P<character>\'(?:\\.|[^\'\\\n])+\')', re.S)

@@ -1,2 +1,2 @@
-// A program that does nothing, with which the whole library is linked.
+// An empty program that is linked with the whole library (scripts/lint --odr).
 int main() {}

@@ -38,7 +38,7 @@ def read_cameras(path):
         values = numpy.array(numbers, dtype=float)
         pose = numpy.eye(4)
         pose[:3, :3], pose[:3, 3] = values[9:18].reshape(3, 3), values[18:21]
-        # Blender's cameras look along -z, and y is up.
+        # In Blender the viewing direction of a camera is -z, and y is up.
         pose = numpy.linalg.inv(pose) @ numpy.diag([1, -1, -1, 1])
         cameras.append((name, values[:9].reshape(3, 3), pose))
     return cameras

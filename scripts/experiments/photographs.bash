@@ -1,11 +1,10 @@
-# The Middlebury photographs, and what experiments with photographs share. Sourced by them after they
-# set name.
+# Middlebury photographs, and functions for experiments with photographs. Set `name` before sourcing.
 # shellcheck shell=bash disable=SC2154,SC2034
 
 shared=$(readlink -f "${TM_DATA:-$here/../../../shared/data}/mvs") || true
 readonly shared
 
-# Sets cameras, images and, where there are any, masks and options.
+# name_files SCENE: sets cameras and images, and masks and options if the scene has any.
 name_files() { # SCENE
   masks='' options=()
   case $1 in
@@ -13,7 +12,7 @@ name_files() { # SCENE
       cameras="$shared/dinoSparse_transformesh/camera*.txt"
       images="$shared/dinoSparse_transformesh/dinoSR*.png"
       masks="$shared/dinoSparse_transformesh/*mask.png"
-      # Plaster, hardly textured; views 45 degrees apart see other sides of the legs.
+      # Plaster with little texture; views 45 degrees apart show different sides of the legs.
       options=(--window 5 --pairs 2 --stiffness 3)
       ;;
     temple)
@@ -28,8 +27,8 @@ value() { # KEY REPORT
   awk -v key="\"$1\":" '$1 == key { gsub("[\",]", "", $2); print $2; exit }' "$2"
 }
 
-# User and system time of all processes that a command starts, in seconds: the second line of times.
-# Sets cpu.
+# timed COMMAND...: runs a command, and sets cpu to the CPU seconds of all its processes, which the
+# second line of `times` has.
 timed() { # COMMAND...
   times >times.begin
   "$@"

@@ -13,12 +13,13 @@ import sys
 
 import numpy as np
 
-# Turns in 2 pi, and phase, of each ball on its circle and of its radius.
+# Turns of each ball per period on its circle and in its radius, and its phase.
 TURNS = np.array([1, -1, 2, -2, 1, 3])
 PHASES = np.arange(6) * 2.4
 CIRCLES = np.array([[x, y, 0] for x in (-0.55, 0.55) for y in (-0.7, 0, 0.7)])
-# Speed back to the surface, per distance. Half of it leaves necks that do not pinch off before balls
-# meet again; twice of it makes steps of .02 jump by a tenth of the distance.
+# Speed of the return to the exact surface, divided by the distance. At half the value, necks do not
+# pinch off before balls meet again. At twice the value, a step of 0.02 corrects a tenth of the
+# distance at once.
 RETURN = 3
 
 

@@ -1,4 +1,4 @@
-// A page in headless Chromium, and pictures of it as numbers.
+// Opens pages in headless Chromium, and measures screenshots of them.
 
 import assert from 'node:assert/strict';
 import {createRequire} from 'node:module';
@@ -10,13 +10,13 @@ const require = createRequire(viewer);
 const puppeteer = require('puppeteer-core');
 export const axe = () => require('axe-core').source;
 
-// As a machine without a graphics card draws.
+// Flags for software rendering, as on a machine without a graphics card.
 const flags = ['--disable-gpu', '--enable-unsafe-swiftshader', '--no-sandbox', '--hide-scrollbars'];
 
 export const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
 
-// Runs `check` on a page of that address; fails where the console has an error, or anything but
-// the page's own place is asked for. A page of text has no viewer, and asks for files beside it.
+// Opens a page and runs `check` on it. Fails if the console shows an error, or if the page requests
+// anything from another origin. A page of text has no viewer, and may request files beside it.
 export async function withPage(address, {width = 800, height = 1000, dark = false, touch = false, mayEnd = false, isText = false}, check) {
   const browser = await puppeteer.launch({executablePath: process.env.TM_CHROMIUM, headless: true, args: flags});
   try {
@@ -32,7 +32,7 @@ export async function withPage(address, {width = 800, height = 1000, dark = fals
     });
     await page.setViewport({width, height, hasTouch: touch});
     if (dark) await page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: 'dark'}]);
-    // Sampled as the page itself sees its first picture.
+    // Records the time of the first picture in the page.
     await page.evaluateOnNewDocument(() => {
       const timer = setInterval(() => {
         if (document.body?.dataset.shown === undefined || !(window.viewer?.view.pictures > 1)) return;
@@ -49,10 +49,10 @@ export async function withPage(address, {width = 800, height = 1000, dark = fals
   }
 }
 
-// Waits until the mesh of that place on the slider is shown, and drawn finely.
+// Waits until the mesh at the position of the slider is shown, in full resolution.
 export async function settled(page) {
   await page.waitForFunction("document.body.dataset.shown === document.getElementById('slider').value");
-  // What is drawn finely is so a quarter of a second after all else.
+  // The picture in full resolution is drawn a quarter of a second after the last movement.
   await wait(300);
   await page.waitForFunction('!viewer.isUnpacking && !viewer.view.isDue && (viewer.view.isFine || !viewer.view.isSlow)');
   await wait(100);
@@ -68,7 +68,7 @@ export async function setSlider(page, place) {
   await settled(page);
 }
 
-// What the screen shows of an element: width, height, and four bytes for every pixel.
+// Returns a screenshot of an element: width, height, and four bytes per pixel.
 export async function pixelsOf(page, browser, selector) {
   const picture = await (await page.$(selector)).screenshot({encoding: 'base64'});
   const reader = await browser.newPage();
@@ -89,7 +89,8 @@ export async function pixelsOf(page, browser, selector) {
   return {width: result.width, height: result.height, bytes: Buffer.from(result.text, 'base64')};
 }
 
-// Share of the pixels that differ by more than a little, of all or of some columns.
+// Returns the share of pixels that differ clearly. `from` and `to` limit the columns, as shares of the
+// width.
 export function differenceOf(one, other, from = 0, to = 1) {
   assert.deepEqual([one.width, one.height], [other.width, other.height]);
   let count = 0, all = 0;
@@ -104,7 +105,7 @@ export function differenceOf(one, other, from = 0, to = 1) {
   return count / all;
 }
 
-// The pixels of which `isOf(red, green, blue)` holds: their number, middle, extent and mean color.
+// Returns number, center, extent and mean color of the pixels for which `isOf(red, green, blue)` holds.
 export function statisticsOf({width, height, bytes}, isOf) {
   const result = {count: 0, x: 0, y: 0, left: width, right: 0, top: height, bottom: 0, color: [0, 0, 0]};
   for (let y = 0; y < height; ++y) {

@@ -1,11 +1,12 @@
-// node checks.mjs NAME ADDRESS...: one check of a page in a browser; what is wrong goes to stderr.
+// node checks.mjs NAME ADDRESS...: runs a check of a page in a browser. Failures are printed on stderr.
 
 import assert from 'node:assert/strict';
 import {axe, differenceOf, pixelsOf, setSlider, settled, statisticsOf, valueOf, wait, withPage} from './browser.mjs';
 
 const widths = [{width: 800, height: 1000}, {width: 2000, height: 1200}];
 
-// What axe-core complains of; on the site's pages, of what is ours and not of the theme.
+// Fails if axe-core finds accessibility problems. On pages of the site, only the article is tested,
+// and not the theme around it.
 async function findNothing(page, leastPasses) {
   await page.evaluate(axe());
   const {violations, passes} = await page.evaluate("axe.run(document.querySelector('article[role=main]') ?? document, {preload: false})");
@@ -14,12 +15,12 @@ async function findNothing(page, leastPasses) {
 }
 
 const checks = {
-  // Of a run.
+  // Checks the page of a run.
   async opens(address) {
     for (const size of widths) {
       await withPage(address, size, async (page, browser) => {
         await settled(page);
-        // Darker than the background ever is.
+        // Pixels of the mesh are darker than the background.
         const {count} = statisticsOf(await pixelsOf(page, browser, '#stage'), (red) => red < 0xd0);
         assert(count > 0.05 * size.width * size.height * 0.5, `the picture is empty: ${count} pixels`);
         assert.equal(await page.evaluate('document.documentElement.scrollWidth'), size.width, 'wider than the window');
@@ -39,7 +40,7 @@ const checks = {
       const last = Number(await page.$eval('#slider', (slider) => slider.max));
       await setSlider(page, last);
       assert(differenceOf(end, await pixelsOf(page, browser, '#stage')) < 0.001, 'the end looks otherwise the second time');
-      // As somebody drags it, and the last one counts.
+      // Drags the slider as a user would; the last position counts.
       const box = await (await page.$('#slider')).boundingBox();
       await page.mouse.move(box.x + box.width - 8, box.y + box.height / 2);
       await page.mouse.down();
@@ -51,7 +52,7 @@ const checks = {
     });
   },
 
-  // Of a run with one event: two balls that grow and merge near (1.15, 0, 0).
+  // Checks the page of a run with one event: two balls that grow and merge near (1.15, 0, 0).
   async events(address) {
     await withPage(address, {}, async (page, browser) => {
       await settled(page);
@@ -68,7 +69,7 @@ const checks = {
       await settled(page);
       const shown = await page.evaluate('viewer.times[viewer.place]');
       assert(Math.abs(shown - Number(event.iteration)) <= 1, `the frame of ${shown} is shown`);
-      // The middle of the view is at the event, in the coordinates of the mesh.
+      // The view must be centered at the event, in the coordinates of the mesh.
       const place = await page.evaluate(`(() => {
         const {group, extent} = viewer.view.cells[0];
         const {x, y, z} = group.worldToLocal(viewer.view.controls.target.clone());
@@ -89,7 +90,7 @@ const checks = {
         const box = await (await chart.$('svg')).boundingBox();
         const times = await page.evaluate('viewer.times');
         for (const place of [0, 2, times.length - 1]) {
-          // Where the curve has this time, in units of the drawing: 6 to 314 of 320.
+          // Position of this time on the curve; the plot extends from 6 to 314 of 320 units.
           const share = (6 + 308 * (times[place] - times[0]) / (times.at(-1) - times[0])) / 320;
           await page.mouse.click(box.x + share * box.width, box.y + box.height / 2);
           await settled(page);
@@ -100,7 +101,7 @@ const checks = {
             assert.equal(Number(said), faces, 'the curve says another number of faces');
           }
         }
-        // The mark is under the pointer.
+        // The mark must be at the pointer.
         const mark = await chart.$eval('.cursor', (element) => element.getBoundingClientRect().left);
         assert(Math.abs(mark - (box.x + 314 / 320 * box.width)) < 2, 'the cursor is elsewhere');
       });
@@ -117,7 +118,7 @@ const checks = {
       for (const id of ['stage', 'play', 'slider', 'color', 'wireframe', 'reset']) assert(reached.includes(id), `Tab never comes to ${id}`);
       await page.focus('#stage');
       await settled(page);
-      // A busy machine may draw finely later than it says that it is settled.
+      // A busy machine may draw in full resolution after settled() has returned.
       const steady = async () => {
         let pixels = await pixelsOf(page, browser, '#canvas');
         for (let i = 0; i < 20; ++i) {
@@ -193,7 +194,7 @@ const checks = {
     });
   },
 
-  // In the middle of a morph the target looks out of the surface.
+  // Checks that, in the middle of a morph, the target is visible outside of the surface.
   async ghost(address) {
     await withPage(address, {}, async (page, browser) => {
       await setSlider(page, Math.floor(0.6 * Number(await page.$eval('#slider', (slider) => slider.max))));
@@ -206,14 +207,15 @@ const checks = {
     });
   },
 
-  // Of a red ball: a disc, as large as it must be.
+  // Checks that a red ball is drawn as a disc of the right size.
   async silhouette(address) {
     for (const size of [...widths, {...widths[0], dark: true}]) {
       await withPage(address, size, async (page, browser) => {
         await settled(page);
         const pixels = await pixelsOf(page, browser, '#stage');
         const disc = statisticsOf(pixels, (red, green, blue) => red > 60 && red > 2 * green && red > 2 * blue);
-        // The ball of radius 1 seen from 1.02 / sin(15 degrees) with 15 degrees each way.
+        // The camera is at distance 1.02 / sin(15 degrees) from a ball of radius 1, and its field of view
+        // is 30 degrees.
         const distance = 1.02 / Math.sin(Math.PI / 12);
         const radius = Math.tan(Math.asin(1 / distance)) / Math.tan(Math.PI / 12) * Math.min(pixels.width, pixels.height) / 2;
         const near = (value, expected, most, what) => assert(Math.abs(value - expected) < most, `${what} ${value} instead of ${expected}`);
@@ -227,7 +229,7 @@ const checks = {
     }
   },
 
-  // Of a reconstruction: the silhouette of its render is that of the photograph beside it.
+  // Checks that the silhouette of a reconstruction agrees with that of the photograph beside it.
   async photographs(address) {
     for (const size of widths) {
       await withPage(address, size, async (page, browser) => {
@@ -250,7 +252,7 @@ const checks = {
               for (let x = 0; x < photograph.width; ++x) {
                 const at = 4 * (Math.round(photograph.top + y + (isBeside ? 0 : shift)) * pixels.width + Math.round(photograph.left + x + (isBeside ? shift : 0)));
                 const [red, , blue] = pixels.bytes.subarray(at, at + 3);
-                // The photograph is light where nothing is, the render bluish where something is.
+                // The background of the photograph is light; the surface in the render is bluish.
                 if (shift === 0 ? red > 206 : blue - red < 13) continue;
                 extent.left = Math.min(extent.left, x);
                 extent.right = Math.max(extent.right, x);
@@ -275,7 +277,7 @@ const checks = {
     }
   },
 
-  // Of a movie that was reconstructed: cameras and photographs are those of the time step shown.
+  // Checks that a reconstructed movie shows the cameras and photographs of the current time step.
   async film(address) {
     for (const size of widths) {
       await withPage(address, size, async (page, browser) => {
@@ -298,7 +300,7 @@ const checks = {
     }
   },
 
-  // Of a movie that was followed: the ghost is the target of the frame shown.
+  // Checks that a tracked movie shows the target of the current frame.
   async targets(address) {
     await withPage(address, {}, async (page) => {
       const shown = [];
@@ -312,7 +314,7 @@ const checks = {
     });
   },
 
-  // Of two runs: the same camera for both.
+  // Checks that two runs have the same camera.
   async linked(address) {
     for (const size of widths) {
       await withPage(address, size, async (page, browser) => {
@@ -346,7 +348,7 @@ const checks = {
     }
   },
 
-  // Pages without a viewer: of batches, the gallery, the site.
+  // Checks pages without a viewer: of batches, the gallery, the site.
   async texts(...addresses) {
     for (const address of addresses) {
       for (const options of [{}, {dark: true}, {width: 2000, height: 1200}]) {
@@ -371,7 +373,7 @@ const checks = {
     assert(await lightness(false) > 200 && await lightness(true) < 80);
   },
 
-  // Of a run that is served and goes on when a file is made, and of a server that ends then.
+  // Checks the page of a served run, which continues when `goFile` is made. Then ends the server.
   async live(address, goFile, server) {
     const {writeFile} = await import('node:fs/promises');
     await withPage(address, {mayEnd: true}, async (page) => {
@@ -381,7 +383,7 @@ const checks = {
       await page.waitForFunction((old) => viewer.times.length > old, {}, before);
       await settled(page);
       assert.equal(Number(await valueOf(page, 'slider')), await count() - 1, 'the slider does not follow');
-      // It has grown, and is seen all the same.
+      // The surface has grown and must still be completely visible.
       const farthest = await page.evaluate(() => {
         const {cells: [{surface}], camera} = viewer.view;
         const {position} = surface.geometry.attributes;
@@ -394,7 +396,7 @@ const checks = {
         return result;
       });
       assert(farthest > 0.5 && farthest < 1, `as far as ${farthest} of the picture`);
-      // Somebody looks at an early frame: it stays.
+      // A user who views an early frame must stay there.
       await setSlider(page, 0);
       process.kill(Number(server), 'SIGINT');
       await page.waitForFunction("!document.getElementById('problem').hidden");
@@ -404,7 +406,7 @@ const checks = {
     });
   },
 
-  // Numbers, which nothing is asked of.
+  // Prints measured speeds; nothing is checked.
   async speed(address) {
     for (const size of widths) {
       await withPage(address, size, async (page) => {

@@ -1,5 +1,5 @@
-/// What the tests of exterior/ and open/ know of arrangements: shapes that cross, and winding
-/// numbers beside pieces by sums of solid angles.
+/// Helpers for the tests of lib/clean/exterior and lib/clean/open: arrangements of intersecting
+/// shapes, and winding numbers beside pieces, found by summing solid angles.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,7 +22,7 @@ inline Arrangement arranged(const Mesh& mesh) {
   return arrange(welded, find_meetings(*welded, Progress()), Progress());
 }
 
-/// The pieces of a mesh whose faces are in these open components, as cleaning has them.
+/// Returns the arrangement that cleaning computes if the faces belong to these open components.
 inline Arrangement arranged_open(const Mesh& mesh, std::vector<Index> component_of_face) {
   const auto welded = std::make_shared<WeldedMesh>(weld(mesh));
   welded->open_component = std::move(component_of_face);
@@ -30,7 +30,7 @@ inline Arrangement arranged_open(const Mesh& mesh, std::vector<Index> component_
   return arrange_exterior(welded, meetings, {1, false, nullptr}, Progress()).arrangement;
 }
 
-/// Balls about random points, every third of them inside out.
+/// Returns balls around random points; every third one is inside out.
 inline Mesh random_balls(std::uint64_t seed, int count) {
   Random random(seed);
   Mesh mesh;
@@ -46,8 +46,8 @@ inline Triangle corners_of(const Arrangement& arrangement, const Piece& piece) {
   return {arrangement.position(a), arrangement.position(b), arrangement.position(c)};
 }
 
-/// The winding number of a closed mesh in front of a triangle, or behind it (side -1); nothing
-/// beside slivers, where no point is surely beside the triangle alone.
+/// Returns the winding number of a closed mesh in front of a triangle (`side` 1) or behind it
+/// (`side` -1). Empty for slivers, since no point is certainly next to such a triangle only.
 inline std::optional<int> winding_beside(const Mesh& mesh, const Triangle& t, int side) {
   const Vec3 normal = normal_of(t[0], t[1], t[2]);
   double longest = 0;

@@ -1,11 +1,11 @@
-/// A mesh as the repair of rounding sees it, for tests of its steps.
+/// Makes an Assembly of a mesh, for tests of rounding.
 #pragma once
 
 #include "clean/stitch/assemble.h"
 
 namespace transformesh::test {
 
-/// All vertices and faces of the mesh are new, each face cut from one of its own.
+/// Returns an assembly in which all vertices and faces are new, and each face is its own source.
 inline Assembly assembly_of(const Mesh& mesh) {
   Assembly assembly;
   assembly.mesh = mesh;

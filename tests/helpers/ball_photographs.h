@@ -1,4 +1,4 @@
-/// Photographs of a textured ball by a ring of cameras, for tests of steps towards them.
+/// Photographs of a textured ball from a ring of cameras, for tests of photoconsistency steps.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,14 +11,15 @@
 
 namespace transformesh::test {
 
-/// A texture that fills space.
+/// Returns the intensity of a solid texture at a point.
 inline float texture(const Vec3& p) {
   const double sum = std::sin(17 * p.x() + 3) + std::sin(15 * p.y() + 5 * p.z()) +
                      std::sin(19 * p.z() - 4 * p.x()) + std::sin(11 * (p.x() + p.y() - p.z()));
   return static_cast<float>(128 + 25 * sum);
 }
 
-/// A camera on a ring around the unit sphere, and what it sees: traced, not rasterized.
+/// Returns a ray-traced view of a textured sphere of radius `size` from a camera on a ring around
+/// it.
 inline View photograph(double angle_deg, double size) {
   View view;
   view.camera.intrinsics << 260, 0, 79.5, 0, 260, 79.5, 0, 0, 1;
@@ -55,7 +56,8 @@ inline Mesh ball(double radius) {
   return mesh;
 }
 
-/// Mean distance to a sphere, near the equator, where all cameras look.
+/// Returns the mean distance of vertices from a sphere. Only vertices near the equator count, which
+/// are visible in several views.
 inline double error(const Mesh& mesh, double radius) {
   double sum = 0;
   int count = 0;

@@ -11,7 +11,7 @@ needs_browser() {
   has_browser || skip "there is no Chromium or no viewer: scripts/setup --browser"
 }
 
-# check NAME PAGE|WORD...
+# check NAME PAGE|WORD...: runs a check of tests/browser/checks.mjs. Names of pages become URLs.
 check() {
   local name=$1 words=() word
   shift

@@ -1,4 +1,4 @@
-/// How camera files are refused, for tests of their formats.
+/// Checks error messages for camera files, for tests of their formats.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 
 namespace transformesh::test {
 
-/// The message that refuses the text, empty where it is read.
+/// Returns the error message for a text; empty if the text is accepted.
 inline std::string refusal(const std::string& text) {
   try {
     parse_cameras(text, "some.txt");
@@ -20,7 +20,7 @@ inline std::string refusal(const std::string& text) {
   return "";
 }
 
-/// Whether the message states `what` and ends with the line.
+/// Checks that the error message contains `what` and ends with the line number.
 inline bool is_refused(const std::string& text, const std::string& what, int line) {
   const std::string message = refusal(text);
   INFO(message);

@@ -1,4 +1,4 @@
-/// Meshes for CGAL: what its oracles, and the benchmarks beside it, start from.
+/// Converts meshes to CGAL, for oracles and benchmarks.
 #pragma once
 
 #include <CGAL/Surface_mesh.h>
@@ -9,7 +9,7 @@
 
 namespace transformesh::test {
 
-/// Throws where the mesh is not an oriented manifold.
+/// Returns the mesh as CGAL::Surface_mesh. Throws if it is not an oriented manifold.
 template <class Kernel>
 CGAL::Surface_mesh<typename Kernel::Point_3> surface_mesh(const Mesh& mesh) {
   using SurfaceMesh = CGAL::Surface_mesh<typename Kernel::Point_3>;

@@ -1,4 +1,4 @@
-/// What CGAL says about closed oriented meshes: it shares no code with what is tested.
+/// Self-intersections of closed oriented meshes by CGAL. Shares no code with the library.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,12 @@
 
 namespace transformesh::test {
 
-/// Pairs of faces that meet beyond what they share by index, exactly. The mesh must be a manifold.
+/// Returns the number of pairs of faces that meet outside their common vertices and edges. Exact.
+/// The mesh must be a manifold.
 std::size_t count_self_intersections(const Mesh& mesh);
 
-/// The same without the pairs that have a corner in one place with different indices, as where
-/// sheets touch.
+/// Equals count_self_intersections() without pairs that have two corners with equal positions and
+/// different indices. Such pairs occur where sheets touch.
 std::size_t count_self_intersections_apart(const Mesh& mesh);
 
 }  // namespace transformesh::test

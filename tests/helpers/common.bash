@@ -1,5 +1,5 @@
-# Loaded by every bats file: where the programs are, pipelines that cannot hide a failure, and
-# inputs that may be absent.
+# Loaded by every bats file: sets the path of the programs, runs pipelines without hiding failures,
+# and skips tests whose inputs are absent.
 
 bats_require_minimum_version 1.5.0
 
@@ -10,17 +10,18 @@ export PATH
 export LC_ALL=C
 unset NO_COLOR
 
-# pipe 'a | b': runs it under pipefail; stdout and stderr together are in $output.
+# pipe 'a | b': runs a pipeline with pipefail; $output has stdout and stderr.
 pipe() {
   run bash -o pipefail -c "$1"
 }
 
-# pipe_apart 'a | b': the same, with stderr in $stderr and only stdout in $output.
+# pipe_apart 'a | b': runs a pipeline with pipefail; $output has stdout, and $stderr has stderr.
 pipe_apart() {
   run --separate-stderr bash -o pipefail -c "$1"
 }
 
-# triangles MESH: a line for each, from its first corner in the order of text on, sorted.
+# triangles MESH: prints a sorted line per triangle. Each begins with the corner that is first as
+# text, so that the output does not depend on the order of vertices and faces.
 triangles() {
   tm-convert -q --no-provenance --format off "$1" | awk '
     !started { if ($1 ~ /^[0-9]+$/) { vertices = $1; started = 1 } next }
@@ -33,40 +34,42 @@ triangles() {
     }' | sort
 }
 
-# needs_shared meshes/cgal/bones.off: sets $shared_file to that of the folder TM_DATA, or skips.
+# needs_shared meshes/cgal/bones.off: sets $shared_file to the path of this file in the folder
+# TM_DATA; skips the test if there is none.
 needs_shared() {
   shared_file=${TM_DATA:-$tm_root/../shared/data}/$1
   [ -e "$shared_file" ] || skip "TM_DATA names no folder with $1"
 }
 
-# needs_command convert: skips and says why where a command is not installed.
+# needs_command convert: skips the test, with the reason, if a command is not installed.
 needs_command() {
   command -v "$1" >/dev/null || skip "$1 is not installed"
 }
 
-# winding_oracle INPUT OUTPUT [--level K] [--samples N] [--seed S]: whether OUTPUT is the boundary
-# of what INPUT encloses at least K times. Prints `tested N wrong N undecided N`; status 1 if wrong.
+# winding_oracle INPUT OUTPUT [--level K] [--samples N] [--seed S]: tests whether OUTPUT is the
+# boundary of the region that INPUT encloses at least K times. Prints `tested N wrong N undecided N`;
+# the status is 1 if a sample is wrong.
 winding_oracle() {
   "$tm_build/bin-test/winding_oracle" "$@"
 }
 
-# What went wrong, shown when a test fails.
+# fail TEXT: fails the test and shows the text.
 fail() {
   echo "$*" >&2
   return 1
 }
 
-# assert_status 2: compares with the last run and shows its output on a difference.
+# assert_status 2: compares the exit code of the last run, and shows its output on a difference.
 assert_status() {
   [ "$status" -eq "$1" ] || fail "exit code $status instead of $1, output: $output ${stderr-}"
 }
 
-# one_line TEXT: the text is a single line that is not empty.
+# one_line TEXT: checks that the text is a single line that is not empty.
 one_line() {
   [ -n "$1" ] && [ "$(printf '%s\n' "$1" | wc -l)" -eq 1 ] || fail "not one line: $1"
 }
 
-# The smallest closed mesh on stdout: a tetrahedron of edge sqrt(2) and volume 1/3, as ASCII PLY.
+# Prints the smallest closed mesh as ASCII PLY: a tetrahedron of edge sqrt(2) and volume 1/3.
 tetrahedron() {
   cat <<'PLY'
 ply

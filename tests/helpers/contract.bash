@@ -1,9 +1,10 @@
-# What the contract's checks need to know about every program, and the meshes that they feed.
+# Table of all programs for the checks of the contract, and the inputs of these checks.
 
-# name|kind|arguments beside the input; MESH stands for a file with the mesh itself, SCENE
-# for a folder with par.txt and masks, and with photos.txt and photos of the mesh. The input of a converter is in the file
-# $NAME_input, for example $tm_cameras_input. RUN is the folder of a run, TILES that of clean tiles. A loop is a filter whose output is always PLY; the state of
-# one may stay beside a named output.
+# Prints lines of the form name|kind|arguments, without the input. In the arguments, MESH stands for
+# the input mesh, and SCENE for a folder with par.txt and masks, and with photos.txt and photos of
+# the mesh. RUN stands for the folder of a run, TILES for a folder of clean tiles. The input of a
+# converter is the file $NAME_input, for example $tm_cameras_input. A loop is a filter whose output
+# is always PLY; its state may stay beside a named output.
 contract_programs() {
   cat <<'TABLE'
 tm|lister|
@@ -46,8 +47,8 @@ tm-wrap|converter|
 TABLE
 }
 
-# torus COLUMNS ROWS [SHIFT]: a closed mesh of 2 * COLUMNS * ROWS faces as ASCII PLY with float
-# coordinates, a comment, and properties that no program knows.
+# torus COLUMNS ROWS [SHIFT]: prints a closed mesh of 2 * COLUMNS * ROWS faces as ASCII PLY. It has
+# float coordinates, a comment, and properties that no program knows.
 torus() {
   awk -v columns="$1" -v rows="$2" -v shift="${3:-0}" 'BEGIN {
     print "ply\nformat ascii 1.0\ncomment made by hand"
@@ -75,13 +76,13 @@ torus() {
   }'
 }
 
-# Two cameras as Middlebury parameters.
+# Prints two cameras as Middlebury parameters.
 two_cameras() {
   printf '%s\n' 2 "a.png 300 0 79.5 0 300 59.5 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5" \
     "b.png 300 0 79.5 0 300 59.5 0 0 1 0.8 0 -0.6 0 1 0 0.6 0 0.8 0 0 5"
 }
 
-# make_contract_inputs FOLDER: what for_each feeds to the programs; needs scene.bash.
+# make_contract_inputs FOLDER: makes the inputs for for_each. Requires scene.bash.
 make_contract_inputs() {
   export mesh=$1/torus.ply crossing=$1/crossing.ply binary=$1/binary.ply scene=$1/scene
   export tm_cameras_input=$1/cameras_par.txt tm_photograph_input=$mesh tm_wrap_input=$mesh
@@ -100,9 +101,9 @@ make_contract_inputs() {
   torus 24 12 1.1 | tm-cat --no-provenance --format ply -o "$crossing" "$mesh" -
 }
 
-# for_each KIND... -- FUNCTION: calls FUNCTION for every program of these kinds with $program,
-# $kind and the array $arguments set, and fails, naming the program, where FUNCTION does. Programs
-# of other kinds are named: the check makes no sense for them.
+# for_each KIND... -- FUNCTION: calls FUNCTION for every program of these kinds, with $program, $kind
+# and the array $arguments set. Fails, naming the program, if FUNCTION fails. Prints the names of
+# programs of other kinds, to which the check does not apply.
 for_each() {
   local kinds=" " failed=0 rest row input mesh_input=$mesh binary_input=$binary
   local crossing_input=$crossing mesh binary crossing
@@ -130,7 +131,7 @@ for_each() {
     arguments=("${arguments[@]/SCENE/$scene}")
     arguments=("${arguments[@]/RUN/$run}")
     arguments=("${arguments[@]/TILES/$tiles}")
-    # Not as a condition: bash would then go on after a failing line of the function.
+    # The function is not called in a condition, in which bash would ignore `set -e`.
     set +e
     (
       set -e

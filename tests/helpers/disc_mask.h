@@ -1,4 +1,4 @@
-/// A disc whose distance to every pixel is known, for tests of silhouettes.
+/// Masks of shapes with known distance functions, such as a disc, for tests of silhouettes.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@ namespace transformesh::test {
 inline constexpr int width = 64;
 inline constexpr int height = 48;
 
-/// An image whose intensities are those of a function of the place, positive outside, cut off.
+/// Returns a mask with a soft contour. `distance` is the signed distance from the contour in
+/// pixels, positive outside.
 template <typename Function>
 GrayImage soft_mask(const Function& distance) {
   GrayImage mask(width, height);
@@ -21,7 +22,7 @@ GrayImage soft_mask(const Function& distance) {
   return mask;
 }
 
-/// The distance to the disc's circle, positive outside.
+/// Returns the signed distance from the disc's circle in pixels, positive outside.
 inline double disc(double x, double y) { return std::hypot(x - 30.3, y - 22.6) - 11.7; }
 template <typename Function>
 double worst_error(const GrayImage& distances, const Function& exact) {

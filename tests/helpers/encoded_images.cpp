@@ -23,7 +23,7 @@ void append_png(png_structp png, png_bytep data, png_size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(data), size);
 }
 
-/// A file in memory, as libtiff writes it.
+/// A file in memory that libtiff writes.
 struct MemoryFile {
   std::string bytes;
   std::size_t place = 0;

@@ -1,4 +1,4 @@
-/// Image files in memory, by the codec libraries, for tests of what reads them.
+/// Encodes image files in memory with the codec libraries, for tests of the decoders.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -9,10 +9,10 @@
 
 namespace transformesh::test {
 
-/// Rows from the top as the file has them, packed.
+/// Packed rows of samples in the order of the file, from the top.
 using Rows = std::vector<std::uint8_t>;
 
-/// Random bytes, the same in every run.
+/// Returns random bytes, the same in every run.
 Rows noise(std::size_t count);
 
 struct JpegKind {
@@ -45,13 +45,14 @@ struct TiffKind {
 /// Palettes map i to (257 i, 0, 0).
 std::string tiff_of(const TiffKind& kind, int width, int height, Rows rows);
 
-/// The message that refuses the bytes, empty where they are an image.
+/// Returns the error message for a file; empty if it is decoded.
 std::string image_refusal(const std::string& bytes);
 
-/// Every beginning of the file must be refused by a message that names it.
+/// Checks that every truncated file is refused with a message that names the file.
 void check_beginnings(const std::string& bytes);
 
-/// Bytes changed at random: an image or a refusal that names the file.
+/// Checks that files with random changes are decoded, or refused with a message that names the
+/// file.
 void check_damage(const std::string& bytes);
 
 double gray(double red, double green, double blue);

@@ -8,7 +8,7 @@ namespace transformesh::test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr long smallest_exponent = -1073;  ///< of a half, for MPFR: that of the smallest double
+constexpr long smallest_exponent = -1073;  ///< exponent of the smallest double, as MPFR counts
 
 class BigNumber {
  public:

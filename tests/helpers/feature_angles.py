@@ -1,9 +1,12 @@
-"""Whether a mesh has the angles of a target along its sharp edges: feature_angles.py TARGET MESH.
+"""Measures whether a mesh has the angles of a target along its sharp edges.
 
-At places along the target's sharp edges, a third of the mesh's mean edge to both sides, the normals
-of the mesh turn from one side to the other as those of the target do. Only places count where the
-target is flat as far as a mean edge to both sides: what is narrower no edge of the mesh can follow.
-Prints how many places, and for what share of their length the angles agree within 5 degrees."""
+    feature_angles.py TARGET MESH
+
+Samples points on the target's sharp edges. On both sides of each, at a third of the mesh's mean
+edge length, it takes the normals of mesh and target, and compares the angle between the normals of
+the mesh with that of the target. The line `flat` counts only points beside which the target is flat
+up to a mean edge length on both sides; the mesh cannot follow narrower faces. Prints the number of
+points and the share of their length at which the angles agree within 5 degrees."""
 
 import sys
 
@@ -18,7 +21,7 @@ def normals(mesh):
 
 
 def closest(mesh, points):
-    """The nearest face to each point, and how far it is."""
+    """Returns the nearest face to each point, and its distance."""
     places = tm.carry(mesh, tm.Mesh(points), closest=True).vertex_columns
     face, u, v = (places["source_" + name] for name in ("face", "u", "v"))
     a, b, c = (mesh.positions[mesh.faces[face][:, i]] for i in range(3))
@@ -31,7 +34,7 @@ def turn(one, other):
 
 
 def sharp_edges(mesh, least=40):
-    """Ends and faces of the edges where faces turn by more."""
+    """Returns the ends and the two faces of each edge with an angle above `least` degrees."""
     halfedges = np.concatenate([mesh.faces[:, [i, (i + 1) % 3]] for i in range(3)])
     face = np.tile(np.arange(len(mesh.faces)), 3)
     key = np.sort(halfedges, axis=1)
@@ -45,7 +48,8 @@ def sharp_edges(mesh, least=40):
 
 
 def places_along(target, edge):
-    """Places, what each stands for, the face on either side, and the directions into the two."""
+    """Returns points on sharp edges, the length that each represents, its two faces, and the
+    directions into these faces."""
     ends, one, other = sharp_edges(target)
     start, vector = target.positions[ends[:, 0]], np.diff(target.positions[ends], axis=1)[:, 0]
     length = np.linalg.norm(vector, axis=1)

@@ -1,5 +1,8 @@
-"""Writes the tetrahedron of tests in formats that the suite only reads, or reads in more encodings
-than it writes, by the standard library alone: foreign_files.py FOLDER."""
+"""Writes a tetrahedron in formats or encodings that the suite reads and does not write.
+
+    foreign_files.py FOLDER
+
+Uses Python's standard library only."""
 import base64
 import struct
 import sys
@@ -13,7 +16,7 @@ CORNERS = [corner for face in FACES for corner in face]
 
 
 class Vtp:
-    """One file of VTK's XML, in an encoding, a byte order, compressed or not."""
+    """A file of VTK's XML format in a given encoding and byte order, compressed or not."""
 
     def __init__(self, encoding, big, packed, wide):
         self.encoding, self.packed = encoding, packed
@@ -97,7 +100,7 @@ def write_3mf(folder):
         with zipfile.ZipFile("%s/%s.3mf" % (folder, name), "w", method) as archive:
             archive.writestr("_rels/.rels", relations)
             archive.writestr("3D/a.model", model)
-    # To a file that cannot seek, sizes are written behind the data.
+    # If the file cannot seek, zipfile writes sizes after the data.
     with open(folder + "/streamed.3mf", "wb") as file:
         class Pipe:
             def write(self, data):

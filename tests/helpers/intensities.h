@@ -1,4 +1,4 @@
-/// Images of views as plain ones, to be read and changed pixel by pixel.
+/// Reads and changes the pixels of views' images, which may be packed.
 #pragma once
 
 #include "views/images/packable_image.h"
@@ -9,7 +9,7 @@ inline std::vector<float> intensities_of(const PackableImage& image) {
   return image.unpacked().pixels;
 }
 
-/// Every intensity becomes what `change` makes of it.
+/// Replaces every intensity by the result of `change`.
 template <class Change>
 void change_intensities(PackableImage& image, const Change& change) {
   GrayImage plain = image.unpacked();

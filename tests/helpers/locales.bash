@@ -1,6 +1,7 @@
-# Locales for tests, made from their sources, as the system may have none.
+# Makes locales for tests from their sources, since the system may have none.
 
-# make_locales FOLDER NAME...: de_DE makes de_DE.UTF-8, to be used with LOCPATH=FOLDER.
+# make_locales FOLDER NAME...: makes a UTF-8 locale per name; de_DE gives de_DE.UTF-8. Set
+# LOCPATH=FOLDER to use them.
 make_locales() {
   local folder=$1 name
   shift

@@ -1,4 +1,4 @@
-/// How far two meshes are from each other, by testing all pairs of faces.
+/// Measures the distance between two meshes by testing all pairs of faces.
 #pragma once
 
 #include <algorithm>

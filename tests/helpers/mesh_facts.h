@@ -1,4 +1,4 @@
-/// Facts about meshes, found without the library: by counting, and by testing all pairs.
+/// Facts about meshes, found without the library: by counting, and by testing all pairs of faces.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,15 +15,16 @@
 
 namespace transformesh::test {
 
-/// What a closed oriented manifold is, by definition.
+/// The properties that define a closed oriented manifold. Later members are valid only if the first
+/// is true.
 struct Count {
-  bool is_closed_and_oriented = true;  // every halfedge once, and its opposite too
+  bool is_closed_and_oriented = true;  // every halfedge occurs once, and so does its opposite
   bool is_manifold = true;             // the faces around each vertex are one cycle
   bool has_isolated_vertices = false;
-  std::vector<long> genera;  // per component, sorted
+  std::vector<long> genera;  // genus per component, sorted
 };
 
-/// The surface by its halfedges: which vertex of the face left of each is not on it.
+/// Maps each halfedge to the third vertex of its face.
 struct Halfedges {
   std::map<std::pair<Index, Index>, Index> third;
   std::vector<std::size_t> valence;
@@ -48,7 +49,7 @@ struct Halfedges {
            });
   }
 
-  /// Whether turning around the vertex meets all of its faces.
+  /// True if walking around the vertex visits all of its faces.
   bool is_one_cycle(Index vertex) const {
     std::size_t steps = 0;
     Index neighbor = some_neighbor[vertex];
@@ -59,7 +60,7 @@ struct Halfedges {
     return steps == valence[vertex];
   }
 
-  /// A vertex that stands for the component of each.
+  /// Returns for each vertex a representative vertex of its component.
   std::vector<Index> components() const {
     std::vector<Index> parent(valence.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -90,7 +91,7 @@ inline Count count(const Mesh& mesh) {
     ++vertices[component[v]];
   }
 
-  std::map<Index, long> edges;  // twice
+  std::map<Index, long> edges;  // halfedges per component: each edge counts twice
   for (const auto& [halfedge, apex] : halfedges.third) ++edges[component[halfedge.first]];
   // 3 F = 2 E = H, so V - E + F = V - H / 6.
   for (const auto& [root, number] : vertices)
@@ -106,7 +107,8 @@ inline double signed_volume(const Mesh& mesh) {
   return sum / 6;
 }
 
-/// The solid angle of each face as seen from the point, summed up (Van Oosterom & Strackee 1983).
+/// Returns the sum of the solid angles of all faces, divided by 4 pi. Reference: Van Oosterom &
+/// Strackee, "The solid angle of a plane triangle", IEEE Trans. Biomedical Engineering 30(2), 1983.
 inline double winding_number(const Mesh& mesh, const Vec3& point) {
   double sum = 0;
   for (const Face& face : mesh.faces) {
@@ -123,10 +125,10 @@ inline double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
   return (b - a).cross(c - a).dot(d - a);
 }
 
-/// Self-intersections, in doubles.
+/// Self-intersections, computed in doubles.
 struct Crossings {
-  std::size_t pairs = 0;    // faces of which an edge of one properly crosses the other
-  double flattest = 1e300;  // the least volume of a test between two faces with a common point
+  std::size_t pairs = 0;    // pairs of faces of which an edge of one properly crosses the other
+  double flattest = 1e300;  // least volume in the tests of these pairs; small values are uncertain
 };
 
 class IntersectionCounter {
@@ -173,7 +175,7 @@ class IntersectionCounter {
     if (crosses_one || crosses_other) ++result_.pairs;
   }
 
-  // Whether an edge of f that has no corner of g runs through the inside of g.
+  // True if an edge of f that has no corner of g passes through the interior of g.
   bool crosses(Index f, Index g) {
     const Face& other = mesh_.faces[g];
     const auto is_of_g = [&](Index v) { return v == other[0] || v == other[1] || v == other[2]; };
@@ -215,7 +217,7 @@ inline double mean_edge(const Mesh& mesh) {
   return sum / (3.0 * static_cast<double>(mesh.faces.size()));
 }
 
-/// The mean over faces of their smallest angle, in degrees.
+/// Returns the mean over all faces of their smallest angle, in degrees.
 inline double mean_smallest_angle(const Mesh& mesh) {
   double sum = 0;
   for (const Face& face : mesh.faces) {

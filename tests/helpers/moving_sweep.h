@@ -4,7 +4,7 @@
 
 namespace transformesh::test {
 
-/// A surface that moves, agrees better and better, and loses nothing.
+/// Returns a sweep with a given dissimilarity in which vertices move and no coverage is lost.
 inline Sweep moving(double dissimilarity) {
   Sweep sweep;
   sweep.scale_step.scale = 4;

@@ -1,4 +1,4 @@
-/// Views of a textured mesh, as tm-photograph takes them.
+/// Synthetic views of a textured mesh, rendered as tm-photograph does.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace transformesh::test {
 
-/// A ring around the origin, from where objects of radius 1 fill most of an image of 96x72.
+/// Returns a ring of cameras around the origin. Objects of radius 1 fill most of the 96x72 images.
 inline CameraRing small_ring(int count = 10) {
   CameraRing ring;
   ring.count = count;
@@ -21,7 +21,7 @@ inline CameraRing small_ring(int count = 10) {
   return ring;
 }
 
-/// With photographs and masks.
+/// Returns a view per camera, with photograph and mask.
 inline std::vector<View> photographed(const Mesh& mesh, const CameraRing& ring = small_ring()) {
   const SolidTexture texture({.waves = 40, .finest = 0.2, .coarsest = 1});
   std::vector<View> views;

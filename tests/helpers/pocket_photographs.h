@@ -1,5 +1,5 @@
-/// Photographs of a textured block with a pocket that no silhouette shows, and how far away each
-/// pixel sees it: traced, not rasterized.
+/// Ray-traced photographs and depth maps of a textured block with a pocket that no silhouette
+/// shows.
 #pragma once
 
 #include <algorithm>
@@ -16,15 +16,14 @@
 
 namespace transformesh::test {
 
-/// The block reaches from -1 to 1 along x and y and from -0.7 to 0.7 along z; the pocket from -0.5
-/// to 0.5, and from z = 0.1 upwards.
+/// The block is [-1, 1]^2 x [-0.7, 0.7]. The pocket is [-0.5, 0.5]^2 x [0.1, 0.7].
 inline const Vec3 block_half(1, 1, 0.7);
 inline constexpr double pocket_half = 0.5;
 inline constexpr double pocket_floor = 0.1;
 inline constexpr double pocket_volume = 1.0 * 1.0 * 0.6;
 inline constexpr double block_volume = 2 * 2 * 1.4;
 
-/// Where a ray is within a box: from first to second, if that is larger.
+/// Returns the interval of ray parameters inside a box; empty if first > second.
 inline std::pair<double, double> way_through(const Vec3& eye, const Vec3& ray, const Vec3& low,
                                              const Vec3& high) {
   double begin = -std::numeric_limits<double>::infinity();
@@ -38,7 +37,7 @@ inline std::pair<double, double> way_through(const Vec3& eye, const Vec3& ray, c
   return {begin, end};
 }
 
-/// In multiples of the ray; 0 where it misses.
+/// Returns the ray parameter at which the ray hits the block; 0 if it misses.
 inline double way_to_block(const Vec3& eye, const Vec3& ray) {
   const auto [begin, end] = way_through(eye, ray, -block_half, block_half);
   if (!(begin < end)) return 0;
@@ -50,10 +49,10 @@ inline double way_to_block(const Vec3& eye, const Vec3& ray) {
 
 struct PocketViews {
   std::vector<View> views;
-  std::vector<GrayImage> depths;  ///< 0 where the block is not seen
+  std::vector<GrayImage> depths;  ///< depth per pixel; 0 if the ray misses the block
 };
 
-/// Cameras look into the pocket and, every other one, at the other side.
+/// Returns views from a ring of cameras. Every other camera faces the pocket, the rest the bottom.
 inline PocketViews pocket_views(int count = 20) {
   const view_maker::Frame frame{160, 120, 430};
   const SolidTexture texture({.waves = 40, .finest = 0.15, .coarsest = 1});

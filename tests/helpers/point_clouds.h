@@ -1,4 +1,4 @@
-/// Points to be wrapped, and what every wrap is.
+/// Point sets for tests of wrapping, and checks that every result must pass.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -13,12 +13,13 @@
 
 namespace transformesh::test {
 
-/// Points with the normals of the surface that they lie on.
+/// Points on a surface with its normals.
 struct Cloud {
   std::vector<Vec3> points, normals;
 };
 
-/// Evenly spread on a sphere (a golden spiral), a bit off it.
+/// Returns points evenly spread on a unit sphere (golden spiral). Their radii vary by up to
+/// `noise`.
 inline Cloud sphere_cloud(int count, double noise = 0) {
   Random random(3);
   Cloud cloud;
@@ -33,7 +34,7 @@ inline Cloud sphere_cloud(int count, double noise = 0) {
   return cloud;
 }
 
-/// Strewn over a torus.
+/// Returns random points on a torus.
 inline std::vector<Vec3> ring_points(int count) {
   Random random(1);
   std::vector<Vec3> ring;
@@ -46,7 +47,7 @@ inline std::vector<Vec3> ring_points(int count) {
   return ring;
 }
 
-/// A wrap is a closed, oriented manifold around some volume, without a self-intersection.
+/// Checks that a mesh is a closed oriented manifold of positive volume without self-intersections.
 inline void check_surface(const Mesh& mesh) {
   const Count facts = count(mesh);
   CHECK(facts.is_closed_and_oriented);
@@ -55,7 +56,7 @@ inline void check_surface(const Mesh& mesh) {
   CHECK(volume(mesh) > 0);
 }
 
-/// The points, farther apart by a factor.
+/// Returns the points, scaled by a factor.
 inline std::vector<Vec3> scaled(std::vector<Vec3> points, double factor) {
   for (Vec3& point : points) point *= factor;
   return points;

@@ -1,4 +1,6 @@
-/// Random numbers for tests: the same on every machine, unlike the distributions of <random>.
+/// Random numbers that are the same on every machine, unlike the distributions of <random>. The
+/// generator is SplitMix64 (Steele, Lea & Flood, "Fast splittable pseudorandom number generators",
+/// OOPSLA 2014).
 #pragma once
 
 #include <cstdint>

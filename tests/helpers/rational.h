@@ -1,4 +1,4 @@
-/// Points and segments in rational arithmetic, for oracles that share nothing with the predicates
+/// Points and segments in rational arithmetic, for oracles that share no code with the predicates
 /// of the library.
 #pragma once
 
@@ -42,7 +42,7 @@ inline RationalPoint normal(const RationalTriangle& t) {
 
 inline bool is_zero(const RationalPoint& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
-/// Whether the point lies on the triangle, its border included.
+/// True if the point lies on the triangle or its border.
 inline bool contains(const RationalTriangle& t, const RationalPoint& p) {
   const RationalPoint n = normal(t);
   if (dot(n, minus(p, t[0])) != 0) return false;
@@ -52,14 +52,14 @@ inline bool contains(const RationalTriangle& t, const RationalPoint& p) {
   return true;
 }
 
-/// Whether the point lies on the segment, its ends included.
+/// True if the point lies on the segment or at its ends.
 inline bool contains(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
   const RationalPoint along = minus(b, a), to = minus(p, a);
   return is_zero(cross(along, to)) && dot(along, to) >= 0 && dot(along, to) <= dot(along, along);
 }
 
-/// The point in which a segment crosses the plane of a triangle; none where they are parallel or do
-/// not meet.
+/// Returns the point at which a segment intersects the plane of a triangle; empty if they are
+/// parallel or do not meet.
 inline std::optional<RationalPoint> crossing(const RationalPoint& a, const RationalPoint& b,
                                              const RationalTriangle& t) {
   const RationalPoint n = normal(t), along = minus(b, a);
@@ -70,7 +70,7 @@ inline std::optional<RationalPoint> crossing(const RationalPoint& a, const Ratio
   return RationalPoint{a[0] + share * along[0], a[1] + share * along[1], a[2] + share * along[2]};
 }
 
-/// The point in which two segments of one plane cross; none where they are parallel or do not meet.
+/// Returns the intersection of two coplanar segments; empty if they are parallel or do not meet.
 inline std::optional<RationalPoint> crossing(const RationalPoint& a, const RationalPoint& b,
                                              const RationalPoint& c, const RationalPoint& d) {
   const RationalPoint u = minus(b, a), v = minus(d, c), n = cross(u, v);
@@ -81,7 +81,7 @@ inline std::optional<RationalPoint> crossing(const RationalPoint& a, const Ratio
   return RationalPoint{a[0] + s * u[0], a[1] + s * u[1], a[2] + s * u[2]};
 }
 
-/// The common point of three planes; none where there is not exactly one. By Cramer's rule.
+/// Returns the common point of three planes by Cramer's rule; empty if there is not exactly one.
 inline std::optional<RationalPoint> crossing(const RationalTriangle& f, const RationalTriangle& g,
                                              const RationalTriangle& h) {
   const RationalPoint nf = normal(f), ng = normal(g), nh = normal(h);

@@ -1,10 +1,10 @@
 /// Mean-curvature flow of surfaces of revolution, as the motion of their profile curves in the half
-/// plane of the radius r and the height z. This explicit one-dimensional solver shares nothing with
+/// plane of the radius r and the height z. This explicit one-dimensional solver shares no code with
 /// the library.
 ///
-/// The surface moves along its outward normal n by k - n_r / r. The curvature k of the profile has
-/// the sign that makes convex places recede: a sphere has r(t)^2 = r(0)^2 - 4 t, a cylinder
-/// r(t)^2 = r(0)^2 - 2 t. Errors are O(h^2) for a spacing h of the points.
+/// The surface moves along its outward normal n at the speed k - n_r / r. The curvature k of the
+/// profile is negative at convex places, which thus recede. A sphere has r(t)^2 = r(0)^2 - 4 t, a
+/// cylinder r(t)^2 = r(0)^2 - 2 t. Errors are O(h^2) for points at distance h.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,13 +18,14 @@ namespace transformesh::test {
 
 using ProfilePoint = Eigen::Vector2d;  ///< radius and height
 
-/// A curve with the surface's inside on its left: closed, or from the lower pole to the upper one.
+/// A profile curve, with the inside of the surface on its left. The curve is closed, or leads from
+/// the lower pole to the upper one.
 struct Profile {
   std::vector<ProfilePoint> points;
   bool is_closed = false;
 };
 
-/// The tube of a torus about the z axis.
+/// Returns the profile of a torus around the z axis.
 inline Profile torus_profile(double major, double minor, int count) {
   Profile profile{{}, true};
   for (int i = 0; i < count; ++i) {
@@ -34,8 +35,8 @@ inline Profile torus_profile(double major, double minor, int count) {
   return profile;
 }
 
-/// A surface with poles at the heights `low` and `high` and this radius between them, as `count`
-/// points at equal distances.
+/// Returns the profile of a surface with poles at the heights `low` and `high` and the given radius
+/// between them, as `count` points at equal distances.
 inline Profile pole_to_pole(double low, double high, int count,
                             const std::function<double(double z)>& radius) {
   constexpr int samples = 100000;
@@ -64,8 +65,8 @@ inline Profile ellipsoid_profile(double radius, double half_height, int count) {
   });
 }
 
-/// Two balls of radius .5 around z = -.7 and .7 with a neck of this radius between them, blended
-/// over .2: the shape that tm-shape calls dumbbell. The neck is at most .3.
+/// Returns the profile of the shape `dumbbell` of tm-shape: two balls of radius 0.5 around z = -0.7
+/// and 0.7, and a neck of radius `neck` between them, blended over 0.2. `neck` is at most 0.3.
 inline Profile dumbbell_profile(double neck, int count) {
   constexpr double ball = 0.5, center = 0.7, blend = 0.2;
   const auto distance = [=](double r, double z) {
@@ -92,7 +93,7 @@ class RevolutionFlow {
   double time() const { return time_; }
   const std::vector<ProfilePoint>& points() const { return profile_.points; }
 
-  /// Moves up to a time, which has to be before the surface changes its topology.
+  /// Advances to a time, which must be before the surface changes its topology.
   void advance_to(double end) {
     while (time_ < end) step(std::min(stable_span(), end - time_));
   }
@@ -147,7 +148,8 @@ class RevolutionFlow {
     time_ += span;
   }
 
-  /// A fifth of the squared smallest distance: explicit steps are stable up to a quarter.
+  /// Returns a fifth of the squared smallest distance of neighboring points. Explicit steps are
+  /// stable up to a quarter.
   double stable_span() const {
     double smallest = 1e300;
     for (std::size_t i = profile_.is_closed ? 0 : 1; i < size(); ++i)
@@ -159,7 +161,7 @@ class RevolutionFlow {
   std::size_t size() const { return profile_.points.size(); }
   bool is_pole(std::size_t i) const { return !profile_.is_closed && (i == 0 || i + 1 == size()); }
 
-  /// The neighbors; beyond a pole the curve is mirrored at the axis.
+  /// Return the neighbors of a point. Beyond a pole the curve is mirrored at the axis.
   ProfilePoint before(std::size_t i) const {
     if (profile_.is_closed) return profile_.points[(i + size() - 1) % size()];
     return i > 0 ? profile_.points[i - 1] : mirrored(profile_.points[1]);
@@ -191,7 +193,8 @@ class RevolutionFlow {
   double time_ = 0;
 };
 
-/// Returns the time at which the tube of a ring vanishes. The rest of a thin tube is a cylinder.
+/// Returns the time at which a torus collapses to a ring. The last part is extrapolated from the
+/// collapse of a cylinder.
 inline double ring_collapse_time(const Profile& ring) {
   RevolutionFlow flow(ring);
   const double enough = 1e-4 * flow.profile_area();
@@ -199,8 +202,8 @@ inline double ring_collapse_time(const Profile& ring) {
   return flow.time() + flow.profile_area() / (2 * std::numbers::pi);
 }
 
-/// Returns the time at which the thinnest neck pinches off. The square of its radius falls linearly
-/// in the end.
+/// Returns the time at which the thinnest neck pinches off. The last part is extrapolated: the
+/// square of the radius decreases linearly.
 inline double pinch_time(const Profile& dumbbell) {
   RevolutionFlow flow(dumbbell);
   const double enough = 0.1 * flow.radius(flow.neck());

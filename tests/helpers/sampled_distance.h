@@ -1,5 +1,5 @@
-/// How far samples of one mesh are from another, by testing all faces. Shares no code with the
-/// library.
+/// Measures the distance of samples of one mesh from another by testing all faces. Shares no code
+/// with the library.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,15 @@
 
 namespace transformesh::test {
 
-/// From a segment.
+/// Returns the squared distance of a point from a segment.
 inline double squared_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const double length = (b - a).squaredNorm();
   const double t = length > 0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
   return (a + t * (b - a) - p).squaredNorm();
 }
 
-/// From a triangle: from its plane if the point is over it, else from its sides.
+/// Returns the squared distance of a point from a triangle: from its plane if the point projects
+/// into the triangle, otherwise from its sides.
 inline double squared_to_triangle(const Vec3& p, const std::array<Vec3, 3>& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[1]);
   bool is_over = normal.squaredNorm() > 0;
@@ -32,8 +33,8 @@ inline double squared_to_triangle(const Vec3& p, const std::array<Vec3, 3>& t) {
   return std::min(least, height * height);
 }
 
-/// The largest distance of samples of `from` from `to`. Each face has samples at all places whose
-/// shares of the corners are multiples of 1 / `steps`, among them the corners.
+/// Returns the largest distance of samples of `from` from `to`. Each face has samples at all points
+/// whose barycentric coordinates are multiples of 1 / `steps`.
 inline double sampled_distance(const Mesh& from, const Mesh& to, int steps) {
   const auto corners = [](const Mesh& mesh, const Face& face) {
     return std::array{mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]};

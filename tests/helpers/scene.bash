@@ -1,7 +1,8 @@
-# A scene that is all text: three cameras around a cube, 10 away, and what they see of it.
+# Writes scenes as text files: cameras, and masks of simple objects. The default scene has three
+# cameras at distance 10 around a cube.
 
-# mask FIRST LAST [LEVEL]: an image of 9x9 pixels, black but for a square of LEVEL, from pixel FIRST
-# to LAST each way.
+# mask FIRST LAST [LEVEL]: prints a black image of 9x9 pixels with a square of intensity LEVEL, from
+# pixel FIRST to LAST along both axes.
 mask() {
   awk -v first="$1" -v last="$2" -v intensity="${3:-255}" 'BEGIN {
     print "P2 9 9 255"
@@ -13,7 +14,7 @@ mask() {
   }'
 }
 
-# make_scene FOLDER: par.txt and the folder masks.
+# make_scene FOLDER: writes par.txt and the folder masks.
 make_scene() {
   mkdir -p "$1/masks"
   cat >"$1/par.txt" <<'PAR'
@@ -26,8 +27,9 @@ PAR
   for name in a b c; do mask 2 6 >"$1/masks/$name.pgm"; done
 }
 
-# make_balls FOLDER [K1]: par.txt of nine cameras around three balls, at three heights and uneven
-# angles, and masks/view0.pgm to view8.pgm, 64x48, through a lens with radial distortion K1.
+# make_balls FOLDER [K1]: writes par.txt with nine cameras around three balls, at three heights and
+# uneven angles, and the masks view0.pgm to view8.pgm of 64x48 pixels. K1 is the radial distortion of
+# the lens.
 make_balls() {
   mkdir -p "$1/masks"
   awk -v folder="$1" -v k1="${2:-0}" 'BEGIN {
@@ -74,7 +76,8 @@ make_balls() {
   }'
 }
 
-# changed_mask 'AWK EXPRESSION of l, i': reads a mask and writes it with other intensities; i counts pixels.
+# changed_mask EXPRESSION: reads a mask and writes it with other intensities. EXPRESSION is an awk
+# expression of the intensity l and the number of the pixel i.
 changed_mask() {
   awk -v seed=1 'NR == 1 { print; next } { l = $1; ++i; print int('"$1"') }'
 }

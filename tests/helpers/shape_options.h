@@ -1,4 +1,4 @@
-/// Options of generated shapes in one expression.
+/// Builds options of generated shapes in one expression.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ inline ShapeOptions shape(const std::string& kind, std::size_t faces = 0,
   return options;
 }
 
-/// The kinds that need no mesh to go around.
+/// Returns all kinds of shapes except `hull`, which needs an input mesh.
 inline std::vector<std::string> kinds_without_hull() {
   std::vector<std::string> kinds = shape_kinds();
   std::erase(kinds, "hull");
@@ -35,7 +35,8 @@ inline ShapeOptions with_neck(ShapeOptions options, double neck) {
   return options;
 }
 
-/// A workload that intersects itself, the dumbbell with a neck turned inside out.
+/// Returns a self-intersecting shape for tests of cleaning. A dumbbell gets a neck that is inside
+/// out.
 inline Mesh workload(const std::string& kind, std::size_t faces, std::uint64_t seed = 1) {
   ShapeOptions options = shape(kind, faces);
   options.seed = seed;

@@ -11,7 +11,7 @@
 
 namespace transformesh::test {
 
-/// Corners at (0,0,0), (1,0,0), (0,1,0), (0,0,1): volume 1/6.
+/// Returns the tetrahedron (0,0,0), (1,0,0), (0,1,0), (0,0,1), of volume 1/6.
 inline Mesh tetrahedron() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -19,7 +19,7 @@ inline Mesh tetrahedron() {
   return mesh;
 }
 
-/// The box between two corners: 8 vertices, 12 faces.
+/// Returns the box between two corners, with 8 vertices and 12 faces.
 inline Mesh cuboid(const Vec3& low, const Vec3& high) {
   Mesh mesh;
   for (int i = 0; i < 8; ++i)
@@ -32,7 +32,7 @@ inline Mesh cuboid(const Vec3& low, const Vec3& high) {
 
 inline Mesh cube() { return cuboid(Vec3::Zero(), Vec3::Ones()); }
 
-/// A unit sphere: an icosahedron, each face cut into 4^subdivisions.
+/// Returns a unit sphere: an icosahedron whose faces are split into 4^subdivisions faces each.
 inline Mesh icosphere(int subdivisions) {
   const double t = std::numbers::phi;
   Mesh mesh;
@@ -64,7 +64,8 @@ inline Mesh icosphere(int subdivisions) {
   return mesh;
 }
 
-/// A torus about the z axis as a grid of around x across vertices; every valence is six.
+/// Returns a torus around the z axis as a grid of `around` x `across` vertices. All valences are
+/// six.
 inline Mesh torus(double major, double minor, int around, int across) {
   Mesh mesh;
   const auto vertex = [&](int i, int j) {
@@ -82,7 +83,7 @@ inline Mesh torus(double major, double minor, int around, int across) {
   return mesh;
 }
 
-/// An open square grid of n x n cells in the plane z = 0, facing up.
+/// Returns the open unit square in the plane z = 0 as a grid of n x n cells, facing up.
 inline Mesh grid(int n) {
   Mesh mesh;
   const auto vertex = [&](int i, int j) { return static_cast<Index>(i * (n + 1) + j); };
@@ -97,7 +98,7 @@ inline Mesh grid(int n) {
   return mesh;
 }
 
-/// A strip of n quadrilaterals around the z axis with half a twist: open, with one side.
+/// Returns a Moebius strip of n quadrilaterals around the z axis: open, with one side.
 inline Mesh moebius_strip(Index n) {
   Mesh mesh;
   for (Index i = 0; i < n; ++i) {
@@ -117,7 +118,7 @@ inline Mesh moebius_strip(Index n) {
   return mesh;
 }
 
-/// The faces as a soup: no two share a vertex. Positions and faces only.
+/// Returns the faces as a soup, without columns. No two faces share a vertex.
 inline Mesh soup_of(const Mesh& mesh) {
   Mesh soup;
   for (const Face& face : mesh.faces) {
@@ -128,7 +129,7 @@ inline Mesh soup_of(const Mesh& mesh) {
   return soup;
 }
 
-/// All faces of both; positions and faces only.
+/// Returns a mesh with the faces of both, without columns.
 inline Mesh joined(const Mesh& first, const Mesh& second) {
   Mesh mesh = first;
   const Index base = static_cast<Index>(first.positions.size());

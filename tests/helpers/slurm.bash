@@ -1,7 +1,7 @@
-# Slurm on one node, of the test's own: munged, slurmctld and slurmd as root, with all that they
-# write in a folder. Stopped by their ids.
+# Runs Slurm on one node for a test: munged, slurmctld and slurmd as root, with all their files in
+# one folder. stop_slurm stops exactly these processes.
 
-# start_slurm FOLDER: skips and says why where that is not possible.
+# start_slurm FOLDER: starts them. Skips the test, with the reason, if that is not possible.
 start_slurm() {
   local command
   for command in sbatch slurmctld slurmd munged; do
@@ -60,7 +60,8 @@ CONF
   slurm_waits "an idle node" "sinfo -h -o %T 2>/dev/null | grep -qx idle"
 }
 
-# slurm_waits WHAT CONDITION: for 30 seconds.
+# slurm_waits WHAT CONDITION: waits up to 30 seconds for a condition. Skips the test if it stays
+# false.
 slurm_waits() {
   local tries
   for tries in $(seq 300); do

@@ -1,7 +1,8 @@
-# A server of ssh on the loopback, of the test's own: its keys and settings in a folder. Stopped by
-# its id.
+# Runs an ssh server on the loopback interface for a test, with keys and settings in a folder.
+# stop_sshd stops exactly this server.
 
-# start_sshd FOLDER: sets ssh_command; skips and says why where that is not possible.
+# start_sshd FOLDER: starts it and sets ssh_command. Skips the test, with the reason, if that is not
+# possible.
 start_sshd() {
   local command port tries
   for command in ssh ssh-keygen sshd; do
@@ -14,7 +15,7 @@ start_sshd() {
   chmod 0700 "$sshd_folder"
   ssh-keygen -q -t ed25519 -N '' -f "$sshd_folder/host_key"
   ssh-keygen -q -t ed25519 -N '' -f "$sshd_folder/user_key"
-  # Made by an init system, of which there may be none.
+  # An init system would create this folder, but containers may have none.
   [ "$(id -u)" -ne 0 ] || mkdir -p /run/sshd
   cat >"$sshd_folder/sshd_config" <<CONF
 ListenAddress 127.0.0.1

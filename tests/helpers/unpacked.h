@@ -1,4 +1,5 @@
-/// Reads back a packed block, written after pack.h and not after pack.cpp.
+/// Decodes a packed mesh. Written from the description of the format in pack.h, independently of
+/// pack.cpp.
 #pragma once
 
 #include <zlib.h>
@@ -16,8 +17,8 @@ namespace transformesh::test {
 struct Unpacked {
   nlohmann::json header;
   Mesh mesh;                                 ///< vertices in the order of the block
-  std::vector<std::vector<double>> columns;  ///< as in the header; of a color red, green, blue
-  bool is_complete = false;                  ///< nothing is left over
+  std::vector<std::vector<double>> columns;  ///< in header order; three for a color
+  bool is_complete = false;                  ///< all bytes were decoded
 };
 
 class Unpacker {

@@ -1,4 +1,4 @@
-/// Views of objects that a test can describe by a formula.
+/// Views of objects that a test describes by a formula.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ struct Frame {
   double focal_length = 600;
 };
 
-/// A camera at `eye` that looks at the origin, x to its right, y down.
+/// Returns a camera at `eye` that points to the origin, with x to its right and y down.
 inline PinholeCamera camera_at(const Vec3& eye, const Frame& frame = {}) {
   const Vec3 forward = -eye.normalized();
   const Vec3 up = std::abs(forward.z()) > 0.99 ? Vec3::UnitY() : Vec3::UnitZ();
@@ -34,8 +34,8 @@ inline PinholeCamera camera_at(const Vec3& eye, const Frame& frame = {}) {
   return camera;
 }
 
-/// A view whose silhouette has a soft edge: `distance(ray)` is that of a ray from the eye to the
-/// contour, in radians, positive outside.
+/// Returns a view whose silhouette has a soft contour. `distance(ray)` is the signed angle between
+/// a unit ray from the eye and the contour, in radians, positive outside.
 template <typename Distance>
 View view_of(const PinholeCamera& camera, const Frame& frame, const Distance& distance) {
   View view;
@@ -50,7 +50,7 @@ View view_of(const PinholeCamera& camera, const Frame& frame, const Distance& di
   return view;
 }
 
-/// The angle between a ray from `eye` and the cone around a ball.
+/// Returns the signed angle between a ray from `eye` and the contour of a ball, for view_of().
 inline auto ball_contour(const Vec3& eye, const Vec3& center, double radius) {
   return [=](const Vec3& ray) {
     const Vec3 towards = (center - eye).normalized();
@@ -65,7 +65,7 @@ inline View ball_view(const Vec3& eye, const Vec3& center, double radius, const 
   return view;
 }
 
-/// Eyes on a ring around z, alternately at either elevation.
+/// Returns positions on a ring around the z axis, alternately above and below the plane z = 0.
 inline std::vector<Vec3> ring_of_eyes(int count, double distance, double elevation_deg) {
   std::vector<Vec3> eyes;
   for (int i = 0; i < count; ++i) {

@@ -29,7 +29,7 @@ Vec3 point_in_face(const Mesh& mesh, const Face& face, Random& random) {
   return a + u * (mesh.positions[face[1]] - a) + v * (mesh.positions[face[2]] - a);
 }
 
-/// Six points over and under a random point of a random face.
+/// Adds six points in front of and behind a random point of a random face.
 void add_points_near_face(const Mesh& mesh, Random& random, std::vector<Vec3>& points) {
   const Index f = static_cast<Index>(random.below(mesh.faces.size()));
   const Face& face = mesh.faces[f];
@@ -60,7 +60,7 @@ std::vector<Vec3> draw_samples(const Mesh& input, const Mesh& output,
   return points;
 }
 
-/// Planes and boxes of the faces, so that a point far from all of them is told quickly.
+/// Tests whether a point is near a face. Planes and boxes of the faces exclude far points quickly.
 class NearFaces {
  public:
   NearFaces(const Mesh& mesh, double distance) : distance_(distance) {
@@ -75,7 +75,7 @@ class NearFaces {
     }
   }
 
-  /// True within the distance of a face, and at times a little beyond its edges.
+  /// True if the point is within the distance of a face; may be true a little beyond its edges.
   bool contain(const Vec3& point) const {
     return std::any_of(slabs_.begin(), slabs_.end(), [&](const Slab& slab) {
       return (point.array() >= slab.minimum.array()).all() &&
@@ -121,7 +121,8 @@ WindingOracleResult compare_windings(const Mesh& input, const Mesh& output,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const BoundedWindingNumber& in = input_windings[i];
     const BoundedWindingNumber& out = output_windings[i];
-    // An output that is not closed has odd fractions: that is wrong, not undecided.
+    // An output that is not closed has fractional winding numbers. These count as wrong, not as
+    // undecided.
     if (is_near_input[i] || is_near_output[i] || !in.is_decided() || out.error >= 0.25) {
       ++result.undecided;
       continue;

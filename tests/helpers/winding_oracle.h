@@ -1,9 +1,8 @@
-/// Whether one mesh is the boundary of { p : w(p) >= winding level } of another, told by winding
-/// numbers at sample points alone: w(output) must be 1 where w(input) >= winding level and 0
-/// elsewhere. Shares nothing with the floor that computes such boundaries. Samples lie all over the
-/// box, and close to faces of both meshes, in front of them and behind, where mistakes show.
-/// Samples on or too near a surface are counted as undecided and not judged. Deterministic for a
-/// seed.
+/// Tests whether one mesh is the boundary of the region { p : w(p) >= winding level } of another.
+/// Only winding numbers at sample points are used: w(output) must be 1 if w(input) >= winding
+/// level, and 0 otherwise. Shares no code with lib/clean, which computes such boundaries. Half of
+/// the samples lie in the bounding box, half close to faces of both meshes, on both sides. Samples
+/// on or too close to a surface are undecided. Deterministic for a seed.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +16,8 @@ struct WindingOracleOptions {
   int winding_level = 1;
   std::size_t samples = 2000;  ///< half in the box, half near faces
   std::uint64_t seed = 1;
-  /// By how much the output may be off because its coordinates are rounded, as a fraction of the
-  /// largest coordinate. Samples closer than that to a surface are undecided. 1e-6 suits float.
+  /// Allowed error of positions due to rounding, as a fraction of the largest coordinate. Samples
+  /// closer to a surface are undecided. Use 1e-6 for floats.
   double tolerance = 1e-9;
 };
 
@@ -27,7 +26,7 @@ struct WindingOracleResult {
   std::size_t wrong = 0;
   std::size_t undecided = 0;
 
-  /// The first wrong sample.
+  /// The first wrong sample and its winding numbers.
   Vec3 wrong_point = Vec3::Zero();
   double wrong_input_winding = 0;
   double wrong_output_winding = 0;
@@ -35,10 +34,11 @@ struct WindingOracleResult {
   bool is_right() const { return wrong == 0 && undecided * 10 <= tested + undecided; }
 };
 
+/// Compares the winding numbers of both meshes.
 WindingOracleResult compare_windings(const Mesh& input, const Mesh& output,
                                      const WindingOracleOptions& options = {});
 
-/// `tested N wrong N undecided N`, and the first wrong sample if there is one.
+/// Returns `tested N wrong N undecided N`, and the first wrong sample if there is one.
 std::string describe(const WindingOracleResult& result);
 
 }  // namespace transformesh::test

@@ -22,7 +22,7 @@ tetrahedron_with() {
   tetrahedron | sed -n '/^element face/,/^end_header/p'
 }
 
-@test "a polygon that goes round and round is cut into as many triangles" {
+@test "a polygon that goes around many times is triangulated" {
   {
     printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n20000'
     for _ in {1..5000}; do printf ' 0 1 2 3'; done
@@ -54,7 +54,7 @@ tetrahedron_with() {
   done
 }
 
-@test "counts are claims: what does not follow is refused, and takes no memory" {
+@test "counts beyond the data are refused, and take no memory" {
   header() { printf 'ply\nformat %s 1.0\nelement vertex %s\nproperty double x\nproperty double y\nproperty double z\n' "$@"; }
   {
     header binary_little_endian 4000000000
@@ -84,7 +84,7 @@ tetrahedron_with() {
   done
 }
 
-@test "images are as large as their bytes, not as their headers" {
+@test "images take memory for their bytes, not for their headers" {
   local names=(huge interlaced plain baseline progressive gray color)
   mkdir "${names[@]}"
   # 60000 x 60000, 20000 x 20000 interlaced, and that as rows; their data are no data.
@@ -110,7 +110,7 @@ tetrahedron_with() {
   assert_status 0
 }
 
-@test "heaps of points within the tolerance are joined in no time" {
+@test "clusters of points within the tolerance are joined quickly" {
   awk 'BEGIN {
     print "OFF\n100005 33335 0"
     for (i = 0; i < 50000; ++i) print "0 0 0"
@@ -160,7 +160,7 @@ tetrahedron_with() {
   tm-checkmanifold -q --closed --intersections --certify pinch.ply apart.ply
 }
 
-@test "a vertex that is far away costs the rest of the mesh nothing" {
+@test "a vertex far away does not slow down the rest of the mesh" {
   tm-shape sphere --faces 50000 --format off --no-provenance | sed '4s/.*/1e15 2e15 3e15/' >stray.off
   cheap tm-intersect -q stray.off >/dev/null
   cheap tm-clean -q stray.off >/dev/null

@@ -20,7 +20,7 @@ near() {
   awk -v most="$3" '/^hausdorff:/ { exit !($2 < most) }' compared || fail "$(cat compared)"
 }
 
-@test "Middlebury, COLMAP and matrices, there and back" {
+@test "Middlebury, COLMAP and matrices survive a round trip" {
   hull par par.txt
   hull colmap colmap
   near par colmap 1e-3
@@ -68,7 +68,7 @@ PY
   [[ $stderr == *"ends too early"*"binary/images.bin"* ]]
 }
 
-@test "distortion of COLMAP's models is taken out of masks" {
+@test "masks are undistorted by COLMAP's models" {
   hull right colmap
   make_balls . 2
   hull ignored colmap
@@ -96,7 +96,7 @@ PY
   [ ! -e out.txt ]
 }
 
-@test "distortion whose coefficients are 0 is none" {
+@test "distortion with coefficients 0 changes nothing" {
   hull right colmap
   for model in 'SIMPLE_RADIAL 64 48 120 32 24 0' 'OPENCV 64 48 120 120 32 24 0 0 0 0'; do
     echo "1 $model" >colmap/cameras.txt
@@ -145,7 +145,7 @@ opencv() {
   near par back 1e-3
 }
 
-@test "OpenCV's distortion is COLMAP's, and what is missing or wrong is told" {
+@test "OpenCV's distortion equals COLMAP's, and errors are reported" {
   make_balls . 2
   tm-cameras --images masks --format colmap --folder colmap par.txt
   echo '1 OPENCV 64 48 120 120 32 24 2 0 0 0' >colmap/cameras.txt
@@ -262,7 +262,7 @@ program() {
   done
 }
 
-@test "what Metashape and RealityCapture leave out, and what is not taken out here, is told" {
+@test "missing data of Metashape and RealityCapture, and unsupported distortion, are reported" {
   program metashape 0 >metashape.xml
   program csv 0 >cameras.csv
   program xmp 0

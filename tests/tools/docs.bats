@@ -11,7 +11,7 @@ setup() {
 gallery() { "$tm_root/scripts/gallery" "$@"; }
 links() { "$tm_root/scripts/links" "$@"; }
 
-@test "the gallery: pictures beside their commands; what is there stays, what changed is made again" {
+@test "the gallery: pictures with their commands; only changed ones are made again" {
   needs_command pandoc
   GALLERY='split drawing' gallery out 2>messages
   [ "$(grep -c '^gallery: ' messages)" -eq 2 ]
@@ -52,7 +52,7 @@ links() { "$tm_root/scripts/links" "$@"; }
   [ ! -e out/split ] && [ ! -e out/index.html ]
 }
 
-@test "links that lead nowhere are found: files, places, pictures, style sheets" {
+@test "broken links are found: files, anchors, pictures, style sheets" {
   mkdir -p site/sub
   cat >site/index.html <<'HTML'
 <h1 id="top">Top</h1><a href="sub/other.html#there">there</a> <a href="#top">up</a> <a href="https://example.org/x">away</a>

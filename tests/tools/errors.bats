@@ -73,7 +73,7 @@ takes() {
   [[ $output == *"as in a soup of triangles; tm-stitch joins them"* ]] || fail "$output"
 }
 
-@test "a loop offers remedies that it has, also for a failure of an iteration" {
+@test "a loop offers remedies by its own options, also if an iteration fails" {
   tm-shape sphere --faces 200 -o ball.ply
   run --separate-stderr tm-evolve ball.ply --step 'tm-displace --normal-speed -1x' --iterations 50 --min-edge 500% \
     --max-edge 1000% -o out.ply

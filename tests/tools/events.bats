@@ -58,7 +58,7 @@ column() {
   done
 }
 
-@test "without a time the iteration is the time" {
+@test "without physical time, the iteration number is the time" {
   tm-evolve balls.ply -o out.ply -q --iterations 6 --smooth none --events events.csv \
     --step 'tm-displace --alpha 1 --normal-speed 0.04'
   [ "$(column kind events.csv)" = merge ]

@@ -50,7 +50,7 @@ distance_from_turned() {
     'BEGIN { print sqrt(((x + X) / 2 - cos(t))^2 + ((y + Y) / 2 - sin(t))^2) }'
 }
 
-@test "all vertices move by the same time, and higher orders are nearer to the truth" {
+@test "all vertices move for the same time, and higher orders are more accurate" {
   for integrator in euler midpoint rk4; do
     tm-evolve "$ball" -o $integrator.ply -q --time 1 --time-step 0.1 --report $integrator.json \
       --integrator $integrator --velocity "$once"
@@ -62,7 +62,7 @@ distance_from_turned() {
   awk 'NR == 1 { euler = $1 } NR == 2 { mid = $1 } END { exit !(euler > 0.03 && mid < 0.01 && $1 < 0.01) }' distances
 }
 
-@test "a command that stays alive gives the same bytes as one that is started for each stage" {
+@test "a persistent command gives the same bytes as one started for each stage" {
   command -v python3 || skip "without Python"
   tm-evolve "$ball" -o once.ply --no-provenance -q --time 0.5 --velocity "$once"
   tm-evolve "$ball" -o alive.ply --no-provenance -q --time 0.5 --persistent --velocity 'python3 turn.py'
@@ -90,7 +90,7 @@ END
   [ "$(tail -1 whole | cut -d, -f2)" = 0.6 ]
 }
 
-@test "the volume is kept where smoothing would take it" {
+@test "the volume is kept while smoothing would reduce it" {
   volume=$(tm-info --get volume "$ball")
   for keep in '' --keep-volume; do
     tm-evolve "$ball" -o out.ply -q --time 3 --integrator rk4 --max-move 2 --smooth 0.1 --velocity "$once" \
@@ -100,7 +100,7 @@ END
   awk 'NR == 1 { lost = $1 } END { exit !(lost < -5e-4 && $1 > -1e-5 && $1 < 1e-5) }' errors
 }
 
-@test "volume that floats round away is said, and the advice helps" {
+@test "volume lost to 32-bit rounding is reported, and the advised conversion avoids it" {
   tm-shape sphere --faces 1000 --center 1,0,0 --float -o float.ply
   keep() { run --separate-stderr tm-evolve "$1" -o out.ply --time 1 --velocity "$once" --keep-volume; }
   keep float.ply
@@ -112,7 +112,7 @@ END
   [[ $stderr != *"volume that could not be restored"* ]]
 }
 
-@test "a body of few faces is remeshed, as the page advises, and keeps its edges" {
+@test "a part that was remeshed as the man page advises keeps its sharp edges" {
   tm-shape box 2 1 0.4 --faces 12 -o base.ply
   tm-shape cylinder 0.3 1 --faces 200 | tm-transform --translate 0.05,0.03,0 -o drill.ply
   tm-boolean difference base.ply drill.ply | tm-remesh --edge 0.1 -o part.ply
@@ -120,11 +120,12 @@ END
     --flow rotation --center 0,0,0
   tm-checkmanifold --closed --intersections turned.ply
   tm-compare --reference part.ply turned.ply >distances
-  # A twentieth of the longest edge, as collapses on curves may move the surface; with --smooth tangential .06.
+  # The limit is a twentieth of the longest edge: collapses may move the surface so far. With
+  # --smooth tangential, the distance is 0.06.
   awk '/^hausdorff:/ { exit !($2 < 0.0085) }' distances
 }
 
-@test "commands that do not keep the protocol are told, and nothing hangs" {
+@test "commands that break the protocol are reported, and nothing hangs" {
   persistent() {
     run --separate-stderr timeout 20 tm-evolve "$ball" -o out.ply --time 1 --persistent --velocity "$1"
   }
@@ -140,7 +141,7 @@ END
   assert_failure_with 4 "ended before all velocities were computed"
 }
 
-@test "options that do not go together are refused with the ones that do" {
+@test "conflicting options are refused with the ones that fit together" {
   refused() {
     run --separate-stderr tm-evolve "$ball" -o out.ply "${@:2}"
     assert_failure_with 2 "$1"
@@ -157,7 +158,7 @@ END
   refused 'use midpoint or rk4 with a tolerance' --time 1 --velocity cat --integrator euler --tolerance 1
 }
 
-@test "steps that move vertices far are told, and the advice helps" {
+@test "steps that move vertices far are reported, and the advice helps" {
   run --separate-stderr tm-evolve "$ball" -o out.ply --time 1 --time-step 0.5 --velocity "$once"
   assert_status 0
   [[ $stderr == *"mean edges in a step; a smaller --time-step, or auto,"* ]]

@@ -89,12 +89,12 @@ clamps_nothing() {
   run_examples tm-align.1 tm-boolean.1 tm-carry.1 tm-fill.1 tm-flow.1 tm-handles.1 tm-remesh.1 tm-repair.1 tm-sample.1 tm-select.1 tm-stitch.1 tm-tile.1 tm-transform.1
 }
 
-@test "examples of what looks and judges" {
+@test "examples of programs that inspect meshes" {
   # Its first example asks whether a mesh is free of intersections: it is.
   run_examples tm-checkmanifold.1 tm-compare.1 tm-info.1 tm-intersect.1 tm-render.1
 }
 
-@test "examples of what makes meshes, and of the loops" {
+@test "examples of programs that make meshes, and of loops" {
   run_examples tm-evolve.1
   clamps_nothing
   run_examples tm-shape.1 tm-morph.1 tm-run.5 tm.1 tm.7

@@ -22,7 +22,7 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
   [ "$(head -c 4 case-c/sheet.png | tail -c 3)" = PNG ]
 }
 
-@test "the page shows every row, and says no where one is not met" {
+@test "the page shows every row, and marks rows that are not met" {
   mkdir good bad
   echo good,1,1,1,1,1,1,true,1,1,0,1,1,1,1,yes >good/row.csv
   echo bad,1,1,1,1,1,1,false,1,1,0,1,1,1,1,no >bad/row.csv
@@ -125,7 +125,7 @@ TABLE
   [ "$(stat -c %Y "kept/pictures/torus,plain.png")" -eq "$before" ]
 }
 
-@test "a batch that was killed goes on to the same bytes" {
+@test "a batch that was killed continues to the same bytes" {
   needs_command jq
   local name=genus-2,slow
   cat >slow.table <<'TABLE'
@@ -163,7 +163,7 @@ TABLE
   assert_status 2
 }
 
-@test "a surface breathes through merges and splits, and stays bounded" {
+@test "a surface oscillates through merges and splits, and stays bounded" {
   run --separate-stderr batch breathing ITERATIONS=130
   assert_status 0
   [[ $output =~ "130 iterations, "([0-9]+)" merges, "([0-9]+)" splits" ]]
@@ -185,7 +185,7 @@ TABLE
   done
 }
 
-@test "a figure is followed through a movie while its arms join, cross and let go" {
+@test "a figure is followed through a movie while its arms join, pass through and separate" {
   FACES=3000 TM_BUILD=$tm_build "$tm_root/scripts/experiments/film" out 20 >line
   grep -q '^20 frames, ' line
   [ "$(tail -n +2 out/log.csv | cut -d, -f7 | uniq | tr '\n' ' ')" = "0 1 0 " ]
@@ -198,7 +198,7 @@ TABLE
   assert_status 1
 }
 
-@test "generated scenes are photographed, reconstructed and judged by their truth" {
+@test "generated scenes are photographed, reconstructed and compared with the true shapes" {
   SIZE=160x120 TM_BUILD=$tm_build "$tm_root/scripts/experiments/synthetic-mvs" out dented gain rough >table
   # Brightness and contrast of each photograph hardly matter.
   IFS=, read -r _ _ _ _ even _ <out/dented/row.csv
@@ -214,7 +214,7 @@ TABLE
   [ "$status" -ne 0 ]
 }
 
-@test "a movie is photographed, reconstructed time step by time step and judged by its truth" {
+@test "a movie is photographed, reconstructed per time step and compared with the true shapes" {
   SIZE=160x120 TM_BUILD=$tm_build "$tm_root/scripts/experiments/sequence" out >table
   # Two balls meet and part; only the third one is made from its hull.
   [ "$(cut -d, -f2 out/table.csv | tail -n +2 | tr '\n' ' ')" = \
@@ -225,7 +225,7 @@ TABLE
   [ "$(head -c 4 out/sheet.png | tail -c 3)" = PNG ]
 }
 
-@test "real photographs: where there are none that is said" {
+@test "real photographs: missing ones are reported" {
   run --separate-stderr env TM_DATA=nowhere TM_BUILD="$tm_build" \
     "$tm_root/scripts/experiments/real-mvs" out
   assert_status 3
@@ -233,7 +233,7 @@ TABLE
   [ ! -e out ]
 }
 
-@test "from a rough mesh around sparse points: two balls come apart" {
+@test "from a rough mesh around sparse points: two balls are separated" {
   TM_BUILD=$tm_build "$tm_root/scripts/experiments/rough-start" out balls >table
   IFS=, read -r name points alpha start _ _ result _ _ reference _ <out/balls/row.csv
   [ "$name $points $start $result $reference" = "balls 300 1/0 2/0 2/0" ]

@@ -183,7 +183,7 @@ make_comma_locale() { # FOLDER
   [[ $stderr == *"not finite become"* ]]
 }
 
-@test "endings that are not written are refused with those that are; none, or --format, stays" {
+@test "unsupported file endings are refused; without one, or with --format, the name stays" {
   cd "$BATS_TEST_TMPDIR"
   for name in a.gltf a.jpg; do
     run --separate-stderr tm-shape sphere --faces 100 -o "$name"

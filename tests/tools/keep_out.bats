@@ -81,7 +81,7 @@ gap_of() {
   done
 }
 
-@test "what is nearer already is told, and the same bytes come with any number of threads" {
+@test "faces closer than the gap are reported, for any number of threads" {
   tm-displace --normal-speed 0.5% --alpha 9 brain.ply >skull.ply
   run --separate-stderr tm-displace --normal-speed=-1% --keep-out brain.ply --gap 1% \
     -o one.ply --threads 1 skull.ply

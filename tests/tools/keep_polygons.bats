@@ -76,7 +76,7 @@ bare() {
   tm-select --largest 1 --keep-polygons house.off | tm-info --keep-polygons --json | jq -e '.edges == 16'
 }
 
-@test "a format without polygons says so, and a polygon of which a part is cut off stays one" {
+@test "a format without polygons is noted, and a partly removed polygon stays one" {
   run --separate-stderr tm-convert --keep-polygons house.off -o a.stl
   [ "$status" -eq 0 ]
   [[ $stderr == *"stl: 6 polygons written as triangles"* ]]

@@ -50,7 +50,7 @@ time_is_limited() {
   for_each filter predicate picture source converter loop -- time_is_limited
 }
 
-@test "limits that are none are exit 2" {
+@test "invalid limits are exit 2" {
   for option in '--max-memory 5X' '--max-memory 0' '--max-memory -1' '--max-memory much' \
     '--max-time -1' '--max-time soon' '--max-time 1e10'; do
     run --separate-stderr tm-convert $option "$mesh"
@@ -59,12 +59,12 @@ time_is_limited() {
   done
 }
 
-@test "the limits change no byte, and stand in no provenance" {
+@test "limits change no byte, and are not part of the provenance" {
   tm-convert --format ply "$mesh" >expected
   tm-convert --format ply --max-memory 1G --max-time 1000 "$mesh" | cmp - expected
 }
 
-@test "memory that ends anywhere is exit 6, and never a signal" {
+@test "running out of memory anywhere is exit 6, and never a signal" {
   for size in 0.5M 1M 2M 3M 5M 8M 12M 20M; do
     for program in tm-clean tm-remesh tm-wrap tm-render "tm-morph --target $mesh --iterations 1"; do
       code=0

@@ -76,7 +76,7 @@ make_repository() {
   begin=$(git rev-parse HEAD)
 }
 
-@test "prose that is new follows the rules; what was there before does not count" {
+@test "new prose follows the rules; older prose does not count" {
   make_repository
   python3 "$checks/prose.py" "$begin" --old=old old.h
   printf '%s\n' '/// Number of faces.' 'int a;  ///< of old' '/// Where old is, e.g. here. Then more.' >new.h

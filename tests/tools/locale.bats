@@ -33,7 +33,7 @@ locale_makes_no_difference() {
     for part in out err json; do cmp "C.$part" "$name.$part"; done
   done
 }
-@test "every program writes and says the same in every locale" {
+@test "every program has the same output and messages in every locale" {
   for_each filter predicate picture source converter loop -- locale_makes_no_difference
 }
 
@@ -62,7 +62,7 @@ options_are_read() {
   done
 }
 
-@test "scripts do the same in every locale" {
+@test "scripts work equally in every locale" {
   for script in $(grep -rlE '^#!/usr/bin/env bash' "$tm_root"/scripts "$tm_root/tests/corpus"); do
     grep -qxE 'export LC_ALL=C|\. .*/common.bash"?' "$script" || fail "$script sets no locale"
   done

@@ -32,7 +32,7 @@ setup() {
   [[ $stderr == *"--target: name a file"* ]]
 }
 
-@test "tm-morph: text that nobody can read is exit 5, messages that nobody can read are none" {
+@test "tm-morph: unwritable output is exit 5, unwritable messages are ignored" {
   for option in --help --version; do
     run --separate-stderr bash -c "tm-morph $option >/dev/full"
     assert_status 5
@@ -51,7 +51,7 @@ setup() {
   cmp one.ply lines.ply
 }
 
-@test "tm-morph: a hangup is told as an interruption, with 129 and what continues the run" {
+@test "tm-morph: a hangup is an interruption, with exit code 129 and the command that continues" {
   tm-morph sphere.ply --target torus.ply --alpha 0.01 --smooth tangential -o out.ply --csv log.csv 2>messages 3>&- &
   while [ ! -e log.csv ] || [ "$(wc -l <log.csv)" -lt 4 ]; do sleep 0.01; done
   kill -HUP $!
@@ -87,7 +87,7 @@ start_waiting_run() { # ARGUMENT...
   while [ ! -e began ]; do sleep 0.02; done
 }
 
-@test "a second run with the same output is refused, and a killed one is in nobody's way" {
+@test "a second run with the same output is refused, unless the first was killed" {
   start_waiting_run -o out.ply
   for options in '-o out.ply' '-o ./out.ply --resume' '-o out.ply --restart'; do
     run --separate-stderr tm-evolve --step cat --iterations 1 $options sphere.ply
@@ -108,7 +108,7 @@ start_waiting_run() { # ARGUMENT...
   cmp out.ply other.ply
 }
 
-@test "tm-morph and tm-reconstruct are alone with their outputs as well" {
+@test "tm-morph and tm-reconstruct refuse a second run with the same output" {
   mkfifo fifo
   tm-morph fifo --target torus.ply --iterations 1 -q -o out.ply 3>&- 9>&- &
   while [ ! -e out.ply.tm-morph ]; do sleep 0.02; done
@@ -148,7 +148,7 @@ start_waiting_run() { # ARGUMENT...
   [ -z "$(ls -A folder)" ]
 }
 
-@test "descriptors and pipes are outputs of loops too, and have no state" {
+@test "loops write to descriptors and pipes too, without a state" {
   evolve() { tm-evolve -q --step cat --iterations 3 "$@" sphere.ply; }
   evolve -o expected --csv log
   cut -d, -f1-5 log >rows

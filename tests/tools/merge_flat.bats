@@ -54,7 +54,7 @@ setup() { cd "$BATS_TEST_TMPDIR"; }
   [ "$output" = 6 ]
 }
 
-@test "what is not cut passes unchanged" {
+@test "uncut meshes pass unchanged" {
   tm-shape sphere --faces 500 -o ball.ply
   tm-clean --no-provenance --merge-flat ball.ply -o same.ply
   tm-clean --no-provenance ball.ply -o cleaned.ply

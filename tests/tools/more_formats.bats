@@ -34,7 +34,7 @@ foreign_files() {
   done
 }
 
-@test "colors of vertices and of faces come through the formats that have them" {
+@test "colors of vertices and of faces survive formats that have them" {
   cd "$BATS_TEST_TMPDIR"
   tetrahedron >plain.ply
   tm-convert --no-provenance --format ply-ascii plain.ply |

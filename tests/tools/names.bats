@@ -88,7 +88,7 @@ camera_file_code() { # NAME FORMAT
     tm-cameras --images shots --format "$2" written 2>stderr | cmp - written && echo 0
   fi
 }
-@test "camera files hold the names of images, or say that they cannot" {
+@test "camera files hold the names of images, or the reason is reported" {
   tm-photograph -q --ring 3 --size 40x30 --write-images images -o /dev/null "$mesh"
   for i in 0 1 2; do printf '%s\n' "100 0 20 ${i}00" '0 100 15 0' '0 0 1 5'; done >matrices
   for name in 'alpha=0.2' 'back\slash' $'no\xffutf' '%s%n' '[a]' '--output=x' '-q'; do

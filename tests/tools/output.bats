@@ -38,7 +38,7 @@ setup() {
   done
 }
 
-@test "a chain of links leads to its end, and all links stay" {
+@test "a chain of links is followed to its end, and all links stay" {
   mkdir far
   ln -s b a
   ln -s far/c b
@@ -156,7 +156,7 @@ setup() {
   done
 }
 
-@test "closed descriptors are told" {
+@test "closed descriptors are reported" {
   for redirection in '>&-' '<&-'; do
     code=0
     bash -c "tm-convert <t.ply $redirection" 2>stderr || code=$?

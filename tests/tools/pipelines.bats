@@ -59,7 +59,7 @@ LINES
   [ "$(tm-info --get genus difference.ply)" -eq 1 ]
 }
 
-@test "the neck pinches off, and both ends stay" {
+@test "the neck pinches off, and both balls stay" {
   [ "$(tm-info --get components body.ply)" -eq 2 ]
   expect '$1 > 0.2' "$(volume body.ply)"
 }
@@ -79,14 +79,14 @@ LINES
     "$(tm-info --get bbox_max twist.ply)"
 }
 
-@test "the scan is repaired, and pictures are pictures" {
+@test "the scan is repaired, and picture files are valid" {
   [ "$(tm-info --get components repaired.ply)" -eq 1 ]
   for picture in intersections evolution; do
     [ "$(head -c 4 "$picture.png" | tail -c 3)" = PNG ]
   done
 }
 
-@test "the Makefile made what it should" {
+@test "the Makefile made all files" {
   for shape in torus torus-knot bowl; do
     tm-checkmanifold --closed "$shape.clean.ply" >/dev/null
   done

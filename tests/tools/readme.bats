@@ -132,7 +132,7 @@ run_line() {
   done
 }
 
-@test "movies are movies" {
+@test "movie files are valid" {
   if is_there convert; then [ "$(head -c 4 film.gif)" = GIF8 ]; fi
   if is_there ffmpeg; then [ "$(head -c 8 film.mp4 | tail -c 4)" = ftyp ]; fi
 }

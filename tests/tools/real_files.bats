@@ -34,14 +34,14 @@ by_every_program() {
   takes_or_refuses tm-stitch --orient "$1"
 }
 
-@test "every small real file is taken or refused by every program" {
+@test "every small real file is accepted or refused by every program" {
   needs_shared meshes
   find "$shared_file" -type f -size -12k | sort > "$BATS_TEST_TMPDIR/files"
   [ "$(wc -l < "$BATS_TEST_TMPDIR/files")" -gt 30 ]
   while read -r file; do by_every_program "$file"; done < "$BATS_TEST_TMPDIR/files"
 }
 
-@test "odd files that are none the less right are read in full" {
+@test "unusual but valid files are read completely" {
   needs_shared meshes/trimesh/whitespace.off
   cd "${shared_file%/*}"
   for file in whitespace.off comments.off negative_indices.obj cube_compressed.obj; do
@@ -57,7 +57,7 @@ by_every_program() {
   [[ $stderr == *"1 face with fewer than three corners dropped"* ]]
 }
 
-@test "a file with a number that is none is refused with the line by --strict" {
+@test "a file with an invalid number is refused with the line by --strict" {
   needs_shared meshes/trimesh/nancolor.obj
   run --separate-stderr tm-info "$shared_file"
   assert_status 0

@@ -81,7 +81,7 @@ refused() {
   is_solid solid.ply 6
 }
 
-@test "a difference without a remainder is named, not only what would give B less A" {
+@test "an empty difference is reported, not only if B minus A were not empty" {
   tm-shape box 1 1 1 --faces 300 -o small.ply
   tm-shape box 3 3 3 --faces 300 | tm-stitch --flip -o large.ply
   tm-cat small.ply large.ply -o none.ply
@@ -93,7 +93,7 @@ refused() {
   refused "as in a difference without a remainder" other.ply
 }
 
-@test "a sheet that is filled flat: one side stays open, and a wrap goes around it" {
+@test "a sheet that is filled flat: one side stays open, and tm-wrap encloses it" {
   row "faces lie upon their reverses, as in sheets" "tm-stitch --one-side"
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
   printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >two.off
@@ -146,21 +146,21 @@ cracked() {
   jq -e '.result.dropped_faces > 0' r.json
 }
 
-@test "an open figure of parts that end within each other: pig" {
+@test "an open figure of overlapping parts: pig" {
   repaired "no face across" cgal/pig.stl
 }
 
-@test "holes whose patches cross: elephant-with-holes, against the elephant" {
+@test "holes with intersecting patches: elephant-with-holes, against the elephant" {
   repaired "no face across" cgal/elephant-with-holes.off
   needs_shared meshes/cgal/elephant.off
   has_volume "$(tm-info --get volume "$shared_file")"
 }
 
-@test "a hole and many crossings: mannequin-devil" {
+@test "a hole and many self-intersections: mannequin-devil" {
   repaired "no face across" cgal/mannequin-devil.off
 }
 
-@test "faces that look this way and that: blobby-shuffled, against blobby" {
+@test "inconsistently oriented faces: blobby-shuffled, against blobby" {
   repaired "the same way" cgal/blobby-shuffled.off
   needs_shared meshes/cgal/blobby.off
   has_volume "$(tm-info --get volume "$shared_file")"
@@ -170,7 +170,7 @@ cracked() {
   repaired "no face across" trimesh/multibody.stl
 }
 
-@test "parts that cross: rabbit" {
+@test "intersecting parts: rabbit" {
   repaired "" trimesh/rabbit.obj
 }
 

@@ -55,7 +55,7 @@ FILES
   [ "$(wc -l <r/log.csv)" -eq 7 ]
 }
 
-@test "a run in the place of another one leaves nothing of it, and nobody else's file is touched" {
+@test "a new run replaces an earlier one in its folder, and no other file" {
   morph --run r --iterations 5 --every 1
   touch r/picture.png r/frames/picture.png
   tm-evolve -q --step cat --iterations 2 --every 1 --run r torus.ply
@@ -116,7 +116,7 @@ FILES
   done
 }
 
-@test "a run that is killed as it takes the place of another one is continued or begun anew" {
+@test "a run that is killed while it replaces another one is continued or restarted" {
   morph -o all.ply --iterations 4
   for seconds in 0 0.002 0.005 0.01 0.02 0.04; do
     tm-morph -q "a sphere.ply" --target torus.ply --run r --iterations 4 --every 1 --restart 3>&- &

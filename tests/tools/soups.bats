@@ -44,7 +44,7 @@ joins() { # FILE PROGRAM OPTION...
   [ "$(jq .result.joined_vertices "$work/report.json")" -gt 0 ]
 }
 
-@test "programs that follow faces join equal places, and make what they make of a stitched mesh" {
+@test "programs that need connectivity join soups, with the result of a stitched mesh" {
   for file in body.ply seam.off bowl.ply; do
     [ "$(tm-checkmanifold --json "$file" | jq .touching_borders)" -gt 0 ]
     joins "$file" tm-remesh --reference-edge 0.1
@@ -67,7 +67,7 @@ joins() { # FILE PROGRAM OPTION...
   tm-info --get area "$work/box.off" | awk '{ exit !($1 > 13.9999 && $1 < 14.0001) }'
 }
 
-@test "a mesh that is closed, or open without a seam, goes without a word" {
+@test "a mesh that is closed, or open without a seam, causes no note" {
   for file in body.off bowl.off; do
     run --separate-stderr tm-remesh --report "$work/report.json" -o "$work/out.ply" "$file"
     assert_status 0
@@ -76,7 +76,7 @@ joins() { # FILE PROGRAM OPTION...
   done
 }
 
-@test "steps move vertices and join none: they refuse, and the advice is true" {
+@test "steps refuse soups, and the advice is true" {
   refuses() {
     run --separate-stderr "$@" -o "$work/out.ply"
     assert_status 3
@@ -95,7 +95,7 @@ joins() { # FILE PROGRAM OPTION...
   done
 }
 
-@test "a target that is a soup attracts as the mesh that it is" {
+@test "a soup as target gives the result of its mesh" {
   tm-shape box 1 1 3 --faces 12 --no-provenance -o "$work/box.ply"
   tm-convert -q -o "$work/box.stl" "$work/box.ply"
   tm-shape sphere --around "$work/box.ply" --faces 1000 -o "$work/ball.ply"
@@ -106,7 +106,7 @@ joins() { # FILE PROGRAM OPTION...
   tm-compare --reference "$work/box.ply" --within 1e-9 "$work/to-box.stl.ply"
 }
 
-@test "faces that look this way and that are refused with what mends them" {
+@test "inconsistently oriented faces are refused with a remedy" {
   # A strip of which one face looks the other way.
   printf 'OFF\n9 3 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n1 1 0\n3 0 1 2\n3 3 4 5\n3 6 8 7\n' >"$work/strip.off"
   run --separate-stderr tm-remesh "$work/strip.off" -o "$work/out.ply"

@@ -20,7 +20,7 @@ setup() {
     .rotation > 19 and .rotation < 21 and .stability > 0.03' r.json
 }
 
-@test "the matrix that is written does the same by tm-transform" {
+@test "the written matrix gives the same result by tm-transform" {
   tm-align --reference one.ply --write-matrix motion.txt --no-provenance two.ply -o placed.ply
   tm-transform --matrix motion.txt --no-provenance two.ply | cmp - placed.ply
 }
@@ -33,7 +33,7 @@ setup() {
   cmp 1.txt 3.txt
 }
 
-@test "a ball on a ball says that it slides" {
+@test "a ball on a ball is reported as undetermined" {
   tm-shape sphere --faces 3000 -o ball.ply
   tm-transform --translate 0.1,0,0 ball.ply -o moved.ply
   run --separate-stderr tm-align --reference ball.ply moved.ply -o placed.ply
@@ -42,7 +42,7 @@ setup() {
   tm-compare --reference ball.ply --within 0.02 placed.ply
 }
 
-@test "what stopped early or fits badly is said, and its advice helps" {
+@test "an early stop or a bad fit is reported, and the advice helps" {
   run --separate-stderr tm-align --reference one.ply --iterations 1 two.ply -o placed.ply --report r.json
   assert_status 0
   if [ "$(jq .result.converged r.json)" = false ]; then [[ $stderr == *"--iterations"* ]]; fi

@@ -59,7 +59,7 @@ volume_of() {
   [ "$(tm-info --get volume result.ply)" = 8 ]
 }
 
-@test "a body within another is cut out of it" {
+@test "a body inside another is subtracted as a cavity" {
   cube 0 3 >a.off
   cube 1 2 >b.off
   [ "$(volume_of xor a.off b.off)" = 26 ]
@@ -159,7 +159,7 @@ volume_of() {
   [[ $stderr = "tm-boolean: turned.off: "*"tm-stitch --orient"* ]]
 }
 
-@test "faces keep their properties and say which mesh they come from" {
+@test "faces keep their properties, and the number of their mesh" {
   tm-shape box 2 2 2 --faces 300 -o a.ply
   tm-shape sphere --radius 1.2 --faces 500 -o b.ply
   tm-boolean difference a.ply b.ply --source-operand -o c.ply
@@ -249,7 +249,7 @@ LINES
   [ "$status" -eq 3 ]
 }
 
-@test "a command is needed, and a wrong one is corrected" {
+@test "a missing command is an error, and for a wrong one the nearest is suggested" {
   run --separate-stderr tm-boolean diference a.ply b.ply
   [ "$status" -eq 2 ]
   [ "$stderr" = "tm-boolean: unknown command 'diference'; did you mean 'difference'?" ]

@@ -66,7 +66,7 @@ agree() {
     END { if (failed || NR == 0 || m > tolerance) { print "largest difference " m; exit 1 } }'
 }
 
-@test "tm-cameras: COLMAP and Middlebury files of one scene see the same pixels" {
+@test "tm-cameras: COLMAP and Middlebury files of one scene project to the same pixels" {
   needs_shared mvs/synthetic16/par.txt
   folder=${shared_file%/*}
   tm-cameras --format matrices "$folder/par.txt" >par.txt
@@ -80,7 +80,7 @@ agree() {
   agree 1e-8 par.pixels colmap.pixels
 }
 
-@test "tm-cameras: 3x4 matrices, taken apart and multiplied again, see the same pixels" {
+@test "tm-cameras: 3x4 matrices, decomposed and multiplied again, project to the same pixels" {
   needs_shared mvs/dinoSparse_transformesh/camera0000.txt
   folder=${shared_file%/*}
   cat "$folder"/camera*.txt >raw.txt
@@ -163,7 +163,7 @@ assert abs(table['cameras'][0]['pairs'][0]['angle'] - 36.8698976458) < 1e-9
 assert max(abs(x - y) for x, y in zip(table['cameras'][1]['center'], [-3, 0, -4])) < 1e-12"
 }
 
-@test "tm-cameras: what it cannot do is one line and exit 3, and nothing is written" {
+@test "tm-cameras: unsupported input is one line and exit 3, and nothing is written" {
   two_cameras >in.txt
   sed 's/300 59.5/nan 59.5/' in.txt >nan.txt
   sed 1d in.txt >headless.txt

@@ -86,7 +86,7 @@ off_by() {
   one_line "$stderr"
 }
 
-@test "tm-carry: places on another mesh are told" {
+@test "tm-carry: source points on another mesh are reported" {
   tm-remesh --source a.ply >b.ply
   tm-shape sphere --faces 100 -o other.ply
   run --separate-stderr tm-carry --from other.ply b.ply
@@ -95,7 +95,7 @@ off_by() {
   [[ $stderr == *"other.ply"* ]]
 }
 
-@test "without --source, what clean and remesh do not touch keeps its places" {
+@test "without --source, untouched faces keep their source points" {
   tm-shape sphere --faces 500 | tm-clean --source >clean.ply
   tm-clean --no-provenance clean.ply | cmp - clean.ply
   run --separate-stderr tm-remesh -o remeshed.ply clean.ply
@@ -127,7 +127,7 @@ faces() {
   [ "$(faces carried.ply | cut -d " " -f 5 | sort -u | wc -l)" -gt 12 ]
 }
 
-@test "tm-carry: faces that come from nowhere are said, and are not given a face" {
+@test "tm-carry: faces without a source are reported, and get no face" {
   tm-shape sphere --faces 500 -o ball.ply
   tm-remesh -q --source ball.ply | tm-select --box -2,-2,-2,2,2,0.8 -o open.ply
   run --separate-stderr tm-fill -o filled.ply open.ply

@@ -65,7 +65,7 @@ count() {
   [ ! -e all.ply ]
 }
 
-@test "values of a narrow and of a wide type survive; a list beside a number is told" {
+@test "values of narrow and wide types survive; a list beside a number is reported" {
   cd "$BATS_TEST_TMPDIR"
   # labeled TYPE VALUE: a tetrahedron with a label at each vertex
   labeled() {

@@ -25,7 +25,7 @@ genus: 0" ]]
   [[ $output == *"problem: the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) of face 0 has no face across (the first of 3 such edges); tm-fill closes holes" ]]
 }
 
-@test "tm-checkmanifold: it says where edges, vertices, faces and orientation are wrong" {
+@test "tm-checkmanifold: places of bad edges, vertices, faces and orientation are reported" {
   points='0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n'
   printf "OFF\n5 3 0\n${points}3 0 1 2\n3 1 0 3\n3 0 1 4\n" >edge.off
   run tm-checkmanifold edge.off
@@ -69,7 +69,7 @@ genus: 0" ]]
   assert_status 1
 }
 
-@test "tm-checkmanifold: known meshes of others" {
+@test "tm-checkmanifold: real meshes with known defects" {
   needs_shared meshes/geometry-central/fan3.obj
   run tm-checkmanifold "$shared_file"
   assert_status 1
@@ -211,7 +211,7 @@ edit() {
   [[ $output == *"--level needs --certify"* ]]
 }
 
-@test "tm-checkmanifold: cracks are told from holes, and the advice closes them" {
+@test "tm-checkmanifold: cracks are distinguished from holes, and the advice closes them" {
   tm-shape sphere --faces 500 --double -o ball.ply
   # Each face has corners of its own, up to 1e-6 from those of its neighbors.
   tm-convert --format off ball.ply | grep -v '^#' | awk 'BEGIN { srand(1); faces = 0 }

@@ -105,7 +105,7 @@ load ../helpers/common
   done
 }
 
-@test "a box changes nothing outside, and nothing at all where nothing crosses" {
+@test "a box changes nothing outside, and nothing at all without self-intersections" {
   cd "$BATS_TEST_TMPDIR"
   tm-shape two-spheres --faces 2000 -o pair.ply
   tm-shape two-spheres --faces 2000 --center 10,0,0 | tm-cat pair.ply - > in.ply

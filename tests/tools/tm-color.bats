@@ -65,7 +65,7 @@ value() { awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2";
   done
 }
 
-@test "what cannot be: a texture on a pipe or in OFF, and a mesh that no photograph sees" {
+@test "refused: a texture on a pipe or in OFF, and a mesh that no photograph shows" {
   run --separate-stderr "${color[@]}" --texture "$scene/truth.ply"
   assert_status 2
   [[ $stderr == *"-o NAME.obj"* ]]

@@ -109,7 +109,7 @@ facts() {
   [ "$(timeout 30 tm-info -q --get area comb.off)" = 274999.5 ]
 }
 
-@test "what is not finite is dropped with a count, and refused by --strict" {
+@test "infinite values are dropped with a count, and refused by --strict" {
   sed '/^element vertex/s/4/5/; /^0 1 1$/a nan inf -1.#IND' t.ply >point.ply
   run --separate-stderr tm-convert --no-provenance point.ply
   assert_status 0

@@ -92,7 +92,7 @@ moving_tetrahedron() { # VX VY VZ
   awk -v v="$(tm-info --get volume a.ply)" 'BEGIN { exit !(v > 0.3) }'
 }
 
-@test "a step so far that coordinates do not hold the mesh any more is refused, in floats too" {
+@test "a step beyond the precision of coordinates is refused, in floats too" {
   tm-shape sphere --faces 320 --format ply-ascii | awk '
     /^element vertex/ { n = $3 }
     /^element face/ { print "property double vx\nproperty double vy\nproperty double vz" }

@@ -47,7 +47,7 @@ AWK
 }
 
 # Out of the box awk makes a flow that has no divergence: volumes stay.
-@test "a velocity that is clamped is said: on stderr, in the report and in the CSV; and the advice is true" {
+@test "clamped velocities are reported on stderr, in the report and in the CSV" {
   cat >squeeze <<'AWK'
 /^element vertex/ { count = $3 }
 /^element face/ { print "property double vx\nproperty double vy\nproperty double vz" }
@@ -86,7 +86,7 @@ AWK
   [ "$(value clamped_iterations r.json)" -eq 5 ]
 }
 
-@test "it stops when no vertex moves as far, or when nothing gets better" {
+@test "it stops if no vertex moves as far as the limit, or if nothing improves" {
   step='tm-morph-step --target '$ball
   tm-shape sphere --radius 1.3 --faces 1000 -o large.ply
   tm-evolve large.ply -o out.ply --step "$step" --until moved:0.03x --report r.json -q
@@ -106,7 +106,7 @@ AWK
   [ "$(tr '\n' ' ' <numbers)" = "1 2 3 4 " ]
 }
 
-@test "a step that fails, that is no mesh, or that changes faces is told with its iteration" {
+@test "a failed step, an invalid mesh and changed faces are reported with the iteration" {
   told() { # CODE MESSAGE COMMAND
     run --separate-stderr tm-evolve "$ball" -o out.ply --step "$3"
     assert_status "$1"
@@ -128,7 +128,7 @@ AWK
   assert_status 2
 }
 
-@test "a mesh of megabytes goes through pipes that hold less" {
+@test "a mesh of megabytes passes through pipes with smaller buffers" {
   tm-shape sphere --faces 40000 -o large.ply
   tm-evolve large.ply -o out.ply --step cat --iterations 1 -q
   [ "$(tm-info --get components out.ply)" -eq 1 ]

@@ -46,7 +46,7 @@ setup() {
   assert_status 2
 }
 
-@test "what would cross is named with what closes it" {
+@test "an intersecting patch is reported with the option that closes the hole" {
   # The only patch of a face alone is its reverse.
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >face.off
   run --separate-stderr tm-fill face.off -o still.off

@@ -131,7 +131,7 @@ uniform_vti() {
   done <list
 }
 
-@test "mistakes are told, and the advice is true" {
+@test "mistakes are reported, and the advice is true" {
   tm-shape sphere --faces 500 -o ball.ply
   refuses() { # CODE WORDS OPTION...
     run --separate-stderr tm-flow "${@:3}" -o none.ply

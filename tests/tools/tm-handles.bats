@@ -16,7 +16,7 @@ setup() {
   jq -e '.result | .removed == 1 and .refused == 0 and .genus == 0 and .max_length == 2.3' r.json
 }
 
-@test "handles that crossings have tied are gone after cleaning, and parts stay" {
+@test "handles made by self-intersections vanish by cleaning, and components stay" {
   tm-shape folded torus --faces 20000 | tm-clean -q -o tied.ply
   before=$(tm-info --get genus tied.ply)
   [ "$before" -gt 0 ]

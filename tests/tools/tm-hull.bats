@@ -71,7 +71,7 @@ refused() {
   refused par.txt 'line 3'
 }
 
-@test "photographs all dark have no silhouette" {
+@test "completely dark photographs have no silhouette" {
   mkdir photos
   for name in a b c; do mask 9 9 >photos/$name.pgm; done
   run --separate-stderr tm-hull --cameras par.txt --images photos

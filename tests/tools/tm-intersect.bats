@@ -1,7 +1,7 @@
 #!/usr/bin/env bats
 load ../helpers/common
 
-@test "--check says yes and no" {
+@test "--check answers by exit code" {
   pipe 'tm-shape torus --faces 1000 | tm-intersect --check'
   assert_status 0
   [ "$output" = "pairs: 0" ]
@@ -9,7 +9,7 @@ load ../helpers/common
   assert_status 1
 }
 
-@test "--any says whether there are pairs, and counts none" {
+@test "--any tells whether there are pairs, without counting" {
   pipe 'tm-shape torus --faces 50000 | tm-intersect --any'
   assert_status 0
   [ "$output" = "intersects: false" ]

@@ -85,7 +85,7 @@ spheres() {
   assert_status 3
 }
 
-@test "a target that cannot be read: which file, and why" {
+@test "a target that cannot be read is reported with file and reason" {
   tm-shape sphere --faces 100 -o source.ply
   printf 'some words\n' >words.txt
   printf '1 2 3 0.5\n' >four.xyz

@@ -109,7 +109,7 @@ wait_for_rows() { # COUNT
   cmp <(cut -d, -f1-12 log.csv) killed.csv
 }
 
-@test "the state of an interrupted run is not thrown away without a word" {
+@test "the state of an interrupted run is not discarded silently" {
   slow_run
   wait_for_rows 4
   kill -KILL $!
@@ -279,7 +279,7 @@ frames_are_piped() {
   tm-morph start.ply --target closed.ply -o out.ply --require-convergence -q
 }
 
-@test "a plate thinner than edges: the surface vanishes, and what is said reaches it" {
+@test "a plate thinner than edges: the surface vanishes, and the advice reaches it" {
   tm-shape box 1 1 0.02 --faces 500 -o plate.ply
   for faces in 1500 6000; do
     tm-shape sphere --around plate.ply --faces "$faces" -o start.ply
@@ -448,7 +448,7 @@ plate_with_window() { # WIDTH
   [ "$(value stop r.json)" = converged ]
 }
 
-@test "a reader that goes away and a full disk end it, and nothing is left" {
+@test "a closed output pipe and a full disk end it, and nothing is left" {
   export TMPDIR=$PWD/temporary
   mkdir temporary
   run bash -c "tm-morph '$sphere' --target '$torus' --iterations 2 -q | :

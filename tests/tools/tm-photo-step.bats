@@ -21,7 +21,7 @@ accuracy() { tm-compare --reference truth.ply "$1" | awk '$1 == "accuracy:" { pr
 # less A B: whether A < B.
 less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
 
-@test "from the hull to the truth: finer and finer" {
+@test "steps at finer and finer scales lead from the hull to the true surface" {
   photograph_truth
   tm-hull --cameras par.txt --silhouettes masks --resolution 40 -o hull.ply
   tm-cameras --list --images photos --report cameras.json -o /dev/null par.txt
@@ -43,7 +43,7 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
   tm-intersect --check a.ply
 }
 
-@test "the truth nearly stays, and gains and offsets of the photographs do not matter" {
+@test "the true surface nearly stays, for any gains and offsets of the photographs" {
   photograph_truth
   mkdir lit
   tm-photograph --cameras par.txt --size 160x120 --gain 0.2 --offset 10 --write-images lit \
@@ -78,7 +78,7 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
     'BEGIN { exit !(a > 0 && b / a > 1.99 && b / a < 2.01) }'
 }
 
-@test "what cannot be compared is exit 3 and says so" {
+@test "photographs that cannot be compared are exit 3" {
   photograph_truth
   run --separate-stderr tm-photo-step --cameras par.txt --images photos --max-angle 5 truth.ply
   assert_status 3

@@ -45,7 +45,7 @@ setup() {
     END { exit !(same > 0.97 && other < 0.9 && other > 0.2) }' same.json other.json
 }
 
-@test "seeds, threads, gain and looks" {
+@test "seeds, threads, gain and appearance of photographs" {
   tm-photograph "${size[@]}" --write-images images --threads 1 -o par.txt truth.ply
   for arguments in "" "--seed 2" "--gain 0.2" "--look shade" "--noise 0"; do
     rm -rf other && mkdir other
@@ -60,7 +60,7 @@ setup() {
   done
 }
 
-@test "senseless input is refused" {
+@test "invalid input is refused" {
   run --separate-stderr tm-photograph --compare-silhouettes masks -o /dev/null truth.ply
   assert_status 2
   run --separate-stderr tm-photograph --write-images truth.ply -o par.txt truth.ply

@@ -193,7 +193,7 @@ take_pocket() {
   pocket=(tm-reconstruct --cameras par.txt --images images --silhouettes masks --no-provenance -q)
 }
 
-@test "a hollow that the hull closes is seen into, and a run from there continues to the same result" {
+@test "a hollow that the hull closes is opened, and a run continues to the same result" {
   take_pocket
   "${pocket[@]}" -o open.ply --report open.json
   "${pocket[@]}" --hollows closed -o closed.ply
@@ -213,7 +213,7 @@ take_pocket() {
   cmp out.ply open.ply
 }
 
-@test "without deep hollows it is all one whether they are looked for" {
+@test "without deep hollows the search for them changes nothing" {
   "${reconstruct[@]}" --hollows closed --coarsest 4 --passes 1 --no-provenance -q -o closed.ply
   "${reconstruct[@]}" --coarsest 4 --passes 1 --no-provenance -q -o auto.ply
   cmp auto.ply closed.ply
@@ -236,7 +236,7 @@ take_pocket() {
   [ ! -e both.obj ]
 }
 
-@test "--crumbs says which components go at last" {
+@test "--crumbs limits the size of components that are removed at the end" {
   mkdir images masks
   tm-shape sphere --radius 20 --faces 4000 -o large.ply
   tm-shape sphere --radius 5 --center 34,0,0 --faces 1000 -o small.ply
@@ -263,7 +263,7 @@ take_pocket() {
   [ ! -e none.ply ]
 }
 
-@test "two balls in one wrapping come apart" {
+@test "two balls in one initial mesh are separated" {
   mkdir images masks
   tm-shape two-spheres --radius 20 --gap 6 --faces 10000 -o truth.ply
   tm-photograph --ring 16 --size 160x120 --finest 4 --coarsest 20 --write-images images \
@@ -449,7 +449,7 @@ CSV
   [[ $stderr == *"missing/images"* ]]
 }
 
-@test "with a box, what stands around the object is forgotten, with masks and without" {
+@test "with a box, surroundings of the object are ignored, with masks and without" {
   mkdir images masks
   tm-shape ellipsoid 20 20 20 --faces 2000 -o ball.ply
   tm-shape ellipsoid 30 30 14 --faces 2000 | tm-transform --translate 0,0,52 | tm-cat ball.ply - -o both.ply

@@ -25,7 +25,7 @@ value() {
   [[ $output == *"reference edge 1.41421"* ]]
 }
 
-@test "lengths that fight are refused with numbers" {
+@test "contradictory lengths are refused with numbers" {
   tetrahedron >"$BATS_TEST_TMPDIR/in.ply"
   run tm-remesh --min-edge 1 --max-edge 1.2 "$BATS_TEST_TMPDIR/in.ply"
   assert_status 2
@@ -33,7 +33,7 @@ value() {
   [[ $output == *"1.2 is below 1.5 times the shortest 1"* ]]
 }
 
-@test "nothing left is exit 4, with nothing written" {
+@test "an empty result is exit 4, with nothing written" {
   tetrahedron >"$BATS_TEST_TMPDIR/in.ply"
   run --separate-stderr tm-remesh --min-edge 5 --max-edge 10 "$BATS_TEST_TMPDIR/in.ply"
   assert_status 4
@@ -393,7 +393,7 @@ border() {
   assert_status 2
 }
 
-@test "a reference edge of another mesh is told, unless it was asked for" {
+@test "a reference edge of another mesh is reported, unless requested" {
   cd "$BATS_TEST_TMPDIR"
   tm-shape sphere --faces 4000 -o fine.ply
   tm-remesh fine.ply | tm-remesh --faces 400 -o coarse.ply
@@ -423,7 +423,7 @@ far_pairs() {
   done
 }
 
-@test "crossings that only floats make are told, and tm-clean writes none" {
+@test "intersections due to rounding to floats are reported, and tm-clean writes none" {
   cd "$BATS_TEST_TMPDIR"
   tm-shape torus-knot 2 3 --faces 20000 | tm-transform --translate 1e6,0,0 -o far.ply
   count=$(far_pairs)
@@ -463,7 +463,7 @@ far_pairs() {
   done
 }
 
-@test "components that are dropped are said, with their faces, area and volume" {
+@test "dropped components are reported with their faces, area and volume" {
   cd "$BATS_TEST_TMPDIR" || return
   tm-shape sphere --radius 0.05 --faces 200 | tm-transform --translate 3,0,0 -o speck.ply
   pipe "tm-shape sphere --faces 1000 | tm-cat - speck.ply |
@@ -528,7 +528,7 @@ far_pairs() {
   tm-remesh --no-provenance --edge 0.1 ball.ply -o edge.ply
   tm-remesh --no-provenance --min-edge 0.07 --max-edge 0.15 ball.ply -o limits.ply
   cmp <(sed '1,/^end_header/d' edge.ply) <(sed '1,/^end_header/d' limits.ply)
-  # Edges of other lengths come to about this one.
+  # Longer and shorter edges of the input lead to about the same length.
   for faces in 300 20000; do
     tm-shape sphere --faces $faces | tm-remesh --edge 0.1 -o other.ply
     awk -v mean="$(tm-info --get edge_mean other.ply)" 'BEGIN { exit !(mean > 0.08 && mean < 0.12) }'

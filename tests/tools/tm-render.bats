@@ -32,7 +32,7 @@ differ() {
   differ row.png rows.png
 }
 
-@test "every option that shows changes the picture" {
+@test "every option of the appearance changes the picture" {
   tetrahedron >a.ply
   tm-shape sphere --faces 200 --center 5,0,0 -o b.ply
   tm-render --size 200x100 a.ply b.ply >usual.png
@@ -93,7 +93,7 @@ differ() {
   sed 's/.*All:\([0-9.]*\).*/\1/' log | awk '$1 < 0.9 { exit 1 }' || fail "$(cat log)"
 }
 
-@test "a movie that cannot be is refused before it is drawn" {
+@test "an impossible movie is refused before it is drawn" {
   tetrahedron >a.ply
   refused() { # CODE WORDS OPTION...
     run --separate-stderr env PATH="$film_path" "$tm_build/bin/tm-render" "${@:3}" a.ply

@@ -167,7 +167,7 @@ cracked() {
   [ ! -e other.ply ]
 }
 
-@test "a sheet beside a body is dropped, which is said with the place" {
+@test "a dropped sheet beside a body is reported with the place" {
   printf 'OFF\n4 2 0\n5 5 5\n9 5 5\n9 9 5\n5 9 5\n3 0 1 2\n3 0 2 3\n' | tm-cat box.ply - -o sheet.ply
   run --separate-stderr tm-repair sheet.ply -o solid.ply
   assert_status 0

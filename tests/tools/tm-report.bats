@@ -42,7 +42,7 @@ block_of() {
   block_of page.html target-0-0 | tail -c +5 | grep -aq '"faces":'
 }
 
-@test "the page asks for nothing, and has the licence of what is in it" {
+@test "the page loads nothing, and contains the licenses of its parts" {
   tm-report one -o page.html
   grep -q "default-src 'none'" page.html
   run ! grep -oiE '(src|href)="(http|//)[^"]*' page.html
@@ -57,7 +57,7 @@ block_of() {
   grep -q '<title>a &amp; b</title>' page.html
 }
 
-@test "what is no run, an unknown property and a missing run are told" {
+@test "invalid runs, unknown properties and missing runs are reported" {
   refused() { # CODE MESSAGE ARGUMENT...
     run --separate-stderr tm-report "${@:3}" -o none.html
     assert_status "$1"

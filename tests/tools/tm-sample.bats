@@ -33,7 +33,7 @@ setup() {
   [ "$output" = NOFF ]
 }
 
-@test "tm-sample: what makes no sense is refused in one line" {
+@test "tm-sample: invalid options are refused in one line" {
   for options in '' '--count 5 --distance 1%' '--distance 0' '--distance 1e-9' '--count -1'; do
     # shellcheck disable=SC2086
     run --separate-stderr tm-sample $options torus.ply

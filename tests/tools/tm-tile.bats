@@ -101,7 +101,7 @@ is_whole() {
   [ "$(jq .result.joined_vertices join.json)" -gt 0 ]
 }
 
-@test "what cannot be split is refused with a sentence, and leaves nothing" {
+@test "meshes that cannot be split are refused, and nothing is left" {
   tm-shape sphere --faces 2000 -o in.ply
   tm-select --box=-9,-9,-9,9,9,.5 in.ply -o open.ply
   tm-convert --format ply-ascii in.ply -o text.ply
@@ -142,7 +142,7 @@ is_whole() {
   [[ $stderr == *"vertex $(($(tm-info --get vertices in.ply) - 1)) has a coordinate that is not a finite number"* ]]
 }
 
-@test "what cannot be cleaned or joined is named" {
+@test "tiles that cannot be cleaned or joined are named" {
   tm-shape two-spheres --faces 4000 -o in.ply
   tm-tile split in.ply --tiles 3 -o tiles
   run --separate-stderr tm-tile join tiles -o out.ply
@@ -209,7 +209,7 @@ is_whole() {
   one_line "$stderr"
 }
 
-@test "scripts/experiments/tiles goes on where it was, and names what has failed" {
+@test "scripts/experiments/tiles continues where it stopped, and names failures" {
   tm-shape folded sphere --faces 8000 -o in.ply
   tm-clean in.ply -o whole.ply
   "$tm_root/scripts/experiments/tiles" in.ply out 4

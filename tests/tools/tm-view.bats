@@ -80,7 +80,7 @@ code_of() {
   curl -s -o answer -w '%{http_code}' --path-as-is --max-time 10 "$@"
 }
 
-@test "--serve answers who knows the token, with its own files and nothing else" {
+@test "--serve answers requests with the token, with its own files only" {
   needs_command curl
   serve a.ply
   [ "$(code_of "$address")" = 200 ]
@@ -103,7 +103,7 @@ code_of() {
   [ "$status" -ne 0 ]
 }
 
-@test "--serve bears clients that say nothing, nonsense or too much, and listens on the loopback alone" {
+@test "--serve survives silent, malformed and long requests, and listens on loopback only" {
   needs_command curl
   needs_command ss
   serve a.ply

@@ -148,7 +148,7 @@ setup() {
   tm-shape sphere --faces 320 | tm-stitch --flip | tm-wrap --alpha 20% | tm-checkmanifold --closed >/dev/null
 }
 
-@test "a heap of equal points is one point" {
+@test "equal points count as one" {
   awk 'BEGIN {
     for (i = 0; i < 5000; ++i) {
       z = (2 * i + 1) / 5000 - 1

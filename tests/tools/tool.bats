@@ -44,7 +44,7 @@ setup() {
   [ "$(grep -c '^comment tm-convert' now.ply)" -eq 20 ]
 }
 
-@test "a mean edge that x cannot refer to is told" {
+@test "a mean edge that x cannot refer to is reported" {
   sed 's/^1 1 0/1e200 0 0/' t.ply >huge.ply
   sed -E 's/^-?[01] -?[01] -?[01]$/0 0 0/' t.ply >point.ply
   for case in 'huge too large*scale' 'point mean edge of the mesh is 0, so'; do
@@ -62,7 +62,7 @@ setup() {
   tm-convert t.ply | grep -c reference-edge | grep -qx 0
 }
 
-@test "a malformed reference edge is told" {
+@test "a malformed reference edge is reported" {
   sed 's/^element vertex/comment tm:reference-edge 0\n&/' t.ply >bad.ply
   run --separate-stderr tm-convert --reference-edge 1x bad.ply
   assert_status 3
@@ -190,14 +190,14 @@ large_mesh() {
   [ "$stderr" = "tm-convert: out of memory: more is needed than the 293M that ulimit allows" ]
 }
 
-@test "an option that must be given is asked for before anything is read" {
+@test "a missing required option is reported before anything is read" {
   run --separate-stderr tm-carry none.ply
   assert_status 2
   one_line "$stderr"
   [[ $stderr == "tm-carry: --from FILE is needed: "* ]]
 }
 
-@test "-v shows what every length amounts to" {
+@test "-v shows every length in input units" {
   tm-remesh -v --max-edge 100% t.ply 2>verbose >/dev/null || true
   grep -qx "tm-remesh: --min-edge 0.7x = 0.989949" verbose
   grep -qx "tm-remesh: --max-edge 100% = 1.73205" verbose

@@ -48,7 +48,7 @@ with_names() {
     { k = FNR; $1; \$1 = n[k]; print }" right.txt right.txt >par.txt
 }
 
-@test "views that agree are believed, and how well they do is in the report" {
+@test "views that agree are accepted, and their agreement is reported" {
   hull --report r.json
   assert_status 0
   [ -z "$stderr" ]
@@ -76,7 +76,7 @@ with_names() {
   refused 'all masks' inverted
 }
 
-@test "a mask as JPEG leaves it, and masks whose black is not quite black" {
+@test "masks from JPEG, and masks with nearly black background" {
   # Ringing: up to 40 levels beside the contour and far from it.
   change 'l == 0 ? (i * 7919 % 41) : 255 - i * 104729 % 41' 4
   hull

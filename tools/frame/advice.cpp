@@ -84,7 +84,7 @@ constexpr std::array table{
     Advice{Kind::edges_too_long, "reference-edge", "shorten edges with --reference-edge {edge}"},
     Advice{Kind::uniform_edges_too_long, "gap-edges",
            "shorten edges at narrow places with --gap-edges 1.5"},
-    // --crumbs is of tm-reconstruct alone.
+    // Only tm-reconstruct has --crumbs, which identifies the program here.
     Advice{Kind::surface_explodes, "crumbs", "see --stiffness, --coarsest and tm-cameras"},
     Advice{Kind::outside_hull, "clip", "see --clip"},
     Advice{Kind::scene_behind_cameras, "mirror", "--mirror takes its mirror image, z for -z"},
@@ -103,7 +103,8 @@ void replace(std::string& text, const std::string& word, const std::string& valu
   if (at != std::string::npos) text.replace(at, word.size(), value);
 }
 
-/// The longest edges are 1.5 times as long as the reference edge, which this halves.
+/// Returns half the reference edge as text. The longest edge in the data is 1.5 times the reference
+/// edge.
 std::string half_of_reference_edge(const ErrorData& data) {
   return significant(data.lengths.empty() ? 0 : data.lengths.back() / 3, 2);
 }

@@ -1,4 +1,4 @@
-/// Remedies for the library's problems, in terms of programs and options.
+/// Remedies for problems of the library, which name programs and options.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace transformesh::tool {
 
-/// A row of the table: the remedy for problems of that kind, offered by programs with that option.
+/// The remedy for problems of a kind, offered by programs that have an option.
 struct Advice {
   ErrorKind kind;
   const char* option;  ///< name without dashes; empty for all programs
-  const char* text;    ///< {name} is the data's name, {edge} half the reference edge of the mesh
+  const char* text;    ///< {name} becomes ErrorData::name, {edge} half the reference edge
 };
 
 /// Returns all rows. The first row of a kind whose option the program has is offered.

@@ -1,4 +1,4 @@
-/// What programs say where columns went stale.
+/// Notes about columns that were dropped because they no longer describe the surface.
 #pragma once
 
 #include <string>

@@ -7,14 +7,15 @@
 namespace transformesh::tool {
 namespace {
 
-/// What a value can be: one of some words, or a file or folder.
+/// Candidates for a value: words, files or folders.
 struct Candidates {
-  std::string words;  ///< with blanks between them
+  std::string words;  ///< separated by blanks
   bool are_files = false;
   bool are_folders = false;
 };
 
-// `auto|LENGTH`: what is in lower case is a word, the rest says what the user makes up.
+// Returns the candidates of a placeholder such as `auto|LENGTH`. Parts in lower case are literal
+// words.
 Candidates candidates_of(const Option& option) {
   Candidates candidates;
   std::istringstream parts(option.placeholder);

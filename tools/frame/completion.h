@@ -8,7 +8,7 @@
 
 namespace transformesh::tool {
 
-/// A script that the shell reads: `bash`, `zsh` or `fish`.
+/// Returns the completion script for a shell: `bash`, `zsh` or `fish`.
 std::string completion(const Program& program, const std::string& shell);
 
 }  // namespace transformesh::tool

@@ -1,4 +1,4 @@
-/// The line on stderr if vertices could not move as far as they should.
+/// Notes on stderr about clamped movements of vertices.
 #pragma once
 
 #include "frame/run.h"
@@ -8,7 +8,7 @@
 
 namespace transformesh::tool {
 
-/// `remedy` is what to do about it.
+/// Notes how many vertices were clamped, followed by `remedy`. Does nothing if none were.
 inline void note_clamped(const DisplaceResult& result, double alpha, const std::string& remedy,
                          Run& run) {
   if (result.clamped == 0) return;

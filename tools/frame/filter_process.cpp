@@ -26,8 +26,8 @@ File opened(int descriptor, const char* mode, const std::string& command) {
   return file;
 }
 
-// The whole input lies in a file in memory, so that nothing has to be written while the output is
-// read, and a filter may end without reading all of it.
+// Puts the input into a file in memory. No input must thus be written while the output is read, and
+// a filter may end without reading all of it.
 File file_of(std::string_view input, const std::string& command) {
   File file = opened(memfd_create("input", MFD_CLOEXEC), "w+", command);
   const bool is_written = std::fwrite(input.data(), 1, input.size(), file.get()) == input.size();
@@ -68,13 +68,13 @@ pid_t start_shell(const std::string& command, int input, int output) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-  // The group ends with this process.
+  // The child gets its own process group, which set_child_group() ends together with this process.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   const std::array<const char*, 5> words{"sh", "-c", "--", command.c_str(), nullptr};
   pid_t child = 0;
-  // posix_spawn does not change words, though it takes them without const.
+  // posix_spawn does not change `words`, although its parameter lacks const.
   // NOLINTNEXTLINE(*-const-cast,*-qualified-auto)
   auto* const arguments = const_cast<char* const*>(words.data());
   const int error = posix_spawn(&child, "/bin/sh", &actions, &attributes, arguments, environ);

@@ -1,5 +1,5 @@
-/// Runs a command of the user's as a filter: bytes to its standard input, bytes from its standard
-/// output; its messages go where ours do.
+/// Runs a command of the user as a filter: writes bytes to its standard input and reads its
+/// standard output. Its stderr is that of this process.
 #pragma once
 
 #include <sys/types.h>
@@ -9,21 +9,21 @@
 
 namespace transformesh::tool {
 
-/// What its standard output is: a file can be sought in, but ends with the command itself, whatever
-/// that has left running.
+/// Kind of the command's standard output. Commands can seek in a file. The output to a file is
+/// complete when the command ends, even if processes that it started still run.
 enum class FilterOutput { pipe, file };
 
-/// `command` is for /bin/sh. Throws GoalError where it cannot be run, fails, or is ended by a
-/// signal, whatever it has written; of a command that fails, UsageError or InputError where its
-/// exit code is ours for these.
+/// Runs `command` with /bin/sh and returns its output. Throws GoalError if it cannot be run, fails,
+/// or is ended by a signal. Throws UsageError or InputError if it fails with the exit code of the
+/// suite for these errors.
 std::string run_filter(const std::string& command, std::string_view input,
                        FilterOutput output = FilterOutput::pipe);
 
-/// Starts /bin/sh with the command in a process group of its own, with these descriptors as its
-/// standard input and output. Returns its process. Throws GoalError if it cannot be started.
+/// Starts /bin/sh with the command in its own process group, with these descriptors as its standard
+/// input and output. Returns the process id. Throws GoalError if it cannot be started.
 pid_t start_shell(const std::string& command, int input, int output);
 
-/// Throws as run_filter() does if the status of waitpid() is not that of exit code 0.
+/// Throws the errors of run_filter() if `status`, from waitpid(), is not exit code 0.
 void check_ending(const std::string& command, int status);
 
 /// Throws GoalError with the message of `errno`.

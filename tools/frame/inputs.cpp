@@ -79,8 +79,7 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
 
 void Inputs::keep_bytes(std::string_view bytes, const ReadResult& result) {
   if (!program_.input.keeps_bytes) return;
-  // Every note tells of something that the reader left out or changed, except the one on faces that
-  // share no vertices.
+  // Every note is about something that the reader left out or changed, except the note on soups.
   const bool is_exact = result.notes.size() == (result.soup_note ? 1U : 0U) && !is_gzip(bytes);
   bytes_ = is_exact ? std::string(bytes) : std::string();
   format_ = result.document.style.format;
@@ -115,7 +114,7 @@ std::optional<double> Inputs::resolved(const Option& option) {
   try {
     return basis_.resolve(*length);
   } catch (const std::runtime_error&) {
-    // If the body needs this length, it asks again and gets the error.
+    // If the body needs this length, it asks again and receives the error.
     return std::nullopt;
   }
 }

@@ -19,56 +19,58 @@ class Inputs {
  public:
   Inputs(const Program& program, Messages& messages, Phases& phases);
 
-  /// File names as on the command line, with `-` for stdin; the words of Reads::words.
+  /// Returns the file names on the command line, with `-` for stdin; for Reads::words, the words.
   const std::vector<std::string>& names() const { return program_.inputs; }
   const std::string& name() const { return names().at(0); }
 
-  /// The first mesh, which a program that writes a mesh changes. Empty if none was read.
+  /// Returns the first mesh, which programs that write a mesh change. Empty if none was read.
   Document& document() { return documents_.front(); }
   std::vector<Document>& documents() { return documents_; }
   /// Reads the meshes that are named as inputs.
   void read_all();
-  /// Relative lengths refer to the first mesh from then on.
+  /// Makes relative lengths refer to the first mesh.
   void refer_to_mesh();
   /// Continues an earlier run with a mesh whose comments hold the reference edge.
   void continue_from(Document document);
 
-  /// Reads a further mesh or file, which an option names. Stdin can be read once.
+  /// Reads another mesh or file, which an option names. Stdin can be read only once.
   Document read(const std::string& path);
   std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
-  /// Returns the options for reading a file that --strict and --keep-polygons set.
+  /// Returns the options for reading a file, from --strict and --keep-polygons.
   ReadOptions reading(const std::string& path) const {
     return {program_.common.strict, input_folder(path), program_.common.keep_polygons};
   }
 
-  /// Returns a length in input units. 1% is of the diagonal of the first mesh (or of `set_basis`),
-  /// 0.7x of the reference edge: the tm:reference-edge comment, or else the mean edge, which is
-  /// then written as that comment.
+  /// Returns a length in input units. Percentages refer to the bounding box diagonal of the first
+  /// mesh, or to that of set_basis(). Factors such as 0.7x refer to the reference edge. This is the
+  /// length in the tm:reference-edge comment, or else the mean edge, which is then stored as this
+  /// comment.
   double length(const Length& length) { return basis_.resolve(length); }
   double reference_edge() { return basis_.reference_edge(); }
   void set_basis(double diagonal) { basis_.set_diagonal(diagonal); }
-  /// Lengths that are asked for later do not refer to the document, which the body has changed.
+  /// Call when the body begins to change the document. Later lengths do not refer to it.
   void end_reading() { basis_.set_document(nullptr); }
-  /// The reference edge, if any length referred to it.
+  /// Returns the reference edge if a length referred to it.
   std::optional<double> used_reference_edge();
-  /// The value of a length option in input units. Empty for other options, and if there is no mesh
-  /// that the length could refer to.
+  /// Returns the value of a length option in input units. Empty for other options, and if there is
+  /// no mesh that the length can refer to.
   std::optional<double> resolved(const Option& option);
 
-  /// The bytes of the mesh that was read last, and their format, with InputRules::keeps_bytes.
-  /// Empty if something in them was left out or changed while reading.
+  /// Return the bytes and the format of the mesh that was read last, if InputRules::keeps_bytes.
+  /// Empty if the reader left out or changed something.
   const std::string& bytes() const { return bytes_; }
   Format format() const { return format_; }
 
-  /// Vertices and faces of all inputs; empty if no mesh was read.
+  /// Returns the numbers of vertices and faces of all inputs; empty if no mesh was read.
   const Entries& counts() const { return counts_; }
-  /// Vertices that Soups::joined joined with others.
+  /// Returns the number of vertices that were merged because of Soups::joined.
   std::size_t joined_vertices() const { return joined_vertices_; }
 
  private:
   Bytes read_once(const std::string& path);
   void keep_bytes(std::string_view bytes, const ReadResult& result);
-  /// Joins a soup or notes it, by the rules of the program. `is_noted`: the reader has noted it.
+  /// Joins a soup or prints a note about it, by the rules of the program. `is_noted` is true if the
+  /// reader has already noted it.
   void treat_soup(Mesh& mesh, const std::string& name, bool is_noted);
 
   const Program& program_;
@@ -83,9 +85,9 @@ class Inputs {
   bool stdin_is_read_ = false;
 };
 
-/// Vertices and faces of these documents together.
+/// Returns the total numbers of vertices and faces.
 Entries counts_of(const std::vector<Document>& documents);
-/// Returns "PLY, 12 vertices, 20 faces".
+/// Returns a text such as "PLY, 12 vertices, 20 faces".
 std::string described(const Document& document);
 
 }  // namespace transformesh::tool

@@ -1,4 +1,4 @@
-/// --keep-out and --gap: another surface, from which what moves is kept away.
+/// Options --keep-out and --gap: an obstacle, from which a moving surface keeps a distance.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ class KeepOutOption {
     program.options.length("gap", &gap_, "how far to stay from the mesh of --keep-out");
   }
 
-  /// Reads the mesh, which stays with this option.
+  /// Reads the obstacle. The result refers to this object.
   KeepOutOptions options(Run& run) {
     if (file_.empty() != !gap_)
       throw UsageError("--keep-out and --gap go together: what to stay away from, and how far");

@@ -24,19 +24,19 @@ namespace {
 constexpr std::string_view unit_letters = "KMGT";
 constexpr double unit_step = 1024;
 
-// Sanitizers map terabytes, which the limit would count.
+// Sanitizers map terabytes of address space, which would count towards the limit.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool has_shadow_memory = true;
 #else
 constexpr bool has_shadow_memory = false;
 #endif
 
-// Made before memory ends, and never freed.
+// The message is allocated in advance and never freed.
 const std::string* memory_message = nullptr;
 
 [[noreturn]] void end_without_memory() { end_process_with(*memory_message, exit_memory); }
 
-// GMP aborts where it gets no memory.
+// Allocates memory for GMP, which would abort at a failure.
 void* allocate(std::size_t size) {
   void* memory = std::malloc(size);
   if (memory == nullptr) end_without_memory();
@@ -49,7 +49,7 @@ void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
 }
 void release(void* memory, std::size_t /*size*/) { std::free(memory); }
 
-// Where an exception may not leave a function: none but that of memory is known to do so.
+// Handler for exceptions that leave a noexcept function. Only std::bad_alloc is known to do so.
 [[noreturn]] void end_by_exception() {
   try {
     if (std::current_exception()) std::rethrow_exception(std::current_exception());
@@ -67,7 +67,8 @@ std::optional<std::uint64_t> number_in_file(const std::string& path) {
   return number_in<std::uint64_t>(word);
 }
 
-// Of the group and of all above it; version 2 has one tree, version 1 one for memory.
+// Returns the least limit of a control group and all groups above it. Version 2 has a single tree,
+// version 1 a tree for memory.
 std::uint64_t group_limit(const std::string& root, std::string group, const std::string& name) {
   std::uint64_t limit = UINT64_MAX;
   while (true) {

@@ -1,4 +1,5 @@
-/// What a run may take: --max-memory and --max-time. Both end it with one line and nothing written.
+/// Limits of a run: --max-memory and --max-time. A run that exceeds one ends with a one-line
+/// message and writes no output.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +8,19 @@
 
 namespace transformesh::tool {
 
-/// `500M`, `2G`, `1.5GiB` or a number of bytes; K, M, G and T are powers of 1024. Throws
-/// UsageError.
+/// Parses a size: `500M`, `2G`, `1.5GiB` or a number of bytes. K, M, G and T are powers of 1024.
+/// Throws UsageError.
 std::uint64_t parse_size(const std::string& text);
-/// The other way, with three digits: `1.46G`.
+/// Returns a size as text with three digits, such as `1.46G`.
 std::string size_text(std::uint64_t bytes);
 
-/// What the system can give this process: its memory, or less where a control group says so.
+/// Returns the memory that this process may use: that of the machine, or the limit of a control
+/// group if that is smaller.
 std::uint64_t available_memory();
 
-/// From now on allocations beyond the limit fail with std::bad_alloc, by default those beyond all
-/// that is available. Returns what to say then. Where no exception can be thrown, as in GMP, the
-/// process ends at once in the same way.
+/// Limits the memory of the process, by default to available_memory(). Allocations beyond the limit
+/// throw std::bad_alloc. In code that cannot throw, such as GMP, the process ends at once with the
+/// same message. Returns this message.
 std::string limit_memory(const std::string& program, std::optional<std::uint64_t> limit);
 
 }  // namespace transformesh::tool

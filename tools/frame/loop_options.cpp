@@ -13,7 +13,8 @@ namespace transformesh::tool {
 
 namespace {
 
-// The inputs and all that determines the result, in one line: a run that continues has the same.
+// Returns the inputs and all options that affect the result, in one line. A run can only be
+// continued with the same settings.
 std::string settings_of(const Run& run) {
   std::string text;
   for (const std::string& input : run.in().names()) text += '\'' + input + "' ";
@@ -24,7 +25,7 @@ std::string settings_of(const Run& run) {
   return text;
 }
 
-// A run has its files under fixed names, so that each of these options would be another one.
+// Sets the output files of --run, which have fixed names. Options that name them are refused.
 void settle_run(Program& program, LoopChoices& choices) {
   std::string& folder = choices.run;
   if (folder.empty()) return;
@@ -97,7 +98,7 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
 
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
   RecordOptions options = choices.record;
-  // What has no file has no place for a state.
+  // An output that is not a file has no folder for a state beside it.
   const bool is_continuable =
       !is_written_directly(end_of_links(run.out().name())) || !state.empty();
   if (options.resume && !is_continuable)
@@ -107,14 +108,14 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   std::vector<std::string> files{"report", "csv"};
   if (!options.events.empty()) files.emplace_back("events");
   if (state.empty()) files.insert(files.begin(), "output");
-  // The folder of a run is made with the state in it.
+  // The folder of a run is created together with the state in it.
   choices.run.empty() ? run.out().check_files_of(files) : check_run_folder(choices.run);
   const std::string& name = run.program().name;
   report_interruption(name, is_continuable ? "; --resume continues" : "");
   if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);
   options.state = std::move(state);
   options.settings = settings_of(run);
-  // A run that continues needs the labels of the one that began.
+  // A continued run needs the component labels of the first one.
   if (!options.events.empty()) options.settings += " events";
   options.every = static_cast<std::size_t>(choices.every.value_or(every));
   options.is_alone = true;
@@ -130,7 +131,7 @@ void begin_run(const LoopChoices& choices, const Record& record, const Document*
   if (choices.run.empty()) return;
   const std::string command = command_of(run.program());
   if (record.resumed()) return continue_run(choices.run, command);
-  // Before its frames and its log go, which it could not continue without.
+  // The state of an earlier run is removed before its frames and log, without which it is useless.
   record.forget_earlier_state();
   if (start != nullptr) {
     Document given = *start;

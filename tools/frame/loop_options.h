@@ -1,5 +1,5 @@
-/// What the programs share that run a loop of evolution (lib/evolution): their options, the
-/// record of the run beside its output, and what becomes of it at the end.
+/// Common parts of programs that run an evolution (lib/evolution): their options, the record of the
+/// run beside its output, and its end.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace transformesh::tool {
 
-/// Options as they are written.
+/// Values of the options on the command line.
 struct LoopChoices {
   std::size_t iterations = LoopOptions().iterations;
   RecordOptions record;
@@ -22,41 +22,43 @@ struct LoopChoices {
   bool require_convergence = false;
 };
 
-/// In quotes, as a shell reads it back as one word.
+/// Quotes a text so that a shell reads it as one word.
 std::string shell_word(const std::string& text);
 
-/// --iterations; then, after the program's own options, the rest.
+/// Declares --iterations. declare_record() declares the other options, after those of the program.
 void declare_iterations(Program& program, LoopChoices& choices);
-/// `every` says what --every counts and its default.
+/// Declares the options of the record. `every` is the help of --every, with its unit and default.
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
                     const std::string& rows);
 
-/// Checks that all outputs can be written, and looks for a state: beside the output, or in `state`
-/// where the output is a folder.
+/// Checks that all outputs can be written, and opens the record. Its state is beside the output, or
+/// in `state` if the output is a folder.
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state = {});
 
-/// Where there is --run: begins it with the start, if there is one, and these files, or adds the
-/// command to one that continues. To be called once inputs have been read, before the loop begins.
+/// Begins the run folder of --run with the initial mesh, if there is one, and `files`. If a run is
+/// continued, adds the command to its description. Does nothing without --run. Call after the
+/// inputs have been read and before the loop begins.
 void begin_run(const LoopChoices& choices, const Record& record, const Document* start, Run& run,
                RunFiles files = {});
 
-/// The limit, and lines of progress.
+/// Returns the limit of iterations, and a function that prints lines of progress.
 LoopOptions loop_of(const LoopChoices& choices, Run& run);
 
-/// The mesh with which the run begins, or continues, as -o shall hold it.
+/// Returns the mesh with which the run begins or continues, with the format and comments of the
+/// output.
 Document& begin_document(const Record& record, Run& run);
 
-/// Calls `evolve`. Where that fails after `noun` 1 or later, the output holds the last good mesh,
-/// and the message states so.
+/// Calls `evolve`. If an iteration fails, the output is the mesh of the last successful one, and
+/// the message states this. `noun` is the word for an iteration.
 void evolve_or_keep(Run& run, const Record& record, const std::string& noun,
                     const std::function<void()>& evolve);
 
 struct Conclusion {
-  bool is_done = false;  ///< leaves no state once the outputs are written
+  bool is_done = false;  ///< the state is removed after the outputs are written
   bool is_converged = false;
-  std::string summary;  ///< said then
+  std::string summary;  ///< message at the end
 };
-/// Answers --require-convergence as well.
+/// Ends a run: prints the summary, and sets the exit code for --require-convergence.
 void conclude(Run& run, const LoopChoices& choices, const Record& record,
               const Conclusion& conclusion);
 

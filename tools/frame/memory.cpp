@@ -16,12 +16,12 @@ constexpr int reserved = 1 << 30;
 constexpr int mebibyte = 1 << 20;
 constexpr std::uintptr_t huge_page = std::uintptr_t{2} << 20;
 
-/// Extends the heap at once, without touching its pages, and asks for huge pages there. A limit of
-/// memory may forbid the extension: the heap then grows in small pages.
+/// Extends the heap at once, without touching its pages, and requests huge pages for it. If a
+/// memory limit forbids the extension, the heap grows in small pages later.
 void reserve_heap() {
   const auto begin = reinterpret_cast<std::uintptr_t>(sbrk(0));
   mallopt(M_TOP_PAD, reserved);
-  // Volatile: the compiler would leave out the allocation otherwise.
+  // The pointer is volatile, since the compiler would remove the allocation otherwise.
   void* volatile block = std::malloc(mebibyte);
   std::free(block);
   mallopt(M_TOP_PAD, 16 * mebibyte);

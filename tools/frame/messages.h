@@ -1,4 +1,4 @@
-/// Messages of a run on stderr: notes, warnings with the remedies that the program offers, details.
+/// Messages of a run on stderr: notes, warnings with remedies, and details.
 #pragma once
 
 #include <set>
@@ -14,20 +14,20 @@ class Messages {
  public:
   Messages(const Program& program, Terminal& terminal) : program_(program), terminal_(terminal) {}
 
-  /// One line, unless -q.
+  /// Prints a line, unless -q is given.
   void note(const std::string& message) const { terminal_.note(message); }
   void note(const Problem& warning) const { note(with_advice(warning, program_)); }
-  /// One line each.
+  /// Prints a line per entry, unless -q is given.
   void note_all(const std::vector<std::string>& lines) const;
   void note_all(const std::vector<Problem>& warnings) const;
-  /// One line each, and each line once in a run.
+  /// Prints lines as note_all() does, but equal lines only once in a run.
   void note_once(const std::vector<std::string>& lines);
-  /// One line with -v.
+  /// Prints a line if -v is given.
   void detail(const std::string& message) const { terminal_.detail(message); }
-  /// Always, for a failure beside the one that ends the run.
+  /// Prints an error. For a further failure besides the one that ends the run.
   void error(const std::string& message) const { terminal_.error(message); }
   void out_of_memory() const { terminal_.out_of_memory(); }
-  /// A line in the place of the progress bar, or a line of its own with --progress.
+  /// Shows a text in place of the progress bar, or prints it as a line with --progress.
   void progress_line(const std::string& text) const { terminal_.progress_line(text); }
   bool are_detailed() const { return terminal_.is_verbose(); }
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t least_digits = 3;
 
-// One thread: how many there are shows in the bytes of x264.
+// x264 runs on one thread, since its output depends on the number of threads.
 const std::string read_pictures =
     "ffmpeg -v error -y -f image2pipe -c:v png -framerate 25 -i - -threads 1 -fflags +bitexact "
     "-flags:v +bitexact ";
@@ -38,7 +38,7 @@ bool is_installed(const std::string& program) {
   return false;
 }
 
-/// `orbit-007.png` for `orbit.png`.
+/// Returns the name of a numbered file, such as `orbit-007.png` for `orbit.png`.
 std::string numbered(const std::string& path, int frame, int frames) {
   const std::size_t digits = std::max(std::to_string(frames - 1).size(), least_digits);
   const std::string number = std::to_string(frame);

@@ -1,4 +1,4 @@
-/// Movies: pictures that follow each other, as numbered files or encoded by ffmpeg.
+/// Writes movies as numbered files, or encoded by ffmpeg.
 #pragma once
 
 #include <functional>
@@ -8,18 +8,20 @@
 
 namespace transformesh::tool {
 
-/// The bytes of a picture, of PNG for movies.
+/// Returns the bytes of a frame; PNG if a movie is encoded.
 using DrawFrame = std::function<std::string(int frame)>;
 
-/// The ending of a file's name with its dot, in lower case.
+/// Returns the ending of a file name with its dot, in lower case.
 std::string ending_of(const std::string& path);
 
-/// Before anything is drawn. Throws UsageError where -o cannot hold so many frames (0: a picture
-/// alone), or no movie of that kind, and GoalError where ffmpeg is needed and not installed.
+/// Checks the options before anything is drawn. `frames` is 0 for a single picture. Throws
+/// UsageError if -o cannot be a movie of this kind or has no place for so many frames. Throws
+/// GoalError if ffmpeg is needed and not installed.
 void check_movie(int frames, int width, int height, bool is_transparent, const Run& run);
 
-/// Draws all frames and writes them to -o: a movie of 25 pictures a second, or files numbered from
-/// 0 on, orbit-000.png for orbit.png. Throws GoalError where ffmpeg fails, having told why.
+/// Draws all frames and writes them to -o: a movie of 25 frames per second, or files numbered from
+/// 0, such as orbit-000.png for orbit.png. Throws GoalError if ffmpeg fails, which prints the
+/// reason.
 void write_frames(int frames, const DrawFrame& draw, Run& run);
 
 }  // namespace transformesh::tool

@@ -57,7 +57,7 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
   return joined;
 }
 
-// An option whose variable becomes what `read` makes of a word, or throws.
+// Adds an option. `read` converts the text of its value to the type of the variable, or throws.
 Option& add(std::deque<Option>& options, const std::string& names, const std::string& placeholder,
             const std::string& help, auto* variable, auto read) {
   Option& option = options.emplace_back();
@@ -95,7 +95,7 @@ namespace po = boost::program_options;
   throw UsageError((name.size() == 1 ? "-" : "--") + name + " needs a value");
 }
 
-// Boost's own messages name the option in several ways; ours is always `--name`.
+// Replaces messages of Boost, which name options in several ways, by messages with `--name`.
 [[noreturn]] void rethrow_in_words(const po::error_with_option_name& error) {
   std::string name = error.get_option_name();
   name.erase(0, name.find_first_not_of('-'));
@@ -219,7 +219,7 @@ std::vector<std::string> OptionSet::parse(const std::vector<std::string>& argume
     }
     Option& option = *find(parsed.string_key);
     const std::string text = parsed.value.empty() ? "" : parsed.value[0];
-    // `--output --quiet`: the value was forgotten.
+    // In `--output --quiet` the value is missing.
     if (text.starts_with("--") && find(text) != nullptr) throw_missing(option.name());
     try {
       option.assign(text);

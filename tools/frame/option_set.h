@@ -1,4 +1,4 @@
-/// The options of a program: declaration, help and parsing come from the same objects.
+/// The options of a program. Help text and parsing use the same objects.
 #pragma once
 
 #include <deque>
@@ -12,19 +12,19 @@
 
 namespace transformesh::tool {
 
-/// An option bound to a variable, whose value is the default until the command line is parsed.
+/// An option bound to a variable. Before parsing, the variable has the default value.
 struct Option {
   std::string names;        ///< `output,o` or `output`
-  std::string placeholder;  ///< empty for a flag; FILE, FOLDER or WHERE is not for the provenance
+  std::string placeholder;  ///< empty for a flag; FILE, FOLDER and WHERE are not in the provenance
   std::string help;         ///< a phrase without capital and full stop
-  /// Throws UsageError with a phrase that completes `--name: `.
+  /// Assigns a value. Throws UsageError with a phrase that continues `--name: `.
   std::function<void(const std::string& text)> assign;
-  std::function<Value()> value;  ///< empty text for an optional one that has none
+  std::function<Value()> value;  ///< returns the value; empty text for an optional without value
   std::string default_text;
-  bool is_needed = false;      ///< a usage error names the purpose if the option is missing
-  bool affects_result = true;  ///< belongs into the provenance, and to the settings of a run
-  bool is_common = false;      ///< shared by all programs, in its own section of the help
-  bool is_listed = true;       ///< in the help
+  bool is_needed = false;      ///< required; if missing, the error states its purpose
+  bool affects_result = true;  ///< part of the provenance and of the settings of a run
+  bool is_common = false;      ///< common to all programs, in a separate section of the help
+  bool is_listed = true;       ///< listed in the help
   bool is_given = false;
 
   std::string name() const { return names.substr(0, names.find(',')); }
@@ -42,25 +42,26 @@ class OptionSet {
   using Integer = std::variant<int*, long*, std::size_t*, std::optional<long>*>;
   Option& integer(const std::string& names, Integer value, long minimum, long maximum,
                   const std::string& help);
-  /// At least 0 unless `may_be_negative`.
+  /// Adds a length, which must be >= 0 unless `may_be_negative`.
   using LengthOrNone = std::variant<Length*, std::optional<Length>*>;
   Option& length(const std::string& names, LengthOrNone value, const std::string& help,
                  bool may_be_negative = false);
   Option& text(const std::string& names, std::string* value, const std::string& placeholder,
                const std::string& help);
-  /// One of the words; any other is a usage error that names the nearest one.
+  /// Adds a choice between words. For any other word, the usage error suggests the nearest one.
   Option& choice(const std::string& names, std::string* value,
                  const std::vector<std::string>& words, const std::string& help);
-  /// Numbers separated by commas, as many as the placeholder has: `X,Y,Z`. Empty: no default.
+  /// Adds numbers separated by commas, as many as in the placeholder, such as `X,Y,Z`. An empty
+  /// vector means that there is no default.
   Option& numbers(const std::string& names, std::vector<double>* value,
                   const std::string& placeholder, const std::string& help);
-  /// --seed, the same in all programs.
+  /// Adds --seed, which is the same in all programs.
   Option& seed(long* value);
-  /// --reference-edge, `auto` or a length, with this help.
+  /// Adds --reference-edge, whose value is `auto` or a length.
   Option& reference_edge(std::string* value, const std::string& help);
 
-  /// Checks and assigns values in the order of the arguments, and returns the words that are no
-  /// options. Throws UsageError. Touches no file.
+  /// Checks and assigns values in the order of the arguments. Returns the words that are not
+  /// options. Throws UsageError. Does no input or output.
   std::vector<std::string> parse(const std::vector<std::string>& arguments);
   /// Finds an option by name, with or without dashes. Returns null if there is none.
   Option* find(const std::string& option);

@@ -4,7 +4,7 @@
 
 namespace transformesh::tool {
 
-// tests/tools/tm.bats looks for each command in the help of its program.
+// tests/tools/tm.bats checks that each option is in the help of its program.
 const std::array<OtherProgram, 30> other_programs{{
     {"ascii", "tm-convert --format"},
     {"binary", "tm-convert --format"},

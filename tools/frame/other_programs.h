@@ -1,4 +1,4 @@
-/// Options that users look for in the wrong program.
+/// Options that users try in the wrong program, for suggestions.
 #pragma once
 
 #include <array>
@@ -8,14 +8,14 @@
 namespace transformesh::tool {
 
 struct OtherProgram {
-  std::string_view option;   ///< without dashes
-  std::string_view command;  ///< a program, and its option if that has another name
+  std::string_view option;   ///< name that a user tries, without dashes
+  std::string_view command;  ///< the program, and its option if that has another name
 };
 
-/// In the order of the options.
+/// All rows, sorted by option.
 extern const std::array<OtherProgram, 30> other_programs;
 
-/// The program with this option or what it means, or an empty text.
+/// Returns the program that has this option or an equivalent one; empty if there is none.
 std::string command_with(std::string_view option);
 
 }  // namespace transformesh::tool

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns ".a, .b or .c".
+/// Returns the words as a list such as ".a, .b or .c".
 std::string listed(const std::vector<std::string>& words) {
   std::string text = words[0];
   for (std::size_t i = 1; i < words.size(); ++i)
@@ -153,7 +153,7 @@ void Outputs::write_mesh_file(const std::string& path, Document document) {
 }
 
 void Outputs::write_into(const std::string& folder, const std::string& name, std::string bytes) {
-  // If the folder cannot be made, writing the file fails with the reason.
+  // If the folder cannot be created, writing the file fails and reports the reason.
   std::error_code ignored;
   fs::create_directories((fs::path(folder) / name).parent_path(), ignored);
   write(folder + '/' + name, std::move(bytes));
@@ -171,14 +171,14 @@ void Outputs::stage_all() {
   for (auto& [path, bytes] : further_files_) stage(path, std::move(bytes));
 }
 
-// Outputs without a temporary name, such as stdout, come first, and the main output last of these.
-// If one of them fails, no file appears, and no output seems complete.
+// Writes outputs without a temporary name first, such as stdout, and the main output last of these.
+// If one of them fails, no file appears.
 void Outputs::commit() {
   Terminal::clear_bar();
   std::for_each(staged_.rbegin(), staged_.rend(), [](AtomicFile& file) {
     if (file.is_direct()) file.commit();
   });
-  // A limit of time must not leave some files without the others.
+  // The time limit must not end the program between the renaming of two files.
   release_time();
   for (AtomicFile& file : staged_)
     if (!file.is_direct()) file.commit();

@@ -1,5 +1,5 @@
-/// Outputs of a run: what goes to -o, and further files. Each file is written complete or not at
-/// all, and all of them get their names together when the program has succeeded.
+/// Outputs of a run: the main output (-o) and further files. Files are written under temporary
+/// names, and are all renamed together when the program has succeeded.
 #pragma once
 
 #include <functional>
@@ -19,23 +19,23 @@ class Outputs {
   Outputs(Program& program, Inputs& inputs, Messages& messages)
       : program_(program), inputs_(inputs), messages_(messages) {}
 
-  /// The name after -o; `-` is stdout.
+  /// Returns the name after -o; `-` is stdout.
   const std::string& name() const { return program_.common.output; }
   bool is_terminal() const;
 
-  /// Sets the bytes that go to -o, for a program that writes no mesh.
+  /// Sets the bytes of the main output, for a program that writes no mesh.
   void set_bytes(std::string bytes) { bytes_ = std::move(bytes); }
-  /// Nothing goes to -o.
+  /// Suppresses the main output.
   void write_nothing() { writes_nothing_ = true; }
   bool has_main() const { return !writes_nothing_; }
-  /// Adds a further file.
+  /// Adds another output file.
   void write(const std::string& path, std::string bytes);
-  /// Adds a mesh with the provenance, in the format of the name as with -o. --format and --float
-  /// count if the program has them.
+  /// Adds a mesh with the provenance. Its format follows from the name as with -o, and from
+  /// --format and --float if the program has them.
   void write_mesh_file(const std::string& path, Document document);
-  /// Adds a file in a folder. The folder is made if it is missing, as are folders of the name.
+  /// Adds a file in a folder. Missing folders are created, also those in `name`.
   void write_into(const std::string& folder, const std::string& name, std::string bytes);
-  /// Prints a line at once on stdout, for a program that then goes on until it is ended.
+  /// Prints a line on stdout immediately, for a program that then runs until it is ended.
   static void print_line(const std::string& text);
 
   /// Throws UsageError for a name that cannot be an output of the program.
@@ -49,26 +49,26 @@ class Outputs {
   void stamp(Document& document);
   void set_stamped() { is_stamped_ = true; }
 
-  /// If the body fails, the input document is written to -o all the same. After the message of the
-  /// failure follows "`stopped`; 'OUT' holds `content`", or "is not written".
+  /// Makes the input document the main output even if the body fails. The error message is then
+  /// continued by "`stopped`; 'OUT' holds `content`", or "is not written".
   void keep(const std::string& stopped, const std::string& content) { kept_ = {stopped, content}; }
   void write_kept();
-  /// Called when all outputs have their names. The body has ended by then.
+  /// Sets a function that is called after all outputs have their names. The body has ended by then.
   void when_written(std::function<void()> hook) { when_written_ = std::move(hook); }
 
   /// Writes the main output and the further files under temporary names.
   void stage_all();
-  /// Writes one more file under a temporary name.
+  /// Writes another file under a temporary name.
   void stage(const std::string& path, std::string bytes);
   /// Gives all files their names.
   void commit();
-  /// Vertices and faces of the mesh written; empty if there is none.
+  /// Returns the numbers of vertices and faces of the written mesh; empty if there is none.
   const Entries& counts() const { return counts_; }
 
  private:
   void set_style_of(Document& document, const std::string& path);
   void add_comments(Document& document);
-  /// Notes once how many pairs of faces intersect only because coordinates are floats.
+  /// Prints a note, once, about pairs of faces that intersect only after rounding to floats.
   void note_rounding_intersections(std::size_t pairs);
   void stage_mesh();
 

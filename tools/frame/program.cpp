@@ -21,13 +21,12 @@ namespace transformesh::tool {
 namespace {
 
 void prepare_process() {
-  // Every word on stderr is a message of the program. Ours do not go through std::cerr, on which
-  // CGAL says what it cannot do.
+  // Silences std::cerr, on which CGAL prints. Messages of the programs do not use it.
   std::cerr.setstate(std::ios::failbit);
   prepare_streams_and_signals();
 }
 
-/// Takes the command off the words in front of meshes.
+/// Removes the command from the words, before the names of meshes.
 void take_command(Program& program, std::vector<std::string>& words) {
   if (!program.has_command()) return;
   check_command(program, words);
@@ -35,7 +34,7 @@ void take_command(Program& program, std::vector<std::string>& words) {
   words.erase(words.begin());
 }
 
-/// Those named, else stdin.
+/// Returns the names of the inputs; `-` if none is named.
 std::vector<std::string> inputs_of(const Program& program, const std::vector<std::string>& words) {
   if (!program.reads_input() && program.input.reads != Reads::words && !words.empty())
     throw UsageError("'" + words[0] + "' is not expected: there is no input");
@@ -68,7 +67,7 @@ bool is_any(const std::exception& error) {
   return ((dynamic_cast<const Errors*>(&error) != nullptr) || ...);
 }
 
-/// Tells why a run has failed, and returns its exit code.
+/// Prints the error of a failed run, and returns its exit code.
 int tell(const std::exception& error, const Program& program, Terminal& terminal) {
   if (is_any<std::bad_alloc, std::length_error>(error)) {
     terminal.out_of_memory();
@@ -138,7 +137,7 @@ void declare_common(Program& program) {
   for (std::size_t i = own; i < options.size(); ++i) options[i].is_common = true;
 }
 
-/// What the user asks about the program itself; empty where there is something to do.
+/// Returns the answer to --help, --version and similar options; empty if none is given.
 std::string about(const Program& program) {
   const CommonValues& common = program.common;
   if (common.help) return help_text(program);
@@ -156,7 +155,7 @@ void limit_resources(const CommonValues& values, const std::string& name, Termin
   if (values.max_time > 0) limit_time(name, values.max_time);
 }
 
-// Common options say how to write and what to tell; these three also say what.
+// True if an option is part of the provenance. Of the common options, only a few affect the result.
 bool is_in_provenance(const Option& option) {
   for (const char* file : {"FILE", "FOLDER", "WHERE"})
     if (option.placeholder.find(file) != std::string::npos) return false;
@@ -165,7 +164,8 @@ bool is_in_provenance(const Option& option) {
   return option.is_given && option.affects_result && (!option.is_common || changes_meaning);
 }
 
-// A word as a shell would need it; control characters could end the comment's line.
+// Quotes a word for a shell. Control characters are replaced, since they could end the line of the
+// comment.
 std::string shell_word(std::string word) {
   for (char& character : word) {
     if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
@@ -226,14 +226,14 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
     if (settle) settle();
     check_together(common);
     if (reads_input() && arguments.empty() && isatty(STDIN_FILENO) == 1) {
-      // The user wants to know how to use this.
+      // The user typed only the program's name.
       write_all(STDERR_FILENO, short_help_text(*this));
       return exit_usage;
     }
     take_command(*this, arguments);
     inputs = inputs_of(*this, arguments);
     check_needed(*this);
-    // In this order: what the heap takes at once must be within the limit.
+    // The limit comes first, since it also applies to the reserved heap.
     limit_resources(common, name, terminal);
     prepare_memory();
     terminal.configure(common.quiet, common.verbose, common.progress, common.no_progress);

@@ -13,11 +13,11 @@ namespace transformesh::tool {
 
 class Run;
 
-/// The exit codes of every program; a signal's is 128 and its number. 124 to 127 and 137 stay free
-/// for timeout and the shell.
+/// The exit codes of all programs. A signal gives 128 plus its number. 124 to 127 and 137 are not
+/// used, since `timeout` and the shell use them.
 enum ExitCode {
-  exit_done = 0,  ///< for a predicate: yes
-  exit_no = 1,    ///< predicates, and evolutions that must converge
+  exit_done = 0,  ///< success; for a predicate: yes
+  exit_no = 1,    ///< negative answer of a predicate; evolution that must converge and did not
   exit_usage = 2,
   exit_input = 3,
   exit_goal = 4,
@@ -25,62 +25,61 @@ enum ExitCode {
   exit_memory = 6
 };
 
-/// Kinds of arguments that are no options.
+/// Kinds of arguments that are not options.
 enum class Reads {
-  nothing,  ///< there are none
-  words,    ///< any number, and no input
-  mesh,     ///< one at most; stdin if none is named
-  meshes,   ///< any number; stdin if none is named
-  file,     ///< one file at most, which the body reads; stdin if none is named
+  nothing,  ///< no arguments
+  words,    ///< any number of words; no input is read
+  mesh,     ///< at most one mesh; stdin if none is named
+  meshes,   ///< any number of meshes; stdin if none is named
+  file,     ///< at most one file, which the body reads; stdin if none is named
   files     ///< any number of files, which the body reads; stdin if none is named
 };
 
-/// The treatment of faces that meet but share no vertices, as in a soup of triangles
-/// (touching_borders.h).
+/// Treatment of soups: of faces that meet but share no vertices (touching_borders.h).
 enum class Soups {
   kept,     ///< the mesh is read as it is; for STL a note advises tm-stitch
   own,      ///< the mesh is read as it is, without advice: the program joins the soup itself
-  joined,   ///< equal places are joined when a mesh is read, which is reported
+  joined,   ///< equal positions are merged when a mesh is read, which is reported
   reported  ///< the mesh is read as it is; for any file a note advises tm-stitch
 };
 
 struct InputRules {
   Reads reads = Reads::mesh;
   Soups soups = Soups::kept;
-  bool may_keep_polygons = false;        ///< --keep-polygons is an option
+  bool may_keep_polygons = false;        ///< the program has --keep-polygons
   bool keeps_bytes = false;              ///< the bytes of the mesh stay in memory (Inputs::bytes)
-  bool are_cameras = false;              ///< the file holds cameras: no mesh and no points
-  std::function<bool()> is_absent = {};  ///< true if the options given leave no input
+  bool are_cameras = false;              ///< the file contains cameras, no mesh or points
+  std::function<bool()> is_absent = {};  ///< returns true if, with these options, nothing is read
 };
 
-/// Words that are no file names, for help and completion: those of Reads::words, and the command in
-/// front of meshes.
+/// Words that are not file names, for help and completion: those of Reads::words, and a command
+/// before the names of meshes.
 struct WordRules {
   std::string placeholder = {}, help = {};
-  std::vector<std::string> choices = {};  ///< the first word is one of these: the command
+  std::vector<std::string> choices = {};  ///< commands, one of which is the first word
   bool are_folders = false;
 };
 
-/// Kinds of bytes that go to -o, which is stdout by default.
+/// Kinds of the main output (-o), which is stdout by default.
 enum class Writes {
   mesh,
-  evolved_mesh,  ///< the end of an evolution: PLY, whatever the format of the input
-  picture,       ///< bytes that no terminal can show
+  evolved_mesh,  ///< result of an evolution: PLY for any format of the input
+  picture,       ///< binary data, which are not written to a terminal
   page,          ///< HTML
   text,
   report,  ///< `key: value` lines, or JSON with --json
-  answer   ///< a report; the exit code is 1 for a no
+  answer   ///< a report; the exit code is 1 for a negative answer
 };
 
 struct OutputRules {
   Writes writes = Writes::mesh;
   bool is_clean = false;  ///< the output has no self-intersection after rounding
   std::vector<std::string> picture_endings = {".png"};
-  std::function<bool()> is_mesh = {};     ///< true if the options given ask for a mesh, no report
-  const std::string* only_key = nullptr;  ///< the one entry of the report to print, if not empty
+  std::function<bool()> is_mesh = {};  ///< returns true if, with these options, a mesh is written
+  const std::string* only_key = nullptr;  ///< key of the only entry to print; empty: all entries
 };
 
-/// The values of the options that programs share.
+/// Values of the options that programs have in common.
 struct CommonValues {
   std::string output = "-";
   std::string format, reference_edge, report, get;
@@ -93,23 +92,22 @@ struct CommonValues {
   bool help = false, version = false;
 };
 
-/// A program as it was declared. Help, settings, provenance and report come from the same options
-/// as parsing.
+/// Declaration of a program. Parsing, help, settings, provenance and report use the same options.
 struct Program {
   const std::string name;
-  const std::string synopsis;  ///< the usage without the program's name
+  const std::string synopsis;  ///< usage without the program's name
   const std::string summary;   ///< one line without full stop
   InputRules input = {};
   OutputRules output = {};
   WordRules words = {};
   std::string epilog = {};   ///< shown after the options: formulas, pipelines
-  std::string example = {};  ///< a complete command, which ends the help
+  std::string example = {};  ///< a complete command, shown at the end of the help
   OptionSet options = {};
   CommonValues common = CommonValues();  // {} would make GCC 12 warn
-  /// Called once all options have their values, to derive some from others; may throw UsageError.
+  /// Called after parsing, to derive some options from others. May throw UsageError.
   std::function<void()> settle = {};
-  std::string word = {};                  ///< the command, of a program that reads meshes
-  std::vector<std::string> inputs = {};   ///< or words
+  std::string word = {};                  ///< the command (WordRules::choices); may be empty
+  std::vector<std::string> inputs = {};   ///< names of inputs; for Reads::words, the words
   std::vector<std::string> command = {};  ///< the whole command line
 
   /// Declares --reference-edge. Programs that read and write meshes have it; an evolution declares
@@ -141,11 +139,13 @@ struct Program {
 /// Throws UsageError, with a suggestion, unless the first of the words is a command of the program.
 void check_command(const Program& program, const std::vector<std::string>& words);
 
-/// The whole help: usage, summary, own options, common options, epilog, exit codes.
+/// Returns the full help: usage, summary, own options, common options, epilog, exit codes.
 std::string help_text(const Program& program);
-/// Usage, summary and where to find more: for a user who typed only the program's name.
+/// Returns usage, summary and a reference to the help, for a user who typed only the program's
+/// name.
 std::string short_help_text(const Program& program);
-/// `tm-remesh 0.1.0 --min-edge 0.7x`: the words and options given that affect the result.
+/// Returns name, version, and the given words and options that affect the result, such as
+/// `tm-remesh 0.1.0 --min-edge 0.7x`.
 std::string provenance(const Program& program);
 
 }  // namespace transformesh::tool

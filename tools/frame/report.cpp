@@ -64,7 +64,7 @@ Json Phases::seconds() const {
 }
 
 long peak_memory_bytes() {
-  // getrusage would also count what the process held before it became this program.
+  // getrusage() would include the memory of the process before it called exec().
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
     long kibibytes = 0;

@@ -1,4 +1,4 @@
-/// Values of options and reports, and how long the phases of a run take.
+/// Values of options and reports as text and JSON, and times of the phases of a run.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,23 +14,24 @@ namespace transformesh::tool {
 
 using Json = nlohmann::ordered_json;
 
-/// true or false, shortest numbers, text as it is, the values of a list with separators.
+/// Returns a value as text: `true` or `false`, shortest numbers, the values of a list with
+/// separators.
 std::string text_of(const Value& value, const std::string& separator = " ");
 
-/// The same for JSON, where a length is text.
+/// Returns a value as JSON. Lengths become text.
 Json json_of(const Value& value);
 Json object_of(const Entries& entries);
 
-/// Indented, with a line end; bytes that are not UTF-8 are replaced.
+/// Returns indented JSON with a line end. Bytes that are not UTF-8 are replaced.
 std::string json_text(const Json& json);
 
-/// How long each phase of a run took, in seconds by name, in order of first appearance.
+/// Seconds that each phase of a run took, by name, in order of first appearance.
 class Phases {
  public:
-  /// Ends the phase that runs and begins this one; time of equal names adds up. An empty name only
-  /// ends.
+  /// Ends the current phase and begins another. Times of equal names are added. An empty name
+  /// begins no phase.
   void begin(std::string_view name);
-  /// With the `total`.
+  /// Returns the seconds of all phases, and their `total`.
   Json seconds() const;
 
  private:
@@ -39,7 +40,7 @@ class Phases {
   std::vector<std::pair<std::string, double>> seconds_;
 };
 
-/// The largest amount of memory that this process has held so far, in bytes.
+/// Returns the peak memory of this process so far, in bytes.
 long peak_memory_bytes();
 
 }  // namespace transformesh::tool

@@ -17,37 +17,38 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  /// As it was declared, with the values of the command line.
+  /// The program, with the values of the command line.
   const Program& program() const { return program_; }
   Inputs& in() { return in_; }
   const Inputs& in() const { return in_; }
   Outputs& out() { return out_; }
   const Outputs& out() const { return out_; }
   const Messages& say() const { return messages_; }
-  /// Hand this to the library; phases are timed for the report.
+  /// Progress for calls of the library; phases are timed for the report.
   const Progress& progress() const { return progress_; }
 
-  /// The first mesh of the inputs.
+  /// Returns the first input mesh.
   Document& document() { return in_.document(); }
-  /// A length in input units (Inputs::length).
+  /// Returns a length in input units (Inputs::length).
   double length(const Length& length) { return in_.length(length); }
-  /// One line on stderr, unless -q.
+  /// Prints a line on stderr, unless -q is given.
   void note(const std::string& message) const { messages_.note(message); }
-  /// Entries of --report, and of stdout for programs that print a report, in this order.
+  /// Adds entries to --report, and to stdout for programs that print a report, in the order of
+  /// calls.
   void report(const std::string& key, const Value& value) { report_.add(key, value); }
   void report(const Entries& entries) { report_.add(entries); }
   bool shows_report() const { return report_.is_shown(); }
-  /// A no is exit code 1.
+  /// Sets the answer of a predicate; a negative one is exit code 1.
   void answer(bool is_yes) { answer_ = is_yes; }
 
-  /// For an evolution, whose body reads its input itself: reads the mesh named as input, or takes
-  /// one that holds the comments of the output already.
+  /// For evolutions, whose body reads the input. read_input() reads the input mesh; continue_from()
+  /// takes a mesh that already has the comments of the output.
   Document& read_input();
   Document& continue_from(Document document);
 
   static std::string version();
 
-  /// Called before the body and after it; `finish` returns the exit code.
+  /// Called before and after the body. finish() returns the exit code.
   void start();
   int finish();
 

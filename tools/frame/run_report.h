@@ -18,12 +18,12 @@ class RunReport {
   void show_settings();
   /// Prints the entries with -v, unless they are the output.
   void show_entries() const;
-  /// True if the report of a program that prints none will be shown to anyone.
+  /// True if entries are shown anywhere although the program's output is not a report.
   bool is_shown() const { return messages_.are_detailed() || !program_.common.report.empty(); }
 
-  /// The report as the output of the program: lines, JSON with --json, or one entry.
+  /// Returns the report as the main output: lines, JSON with --json, or a single entry.
   std::string text() const;
-  /// The JSON of --report.
+  /// Returns the JSON of --report.
   std::string full(const Entries& output_counts, const Phases& phases);
 
  private:

@@ -1,4 +1,4 @@
-/// --smooth of tm-remesh and of the loops.
+/// Option --smooth of tm-remesh and of the loops.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace transformesh::tool {
 
-/// `tangential`, which is the options' default, `none` or a factor. Throws UsageError.
+/// Parses `tangential` (the default of RemeshOptions), `none` or a factor. Throws UsageError.
 inline void read_smoothing(const std::string& text, RemeshOptions& options) {
   if (text == "tangential") return;
   options.smoothing = text == "none" ? Smoothing::none : Smoothing::laplace;

@@ -29,18 +29,18 @@ constexpr auto line_interval = 5s;
 constexpr const char* erase_line = "\r\033[K";
 
 using Messages = std::map<int, std::string>;
-// Complete before it can be seen, and never freed.
+// The table is complete before signal handlers can access it, and is never freed.
 std::atomic<const Messages*> messages{nullptr};
 std::string time_message;
 std::atomic<pid_t> child_group{0};
 std::atomic<bool> bar_stands{false};
 
 void write_once(std::string_view text) {
-  // Nothing can be done about a failure while the process ends.
+  // A failure is ignored, since the process ends.
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Async-signal-safe, as is all that it calls.
+// Ends the process after a signal. This function and all that it calls are async-signal-safe.
 void end_process(int signal_number) {
   std::string_view message;
   if (messages != nullptr) {
@@ -55,7 +55,7 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-// A terminal that understands escape sequences.
+// True for a terminal that understands escape sequences.
 bool is_capable_terminal(int descriptor) {
   const std::string name = environment("TERM");
   return isatty(descriptor) == 1 && !name.empty() && name != "dumb";
@@ -69,7 +69,7 @@ void draw_bar(const std::string& text) {
 }  // namespace
 
 void prepare_streams_and_signals() {
-  // Reading from the first and writing to the others must go on failing.
+  // Reading from stdin and writing to stdout and stderr must still fail.
   const std::array<int, 3> useless_mode = {O_WRONLY, O_RDONLY, O_RDONLY};
   for (int descriptor = 0; descriptor < 3; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) != -1) continue;
@@ -110,7 +110,7 @@ void limit_time(const std::string& program, double seconds) {
   sigprocmask(SIG_UNBLOCK, &alarm, nullptr);
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(seconds);
-  // No time at all would be no limit.
+  // A timer of 0 would mean no limit.
   timer.it_value.tv_usec =
       std::max<suseconds_t>(1, static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))));
   setitimer(ITIMER_REAL, &timer, nullptr);
@@ -146,7 +146,7 @@ void Terminal::error(std::string_view message) {
   clear_bar();
   const bool is_colored = is_capable_terminal(STDERR_FILENO) && environment("NO_COLOR").empty();
   std::string line = (is_colored ? "\033[1m" : "") + name_ + ":" + (is_colored ? "\033[0m " : " ");
-  // One message is one line, whatever file names or library texts it holds.
+  // A message is one line, even if file names or texts of libraries contain control characters.
   for (const char character : message) {
     const bool is_control = static_cast<unsigned char>(character) < ' ' || character == '\x7f';
     line += is_control ? ' ' : character;

@@ -1,4 +1,4 @@
-/// What the user sees on stderr, and what a signal leaves behind.
+/// Output to stderr, and the handling of signals.
 #pragma once
 
 #include <sys/types.h>
@@ -9,31 +9,32 @@
 
 namespace transformesh::tool {
 
-/// Before anything else: closed standard descriptors become unusable ones, so that no file takes
-/// their number. SIGINT, SIGTERM, SIGPIPE, SIGXCPU and, unless nohup has it ignored, SIGHUP end the
-/// process at once with 128 + their number, clear the terminal's line and remove temporary files.
-/// SIGXFSZ is ignored: the write that grew too large fails and tells.
+/// Call before anything else. Replaces closed standard descriptors by unusable ones, so that no
+/// file gets their number. SIGINT, SIGTERM, SIGPIPE and SIGXCPU end the process at once with 128
+/// plus their number, after the terminal's line is cleared and temporary files are removed. SIGHUP
+/// does the same unless nohup ignores it. SIGXFSZ is ignored, so that the write fails and is
+/// reported.
 void prepare_streams_and_signals();
 
-/// From now on SIGINT, SIGTERM and SIGHUP are told: `tm-x: interrupted by SIGINT` and the advice.
+/// Makes later SIGINT, SIGTERM and SIGHUP print `tm-x: interrupted by SIGINT` and the advice.
 void report_interruption(const std::string& program, const std::string& advice);
 
-/// The process ends with exit code 4 after so many seconds, as by a signal and with a message of
-/// that kind, unless release_time() comes first.
+/// Ends the process with exit code 4 and a message after this time, as a signal would, unless
+/// release_time() is called before.
 void limit_time(const std::string& program, double seconds);
 void release_time();
 
-/// Ends the process as a signal does, with this message. Takes no memory.
+/// Ends the process as a signal does, with a message. Allocates no memory.
 [[noreturn]] void end_process_with(std::string_view message, int exit_code) noexcept;
 
-/// A group of processes of ours, which ends with this one; 0: none.
+/// Sets a process group that is ended together with this process; 0 for none.
 void set_child_group(pid_t group);
 
-/// How progress is shown.
+/// Form in which progress is shown.
 enum class ProgressStyle { none, bar, lines };
 
-/// The one object that writes to stderr: messages, each one prefixed line, and progress. It knows
-/// whether stderr is a terminal, may have color, and has a bar standing on its line.
+/// The only object that writes to stderr. A message is a line with the program's name. Tracks
+/// whether stderr is a terminal, may have color, and shows a progress bar.
 class Terminal {
  public:
   explicit Terminal(std::string name) : name_(std::move(name)) {}
@@ -45,21 +46,21 @@ class Terminal {
   void configure(bool quiet, bool verbose, bool progress, bool no_progress);
 
   void error(std::string_view message);
-  void out_of_memory();  ///< takes none
+  void out_of_memory();  ///< allocates no memory
   void set_out_of_memory(std::string reason) { out_of_memory_ = std::move(reason); }
-  void note(std::string_view message);    ///< unless -q
-  void detail(std::string_view message);  ///< with -v
+  void note(std::string_view message);    ///< prints unless -q is given
+  void detail(std::string_view message);  ///< prints if -v is given
   bool is_verbose() const { return is_verbose_; }
 
   using Clock = std::chrono::steady_clock;
-  /// Draws the bar or prints a line when the time for it has come.
+  /// Draws the bar or prints a line if enough time has passed since the last one.
   void progress(std::string_view phase, double fraction, Clock::time_point now = Clock::now());
-  /// Text in the place of the bar, or a line of its own; nothing with -q.
+  /// Shows a text in place of the bar, or prints it as a line; nothing with -q.
   void progress_line(std::string_view text);
-  /// To be called before anything else writes to the terminal.
+  /// Call before anything else writes to the terminal.
   static void clear_bar();
 
-  /// What progress() shows, for tests.
+  /// Sets the form of progress(), for tests.
   void set_progress_style(ProgressStyle style) { progress_style_ = style; }
 
  private:

@@ -25,7 +25,8 @@ constexpr int most_milliseconds = 10'000;  // interpreters start in less, even w
 
 }  // namespace
 
-// A socket instead of two pipes: writing to a command that has ended is an error then, no signal.
+// Uses a socket instead of two pipes. Writing to a command that has ended is then an error, and not
+// a signal.
 VelocityProcess::VelocityProcess(std::string command) : command_(std::move(command)) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw_not_run(command_);

@@ -24,7 +24,8 @@ class VelocityProcess {
   VelocityProcess(const VelocityProcess&) = delete;
   VelocityProcess& operator=(const VelocityProcess&) = delete;
 
-  /// Throws as run_filter() does if the command ends, and InputError for another answer.
+  /// Sends a request and returns the answer. Throws the errors of run_filter() if the command ends,
+  /// and InputError for an invalid answer.
   std::vector<Vec3> velocities(const std::string& ply, const Moment& moment);
 
  private:

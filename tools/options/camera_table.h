@@ -1,4 +1,4 @@
-/// What tm-cameras --list prints: a line, or an object of JSON, for each camera.
+/// The table of tm-cameras --list: a line, or a JSON object, per camera.
 #pragma once
 
 #include <string>
@@ -12,16 +12,17 @@ namespace transformesh::tool {
 struct CameraTable {
   CameraList list;
   Vec3 scene_center = Vec3::Zero();
-  double pixel_size = 0;  ///< the median at the scene's center
+  double pixel_size = 0;  ///< median pixel size at the scene's center
   std::vector<ViewPair> pairs;
-  bool is_center_assumed = false;  ///< one unit in front of a single camera
+  bool is_center_assumed = false;  ///< the center is one unit in front of a single camera
 };
 
-/// The scene's center is `center` if that has three numbers, else the point nearest to all viewing
-/// axes. Throws InputError for a camera whose focal length needs the size of its image.
+/// Returns the table. The scene's center is `center` if that has three numbers, otherwise the point
+/// closest to all viewing axes. Throws InputError for a camera whose focal length is relative to an
+/// unknown image size.
 CameraTable table_of(CameraList list, const std::vector<double>& center, std::size_t neighbors);
 
-/// Columns under a line of their names.
+/// Returns aligned columns under a line with their names.
 std::string text_of(const CameraTable& table);
 std::string json_of(const CameraTable& table);
 

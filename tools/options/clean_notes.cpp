@@ -7,7 +7,8 @@
 namespace transformesh::tool {
 namespace {
 
-/// A generalized winding number that is this close to the other decision is reported.
+/// A decision by a generalized winding number is reported if the number is this close to the limit.
+/// A larger margin reports more decisions that are right.
 constexpr double small_margin = 0.1;
 
 }  // namespace

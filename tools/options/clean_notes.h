@@ -6,7 +6,7 @@
 
 namespace transformesh::tool {
 
-/// Says on stderr what was dropped, what stayed, and what was decided by a small margin.
+/// Prints notes about dropped and kept parts, and about decisions by a small margin.
 void note_cleaning(const CleanResult& result, Run& run);
 
 }  // namespace transformesh::tool

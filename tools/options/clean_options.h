@@ -9,7 +9,7 @@
 
 namespace transformesh::tool {
 
-/// Options as they are written; the rest are in `clean`.
+/// Values of the options on the command line that are not directly stored in `clean`.
 struct CleanChoices {
   CleanOptions clean;
   std::string method = "grow";
@@ -21,7 +21,7 @@ struct CleanChoices {
 
 void declare_cleaning(Program& program, CleanChoices& choices);
 
-/// Returns the options for the mesh that was read.
+/// Returns the options of clean(), with lengths resolved for the mesh of the run.
 CleanOptions clean_options(const CleanChoices& choices, Run& run);
 
 }  // namespace transformesh::tool

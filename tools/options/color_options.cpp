@@ -26,7 +26,7 @@ std::string name_of_file(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-/// OBJ names a file of materials, which names the picture.
+/// Writes a material file for OBJ, which names the texture image.
 void add_material(Document& document, const std::string& picture, Run& run) {
   const std::string path = with_ending(run.out().name(), ".mtl");
   run.out().write(path, std::string("newmtl ") + material +

@@ -12,13 +12,14 @@ struct ColorChoices {
   long texture_size = AtlasOptions().most_size;
 };
 
-/// --texture and --texture-size.
+/// Declares --texture and --texture-size.
 void declare_texture(Program& program, ColorChoices& choices);
 
-/// Throws UsageError where a texture has no place beside the output or in it.
+/// Throws UsageError if a texture can be stored neither in the output nor beside it.
 void check_texture(const ColorChoices& choices, const Run& run);
 
-/// Colors the vertices, or makes a texture, which is written beside the output, and reports it.
+/// Colors the vertices, or makes a texture and writes it beside the output. Adds the result to the
+/// report.
 void color(Document& document, std::span<const PictureView> views, const ColorChoices& choices,
            Run& run);
 

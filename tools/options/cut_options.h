@@ -9,18 +9,19 @@
 namespace transformesh::tool {
 
 struct CutChoices {
-  std::vector<double> plane;  ///< a b c d; empty if nothing is cut
-  std::string section;        ///< file of the curves in the plane
+  std::vector<double> plane;  ///< coefficients a b c d; empty if nothing is cut
+  std::string section;        ///< output file for the curves in the plane
   bool cap = false;
 };
 
-/// The program keeps references to the choices.
+/// Declares the options. The program keeps references to the choices.
 void declare_cut(Program& program, CutChoices& choices);
 
-/// Throws UsageError for options that need a plane, and for a plane of inverted conditions.
+/// Throws UsageError for options that need a plane if there is none, and for a plane together with
+/// inverted conditions.
 void check_cut(const CutChoices& choices, bool is_inverted);
 
-/// Cuts the mesh if a plane is given, and writes the curves in it.
+/// Cuts the mesh and writes the curves in the plane, if a plane is given.
 void cut_document(Document& document, const CutChoices& choices, Run& run);
 
 }  // namespace transformesh::tool

@@ -36,8 +36,9 @@ void check_step(const EvolveChoices& choices, const Program& program) {
   refuse(program, time_option_names(), " needs --time T, the end of an evolution in time");
 }
 
-/// In time and on curves, vertices that the motion carried stay where they are unless --smooth is
-/// given. In time the surface is remeshed on curves unless it is smoothed.
+/// Returns the options of remeshing. With --time or --curved, smoothing is off unless --smooth is
+/// given, so that it does not displace vertices that the motion has moved. With --time, remeshing
+/// on curves is on if smoothing is off.
 RemeshOptions remeshing_of(const EvolveChoices& choices, Run& run) {
   RemeshOptions options;
   const std::string usual = choices.is_in_time() || choices.curved ? "none" : "0.1";

@@ -1,4 +1,4 @@
-/// Options of tm-evolve as they are written, and their meaning to the library.
+/// Options of tm-evolve, and their conversion to options of the library.
 #pragma once
 
 #include <optional>

@@ -9,13 +9,13 @@
 
 namespace transformesh::tool {
 
-/// Values as they are written.
+/// Values of the options on the command line.
 struct FlowChoices {
   double speed = 1;
-  double period = 0;  ///< 0: the flow's own
+  double period = 0;  ///< 0: default of the flow
   std::vector<double> center, direction;
   std::string column;
-  std::string grid;      ///< WHERE
+  std::string grid;      ///< files of grids (file_list.h)
   double grid_step = 0;  ///< 0: the files state their times
 };
 
@@ -29,7 +29,7 @@ std::string flow_list();
 /// Returns the flow of this name. Throws UsageError for options that the flow does not have.
 Flow flow_of(const std::string& name, const FlowChoices& choices);
 
-/// Notes and reports what the evaluations of the flow met.
+/// Notes and reports vertices and times outside of grids, and fixed vertices.
 void note_flow(const Flow& flow, Run& run);
 
 }  // namespace transformesh::tool

@@ -1,4 +1,4 @@
-/// The jobs that people come for, and the words that other programs use for them.
+/// Common tasks with their commands, and words that other software uses for them.
 #pragma once
 
 #include <string>
@@ -6,16 +6,16 @@
 
 namespace transformesh::tool {
 
-/// A line for each job: what it is, and the command for it.
+/// Returns a line per task, with its command.
 std::string list_of_jobs();
 
 struct Alias {
-  std::string_view word;     ///< name of the job in other programs
-  std::string_view program;  ///< whose page explains it
+  std::string_view word;     ///< name of a task in other software
+  std::string_view program;  ///< program whose man page explains the task
   std::string_view command;
 };
 
-/// The alias of that word, or null.
+/// Returns the alias with this word, or null.
 const Alias* alias_of(std::string_view word);
 
 }  // namespace transformesh::tool

@@ -44,7 +44,7 @@ std::optional<MorphDistance> distance_of(const std::string& name) {
   return std::nullopt;
 }
 
-// A name that begins with a dash is no option.
+// Quotes a file name for a shell. A name that begins with a dash must not become an option.
 std::string file_word(const std::string& name) {
   return shell_word(name != "-" && name.starts_with('-') ? "./" + name : name);
 }
@@ -114,7 +114,7 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
   const std::string output = run.out().name() == "-" ? "evolved.ply" : run.out().name();
   const std::string mesh = file_word(output);
   std::string target = file_word(choices.target);
-  // Of what the source says or has, 1x: fixed before vertices move.
+  // The default is 1x, resolved for the source before vertices move.
   std::string edge = run.program().common.reference_edge;
   if (edge.empty()) edge = "1x";
 
@@ -122,7 +122,7 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
       "set -euo pipefail\ntm-clean --no-provenance --outermost --format ply --reference-edge " +
       edge + " -o " + mesh + ' ' + file_word(run.in().name()) + '\n';
   if (choices.options.step.gap_edges > 0) {
-    // Measured once, as that takes longer than an iteration.
+    // The thickness of the target is measured once, which takes longer than an iteration.
     const std::string measured = file_word(output + ".target.ply");
     text += step_words(choices, target) + " --write-target " + measured + " -o /dev/null " + mesh +
             '\n';

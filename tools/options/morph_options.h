@@ -1,4 +1,4 @@
-/// The options of tm-morph, and what they mean to the library.
+/// The options of tm-morph, and their conversion to options of the library.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace transformesh::tool {
 
-/// Options as they are written; the rest are in `options`.
+/// Values of the options on the command line that are not directly stored in `options`.
 struct MorphChoices {
   std::string target;
   bool sequence = false;
@@ -23,13 +23,13 @@ struct MorphChoices {
 
 void declare_morph(Program& program, MorphChoices& choices);
 
-/// Throws UsageError where source, target and frames do not go together.
+/// Throws UsageError if source, target and frames are inconsistent.
 void check_morph(const MorphChoices& choices, const Run& run);
 
-/// With lengths that refer to the mesh of the run.
+/// Returns the options of morph(), with lengths resolved for the mesh of the run.
 MorphOptions morphing_of(const MorphChoices& choices, Run& run);
 
-/// The shell loop over the filters that makes the same meshes.
+/// Returns a shell script that makes the same meshes with a loop over single programs.
 std::string pipeline_of(const MorphChoices& choices, const Run& run);
 
 }  // namespace transformesh::tool

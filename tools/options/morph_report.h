@@ -1,4 +1,4 @@
-/// What tm-morph reports, and the line that it ends with.
+/// The report of tm-morph, and its last message.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// The options of steps towards photographs.
+/// The options of photoconsistency steps.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace transformesh::tool {
 
-/// Options as they are written; the rest are in `steps` and `pairs`.
+/// Values of the options on the command line that are not directly stored in `steps` and `pairs`.
 struct PhotoOptions {
   ViewSources sources;
   ViewCheckChoices check;
@@ -28,8 +28,7 @@ struct PhotoOptions {
 
 void declare_photo_step(Program& program, PhotoOptions& options);
 
-/// Reads the views, checks those with masks that show the object exactly, and makes them as small
-/// as wanted.
+/// Reads the views and scales them down by `scale`. Checks whether views with exact masks agree.
 PhotoScene read_scene(const PhotoOptions& options, Run& run);
 
 PhotoStepsOptions steps_of(const PhotoOptions& options);

@@ -31,7 +31,7 @@ CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
   return list;
 }
 
-/// Names of files that differ, with folders where names alone do not.
+/// Returns distinct names for the photographs, with folders if base names are not distinct.
 std::vector<std::string> names_of(const CameraList& list, const PhotographFiles& files) {
   NamedFiles named{"camera", files.cameras, {}, {}};
   for (const CameraRecord& record : list.cameras) named.paths.push_back(record.name);

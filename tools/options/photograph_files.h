@@ -1,4 +1,4 @@
-/// What tm-photograph writes.
+/// Files that tm-photograph writes.
 #pragma once
 
 #include <string>
@@ -10,19 +10,20 @@
 namespace transformesh::tool {
 
 struct PhotographFiles {
-  std::string cameras;      ///< empty: a ring
-  std::string images;       ///< folder to write to; empty: none
-  std::string silhouettes;  ///< likewise
-  std::string masks;        ///< to compare with; empty: none
+  std::string cameras;      ///< camera file to read; empty: use a ring
+  std::string images;       ///< output folder for photographs; empty: none
+  std::string silhouettes;  ///< output folder for silhouettes; empty: none
+  std::string masks;        ///< masks to compare silhouettes with; empty: none
   std::string look = "texture";
-  bool size_is_given = false;  ///< that of the ring was asked for
+  bool size_is_given = false;  ///< the size of images was given as an option
   long waves = TextureOptions().waves;
   TextureOptions texture;
   PhotographOptions sensor;
 };
 
-/// Photographs by the cameras, or by the ring, and reports the agreement with the masks. Returns
-/// the cameras as Middlebury parameters. Throws what reading cameras and masks does.
+/// Renders photographs for the cameras in the file, or for the ring, and reports the agreement with
+/// the masks. Returns the cameras as Middlebury parameters. Throws errors of reading cameras and
+/// masks.
 std::string write_photographs(const Mesh& mesh, const CameraRing& ring,
                               const PhotographFiles& files, Run& run);
 

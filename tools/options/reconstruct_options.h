@@ -1,4 +1,4 @@
-/// The options of tm-reconstruct, and what they mean to the library.
+/// The options of tm-reconstruct, and their conversion to options of the library.
 #pragma once
 
 #include <set>
@@ -16,7 +16,7 @@
 
 namespace transformesh::tool {
 
-/// Options as they are written; the rest are in `options`.
+/// Values of the options on the command line that are not directly stored in `options`.
 struct ReconstructChoices {
   ViewSources sources;
   ReconstructionOptions options;
@@ -41,21 +41,23 @@ struct ReconstructChoices {
 
 void declare_reconstruction(Program& program, ReconstructChoices& choices);
 
-/// Throws UsageError for values that are none and for options that do not go together.
+/// Returns the options of reconstruct(). Throws UsageError for invalid values and inconsistent
+/// options.
 ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run);
 
-/// All but the comments. Throws UsageError where places do not name the time step.
+/// Returns the options of a sequence, without comments. Throws UsageError if the paths of inputs do
+/// not depend on the time step.
 SequenceOptions sequence_of(const ReconstructChoices& choices,
                             const ReconstructionOptions& reconstruction, Run& run);
 
-/// The places of one time step.
+/// Returns the paths of the inputs of one time step.
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step);
 
-/// The views, of which those with masks that show the object exactly are checked.
+/// Reads the views, and checks whether views with exact masks agree.
 std::vector<View> checked_views(const ViewSources& sources, const ReconstructChoices& choices,
                                 Run& run);
 
-/// Colors the result where that was asked for, by the photographs of the views that were used.
+/// Colors the result if requested, from the photographs of the views that were used.
 void color_result(const ReconstructChoices& choices, const std::set<std::string>& views, Run& run);
 
 }  // namespace transformesh::tool

@@ -10,7 +10,8 @@
 namespace transformesh::tool {
 namespace {
 
-/// The default is shown by settings and report once it is filled in.
+/// Returns a length in input units. If it is not given, sets it to the default, so that settings
+/// and report show it.
 double edge_length(std::optional<Length>& length, double default_value, const char* option,
                    bool has_sizes, Run& run) {
   if (!length) length = Length{default_value, Length::Unit::reference_edge};
@@ -20,7 +21,7 @@ double edge_length(std::optional<Length>& length, double default_value, const ch
                    " is a factor of the local size: write it as 0.7x, not as " + length->text());
 }
 
-/// One length becomes the two of the defaults around it.
+/// Converts --edge to --min-edge and --max-edge, by the factors of their defaults.
 void take_one_edge(RemeshChoices& choices) {
   if (!choices.edge) return;
   if (choices.min_edge || choices.max_edge || choices.adaptive)
@@ -29,7 +30,7 @@ void take_one_edge(RemeshChoices& choices) {
   choices.max_edge = Length{1.5 * choices.edge->value, choices.edge->unit};
 }
 
-/// `otherwise` for auto.
+/// Parses --feature-angle; returns `otherwise` for `auto`.
 double feature_angle(const std::string& text, double otherwise) {
   if (text == "auto") return otherwise;
   const auto angle = number_in<double>(text);
@@ -39,7 +40,7 @@ double feature_angle(const std::string& text, double otherwise) {
   return *angle;
 }
 
-// Where one option takes the place of all but some others.
+// Throws UsageError if options are given that have no meaning in a mode.
 void refuse_others(const Program& program, const std::string& mode, const std::string& does,
                    const std::vector<std::string>& allowed) {
   for (const Option& option : program.options) {

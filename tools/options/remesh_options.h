@@ -13,32 +13,32 @@
 
 namespace transformesh::tool {
 
-/// Options as they are written; the rest are in `remesh`.
+/// Values of the options on the command line that are not directly stored in `remesh`.
 struct RemeshChoices {
-  std::optional<long> faces;    ///< to decimate to, instead of remeshing
-  std::string align;            ///< the mesh to whose sharp edges to align, instead
-  std::optional<Length> error;  ///< to decimate within, instead of or besides
+  std::optional<long> faces;    ///< decimate to this number instead of remeshing
+  std::string align;            ///< align to the sharp edges of this mesh instead of remeshing
+  std::optional<Length> error;  ///< decimate within this error; may be combined with `faces`
   std::optional<Length> edge, min_edge, max_edge, adaptive, min_film, pinch;
   std::string only = "all";
   std::string flip = "valence";
   std::string smooth = "tangential";
   std::string feature_angle = "auto";
   std::vector<double> smooth_twice;
-  bool source_points = false;  ///< to be written
+  bool source_points = false;  ///< write source points
   KeepOutOption keep_out;
   RemeshOptions remesh;
 };
 
 void declare_remeshing(Program& program, RemeshChoices& choices);
 
-/// For the document. Reads the surface to keep out of, which stays with the choices. Fills in the
-/// default lengths, so that settings and report show them.
+/// Returns the options of remesh() for a document. Reads the obstacle, which `choices` owns. Sets
+/// default lengths in `choices`, so that settings and report show them.
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run);
 
-/// The same where nothing but the alignment is to be done. Throws UsageError for other options.
+/// Returns the options of align_features(). Throws UsageError if other options are given.
 AlignOptions align_options(RemeshChoices& choices, const Document& document, Run& run);
 
-/// The same where faces are to be decimated. Throws UsageError where options of both are given.
+/// Returns the options of decimate(). Throws UsageError if options of remeshing are given.
 DecimateOptions decimate_options(RemeshChoices& choices, const Document& document, Run& run);
 
 }  // namespace transformesh::tool

@@ -1,5 +1,5 @@
-/// Notes of tm-remesh about components that it dropped, slivers that it kept, and faces that an
-/// error leaves.
+/// Notes of tm-remesh about dropped components, remaining slivers, and numbers of faces that an
+/// error limit does not allow.
 #pragma once
 
 #include "frame/run.h"
@@ -11,7 +11,8 @@
 
 namespace transformesh::tool {
 
-/// The shortest edge is named, with advice, only if one length holds for the whole mesh.
+/// Notes dropped components. The note has the shortest edge and advice only if one length holds for
+/// the whole mesh.
 inline void note_dropped(const RemeshResult::RemovedComponents& dropped,
                          const RemeshOptions& options, Run& run) {
   if (dropped.count == 0) return;

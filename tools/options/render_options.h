@@ -1,4 +1,4 @@
-/// The options of tm-render, and what they say of the picture.
+/// The options of tm-render, and their conversion to options of the library.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace transformesh::tool {
 
-/// Options as they are written; the rest are in `picture`.
+/// Values of the options on the command line that are not directly stored in `picture`.
 struct RenderOptions {
   std::string size = "800x600";
   std::string orbit = "30,20";
@@ -28,12 +28,12 @@ struct RenderOptions {
 
 void declare_picture(Program& program, RenderOptions& options);
 
-/// The picture that they describe, but for `around` and segments, which are files. Throws
-/// UsageError for what cannot be read.
+/// Returns the options of a picture, without `around` and segments, which are files. Throws
+/// UsageError for values that cannot be parsed.
 PictureOptions picture_of(const RenderOptions& options);
 
-/// Whether -o is a line drawing: .svg. Throws UsageError where an option is given that is none of
-/// lines.
+/// True if -o is a line drawing (.svg). Throws UsageError if options are given that line drawings
+/// do not have.
 bool draws_lines(const Run& run);
 
 }  // namespace transformesh::tool

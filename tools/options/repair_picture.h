@@ -1,4 +1,4 @@
-/// The picture of a repair. Without the part of the library that draws, the option does not exist.
+/// The picture of a repair. The option exists only if the part `show` of the library is built.
 #pragma once
 
 #include <string>

@@ -8,7 +8,7 @@
 namespace transformesh::tool {
 namespace {
 
-/// Share of the area or of the volume from which on a loss is a warning. Users asked for 1 %.
+/// A loss of at least this share of area or volume is a warning. Users asked for 1 %.
 constexpr double large_share = 0.01;
 
 std::string command_of(const StitchOptions& options) {
@@ -35,7 +35,7 @@ std::string command_of(const SelectionOptions& options) {
   return "tm-select --by area --at-least " + shortest_text(options.at_least);
 }
 
-/// The program of a step with its options: "tm-fill --allow-crossings".
+/// Returns the command of a step, such as "tm-fill --allow-crossings".
 std::string command_of(const RepairStep& step) {
   return std::visit([](const auto& options) { return command_of(options); }, step.operation);
 }
@@ -44,7 +44,7 @@ std::string change_text(const char* what, double change) {
   return std::string(", ") + what + (change < 0 ? " " : " +") + significant(change, 3);
 }
 
-/// A word as a shell needs it.
+/// Quotes a word for a shell.
 std::string quoted(const std::string& word) {
   const bool is_plain =
       word.find_first_not_of(
@@ -69,7 +69,7 @@ std::string joined(const std::vector<std::string>& commands, const std::string& 
   return text;
 }
 
-/// `volume` is that before the step.
+/// Notes a large loss of volume. `volume` is the volume before the step.
 void note_volume_loss(const RepairStep& step, double volume, const Run& run) {
   if (!(-step.volume_change > large_share * std::abs(volume))) return;
   const bool cleans = std::holds_alternative<CleanOptions>(step.operation);

@@ -1,4 +1,4 @@
-/// Steps of a repair as messages, and as commands of a shell.
+/// Describes the steps of a repair in messages and as shell commands.
 #pragma once
 
 #include <string>
@@ -8,13 +8,12 @@
 
 namespace transformesh::tool {
 
-/// Notes each step: its program with options, what was done, where, and how area and volume
-/// changed. Notes also each step that dropped more than 1 % of the area or of the volume, and
-/// where.
+/// Notes each step: its command, its findings, the place, and the changes of area and volume. Also
+/// notes, with the place, each step that lost more than 1 % of the area or of the volume.
 void note_steps(const RepairResult& result, const Run& run);
 
-/// Returns the commands that give the bytes of the output, joined by pipes. `passes_bytes`: the
-/// output is the input.
+/// Returns a pipeline of commands that gives the bytes of the output. `passes_bytes` is true if the
+/// output equals the input.
 std::string pipeline_of(const RepairResult& result, bool passes_bytes, const Run& run);
 
 }  // namespace transformesh::tool

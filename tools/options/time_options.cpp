@@ -13,7 +13,7 @@
 namespace transformesh::tool {
 namespace {
 
-/// Without --time, --time-step is a factor; with it, a span.
+/// Parses --time-step, which is a factor without --time, and a span with it.
 double number_of(const std::string& text) {
   const auto number = number_in<double>(text);
   if (number && std::isfinite(*number)) return *number;
@@ -27,7 +27,7 @@ void tell_command(const Moment& moment, std::size_t iteration) {
   setenv("TM_STAGE", std::to_string(moment.stage).c_str(), 1);
 }
 
-/// Runs the command anew for each evaluation.
+/// Returns a velocity field that runs the command for each evaluation.
 VectorField velocity_through(const std::string& command,
                              const std::function<std::size_t()>& iteration) {
   return [command, iteration](const Mesh& mesh, const Moment& moment, const Progress&) {
@@ -36,7 +36,7 @@ VectorField velocity_through(const std::string& command,
   };
 }
 
-/// Keeps the command alive for all evaluations.
+/// Returns a velocity field that starts the command once and keeps it running for all evaluations.
 VectorField velocity_from(const std::string& command) {
   auto process = std::make_shared<VelocityProcess>(command);
   return [process](const Mesh& mesh, const Moment& moment, const Progress&) {

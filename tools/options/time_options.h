@@ -11,9 +11,9 @@
 
 namespace transformesh::tool {
 
-/// Values as they are written.
+/// Values of the options on the command line.
 struct TimeChoices {
-  double end = 0;  ///< 0: the evolution has no time
+  double end = 0;  ///< end time; 0: the evolution is not in physical time
   std::string velocity, flow;
   FlowChoices flow_options;
   bool persistent = false;
@@ -29,16 +29,16 @@ void declare_time(Program& program, TimeChoices& choices);
 /// Names of the options that need --time.
 std::initializer_list<const char*> time_option_names();
 
-/// Throws UsageError unless one motion is named.
+/// Throws UsageError unless exactly one motion is named.
 void check_time(const TimeChoices& choices);
 
-/// Returns the factor that --time-step means without --time. Throws UsageError for `auto`.
+/// Returns the factor in --time-step for an evolution without --time. Throws UsageError for `auto`.
 double time_factor(const TimeChoices& choices);
 
 /// Resolves lengths for the mesh of the run. Throws UsageError for a span that is no number.
 TimeOptions time_options_of(const TimeChoices& choices, Run& run);
 
-/// Returns the motion that the choices name; only a flow counts. `iteration` returns the number of
+/// Returns the named motion. Flow::counts is set only for flows. `iteration` returns the number of
 /// the iteration, which commands find in TM_ITERATION.
 Flow motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration);
 

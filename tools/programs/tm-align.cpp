@@ -8,10 +8,12 @@ namespace {
 
 using namespace transformesh;
 
-/// Below this, part of the motion is said to be arbitrary. Balls of 1280 and 10000 faces have 0.039
-/// and 0.015, a cylinder of 3000 faces 0.038; an ellipsoid with axes 1, 0.95 and 0.9 has 0.052.
+/// If the stability is below this, a note says that part of the motion is arbitrary. Balls of 1280
+/// and 10000 faces have stabilities of 0.039 and 0.015, and a cylinder of 3000 faces 0.038. An
+/// ellipsoid with axes 1, 0.95 and 0.9, whose motion is determined, has 0.052.
 constexpr double low_stability = 0.05;
-/// Below this share of the mesh, the place is doubted: the registration accepts 0.2 at least.
+/// If the overlap is below this share of the mesh, a note says that the position is doubtful. The
+/// least overlap of a registration is 0.2.
 constexpr double low_overlap = 0.3;
 
 struct Choices {

@@ -1,4 +1,4 @@
-/// tm-cameras: converts camera files, and lists what they hold.
+/// tm-cameras: converts camera files, and lists the cameras.
 
 #include <map>
 
@@ -56,7 +56,7 @@ std::string table(CameraList list, const Options& options, tool::Run& run) {
   return options.json ? json_of(table) : text_of(table);
 }
 
-// Into the folder if one is named, and then nothing to standard output.
+// Returns the converted cameras. If a folder is named, writes them there and returns nothing.
 std::string convert(const CameraList& list, const Options& options, tool::Run& run) {
   const CameraFormat format = formats.at(options.format);
   if (options.folder.empty()) return write_cameras(list, format);

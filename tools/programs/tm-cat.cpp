@@ -1,4 +1,4 @@
-/// tm-cat: several meshes as one, one after the other.
+/// tm-cat: concatenates meshes.
 #include "frame/run.h"
 #include "transformesh/document.h"
 

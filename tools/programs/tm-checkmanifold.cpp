@@ -1,4 +1,4 @@
-/// tm-checkmanifold: whether a mesh is an oriented manifold, and where it is not.
+/// tm-checkmanifold: tests whether a mesh is an oriented manifold, and names the places of defects.
 #include "frame/advice.h"
 #include "frame/run.h"
 #include "repair/crack_tolerance.h"
@@ -17,7 +17,8 @@ struct Options {
   bool pass = false;
 };
 
-/// Filling would close cracks by patches: their sides have to be joined.
+/// Returns the sentence of a problem with its remedy. If the mesh has cracks, the remedy is to join
+/// their sides, since filling would close them with patches.
 std::string with_remedy(const Problem& problem, const Mesh& mesh, const tool::Run& run) {
   const Cracks cracks = problem.kind == ErrorKind::not_closed ? find_cracks(mesh) : Cracks();
   if (!(cracks.tolerance > 0)) return tool::with_advice(problem, run.program());

@@ -1,4 +1,4 @@
-/// tm-color: colors of a surface from calibrated photographs.
+/// tm-color: colors a surface from calibrated photographs.
 #include "options/color_options.h"
 #include "views/cameras/view_files.h"
 

@@ -1,4 +1,4 @@
-/// tm-compare: how far a mesh is from a reference.
+/// tm-compare: measures the distances between a mesh and a reference.
 #include "frame/run.h"
 #include "transformesh/compare.h"
 #include "transformesh/errors.h"
@@ -18,7 +18,7 @@ struct Options {
   long seed = static_cast<long>(CompareOptions().seed);
 };
 
-// The mesh with the distance of every vertex.
+// Writes the mesh with the distance of each vertex.
 void write_distances(const Mesh& reference, const Options& options, tool::Run& run) {
   Document& document = run.document();
   const auto& measure = options.is_signed ? signed_vertex_distances : vertex_distances;
@@ -28,7 +28,7 @@ void write_distances(const Mesh& reference, const Options& options, tool::Run& r
   run.out().write_mesh_file(options.per_vertex, std::move(document));
 }
 
-/// The mesh of --reference, or the second input.
+/// Returns the mesh of --reference, or the second input.
 Mesh read_reference(const Options& options, tool::Run& run) {
   std::vector<Document>& documents = run.in().documents();
   const std::size_t most = options.reference.empty() ? 2 : 1;

@@ -1,4 +1,5 @@
-/// tm-convert: the same mesh in another format, encoding or scalar type. The frame does it all.
+/// tm-convert: converts a mesh to another format, encoding or scalar type. The frame does all the
+/// work.
 #include "frame/run.h"
 
 int main(int argc, char** argv) {

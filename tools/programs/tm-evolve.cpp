@@ -1,4 +1,4 @@
-/// tm-evolve: the evolution of paper 5.1 around any filter that moves vertices.
+/// tm-evolve: the evolution of paper 5.1, with any motion of the vertices.
 #include <cstdint>
 #include <cstdlib>
 

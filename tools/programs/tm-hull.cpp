@@ -17,7 +17,7 @@ struct Options {
   long resolution = 100;
   std::optional<Length> edge;
   std::string keep = "largest";
-  std::string outlines;  ///< folder to write to
+  std::string outlines;  ///< output folder for outlines
 };
 
 void declare(tool::Program& program, Options& options) {

@@ -1,4 +1,4 @@
-/// tm-info: what a mesh is: counts, topology, sizes, and the quality of its triangles.
+/// tm-info: reports counts, topology, sizes, and the quality of the triangles of a mesh.
 #include <cmath>
 
 #include "frame/run.h"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace transformesh;
 
-/// Throws if the size that is asked for is beyond what numbers hold.
+/// Throws InputError if a requested size overflows.
 void check_size(const std::string& key, const Value& value, const std::string& only) {
   const auto* size = std::get_if<double>(&value);
   if (size == nullptr || std::isfinite(*size) || !(only.empty() || only == key)) return;
@@ -20,7 +20,7 @@ void check_size(const std::string& key, const Value& value, const std::string& o
                    "for something else with --get");
 }
 
-// The mesh with the mean curvature at every vertex.
+// Writes the mesh with the mean curvature of each vertex.
 void write_curvatures(const std::string& path, tool::Run& run) {
   Document& document = run.document();
   std::vector<double> curvatures = mean_curvatures(document.mesh);
@@ -34,7 +34,8 @@ std::string unit_name(const Document& document) {
   return unit == nullptr ? "unknown" : std::string(unit->name);
 }
 
-/// A polygon that is kept counts as one face, and its diagonals are no edges.
+/// Returns the entries of the report. With `keeps_polygons`, a polygon counts as one face, and its
+/// diagonals do not count as edges.
 Entries described(const Mesh& mesh, bool keeps_polygons) {
   Entries entries = transformesh::describe(mesh);
   if (!keeps_polygons) return entries;

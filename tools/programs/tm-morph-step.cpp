@@ -34,7 +34,7 @@ Target target_of(const Options& options, tool::Run& run) {
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }
-  // Who wrote it in this way has been told.
+  // A prepared target was checked when it was written.
   if (!target.is_prepared)
     run.say().note_all(check_target(target, input_name(options.target), run.progress()));
   if (options.step.gap_edges > 0 && target.thickness.empty())

@@ -1,4 +1,4 @@
-/// tm-offset: the surface at a distance from another one.
+/// tm-offset: computes the surface at a given distance from a solid, or thickens a sheet.
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "mesh/location_text.h"

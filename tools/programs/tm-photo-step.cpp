@@ -1,4 +1,4 @@
-/// tm-photo-step: steps of a surface towards calibrated photographs (paper 5.3).
+/// tm-photo-step: moves a surface towards agreement with calibrated photographs (paper 5.3).
 #include "frame/column_notes.h"
 #include "frame/displacement_report.h"
 #include "mesh/touching_borders.h"

@@ -1,4 +1,5 @@
-/// tm-photograph: photographs of a mesh by given cameras, or by a ring of them.
+/// tm-photograph: renders synthetic photographs of a mesh from given cameras, or from a ring of
+/// cameras.
 #include <tuple>
 
 #include "frame/run.h"
@@ -57,7 +58,7 @@ void declare(tool::Program& program, Options& options) {
   program.options.seed(&options.seed);
 }
 
-// Cameras multiply lengths.
+// Throws InputError if products of lengths in the cameras would overflow or vanish.
 void check_size(double diagonal) {
   if (!(diagonal > 0)) throw InputError("the mesh is empty or a single point");
   if (diagonal < 1e-100 || diagonal > 1e100)

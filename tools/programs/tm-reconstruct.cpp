@@ -1,5 +1,5 @@
-/// tm-reconstruct: from calibrated photographs to a closed, clean mesh, from coarse to fine (paper
-/// 5.3), or to one for each time step of a movie.
+/// tm-reconstruct: reconstructs a closed, clean mesh from calibrated photographs (paper 5.3), or a
+/// mesh per time step of a movie.
 #include "evolution/loop/iteration_text.h"
 #include "evolution/loop/record.h"
 #include "frame/memory.h"
@@ -16,7 +16,7 @@ namespace {
 
 using namespace transformesh;
 
-// The mesh given, or none, with the comments that the result will have.
+// Returns the initial mesh, if one is given, with the comments of the result.
 Document initial_state(const std::string& start, tool::Run& run) {
   Document document;
   if (!start.empty()) document = run.in().read(start);

@@ -1,4 +1,5 @@
-/// tm-remesh: edges between two lengths, six at a vertex, round triangles (paper 5.1.2).
+/// tm-remesh: brings edge lengths into an interval and valences close to six, and improves the
+/// shape of triangles (paper 5.1.2).
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "geometry/source_points.h"
@@ -13,7 +14,7 @@ namespace {
 
 using namespace transformesh;
 
-constexpr double most_apart = 2;  // of reference and mean edge, without a word
+constexpr double most_apart = 2;  // largest ratio of reference edge and mean edge without a note
 
 StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   const DecimateOptions options = tool::decimate_options(choices, document, run);
@@ -40,7 +41,8 @@ bool refers_to_edge(const std::optional<Length>& length) {
   return length && length->unit == Length::Unit::reference_edge;
 }
 
-// The comment of an evolution may be older than the mesh.
+// Notes if the reference edge differs much from the mean edge: its comment may be of an earlier
+// mesh.
 void note_reference_edge(const tool::RemeshChoices& choices, const Document& document,
                          tool::Run& run) {
   const bool is_used = refers_to_edge(choices.min_edge) || refers_to_edge(choices.max_edge) ||

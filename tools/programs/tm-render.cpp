@@ -1,4 +1,4 @@
-/// tm-render: a picture of meshes without a display.
+/// tm-render: draws pictures of meshes without a display.
 #include "frame/movie.h"
 #include "io/segments.h"
 #include "options/render_options.h"

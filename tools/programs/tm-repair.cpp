@@ -15,7 +15,7 @@ struct Choices {
   std::string picture;
   bool dry_run = false;
   bool print_pipeline = false;
-  bool passes_bytes = false;  ///< the output is the input, byte for byte
+  bool passes_bytes = false;  ///< the output equals the input, byte for byte
 
   bool writes_mesh() const { return !dry_run && !print_pipeline && !passes_bytes; }
 };
@@ -30,7 +30,8 @@ bool is_unchanged(const RepairResult& result, const Document& document, const to
          !common.as_float && !common.as_double;
 }
 
-/// Without a mesh to write, the mesh is repaired as it would be written to standard output.
+/// Sets the style of the document if no mesh is written (--dry-run, --print-pipeline). Coordinates
+/// are then rounded as for standard output.
 void set_style_of_stdout(Document& document, const tool::Run& run) {
   const tool::CommonValues& common = run.program().common;
   std::optional<Scalar> coordinate;

@@ -1,4 +1,4 @@
-/// tm-report: one page that shows runs of the loops.
+/// tm-report: makes a page that shows runs of the loops.
 #include "frame/run.h"
 #include "page/run_page.h"
 #include "transformesh/errors.h"

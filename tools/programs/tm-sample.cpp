@@ -1,4 +1,4 @@
-/// tm-sample: points on a surface.
+/// tm-sample: samples points on a surface.
 #include "frame/run.h"
 #include "transformesh/errors.h"
 #include "transformesh/sample.h"
@@ -26,7 +26,7 @@ void sample(Document& document, const Choices& choices, tool::Run& run) {
   document.mesh = sample_surface(document.mesh, options, run.progress());
   run.report("points", document.mesh.positions.size());
 
-  // Points alone, which have normals: OFF only where it is asked for.
+  // The result is points with normals, which are written as OFF only if requested.
   document.other_elements.clear();
   document.style.element_order = {"vertex"};
   if (document.style.format == Format::off) document.style.format = Format::ply_little;

@@ -1,4 +1,4 @@
-/// tm-shape: closed meshes out of nothing, as sources, targets and workloads.
+/// tm-shape: generates closed meshes, for use as sources, targets and test inputs.
 #include "frame/run.h"
 #include "support/suggestion.h"
 #include "transformesh/shapes.h"
@@ -15,7 +15,7 @@ struct Options {
   std::string around, of;
 };
 
-// The options that do not depend on what 1% refers to.
+// Returns the options without relative lengths, which resolve_lengths() adds.
 ShapeOptions plain_options(const Options& options, tool::Run& run) {
   const std::vector<std::string>& words = run.in().names();
   if (words.empty()) throw UsageError("no KIND given: sphere, for example; see --help");
@@ -40,7 +40,8 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   return shape;
 }
 
-// 1% is of the box to go around, else of the shape: of its default size where it sets the size.
+// Resolves relative lengths. They refer to the bounding box of the mesh given by --around, or else
+// of the shape. If a length sets the size of the shape, it refers to the default size.
 void resolve_lengths(ShapeOptions& shape, const Options& options, tool::Run& run) {
   const auto resolve = [&](const std::optional<Length>& length, std::optional<double>& value) {
     if (!length) return;

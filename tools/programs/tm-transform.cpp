@@ -1,4 +1,4 @@
-/// tm-transform: moves, turns, scales and mirrors a mesh.
+/// tm-transform: translates, rotates, scales and mirrors a mesh.
 #include "frame/run.h"
 #include "io/comments.h"
 #include "io/document/unit.h"
@@ -17,7 +17,7 @@ void transform_document(Document& document, tool::TransformChoices& choices, too
   scale_lengths(document.style.comments, result.scale);
   if (!choices.to.empty()) set_unit(document, *find_unit(choices.to));
 
-  // The provenance has what all steps together do, as numbers.
+  // The provenance has the matrix of all steps together.
   const Matrix4 rows = product.transpose();
   choices.matrix.assign(rows.data(), rows.data() + rows.size());
   tool::Option& matrix = *program.options.find("matrix");

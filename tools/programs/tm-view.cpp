@@ -1,4 +1,4 @@
-/// tm-view: meshes, or a run that goes on, in a browser.
+/// tm-view: shows meshes, or an active run, in a browser.
 #include "frame/run.h"
 #include "transformesh/errors.h"
 #include "viewer/open_page.h"

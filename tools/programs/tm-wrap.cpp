@@ -1,4 +1,4 @@
-/// tm-wrap: a rough closed mesh around points.
+/// tm-wrap: makes a rough closed mesh around points.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -26,10 +26,10 @@ struct Options {
 
 struct Points {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  ///< none, or of all
+  std::vector<Vec3> normals;  ///< normals of all points, or empty
 };
 
-/// Leaves out the outliers among points; vertices of a mesh are where it says.
+/// Returns the points without outliers. Vertices of a mesh are all kept.
 Points without_outliers(const Mesh& cloud, const std::vector<Vec3>& normals, const Options& options,
                         tool::Run& run) {
   std::vector<Index> outliers;

@@ -1,4 +1,4 @@
-/// tm: the programs of the suite, and their man pages.
+/// tm: lists the programs of the suite, and opens their man pages.
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::vector<std::string> all_names() {
   return names;
 }
 
-/// `clean` or `tm-clean`; `tm` is the suite itself.
+/// Returns the man page for a name such as `clean` or `tm-clean`; `tm` is the page of the suite.
 std::string page_named(const std::string& word) {
   std::vector<std::string> names = all_names();
   names.emplace_back("tm");
@@ -45,7 +45,7 @@ std::string page_named(const std::string& word) {
       (is_meant ? "did you mean '" + nearest + "'?" : "tm lists those that there are"));
 }
 
-/// Replaces this process by one of the commands, the first that is there.
+/// Replaces this process by the first of the commands that is installed.
 void run_first_of(std::vector<std::vector<std::string>> commands) {
   for (std::vector<std::string>& words : commands) {
     std::vector<char*> arguments;
@@ -57,7 +57,8 @@ void run_first_of(std::vector<std::vector<std::string>> commands) {
 }
 
 void open_page(const std::string& name) {
-  // Pages lie beside the programs, where these were built and where they are installed.
+  // Man pages have the same path relative to the programs in the build folder and in the
+  // installation.
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   const std::string page = name == "tm" ? "man7/tm.7" : "man1/" + name + ".1";
   std::vector<std::vector<std::string>> commands;

@@ -1,4 +1,5 @@
-// Puts the viewer into one HTML file: node build.mjs FILE. Beside it goes the licence of three.js.
+// node build.mjs FILE: bundles the viewer to one HTML file, and writes the license of three.js beside
+// it.
 
 import {readFile, writeFile} from 'node:fs/promises';
 import {dirname, join} from 'node:path';
@@ -17,7 +18,7 @@ const style = await transform(await text('page.css'), {loader: 'css', minify: tr
 const licence = await text('node_modules/three/LICENSE');
 const script = `/* with three.js:\n\n${licence}*/\n${bundle.outputFiles[0].text}`;
 
-// Functions, as texts would have $ replaced.
+// Replacements are functions, since `$` has a meaning in replacement strings.
 const page = (await text('page.html'))
   .replace('/*tm:style*/', () => style.code.trim())
   .replace('/*tm:script*/', () => script);

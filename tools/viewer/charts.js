@@ -1,5 +1,5 @@
-// Curves of the log's columns, one small chart each, with the present time marked. A click or a
-// drag on a chart goes to that time.
+// Small charts of the log's columns, with a mark at the current time. A click or a drag on a chart
+// changes the time.
 
 import {lastNotAbove, short} from './numbers.js';
 
@@ -40,7 +40,7 @@ class Chart {
     this.low.className = 'low';
     const plot = document.createElement('div');
     plot.className = 'plot';
-    // Above the curves, which need not be painted anew when time moves.
+    // The mark is in a layer above the curves, so that these are not painted again when it moves.
     this.over = document.createElement('div');
     this.over.className = 'over';
     plot.append(this.high, this.low, this.svg, this.over);
@@ -63,7 +63,7 @@ class Chart {
     });
   }
 
-  // `series`: for each run x, y, its events and the number of its color.
+  // Draws the curves. `series` has x, y, events and the number of the color for each run.
   set(series, first, last) {
     Object.assign(this, {series, first, last});
     const [low, high] = endsOf(series);
@@ -86,7 +86,7 @@ class Chart {
       `from ${short(y[0])} at ${short(x[0])} to ${short(y.at(-1))} at ${short(x.at(-1))}`).join('; ')}`);
   }
 
-  // A vertical line for each event, whose kind is the tooltip.
+  // Adds a vertical line per event, with its kind as tooltip.
   #markEvents({run, events}) {
     for (const {iteration, kind} of events) {
       const [x] = this.#place(Number(iteration), 1);
@@ -146,7 +146,7 @@ export class Charts {
     this.boxes = new Map();
   }
 
-  // Each log as parseLog gives it, and the events of its run as parseEvents gives them.
+  // Sets the logs (from parseLog) and the events (from parseEvents) of all runs.
   setLogs(logs, events, first, last) {
     Object.assign(this, {logs, events, first, last});
     const counts = new Set(logs.map((log) => log.counts));
@@ -182,7 +182,7 @@ export class Charts {
     if (!this.charts.has(name)) this.charts.set(name, new Chart(name, this.onTime));
     const chart = this.charts.get(name);
     chart.set(series, this.first, this.last);
-    // In the order of the boxes, whichever came first.
+    // Charts have the order of the check boxes, not that in which they were added.
     const order = [...this.boxes.keys()];
     const after = order.slice(order.indexOf(name) + 1).map((one) => this.charts.get(one)).find(Boolean);
     this.place.insertBefore(chart.element, after?.element ?? null);

@@ -1,10 +1,10 @@
-// Numbers as colors, by the tables that come with the page: as squares of sRGB for the vertices
-// (materials.js), as CSS for the legend.
+// Maps numbers to colors by the tables in the page. Colors of vertices are squared sRGB values
+// (materials.js); colors of the legend are CSS.
 
 const gray = [0.25, 0.25, 0.25];
 const lightOf = (byte) => (byte / 255) ** 2;
 
-// The ends, 0 in the middle where both signs occur.
+// Returns the ends of a color scale. If both signs occur, the scale is symmetric around 0.
 export function scaleOf(low, high) {
   if (!(low < 0 && high > 0)) return {low, high, isDiverging: false};
   const end = Math.max(-low, high);
@@ -24,7 +24,7 @@ export class Colors {
     return `linear-gradient(to right, ${this.table(scale).map((c) => `rgb(${c.join(' ')})`).join(', ')})`;
   }
 
-  // Three numbers for each of the values.
+  // Returns three color channels per value.
   light(values, scale) {
     const table = this.#lights(scale);
     const last = table.length / 3 - 1;
@@ -38,7 +38,7 @@ export class Colors {
     return light;
   }
 
-  // 16 codes between two colors of the table, in light.
+  // Returns a finer table in linear light, with 16 steps between two colors.
   #lights(scale) {
     const colors = this.table(scale);
     const fine = new Float32Array(3 * (16 * (colors.length - 1) + 1));

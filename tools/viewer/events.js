@@ -1,4 +1,4 @@
-// The events of a run as a table; a button in each row goes to the event.
+// Shows the events of a run as a table. A button in each row goes to the event.
 
 import {short} from './numbers.js';
 
@@ -10,7 +10,7 @@ const make = (name, text) => {
 
 const shortened = (text) => text.split(' ').map((word) => (word === '' ? '–' : short(Number(word)))).join(' ');
 
-// Names of the columns, and the text of an event in each of them.
+// Columns of the table: name, and function from an event to its text.
 const columns = [
   ['iteration', ({iteration}) => iteration],
   ['time', ({time}) => short(Number(time))],

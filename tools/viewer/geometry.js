@@ -1,9 +1,11 @@
-// What three.js draws of an unpacked mesh, made once for each mesh and colored anew when asked.
+// Makes geometries of three.js from unpacked meshes. A geometry is made once per mesh; its colors are
+// updated on request.
 
 import {BufferAttribute, BufferGeometry} from 'three';
 import {lightOfChannels} from './colors.js';
 
-// Sums of the faces' normals by area; three.js does the same on its own vectors in ten times as long.
+// Returns area-weighted vertex normals. The function of three.js gives the same and takes ten times as
+// long.
 function normalsOf({indices, positions}) {
   const normals = new Float32Array(positions.length);
   for (let i = 0; i < indices.length; i += 3) {
@@ -40,7 +42,7 @@ export function geometryOf(mesh) {
   return geometry;
 }
 
-// Where faces have colors of their own, corners are not shared.
+// Returns a geometry without shared vertices, as colors per face require.
 function geometryOfFaces(mesh) {
   if (!mesh.geometryOfFaces) mesh.geometryOfFaces = geometryOf(mesh).toNonIndexed();
   return mesh.geometryOfFaces;
@@ -64,7 +66,7 @@ const repeated = (light) => {
   return corners;
 };
 
-// The geometry, and whether it has colors: those of the column, where the mesh has it.
+// Returns the geometry with the colors of a column. `isColored` is false if the mesh lacks the column.
 export function coloredGeometry(mesh, name, scale, colors) {
   const column = mesh.columns.find((one) => one.name === name);
   if (!column) return {geometry: geometryOf(mesh), isColored: false};

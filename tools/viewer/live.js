@@ -1,4 +1,4 @@
-// A page that is served asks every second what is new beside it.
+// Updates a served page: asks the server for changes every second.
 
 export function watch(onPage, onEnd) {
   let last = '';
@@ -10,7 +10,7 @@ export function watch(onPage, onEnd) {
       if (text !== last && last !== '') onPage(JSON.parse(text));
       last = text;
     } catch {
-      // A server that has ended does not come back.
+      // After three failures the server counts as ended.
       if (++failures === 3) return onEnd();
     }
     setTimeout(ask, 1000);

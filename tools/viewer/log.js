@@ -1,22 +1,22 @@
-// The CSV of a run: columns of numbers by name.
+// Parses the CSV files of a run.
 
 function fieldsOf(line) {
   return [...line.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g)].map(([, quoted, plain]) =>
     quoted === undefined ? plain : quoted.replaceAll('""', '"'));
 }
 
-// Of the frames or time steps of a movie: their names, by number.
+// Returns the names of the frames or time steps of a movie, by number.
 function stepNamesOf(header, rows) {
   const place = header.indexOf('name');
   return new Map(place < 0 ? [] : rows.map((row) => [Number(row[0]), row[place]]));
 }
 
-// A last line without its end is still being written.
+// Returns the complete lines. A last line without line end is still being written.
 function linesOf(text) {
   return text.slice(0, text.lastIndexOf('\n') + 1).split('\n').filter((line) => line !== '');
 }
 
-// The CSV of events as objects by the names of its columns, as text.
+// Returns an object per event, with the columns of the CSV as text.
 export function parseEvents(text) {
   const [header, ...rows] = linesOf(text).map(fieldsOf);
   return rows.filter((row) => row.length >= header.length)

@@ -1,4 +1,4 @@
-// Puts the page together: what there is to show comes from the element `page`.
+// Assembles the page from the data in the element `page`.
 
 import {Charts} from './charts.js';
 import {Colors, scaleOf} from './colors.js';
@@ -86,7 +86,7 @@ class Viewer {
     $('color-label').hidden = columns.size === 0;
   }
 
-  // Those of the time steps that are shown, of the first run that has any.
+  // Sets the cameras of the current time steps. The menu lists those of the first run that has any.
   #setCameras(cameras) {
     cameras.forEach((some, i) => this.view.setCameras(i, some));
     const names = (cameras.find((some) => some.length > 0) ?? []).map((camera) => camera.name);
@@ -122,8 +122,7 @@ class Viewer {
     });
   }
 
-  // Meshes that are asked for while others are unpacked wait until those are shown, and of several
-  // only the last are.
+  // Shows meshes after unpacking them. Requests during unpacking wait; only the last of them is served.
   async #showMeshes(shown, place) {
     this.waiting = {shown, place};
     if (this.isUnpacking) return;
@@ -194,7 +193,7 @@ class Viewer {
     $('play').setAttribute('aria-label', this.isPlaying ? 'Pause' : 'Play');
     if (!this.isPlaying) return;
     if (this.place === this.times.length - 1) this.goTo(0);
-    // Ten seconds for all of it, but no faster than eyes follow.
+    // All frames take ten seconds, but a frame takes at least 50 ms and at most a second.
     this.timer = setInterval(() => {
       this.step(1);
       if (this.place === this.times.length - 1) this.play(false);

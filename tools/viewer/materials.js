@@ -1,5 +1,5 @@
-// How surfaces look: lit at the vertices, which software that draws without a graphics card does
-// three times as fast as three.js lights its own materials. Colors are squares of sRGB.
+// Materials of surfaces. Lighting is computed per vertex, which with software rendering is three times
+// as fast as with the materials of three.js. Colors are squared sRGB values.
 
 import {Color, DoubleSide, ShaderMaterial} from 'three';
 
@@ -52,7 +52,7 @@ export function surfaceMaterial(options = {}) {
   });
 }
 
-// Of a CSS color.
+// Returns the squared sRGB values of a CSS color.
 export function squareOf(css) {
   const color = new Color(css).convertLinearToSRGB();
   return color.multiply(color);

@@ -1,4 +1,4 @@
-// Numbers for people.
+// Formats numbers, and finds numbers in sorted lists.
 
 const whole = new Intl.NumberFormat('en', {maximumFractionDigits: 0});
 
@@ -10,7 +10,7 @@ export function short(value) {
   return String(Number(value.toPrecision(3)));
 }
 
-// The place of the last number that is not above the value; 0 where all are.
+// Returns the index of the last number that is at most `value`; 0 if there is none. `numbers` ascend.
 export function lastNotAbove(numbers, value) {
   let low = 0, high = numbers.length;
   while (low < high) {
@@ -20,8 +20,8 @@ export function lastNotAbove(numbers, value) {
   return Math.max(low - 1, 0);
 }
 
-// Of `steps` with numbers in order the one with which what has this number is shown: the next one,
-// else the last.
+// Returns the step that is shown together with `number`: the first with at least this number, or else
+// the last. `steps` are sorted by number.
 export function shownWith(steps, number) {
   return steps.find((step) => step.number >= number) ?? steps.at(-1);
 }

@@ -27,16 +27,16 @@ constexpr const char* opener = "xdg-open";
 pid_t start_opener(const std::string& what) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  // What browsers say is nothing for our streams.
+  // Messages of browsers must not appear on the streams of this program.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", 2, 0);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  // Ctrl-C is for this program, not for the browser.
+  // A session of its own, so that Ctrl-C does not end the browser.
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
   const std::array<const char*, 3> words{opener, what.c_str(), nullptr};
   pid_t child = 0;
-  // posix_spawn does not change words, though it takes them without const.
+  // posix_spawn does not change `words`, although its parameter lacks const.
   // NOLINTNEXTLINE(*-const-cast,*-qualified-auto)
   auto* const arguments = const_cast<char* const*>(words.data());
   const int error = posix_spawnp(&child, opener, &actions, &attributes, arguments, environ);
@@ -66,7 +66,8 @@ std::string write_temporary_page(const std::string& html) {
 
 void open_in_browser(const std::string& what) {
   const pid_t child = start_opener(what);
-  // It may stay as long as the browser does; what fails does so at once.
+  // The command may run as long as the browser. Failures occur at once, so that a short wait
+  // suffices.
   for (int tries = 0; tries < 40; ++tries) {
     int status = 0;
     if (waitpid(child, &status, WNOHANG) == child) {

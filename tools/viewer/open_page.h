@@ -1,16 +1,15 @@
-/// Pages shown by the user's browser.
+/// Shows pages in the user's browser.
 #pragma once
 
 #include <string>
 
 namespace transformesh::tool {
 
-/// A new file of the user's own in the folder for temporary files, which stays: a browser may read
-/// it any time later. Returns its path. Throws OutputError.
+/// Writes a page to a new temporary file that only the user can read, and returns its path. The
+/// file is not removed, since a browser may read it at any later time. Throws OutputError.
 std::string write_temporary_page(const std::string& html);
 
-/// Asks xdg-open to open a file or an address. Throws GoalError where it is not installed or fails
-/// at once.
+/// Calls xdg-open for a file or a URL. Throws GoalError if it is not installed or fails at once.
 void open_in_browser(const std::string& what);
 
 }  // namespace transformesh::tool

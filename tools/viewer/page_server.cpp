@@ -29,7 +29,7 @@ constexpr std::chrono::seconds patience{10};
   throw GoalError("cannot serve the page, " + what + ": " + std::strerror(errno));
 }
 
-/// 128 bits that nobody can guess.
+/// Returns 128 random bits that cannot be guessed, as text.
 std::string random_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
@@ -42,7 +42,7 @@ std::string random_token() {
   return token;
 }
 
-/// The socket interface takes addresses of all families by this one type.
+/// Casts an address to the type that the socket interface uses for all address families.
 sockaddr* general(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&address); }
 
 int listener_on(int port, int& bound) {
@@ -83,7 +83,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// The value of a header, or nothing.
+/// Returns the value of a header; empty if there is none.
 std::string header_of(const std::string& request, const std::string& name) {
   const std::size_t found = lower(request).find("\r\n" + name + ':');
   if (found == std::string::npos) return {};
@@ -94,7 +94,7 @@ std::string header_of(const std::string& request, const std::string& name) {
 
 }  // namespace
 
-/// A request that comes, then an answer that goes, each as fast as the other end likes.
+/// A connection that first receives a request and then sends the answer, without blocking.
 struct PageServer::Connection {
   int socket = -1;
   std::string request, answer;
@@ -104,7 +104,8 @@ struct PageServer::Connection {
   bool is_answering() const { return !answer.empty(); }
 };
 
-/// False where the other end has gone or sends what is no request.
+/// Receives a part of a request. Returns false if the client has closed the connection or the
+/// request is invalid.
 bool PageServer::receive(Connection& connection) {
   std::array<char, 4096> block{};
   const ssize_t count = recv(connection.socket, block.data(), block.size(), 0);
@@ -114,7 +115,8 @@ bool PageServer::receive(Connection& connection) {
   return connection.request.size() <= longest_request;
 }
 
-/// False where all is sent, or the other end has gone.
+/// Sends a part of the answer. Returns false if all is sent or the client has closed the
+/// connection.
 bool PageServer::send_some(Connection& connection) {
   const std::string_view rest = std::string_view(connection.answer).substr(connection.sent);
   const ssize_t count = send(connection.socket, rest.data(), rest.size(), MSG_NOSIGNAL);
@@ -138,7 +140,7 @@ std::string PageServer::answer(const std::string& request, const Site& site) con
     return refusal("400 Bad Request");
   const std::string method = line.substr(0, first);
   if (method != "GET" && method != "HEAD") return refusal("405 Method Not Allowed");
-  // A page of somebody else may have had its own name resolved to this machine.
+  // Prevents DNS rebinding: a foreign page may have had its host name resolved to this machine.
   const std::string host = header_of(request, "host"), port = ':' + std::to_string(port_);
   if (host != "127.0.0.1" + port && host != "localhost" + port) return refusal("403 Forbidden");
   const std::string path = line.substr(first + 1, last - first - 1), prefix = '/' + token_ + '/';
@@ -147,14 +149,15 @@ std::string PageServer::answer(const std::string& request, const Site& site) con
   return found ? message("200 OK", *found, method == "GET") : refusal("404 Not Found");
 }
 
-/// False if there is no file descriptor for it, so that it keeps waiting.
+/// Accepts a connection. Returns false if there is no free file descriptor; the connection then
+/// waits.
 bool PageServer::accept_one(std::list<Connection>& connections) const {
   const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
   if (socket >= 0) connections.emplace_back().socket = socket;
   return socket >= 0 || errno == EAGAIN || errno == EINTR || errno == ECONNABORTED;
 }
 
-/// False where the connection has come to its end.
+/// Receives or sends a part. Returns false if the connection has ended.
 bool PageServer::advance(Connection& connection, const Site& site) const {
   if (connection.is_answering()) return send_some(connection);
   if (!receive(connection)) return false;
@@ -167,8 +170,9 @@ void PageServer::serve(const Site& site) {
   std::list<Connection> connections;
   bool can_accept = true;
   while (true) {
-    // poll() skips negative descriptors. A connection that cannot be accepted yet would end every
-    // poll() at once: it waits in the kernel until another one has ended, or for a second.
+    // poll() skips negative descriptors. If connections cannot be accepted, the listener is
+    // skipped, since every poll() would return at once. It is tried again after a second, or when
+    // another connection has ended.
     const bool listens = can_accept && connections.size() < most_connections;
     std::vector<pollfd> waiting{{listens ? listener_ : -1, POLLIN, 0}};
     for (const Connection& connection : connections)

@@ -1,5 +1,6 @@
-/// Serves a page to the browsers of this machine: HTTP on the loopback address, for who knows the
-/// token in the address, read only, nothing but what the site has. One thread, no file is opened.
+/// Serves a page to browsers on this machine, by HTTP on the loopback address. Requests must
+/// contain a secret token. Only contents of the site can be read, and no file is opened. Uses one
+/// thread.
 #pragma once
 
 #include <functional>
@@ -10,27 +11,27 @@
 namespace transformesh::tool {
 
 struct Answer {
-  std::string type;  ///< of media
+  std::string type;  ///< media type
   std::string body;
 };
 
 class PageServer {
  public:
-  /// Listens on this port, or on one that is free where it is 0. Throws GoalError.
+  /// Listens on a port; 0 chooses a free one. Throws GoalError if that fails.
   explicit PageServer(int port);
   ~PageServer();
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;
 
-  /// http://127.0.0.1:PORT/TOKEN/
+  /// Returns the URL of the page: http://127.0.0.1:PORT/TOKEN/
   const std::string& address() const { return address_; }
 
-  /// Answers for ever. `site` gets what follows the token, such as `page.json`, and gives nothing
-  /// where there is nothing of that name.
+  /// Answers requests and does not return. `site` receives the path after the token, such as
+  /// `page.json`, and returns nothing if there is no such content.
   using Site = std::function<std::optional<Answer>(const std::string& name)>;
   [[noreturn]] void serve(const Site& site);
 
-  /// The whole answer to the head of a request: for serve(), and to be tested.
+  /// Returns the complete answer to the head of a request. Public for tests.
   std::string answer(const std::string& request, const Site& site) const;
 
  private:

@@ -1,10 +1,10 @@
-// The view of a photograph's camera, and the photograph beside it.
+// Shows the view of a photograph's camera with the photograph beside it.
 
 import {Matrix4, PerspectiveCamera, Vector3} from 'three';
 
 const cornersOf = (camera) => camera.corners.map((corner) => new Vector3(...corner));
 
-// In the coordinates in which meshes are drawn: a ball of radius 1 around 0.
+// Returns a camera of three.js in drawing coordinates, in which meshes lie in a unit ball around 0.
 export function cameraOf(camera, {middle, radius}) {
   const eye = new Vector3(...camera.center.map((x, axis) => (x - middle[axis]) / radius));
   const corners = cornersOf(camera);
@@ -12,7 +12,7 @@ export function cameraOf(camera, {middle, radius}) {
   const down = corners[3].clone().sub(corners[0]).normalize();
   const forward = new Vector3().crossVectors(right, down);
   const near = Math.max(0.01, eye.length() - 1.2), far = eye.length() + 1.2;
-  // Where the corners' rays pierce the plane at depth 1.
+  // Coordinates at which the ray of a corner meets the plane at depth `near`.
   const at = (corner, axis) => near * corner.dot(axis) / corner.dot(forward);
 
   const result = new PerspectiveCamera();
@@ -29,8 +29,8 @@ export function aspectOf(camera) {
   return corners[1].distanceTo(corners[0]) / corners[3].distanceTo(corners[0]);
 }
 
-// Two places of this aspect in a box, beside each other or one above the other: left, top, width and
-// height from its corner.
+// Returns two rectangles of this aspect ratio in a box, side by side or one above the other. Each has
+// left, top, width and height, relative to the corner of the box.
 export function placesIn({width, height}, aspect) {
   const isBeside = width > height;
   const pane = isBeside ? [width / 2, height] : [width, height / 2];

@@ -1,4 +1,4 @@
-// The 3D view: a cell for each run, all seen by the same camera.
+// The 3D view: a cell per run; all cells have the same camera.
 
 import {
   BufferAttribute, BufferGeometry, Color, FrontSide, Group, LineBasicMaterial, LineSegments, MathUtils, Mesh,
@@ -11,10 +11,10 @@ import {aspectOf, cameraOf, placesIn} from './photographs.js';
 import {setFlat, setTint, setVertexColors, surfaceMaterial} from './materials.js';
 
 const halfFieldOfView = MathUtils.degToRad(15);
-const mostPixels = 5e5;  // that software draws while something moves
+const mostPixels = 5e5;  // most pixels that software rendering draws while something moves
 const home = new Spherical(1.02 / Math.sin(halfFieldOfView), MathUtils.degToRad(70), MathUtils.degToRad(30));
 
-// Middle and radius of all that a run shows.
+// Returns center and radius of a ball around all meshes and targets of a run.
 export function extentOf(run) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   const meshes = [...run.meshes, ...run.targets];
@@ -34,14 +34,14 @@ function materials() {
   return {
     wires: new MeshBasicMaterial({wireframe: true, transparent: true, opacity: 0.55}),
     points: new PointsMaterial({size: 3, sizeAttenuation: false}),
-    // Behind what lies on it: two triangulations of one surface would show as spots.
+    // The target is shifted back in depth. Otherwise two triangulations of one surface give spots.
     ghost: surfaceMaterial({transparent: true, opacity: 0.3, polygonOffsetFactor: 2, polygonOffsetUnits: 500, depthWrite: false, side: FrontSide}),
     ghostPoints: new PointsMaterial({size: 2, sizeAttenuation: false, transparent: true, opacity: 0.6}),
     frusta: new LineBasicMaterial({transparent: true, opacity: 0.8}),
   };
 }
 
-// Drawn by the processor: fine pictures take too long while something moves.
+// True if rendering uses the CPU, which is too slow for full resolution while something moves.
 function isDrawnBySoftware() {
   const gl = document.createElement('canvas').getContext('webgl2');
   const names = gl?.getExtension('WEBGL_debug_renderer_info');
@@ -50,7 +50,7 @@ function isDrawnBySoftware() {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
-// The eye and the image of each camera as a pyramid.
+// Returns a pyramid per camera, with the eye as apex and the image as base.
 function frustaOf(cameras, {middle, radius}) {
   const points = [];
   for (const {center, corners} of cameras) {
@@ -95,7 +95,7 @@ class Cell {
     }
   }
 
-  // Smaller, where the run has grown beyond what was there at first.
+  // Scales the cell down if the run has grown beyond its initial extent.
   fit(run) {
     const {middle, radius} = extentOf(run);
     const away = Math.hypot(...middle.map((x, axis) => x - this.extent.middle[axis]));
@@ -117,7 +117,7 @@ class Cell {
 }
 
 export class View {
-  // `picture` gives a promise of the source of an image for the name of a photograph.
+  // `picture` returns a promise of the image source for the name of a photograph.
   constructor(stage, canvas, cells, page, colors, picture) {
     this.stage = stage;
     this.picture = picture;
@@ -153,7 +153,7 @@ export class View {
     new ResizeObserver(() => this.resize()).observe(stage);
   }
 
-  // Colors of what has none of its own come from the style sheet.
+  // Takes default colors from the style sheet.
   setTheme() {
     const style = getComputedStyle(document.documentElement);
     const css = (name) => style.getPropertyValue(name).trim();
@@ -166,7 +166,7 @@ export class View {
     this.draw();
   }
 
-  // The camera of that number, where a run has it, or else the one that the user moves.
+  // Uses the camera with this number if the run has it, or else the camera that the user moves.
   lookFrom(number) {
     this.from = number;
     for (const cell of this.cells) this.#lookFromCamera(cell);
@@ -182,7 +182,7 @@ export class View {
     this.#setPhotograph(cell, camera);
   }
 
-  // The one before stays until the next one is there, as time moves.
+  // Shows the photograph of a camera. While time moves, the previous one stays until it is loaded.
   async #setPhotograph(cell, camera) {
     const name = camera?.photograph ?? '';
     if (name === '') cell.photograph.hidden = true;
@@ -212,7 +212,8 @@ export class View {
     this.draw();
   }
 
-  // Turns about a place of the run's mesh, in its coordinates, from half as far as reset() does.
+  // Moves the camera to a point of a run's mesh, at half the distance that reset() sets. The point is in
+  // coordinates of the mesh, and becomes the center of rotation.
   lookAt(run, place) {
     this.lookFrom();
     const {group, extent} = this.cells[run];
@@ -224,7 +225,7 @@ export class View {
     this.draw();
   }
 
-  // Angles in degrees; a factor above 1 goes nearer.
+  // Rotates the camera by angles in degrees. A factor above 1 moves it closer.
   turn(azimuth, elevation, factor = 1) {
     this.lookFrom();
     const offset = new Vector3().subVectors(this.camera.position, this.controls.target);
@@ -278,7 +279,7 @@ export class View {
     this.controls.update();
   }
 
-  // Software draws coarsely while something moves, and at rest with four pixels for one.
+  // Software rendering has a low resolution while something moves, and four samples per pixel at rest.
   resize(isAtRest = false) {
     const {clientWidth: width, clientHeight: height} = this.stage;
     const coarse = Math.min(1, Math.sqrt(mostPixels / (width * height)));
@@ -289,7 +290,7 @@ export class View {
     this.#render();
   }
 
-  // At most once for a picture of the screen.
+  // Draws at most once per frame of the screen.
   draw() {
     if (this.isDue) return;
     this.isDue = true;
@@ -334,7 +335,7 @@ export class View {
     this.#renderInto([...place, box.width, box.height], this.camera);
   }
 
-  // What the photograph's camera sees of the mesh, beside the photograph.
+  // Draws the mesh from the photograph's camera, beside the photograph.
   #renderBeside(cell, box, [left, bottom]) {
     cell.frusta.visible = false;
     const [photograph, render] = placesIn(box, aspectOf(cell.cameras[this.from]));

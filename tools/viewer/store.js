@@ -1,12 +1,12 @@
-// Meshes by the names of their blocks: unpacked when they are wanted, and kept while there is room.
+// Cache of meshes by the names of their blocks. Meshes are unpacked on request.
 
 import {bytesOfBase64, inflate, unpack} from './unpack.js';
 
-const room = 160e6;  // bytes of arrays, those on the graphics card not counted
+const room = 160e6;  // most bytes of arrays, without copies on the graphics card
 
 const inPage = (name) => Promise.resolve(bytesOfBase64(document.getElementById(name).textContent));
 
-// Of a page that is served, beside it.
+// Reads a block from the server of the page.
 async function fromServer(name) {
   const answer = await fetch(`block/${name}`);
   if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
@@ -19,11 +19,11 @@ export class Store {
   constructor(isLive, onDrop) {
     this.read = isLive ? fromServer : inPage;
     this.onDrop = onDrop;
-    this.kept = new Map();  // the least recently used first
+    this.kept = new Map();  // least recently used first
     this.size = 0;
   }
 
-  // A picture as the source of an image.
+  // Returns a picture as the source of an image element.
   async picture(name) {
     const bytes = await this.read(name);
     let letters = '';
@@ -31,7 +31,7 @@ export class Store {
     return `data:image/png;base64,${btoa(letters)}`;
   }
 
-  // A promise of the mesh; the same one while it is kept.
+  // Returns a promise of the mesh; the same one while the mesh is in the cache.
   get(name, extent) {
     const known = this.kept.get(name);
     if (known) {

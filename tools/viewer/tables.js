@@ -1,4 +1,4 @@
-// What a run was: its result, its options, its versions and its commands.
+// Tables about a run: its result, options, versions and commands.
 
 const make = (name, text, className) => {
   const element = document.createElement(name);

@@ -1,4 +1,4 @@
-// From a packed block (lib/page/pack.h) to arrays that can be drawn.
+// Unpacks a block (lib/page/pack.h) to arrays that can be drawn.
 
 export function bytesOfBase64(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
@@ -13,7 +13,7 @@ export async function inflate(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Streams are planes of bytes: the lowest byte of every number, then the next.
+// Reads streams of numbers. A stream has the lowest bytes of all numbers, then their next bytes.
 class Streams {
   constructor(bytes, at) {
     this.bytes = bytes;
@@ -48,7 +48,8 @@ function indicesOf(streams, header) {
   return codes;
 }
 
-// In a ball of radius 1 around 0, so that floats are precise however far away, small or large a mesh is.
+// Returns positions scaled to a unit ball around 0, so that floats are precise for any position and
+// size of a mesh.
 function positionsOf(streams, header, {middle, radius}) {
   const count = header.vertices;
   const positions = new Float32Array(3 * count);

@@ -1,4 +1,4 @@
-/// What tm-view shows: meshes, or a run that may go on, as a page and as a site that is served.
+/// Contents of tm-view: meshes, or a run that may be active, as a page and as a served site.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace transformesh::tool {
 
-/// The meshes that these names stand for: each a run of its own, or all one after the other.
+/// Returns the meshes as runs: one run per mesh if `is_beside`, otherwise a run with all of them.
 std::vector<PageRun> runs_of(const std::vector<Document>& documents,
                              const std::vector<std::string>& names, bool is_beside);
 std::string title_of(const std::vector<std::string>& names);
 
-/// The site of a page that does not change.
+/// Returns the site of a page that does not change.
 PageServer::Site site_of(const Page& page, const std::string& viewer);
 
-/// The site of a run that goes on; `page` has all but the run.
+/// Returns the site of an active run. `page` contains everything except the run.
 PageServer::Site live_site(LiveRun& live, const Page& page, const std::string& viewer);
 
 }  // namespace transformesh::tool

@@ -9,7 +9,7 @@
 namespace transformesh::tool {
 
 std::string read_viewer() {
-  // The same in the folder of the build as where it is installed.
+  // The relative path is the same in the build folder and in the installation.
   std::error_code ignored;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
   const std::filesystem::path path =

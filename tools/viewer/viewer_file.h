@@ -1,11 +1,11 @@
-/// The viewer that pages are made of (tools/viewer), as a file beside the programs.
+/// Reads the viewer (tools/viewer), an HTML file that is installed with the programs.
 #pragma once
 
 #include <string>
 
 namespace transformesh::tool {
 
-/// Its HTML. Throws GoalError, saying how to get it, where it was not built.
+/// Returns the HTML. Throws GoalError with a remedy if the viewer was not built.
 std::string read_viewer();
 
 }  // namespace transformesh::tool

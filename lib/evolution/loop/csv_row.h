@@ -1,4 +1,4 @@
-/// A row of a CSV file, with the names of its columns.
+/// A row of a CSV file together with the header.
 #pragma once
 
 #include <concepts>
@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-/// Names and values go into it together, so that no header can differ from its rows.
+/// Each call adds a column name and a value, so that header and rows agree.
 class CsvRow {
  public:
   CsvRow& count(const std::string& name, std::integral auto value) {

@@ -1,4 +1,5 @@
-/// Events as rows of a CSV file. The first column is the iteration, as in each file of a record.
+/// Writes events as rows of a CSV file. The first column is the iteration, as in all CSV files of a
+/// record.
 #pragma once
 
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace transformesh {
 
-/// Labels and volumes of several components are separated by spaces.
+/// Returns the row of an event. Labels and volumes of several components are separated by spaces.
 CsvRow event_row(const Event& event);
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
-/// A folder that one process at a time uses. The system frees the lock of a process that has ended
-/// in whatever way, so that none is ever left over.
+/// Locks a folder for one process (flock). The system releases the lock when the process ends for
+/// any reason, so that stale locks do not occur.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@ namespace transformesh {
 
 class FolderLock {
  public:
-  /// Makes the folder where it is missing. Throws OutputError where another process keeps the lock
-  /// for a second, or the folder cannot be made. A file system without locks gives none, and no
-  /// error.
+  /// Creates the folder if it does not exist. Throws OutputError if another process holds the lock
+  /// for a second or the folder cannot be created. On file systems without locks, nothing is locked
+  /// and no error is thrown.
   explicit FolderLock(std::string folder);
-  /// Removes the folder if there is nothing in it, and so the one above it where that was missing,
-  /// as a signal that ends the process does.
+  /// Removes the folder if it is empty, and its parent if the constructor created it and it is
+  /// empty. A signal that ends the process does the same.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -22,7 +22,7 @@ class FolderLock {
   bool lock();
 
   std::string folder_;
-  std::string made_above_;  ///< empty where the folder above was there
+  std::string made_above_;  ///< parent folder if the constructor created it; else empty
   int descriptor_ = -1;
 };
 

@@ -41,13 +41,14 @@ RemeshOptions remesh_options(const Document& document, const IterationOptions& o
   return result;
 }
 
-/// CleanOptions::outermost, afterwards.
+/// Applies CleanOptions::outermost to a result of clean() without it.
 void drop_enclosed(CleanResult& result) {
   if (!result.changed || drop_enclosed_components(result.mesh) == 0) return;
   result.connectivity.reset();
 }
 
-/// remesh() of a document that is being cleaned: the result counts where that changes nothing.
+/// Remeshes a document in another thread while it is being cleaned. The result is used only if
+/// cleaning changes nothing.
 class EarlyRemesh {
  public:
   EarlyRemesh(Document document, const IterationOptions& options, const Progress& progress)
@@ -65,7 +66,8 @@ class EarlyRemesh {
     }
   }
   void cancel() { is_cancelled_ = true; }
-  /// From now on it is all that is done: it tells its progress, and may be cancelled by that.
+  /// Call when cleaning has ended and remeshing has not. From then on remeshing reports its
+  /// progress, and the progress function can cancel it.
   void await() { is_awaited_ = true; }
   RemeshResult take(Document& document) {
     if (error_) std::rethrow_exception(error_);
@@ -82,7 +84,7 @@ class EarlyRemesh {
   std::exception_ptr error_;
 };
 
-/// Cleans and remeshes; fills the result but for the step.
+/// Cleans and remeshes a document, and stores all parts of the result except those of the step.
 class CleanAndRemesh {
  public:
   CleanAndRemesh(Document& document, const IterationOptions& options, const Progress& progress,

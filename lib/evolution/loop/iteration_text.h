@@ -1,4 +1,4 @@
-/// Iterations in words, and as rows of a CSV file.
+/// Describes iterations in words and as columns of a CSV file.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ std::string in_words(std::size_t faces, const Topology& topology);
 /// Returns "812 faces, components 1, genus 0".
 std::string in_short(std::size_t faces, const Topology& topology);
 
-/// Fractions of the vertices that moved, and that were clamped.
+/// Return the fractions of the vertices that moved, and that were clamped.
 double moved_share(const IterationResult& result);
 double clamped_share(const IterationResult& result);
 
-/// Adds the columns that all loops have: measures of the mesh after the iteration, and of its edges
-/// before with the times of the stages.
+/// Add the columns that all loops have. measure_mesh() adds measures of the mesh after the
+/// iteration; measure_times() adds the mean edge before it and the times of its stages.
 void measure_mesh(const IterationResult& result, CsvRow& row);
 void measure_times(const IterationResult& result, CsvRow& row);
 

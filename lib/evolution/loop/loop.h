@@ -1,6 +1,6 @@
-/// The loop of every evolution: iterations until its own rule says so or their limit is reached,
-/// each recorded on disk (record.h), so that a run that was ended in any way continues to the same
-/// bytes.
+/// The loop of every evolution. It iterates until the evolution ends or the limit of iterations is
+/// reached. Each iteration is recorded on disk (record.h), so that an interrupted run can be
+/// continued and gives the same bytes.
 #pragma once
 
 #include <functional>
@@ -14,36 +14,41 @@
 
 namespace transformesh {
 
-/// What an evolution does in an iteration, and what it says of it.
+/// Interface of an evolution: the work of an iteration, its state, and its report.
 class Loop {
  public:
   virtual ~Loop() = default;
-  /// As messages call an iteration; its last word is the CSV column of the numbers.
+  /// Returns the word for an iteration in messages.
   virtual std::string noun() const { return "iteration"; }
-  /// Name of the first column of the CSV file, which holds the number of the iteration.
+  /// Returns the name of the first CSV column, which holds the number of the iteration.
   virtual std::string column() const { return noun(); }
-  /// Before the first iteration of a run that begins: by default the mesh is cleaned.
+  /// Called before the first iteration of a run, but not if a run is continued. Cleans the mesh by
+  /// default.
   virtual void start(Document& document, const Progress& progress);
+  /// Makes an iteration; `iteration` counts from 1.
   virtual void advance(Document& document, std::size_t iteration, const Progress& progress) = 0;
-  /// Whether the rule of the loop ends it here.
+  /// True if the evolution has ended.
   virtual bool is_done() const = 0;
-  /// After the last iteration of this run: by default the mesh is cleaned once more.
+  /// Called after the last iteration. Cleans the mesh by default.
   virtual void finish(Document& document, const Progress& progress);
 
-  /// All that it needs to go on as if nothing had happened.
+  /// Names all variables that determine the further iterations. Stores or restores them, depending
+  /// on how `loop_state` was constructed (loop_state.h).
   virtual void remember(LoopState& loop_state) = 0;
-  /// Of the last iteration: the further columns of the CSV file, and what follows its number in the
-  /// line of progress. The columns are asked for before the first iteration as well.
+  /// Adds the other CSV columns of the last iteration. Also called before the first iteration, for
+  /// the header.
   virtual void measure(CsvRow& row) const = 0;
+  /// Returns the text that follows the number of the last iteration in a message.
   virtual std::string message() const = 0;
-  /// Rows of the events of the last iteration (event_row.h).
+  /// Returns the rows of the events of the last iteration (event_row.h).
   virtual std::vector<std::string> event_rows() const { return {}; }
 };
 
-/// Replaces the document by that of the state where the run continues. A failure of an iteration is
-/// thrown again with its number in front, and the document is that of the last good iteration,
-/// which is also that of the state; a failure before the first one is thrown as it is and leaves
-/// no state. A loop that is done ends the record, which knows the number of iterations.
+/// Runs a loop. If a run is continued, the document is first replaced by that of the recorded
+/// state. An exception in an iteration is rethrown with the number of the iteration; the document
+/// and the recorded state are then those of the last successful iteration. If the first iteration
+/// or a step before it fails, no state remains. Record::iteration() returns the number of
+/// iterations.
 void run_loop(Loop& loop, Document& document, const LoopOptions& options, Record& record,
               const Progress& progress = Progress());
 

@@ -1,5 +1,5 @@
-/// The variables that a loop keeps from one iteration to the next: numbers by name, exactly. A loop
-/// names its variables in one place, which both keeps and restores them:
+/// The variables of a loop that must survive an interruption: numbers with names, stored exactly. A
+/// loop lists its variables in one function, which both stores and restores them:
 ///
 ///     void remember(LoopState& loop_state) override { loop_state("best", best_)("idle", idle_); }
 #pragma once
@@ -11,13 +11,14 @@ namespace transformesh {
 
 class LoopState {
  public:
-  /// Keeps what is named.
+  /// Stores the variables that are named.
   LoopState() = default;
-  /// Restores what is named, from what text() returned. Throws InputError for anything else.
+  /// Restores the variables that are named, from a result of text(). Throws InputError for any
+  /// other text.
   explicit LoopState(const std::string& text);
 
-  /// A number, a count, a truth or an enumerator; the name is a word. Throws InputError where it is
-  /// to be restored and was not kept.
+  /// Stores or restores a number, a bool or an enumerator. The name must be one word. Throws
+  /// InputError if the name is not found when restoring.
   template <typename Number>
   LoopState& operator()(const std::string& name, Number& value) {
     if (restores_) {
@@ -28,7 +29,7 @@ class LoopState {
     return *this;
   }
 
-  /// In one line: "best 0.5 idle 3".
+  /// Returns all names and values in one line, such as "best 0.5 idle 3".
   std::string text() const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace transformesh {
 
-/// Returns `body(document)` for a document that holds the mesh, and moves the mesh of the document
-/// back, also if `body` throws.
+/// Moves the mesh into a document, returns `body(document)`, and moves the mesh back, also if
+/// `body` throws.
 template <typename Body>
 auto with_document(Mesh& mesh, const Body& body) {
   Document document;

@@ -26,14 +26,14 @@ std::optional<std::string> bytes_of(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-/// As a comment can hold it.
+/// Replaces control characters, which a PLY comment cannot contain.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
   return text;
 }
 
-/// Removes the comment that begins with the key, and returns the rest of it.
+/// Removes the comment that begins with `key`, and returns its text after the key.
 std::string taken(std::vector<std::string>& comments, std::string_view key,
                   const std::string& file) {
   const auto found = std::find_if(comments.begin(), comments.end(),
@@ -74,7 +74,7 @@ void check_may_begin(const SavedState& state, const RecordOptions& options) {
                    {.name = options.state});
 }
 
-/// The header, and the rows of iterations up to the last one.
+/// Returns the lines of a CSV file: the header, and the rows of iterations up to `last`.
 std::string rows_until(const std::string& path, const std::string& header, std::size_t last) {
   std::string kept;
   if (is_written_directly(end_of_links(path))) return header + '\n';
@@ -150,7 +150,8 @@ void Record::begin(const Document& document, const std::string& csv_header,
   save(document, 0, loop_state);
 }
 
-/// Keeps the rows until the state from which the run continues. Returns null for an empty path.
+/// Opens a CSV file. If the run is continued, the rows up to the recorded state stay. Returns null
+/// if `path` is empty.
 std::shared_ptr<const LineFile> Record::opened(const std::string& path,
                                                const std::string& header) const {
   if (path.empty()) return nullptr;

@@ -1,13 +1,13 @@
-/// What a run of a loop leaves on disk while it goes on: its state, a CSV file with a row for each
-/// iteration, one with a row for each event, and meshes as frames. The state is a folder with the
-/// last mesh, whose comments hold the settings of the run and what its loop remembers, and files
-/// that the loop adds. Each of these is replaced at once and all of an iteration is written before
-/// its state is, so that a run may be killed at any moment: one that continues repeats what was not
-/// finished, to the same bytes, and the CSV files lose the rows of iterations that the state does
-/// not know.
+/// Records a run of a loop on disk: its state, a CSV file with a row per iteration, a CSV file with
+/// a row per event, and meshes as frames. The state is a folder with the last mesh and with files
+/// that the loop adds. Comments of the mesh hold the settings of the run and the LoopState.
 ///
-/// Columns and coordinates are kept exactly as long as they are rounded as written (mesh_io.h).
-/// Throws OutputError where something cannot be written. Deterministic but for times in rows.
+/// Files are replaced atomically, and the state of an iteration is written after its other files.
+/// Therefore a run may be killed at any time. A continued run repeats the unfinished iteration,
+/// with the same bytes, and removes CSV rows of iterations after the recorded state.
+///
+/// Columns and coordinates are restored exactly if they are rounded as written (mesh_io.h). Throws
+/// OutputError if a file cannot be written. Deterministic, except for times in rows.
 #pragma once
 
 #include <memory>
@@ -26,45 +26,46 @@ namespace transformesh {
 
 struct SavedState {
   Document document;
-  std::string settings;  ///< in one line
+  std::string settings;  ///< one line of text that identifies the options of the run
   std::size_t iteration = 0;
-  bool is_paused = false;  ///< stopped by its limit of iterations, not interrupted
+  bool is_paused = false;  ///< the run reached its limit of iterations and was not interrupted
   LoopState loop_state;
 };
 
 class Record {
  public:
-  /// Looks for a state and changes nothing but that its folder is locked, if so wanted. Throws
-  /// UsageError where the state is of a run with other settings, or of an interrupted one that is
-  /// neither to be continued nor thrown away; InputError where what is there is no state;
-  /// OutputError where another process has it.
+  /// Looks for a recorded state, and locks its folder if `options` say so. Throws UsageError if the
+  /// run is to be continued and the state has other settings. Throws UsageError if the state is of
+  /// an interrupted run that is to be neither continued nor discarded. Throws InputError if the
+  /// files are no state, and OutputError if another process holds the lock.
   explicit Record(RecordOptions options = {});
 
   bool has_state() const { return !options_.state.empty(); }
   bool has_events() const { return !options_.events.empty(); }
-  /// The last iteration that was completed, earlier runs included.
+  /// Returns the number of completed iterations, including those before the run was continued.
   std::size_t iteration() const { return iteration_; }
-  /// The state from which the run continues, if it does.
+  /// Returns the state from which the run continues; empty if it begins.
   const std::optional<SavedState>& resumed() const { return resumed_; }
-  /// A further file of the state: kept from begin() on, found when the run continues.
+  /// Adds a file to the state. begin() writes it; find() returns it if the run is continued.
   void add(const std::string& name, std::string bytes) {
     added_.emplace_back(name, std::move(bytes));
   }
   std::optional<std::string> find(const std::string& name) const;
 
-  /// Of a run that begins: throws away what is there of an earlier one, which begin() does as well.
+  /// Removes the state of an earlier run unless that run is continued. begin() does the same.
   void forget_earlier_state() const;
 
-  /// To be called once, before the first iteration, with the header of the CSV file and the memory
-  /// of iteration 0. Where the run continues, the document and the memory are not looked at.
+  /// Call once, before the first iteration, with the header of the CSV file and the variables
+  /// before iteration 1. If the run is continued, `document` and `loop_state` are ignored.
   void begin(const Document& document, const std::string& csv_header, const LoopState& loop_state);
+  /// Records a completed iteration.
   void keep(const Document& document, std::size_t iteration, const std::string& row,
             const LoopState& loop_state, const std::vector<std::string>& event_rows = {});
-  /// The limit of iterations was reached: the state stays, and is not that of an interrupted run.
+  /// Call if the limit of iterations is reached. The state stays and is marked as not interrupted.
   void pause(const Document& document, const LoopState& loop_state) const {
     save(document, iteration_, loop_state, true);
   }
-  /// The loop has come to its end.
+  /// Call if the loop has ended. Removes the state, unless the options keep it.
   void end() const {
     if (!options_.keep_state_at_end) remove_state();
   }

@@ -1,5 +1,4 @@
-/// Reads the views that a reconstruction has kept in the folder of its run (run_views.h writes
-/// them).
+/// Reads the views that a reconstruction has written to its run folder (run_views.h).
 #pragma once
 
 #include <string>
@@ -10,12 +9,12 @@
 namespace transformesh {
 
 struct RunView {
-  CameraRecord camera;     ///< with the image's size where there is its photograph
-  std::string photograph;  ///< PNG, or empty
+  CameraRecord camera;     ///< includes the image size if there is a photograph
+  std::string photograph;  ///< bytes of a PNG, or empty
 };
 
-/// Returns the views of a run, or of one of its time steps; none where the folder has none. Throws
-/// InputError for cameras that cannot be read.
+/// Returns the views of a run or of one of its time steps, which may be none. Throws InputError if
+/// the cameras cannot be read.
 std::vector<RunView> read_run_views(const std::string& folder);
 
 }  // namespace transformesh

@@ -22,7 +22,8 @@ constexpr int layout = 1;
 constexpr std::string_view frame_prefix = "frame-";
 constexpr const char* mesh_ending = ".ply";
 
-/// What is called PREFIX NUMBER ENDING there.
+/// Returns the files of a folder whose names are prefix, number and ending, in order of the
+/// numbers.
 RunPaths numbered(const std::string& folder, std::string_view prefix, const char* ending) {
   RunPaths found;
   std::error_code ignored;
@@ -36,7 +37,7 @@ RunPaths numbered(const std::string& folder, std::string_view prefix, const char
   return found;
 }
 
-/// Those of a movie, or else the one that has no number.
+/// Returns `of_movie`. If that is empty and `file` exists, returns `path` with the number 0.
 RunPaths numbered_or(const RunPaths& of_movie, const std::string& file, const std::string& path) {
   std::error_code ignored;
   if (of_movie.empty() && fs::exists(file, ignored)) return {{0, path}};
@@ -58,11 +59,11 @@ void remove_views(const std::string& folder) {
   const std::string photographs = folder + run_file::photographs;
   for (const auto& entry : fs::directory_iterator(photographs, ignored))
     if (entry.path().extension() == ".png") fs::remove(entry.path(), ignored);
-  // Unless somebody else's files are there.
+  // The folder stays if it contains files that are not of a run.
   if (fs::is_empty(photographs, ignored)) fs::remove(photographs, ignored);
 }
 
-/// What a run that was killed had not written to its end (atomic_file.h).
+/// Removes the temporary files of a run that was killed while it was writing (atomic_file.h).
 void remove_unfinished_files(const std::string& folder) {
   static const std::regex unfinished(R"(\..+\.[0-9]+-[0-9]+\.tmp)");
   std::error_code ignored;
@@ -93,7 +94,8 @@ void remove_files_of_run(const std::string& folder) {
     if (fs::is_empty(folder + name, ignored)) fs::remove(folder + name, ignored);
 }
 
-/// A run that was stopped before it had a description has left its state, named after the result.
+/// True if the name is that of a run's state, which is derived from that of the result. A run that
+/// was stopped before it wrote its description leaves only its state.
 bool may_be_of_a_run(const fs::path& path) {
   return path.filename().string().starts_with(std::string(run_file::result + 1) + ".tm-");
 }
@@ -113,7 +115,7 @@ void check_run_folder(const std::string& folder) {
 void begin_run(const std::string& folder, const RunDescription& description,
                const RunFiles& files) {
   make_folder(folder);
-  // First, so that the folder is that of a run whenever this one is stopped.
+  // The description comes first, so that an interrupted run leaves a recognizable folder.
   write_description(folder, description);
   remove_files_of_run(folder);
   add_to_run(folder, files);
@@ -167,7 +169,7 @@ RunPaths run_targets(const std::string& folder) {
 
 RunPaths run_views(const std::string& folder) {
   RunPaths of_movie = numbered(folder + run_file::views, "", "");
-  // The cameras come last.
+  // Cameras are written last, so that a folder without them is incomplete.
   std::erase_if(of_movie,
                 [](const auto& one) { return !fs::exists(one.second + run_file::cameras); });
   return numbered_or(of_movie, folder + run_file::cameras, folder);

@@ -1,18 +1,17 @@
-/// The folder of a RUN: all that shows and repeats one run of a loop, under fixed names.
+/// The folder of a run: all files that show a run of a loop and allow to repeat it.
 ///
-///     run.json              which program with which command lines, see RunDescription
-///     start.ply             the mesh given, where one is
-///     target.ply            what a morph moves towards; of a movie targets/00001.ply and so on
-///     cameras.txt, photographs/                     the views of a reconstruction (run_views.h);
-///     of
-///                           a movie those in views/00001 and so on
-///     frames/frame-00000.ply and so on, log.csv     as the loop goes on (record.h)
-///     events.csv                                    of an evolution, likewise
-///     result.ply, report.json                       at the end
+///     run.json              program and command lines (RunDescription)
+///     start.ply             initial mesh, if there is one
+///     target.ply            target of a morph; for a movie targets/00001.ply and so on
+///     cameras.txt, photographs/   views of a reconstruction (run_views.h)
+///     views/00001/          the same for each time step of a movie, and so on
+///     frames/frame-00000.ply, and so on, and log.csv: written while the loop runs (record.h)
+///     events.csv            events of an evolution, written while the loop runs
+///     result.ply, report.json     written at the end
 ///
-/// Each file appears complete or not at all. A run that begins where there was another one removes
-/// the files of that; nothing else in the folder is touched. All functions throw OutputError where
-/// something cannot be written. Deterministic.
+/// Files are written atomically. A new run in the folder of an earlier run removes the files of
+/// that run, and no others. All functions throw OutputError if a file cannot be written.
+/// Deterministic.
 #pragma once
 
 #include <string>
@@ -30,33 +29,35 @@ inline constexpr const char *description = "/run.json", *start = "/start.ply",
                             *result = "/result.ply";
 }  // namespace run_file
 
-/// As run.json holds it, under these names, beside `layout`: 1.
+/// Contents of run.json, which has the same names, and `layout`: 1 as its version.
 struct RunDescription {
   std::string tool, version;
-  /// As a shell reads them: the one that began the run, then those that continued it.
+  /// Command lines, quoted for a shell: of the program that began the run, then of those that
+  /// continued it.
   std::vector<std::string> commands;
 };
 using RunFiles = std::vector<std::pair<std::string, std::string>>;  ///< names and bytes
 using RunPaths = std::vector<std::pair<std::size_t, std::string>>;  ///< numbers and paths, in order
 
-/// Throws UsageError where the folder holds files and no run.
+/// Throws UsageError if the folder contains files but no run.
 void check_run_folder(const std::string& folder);
-/// Writes the description, removes what an earlier run has left, and writes the files given.
+/// Writes the description, removes the files of an earlier run, and writes `files`.
 void begin_run(const std::string& folder, const RunDescription& description, const RunFiles& files);
-/// Writes more of them as the loop goes on.
+/// Writes further files while the loop runs.
 void add_to_run(const std::string& folder, const RunFiles& files);
-/// Adds a command to the description, and removes what was not written to its end.
+/// Adds a command to the description, and removes incomplete files.
 void continue_run(const std::string& folder, const std::string& command);
 
-/// Throws InputError where the folder is no run, or is one of a later layout.
+/// Reads the description. Throws InputError if the folder is not a run or has a later layout.
 RunDescription read_run(const std::string& folder);
 
-/// What is there. Targets and views of a movie, whose paths are those of their folders, have the
-/// numbers of their frames; those of other runs have the number 0.
+/// Return the existing frames, targets and view folders. For a movie, targets and view folders have
+/// the numbers of their frames; otherwise there is at most one, with the number 0.
 RunPaths run_frames(const std::string& folder);
 RunPaths run_targets(const std::string& folder);
 RunPaths run_views(const std::string& folder);
-/// `targets` or `views`, then `/`, five digits of the number and the ending.
+/// Returns the name of a file or folder of a movie: `files`, which is run_file::targets or
+/// run_file::views, then '/', five digits of the number and the ending.
 std::string run_name(const char* files, std::size_t number, const std::string& ending);
 
 }  // namespace transformesh

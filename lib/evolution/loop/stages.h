@@ -1,4 +1,4 @@
-/// The stages of an iteration (iteration.h) that loops also run alone.
+/// The stages of an iteration (iteration.h) that loops also call separately.
 #pragma once
 
 #include <functional>
@@ -8,11 +8,11 @@
 
 namespace transformesh {
 
-/// Returns the options with the reference edge of the mesh if they have none.
+/// Returns the options. If their reference edge is 0, it is set to that of the mesh.
 IterationOptions completed(IterationOptions options, const Mesh& mesh);
 
-/// Runs remesh() without pinching and rounds as written. `opposites` are those of the halfedges, or
-/// empty.
+/// Runs remesh() without pinching and rounds as written. `opposites` are the opposite halfedges, or
+/// empty if unknown.
 RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
                              const Progress& progress = Progress(),
                              std::vector<Index> opposites = {});
@@ -24,7 +24,7 @@ struct CleanedTopology {
   std::vector<Index> opposites;  ///< opposite halfedges if they were found, for remesh_in_place()
 };
 
-/// Runs clean() and rounds as written. `on_cleaned` is that of IterationOptions.
+/// Runs clean() and rounds as written. See IterationOptions for `on_cleaned`.
 CleanedTopology clean_in_place(
     Document& document, const Progress& progress = Progress(), bool outermost = true,
     const std::function<void(const Mesh& before, Mesh& cleaned)>& on_cleaned = {});

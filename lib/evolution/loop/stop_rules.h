@@ -1,5 +1,5 @@
-/// When an evolution has come to its end (paper 5.2): plain values in, a verdict out. Rules
-/// remember what was best so far (loop_state.h).
+/// Rules that end an evolution (paper 5.2). Each receives numbers per iteration and returns a
+/// verdict. Rules store the best values so far (loop_state.h).
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@
 
 namespace transformesh {
 
-/// The smallest of the values so far, but for those that were smaller by less than a hundredth.
+/// The smallest value so far. Improvements by less than a hundredth do not count.
 struct Best {
   double value = -1;  ///< negative: none yet
-  /// Whether it becomes the next.
+  /// Takes `next` if it is an improvement, and returns whether it is.
   bool takes(double next);
 };
 
-/// Nothing got better by a hundredth in so many iterations.
+/// Ends if a value has not improved by a hundredth for `patience` iterations.
 class StalledRule {
  public:
   explicit StalledRule(std::size_t patience = 20) : patience_(patience) {}
-  /// With the value that is to become small; true: stalled.
+  /// Adds the value of an iteration, where lower is better. Returns true if the evolution stalls.
   bool add(double value);
   void remember(LoopState& loop_state) { loop_state("best", best_.value)("idle", idle_); }
 
@@ -32,31 +32,34 @@ class StalledRule {
 
 enum class MorphVerdict {
   go_on,
-  /// At a coarse scale: at most one in a hundred vertices would go farther than its clamp, or
-  /// nothing got better for five iterations.
+  /// Refine the edges. Returned at a coarse scale if at most one in a hundred vertices was clamped,
+  /// or if nothing improved for five iterations.
   refine,
-  /// No vertex moves more than half its clamp, and the vertices of mesh and target lie on the
-  /// other: root mean squares below half the mean edge, no point of the target missed by two edges.
-  /// At most every fifth iteration, as looking costs more than an iteration.
+  /// Compare the mesh with the target, and end if they agree. Returned if no vertex moves by more
+  /// than half its clamp and the vertices of mesh and target lie on the other surface. This means:
+  /// root mean square distances are below half the mean edge, and no target vertex is farther away
+  /// than two mean edges. Returned at most every fifth iteration, since a comparison takes longer
+  /// than an iteration.
   examine,
-  /// Nothing got better by a hundredth in 20 iterations, or in three where no vertex moves any
-  /// more; but the vertices lie on the other: at a sharp tip the step and the smoothing may pull a
-  /// vertex to and fro for ever.
+  /// Compare the mesh with the target, and end in any case. Returned if nothing improved by a
+  /// hundredth for 20 iterations, or for three if no vertex moves, and the vertices lie on the
+  /// other surface. At a sharp tip, for example, step and smoothing may move a vertex back and
+  /// forth.
   examine_last,
-  /// The same, and they do not.
+  /// End without agreement: as `examine_last`, but the vertices do not lie on the other surface.
   stalled
 };
 
 class MorphRule {
  public:
-  /// Scale s has edges 2^s times as long; the last is 0.
+  /// Begins at scale `scales` - 1. Edges at scale s are 2^s times as long; the last scale is 0.
   explicit MorphRule(int scales = 1) : scale_(scales - 1) {}
 
   int scale() const { return scale_; }
-  /// With the step of an iteration, and how many vertices took it. After `refine` the scale is the
-  /// next finer one.
+  /// Adds the step of an iteration and the number of its vertices. If the verdict is `refine`, the
+  /// scale is then the next finer one.
   MorphVerdict add(const MorphStepResult& step, std::size_t vertices);
-  /// Where a coarse scale has no edges for what is left: goes on as before with the next finer one.
+  /// Continues at the next finer scale, if an iteration at this scale leaves no surface.
   void skip_scale() { --scale_; }
   void remember(LoopState& loop_state);
 
@@ -67,7 +70,7 @@ class MorphRule {
   int scale_;
   std::size_t idle_ = 0;          ///< iterations without improvement
   std::size_t age_ = 0;           ///< iterations of this scale
-  std::size_t unexamined_ = 100;  ///< iterations since the one that was examined last
+  std::size_t unexamined_ = 100;  ///< iterations since the last comparison; at first, many
   Best rms_to_target_, max_to_target_, rms_from_target_, max_from_target_, max_clamp_share_;
 };
 

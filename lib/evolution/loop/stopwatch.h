@@ -1,4 +1,4 @@
-/// Wall-clock time since it was made or since the last lap.
+/// Measures wall-clock time since its construction or the last lap, in seconds.
 #pragma once
 
 #include <chrono>

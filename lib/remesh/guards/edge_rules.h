@@ -1,23 +1,24 @@
-/// Lengths that the edges of a mesh are held to, and what collapses may do to its shape.
+/// Limits of edge lengths, and of the changes of shape by collapses.
 #pragma once
 
 namespace transformesh {
 
-/// How collapses treat the surface.
+/// Limits for the change of the surface by collapses.
 struct ShapeRules {
   bool curved = false;  ///< merged vertices lie at an end or on the curved edge (curved_edge.h)
   double min_film = 0;  ///< > 0: no collapse moves the surface by more than half of this; with 0
                         ///< and `curved`, by more than a share of the longest edge
 };
 
-/// Input units, or factors of the local size where the mesh has sizes.
+/// Limits of edge lengths, in input units, or as factors of the local size if the mesh has sizes.
 struct EdgeLimits {
   double shortest = 0;
   double longest = 0;
   ShapeRules shape = {};
 
-  /// Edges may become as long as this where that makes valences regular: a flip between equilateral
-  /// triangles makes an edge of 1.73 of theirs, which relaxation shortens.
+  /// Longest edge that an operation may make if it brings valences closer to six. A flip of two
+  /// equilateral triangles makes an edge 1.73 times as long as theirs, which relaxation shortens. A
+  /// larger factor leaves longer edges; without it, many irregular valences stay.
   double stretched() const { return 1.12 * longest; }
 };
 

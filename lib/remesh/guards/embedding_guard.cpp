@@ -12,8 +12,8 @@
 namespace transformesh {
 namespace {
 
-/// Cells are 1.5 longest edges wide: most patches reach nine tenths of an edge from their center,
-/// and each face that meets a ball has a corner within 0.58 of an edge from it.
+/// Cells are 1.5 longest edges wide. Most patches lie within 0.9 edges of their center. Each face
+/// that meets a ball has a corner within 0.58 edges of the ball. The sum is about 1.5.
 constexpr double cell_edges = 1.5;
 constexpr double corner_reach = 0.58;
 
@@ -53,7 +53,7 @@ class EmbeddingGuard::Slab {
       high_ = std::max(high_, direction_.dot(corner));
     }
   }
-  /// What comes within rounding error of the slab counts as meeting it.
+  /// Whether the triangle meets the slab; distances within rounding error count as contact.
   bool meets(const Triangle& triangle) const {
     const double a = direction_.dot(triangle[0]);
     const double b = direction_.dot(triangle[1]);
@@ -122,7 +122,7 @@ void EmbeddingGuard::commit(const Patch& patch) {
 }
 
 bool EmbeddingGuard::keeps_out(const Patch& patch) {
-  std::vector<Index> faces = patch.replaced;  // some are named twice
+  std::vector<Index> faces = patch.replaced;  // which may contain duplicates
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   std::vector<Triangle> replaced;
@@ -158,7 +158,7 @@ bool EmbeddingGuard::is_certified(const Patch& patch) {
   return lies_within(cells_.cell_size() - corner_reach * longest_edge_, patch);
 }
 
-/// Whether the ball around the center holds the patch.
+/// Whether the ball of that radius around the old center contains the old and the new patch.
 bool EmbeddingGuard::lies_within(double radius, const Patch& patch) const {
   const double limit = radius * radius;
   const Vec3& center = mesh_.position(patch.center);
@@ -169,7 +169,7 @@ bool EmbeddingGuard::lies_within(double radius, const Patch& patch) const {
   });
 }
 
-/// The slab that holds the old and the new patch.
+/// The smallest slab perpendicular to the direction that contains the old and the new patch.
 EmbeddingGuard::Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
   Slab slab(direction);
   for (const Triangle& triangle : patch.made) slab.extend(triangle);
@@ -177,8 +177,8 @@ EmbeddingGuard::Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& dir
   return slab;
 }
 
-/// The certificate of the header with a convex body other than a ball: the part of the box around
-/// both patches that lies in the slab which holds them.
+/// The certificate of the header for another convex body: the intersection of slab_of() with the
+/// bounding box of both patches. All faces that meet it must be in front of the mean normal.
 bool EmbeddingGuard::is_height_field(const Patch& patch) const {
   const Index component = cells_[patch.center].component;
   if (component == no_index) return false;
@@ -205,7 +205,8 @@ bool EmbeddingGuard::meets_others(const Patch& patch) const {
   });
 }
 
-/// Finds the box around the old and the new patch.
+/// Computes the bounding box of the old and the new patch, and the box that contains the nearest
+/// corner of each face that meets the first one.
 void EmbeddingGuard::enclose(const Patch& patch) {
   low_ = high_ = patch.center_position;
   const auto extend = [&](const Triangle& triangle) {
@@ -219,8 +220,9 @@ void EmbeddingGuard::enclose(const Patch& patch) {
   high_corner_ = high_ + reach;
 }
 
-/// The certificate of is_height_field() along one direction: of those that see both patches, the
-/// one nearest to the normals. Only faces at vertices whose cones lack it are asked.
+/// The certificate of is_height_field() for one of the directions of normal_cone.h: among those
+/// that see both patches, the one nearest to the mean normal. Cells and vertices whose cones
+/// contain the direction are skipped without a test of their faces.
 bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
   const Index component = cells_[patch.center].component;
   NormalCone cone = component == no_index ? 0 : cone_;
@@ -243,7 +245,8 @@ bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
   });
 }
 
-/// Whether the slab's direction sees the faces at the vertex, other than those outside slab or box.
+/// Whether the slab's direction sees all faces at the vertex that meet both the slab and the box,
+/// and the vertex belongs to the component if there are such faces.
 bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& slab) const {
   const bool is_mine = cells_[vertex].component == component;
   bool result = true;
@@ -260,7 +263,8 @@ bool EmbeddingGuard::meets_box(const Triangle& triangle) const {
          (highest(triangle).array() >= low_.array()).all();
 }
 
-/// Fills near_ with the faces, other than those that give way, whose boxes touch the patches'.
+/// Fills near_ with the faces whose bounding boxes meet that of both patches, without the replaced
+/// faces.
 void EmbeddingGuard::find_faces_near(const Patch& patch) {
   near_.clear();
   ++stamp_now_;
@@ -279,7 +283,7 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
   });
 }
 
-/// Whether a face that meets the box may have this vertex as its nearest corner.
+/// Whether the vertex may be the nearest corner of a face that meets the box.
 bool EmbeddingGuard::is_around(Index vertex) const {
   const Vec3& position = mesh_.position(vertex);
   const double longest = std::sqrt(static_cast<double>(cells_[vertex].longest_squared));

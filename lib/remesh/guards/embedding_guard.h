@@ -1,16 +1,22 @@
 /// Keeps a surface free of self-intersections while patches of it are replaced.
 ///
-/// A patch is allowed at once by a certificate: where all faces that meet a ball have normals on
-/// one side of a plane, a closed connected surface without self-intersections is a height field in
-/// that ball (along the plane's normal its crossings alternate between in and out). A new patch
-/// with the same rim whose normals are on that side too covers the same ground, so it cannot meet
-/// the rest. Each cell of a grid keeps the normal cone of its faces (normal_cone.h), so that the
-/// test of a whole neighborhood is one bitwise and. Where that fails, as between the sheets of a
-/// thin plate, the faces around the patch's own box are asked one by one. Elsewhere, and near
-/// borders or a second component, every new triangle is tested against all triangles nearby and
-/// those of its own patch (triangle_contact.h).
+/// Most patches are allowed by a certificate. Suppose that all faces that meet a ball have normals
+/// on one side of a plane. Then a closed connected surface without self-intersections is a height
+/// field in that ball: a line along the plane's normal enters and leaves it alternately. A new
+/// patch with the same rim and with normals on the same side has the same projection, and cannot
+/// meet the rest.
 ///
-/// Patches are also kept away from another surface, where one is given (keep_out.h).
+/// There are three tests, from fast to slow:
+/// - Each cell of a grid stores the normal cone of its faces (normal_cone.h). The test of a whole
+///   neighborhood is one bitwise AND.
+/// - If that fails, for example between the two sides of a thin plate, the certificate is tested
+/// with
+///   the single faces around the bounding box of the patch.
+/// - If that fails too, and near borders or a second component, every new triangle is tested
+/// against
+///   all triangles nearby and those of its own patch (triangle_contact.h).
+///
+/// If an obstacle is given, patches are also kept away from it (keep_out.h).
 #pragma once
 
 #include <cstdint>
@@ -24,19 +30,20 @@
 
 namespace transformesh {
 
-/// A part of the surface about to be replaced by another with the same rim.
+/// A replacement of a part of the surface by new triangles with the same rim.
 struct Patch {
-  Index center = no_index;         ///< a living vertex of it, before and after
-  Vec3 center_position;            ///< where it will be
-  std::vector<Triangle> made;      ///< the new triangles
-  std::vector<Vec3> normals;       ///< of these, of any length
-  std::optional<NormalCone> cone;  ///< of the normals, if it is known: then the certificate does
-                                   ///< without them
-  double longest_squared = 0;      ///< of their edges
-  double reach_squared = -1;    ///< from the center to the farthest of `vertices`; < 0: not known
-  std::vector<Index> replaced;  ///< the faces that give way
-  std::vector<Index> vertices;  ///< the corners of the new triangles
-  /// Per new triangle of a collapse, the halfedge from the center of the face that becomes it.
+  Index center = no_index;         ///< a living vertex that belongs to the old and the new part
+  Vec3 center_position;            ///< new position of the center
+  std::vector<Triangle> made;      ///< new triangles
+  std::vector<Vec3> normals;       ///< their normals, of any length
+  std::optional<NormalCone> cone;  ///< cone of the normals, if known; the certificate then does not
+                                   ///< need `normals`
+  double longest_squared = 0;      ///< squared length of the longest new edge
+  double reach_squared = -1;    ///< squared distance of the center from the farthest vertex; < 0:
+                                ///< unknown
+  std::vector<Index> replaced;  ///< replaced faces
+  std::vector<Index> vertices;  ///< corners of the new triangles
+  /// For a collapse: per new triangle, the halfedge of its old face that leaves the center.
   std::vector<Index> spokes;
 
   void clear();
@@ -44,23 +51,22 @@ struct Patch {
 
 class EmbeddingGuard {
  public:
-  /// Keeps a reference to the mesh, whose faces and vertices may afterwards only be replaced by
-  /// patches that were allowed. No new edge may be longer than the longest edge now or
-  /// `longest_edge`. `longest_now`: that edge's length, if it is known.
+  /// Keeps a reference to the mesh, which may afterwards be changed only by allowed patches. No new
+  /// edge may be longer than both the current longest edge and `longest_edge`. `longest_now` is the
+  /// length of the current longest edge, if known.
   EmbeddingGuard(const EditableMesh& mesh, double longest_edge, const KeepOut* keep_out = nullptr,
                  std::optional<double> longest_now = std::nullopt);
 
-  /// Whether the patch certainly meets nothing but its rim and does not fold onto itself. Contact
-  /// within rounding error counts as meeting.
+  /// True if the patch certainly meets the rest of the surface only at its rim, and does not
+  /// intersect itself. Contact within rounding errors counts as intersection.
   bool allows(const Patch& patch) { return certifies(patch) || allows_uncertified(patch); }
-  /// Both parts of that: the second is asked where the first says no. The first does not look at
-  /// the triangles made and the faces replaced, and says no where there is a surface to keep out
-  /// of.
+  /// The two stages of allows(); the second is needed only if the first returns false. certifies()
+  /// does not need `made` and `replaced`, and returns false if there is an obstacle.
   bool certifies(const Patch& patch) { return keep_out_ == nullptr && is_certified(patch); }
   bool allows_uncertified(const Patch& patch);
-  /// How many patches were refused only because of the surface to keep out of.
+  /// Returns the number of patches that were refused only because of the obstacle.
   std::size_t kept_out() const { return kept_out_; }
-  /// To be called after the mesh was changed by the patch that was allowed last.
+  /// Call after the mesh was changed by the last allowed patch.
   void commit(const Patch& patch);
   void forget(Index vertex) { cells_.remove(vertex); }
 
@@ -86,16 +92,16 @@ class EmbeddingGuard {
   const KeepOut* keep_out_;
   std::size_t kept_out_ = 0;
   double longest_allowed_;
-  double longest_edge_;  ///< that there is or has been
+  double longest_edge_;  ///< longest edge so far
   VertexCells cells_;
-  std::vector<std::uint32_t> stamp_;  ///< per face, against visiting twice
+  std::vector<std::uint32_t> stamp_;  ///< per face: `stamp_now_` if already visited
   std::uint32_t stamp_now_ = 0;
-  NormalCone cone_ = 0;      ///< of the patch allowed last
-  Vec3 low_ = Vec3::Zero();  ///< the box around the patch in question, before and after
+  NormalCone cone_ = 0;      ///< cone of the last allowed patch
+  Vec3 low_ = Vec3::Zero();  ///< corners of the box around the old and the new part
   Vec3 high_ = Vec3::Zero();
-  Vec3 low_corner_ = Vec3::Zero();  ///< the same box, wide enough for a corner of all faces in it
+  Vec3 low_corner_ = Vec3::Zero();  ///< the box, extended so that it has a corner of each near face
   Vec3 high_corner_ = Vec3::Zero();
-  std::vector<Index> near_;  ///< faces whose boxes touch it
+  std::vector<Index> near_;  ///< faces whose bounding boxes touch the box
 };
 
 }  // namespace transformesh

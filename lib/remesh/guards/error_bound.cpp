@@ -6,21 +6,22 @@
 namespace transformesh {
 namespace {
 
-/// Share of the largest coordinate by which the distance is reduced. Closest points and the cuts of
-/// triangle_cover.h are rounded, which adds up to 1e-14 of that coordinate; without the reduction a
-/// result could be farther away by as much.
+/// The allowed distance is reduced by this share of the largest coordinate. Closest points and the
+/// cuts of triangle_cover.h have rounding errors of up to 1e-14 of that coordinate, by which a
+/// result could exceed the allowed distance otherwise.
 constexpr double rounding_share = 1e-13;
-/// Larger distances count as this one, so that squares stay finite.
+/// Larger distances are replaced by this one, so that their squares are finite.
 constexpr double largest_distance = 1e150;
-/// Cuts for a patch, beside those for each face of the input that it concerns. They keep the cost
-/// of a patch linear. Half of them leave 2 % more faces of noisy and folded shapes, and twice as
-/// many leave 1 % fewer in the same time.
+/// A patch may take least_cuts cuts of triangles, and cuts_per_face more for each face of the input
+/// in gather(). The limit keeps the cost of a patch linear. Half of the cuts leave 2 % more faces
+/// of noisy and folded shapes, and twice as many leave 1 % fewer in the same time.
 constexpr std::size_t least_cuts = 64;
 constexpr std::size_t cuts_per_face = 8;
-/// Faces and cuts for a face of the result when the distance is measured at the end.
+/// The limit on faces and on cuts for one face of the result when certified() measures the
+/// distance.
 constexpr std::size_t most_measured_faces = 4096;
-/// The distance that is reported at the end is found by attempts: the first is this share of the
-/// error, the next ones grow by this factor.
+/// The distance that certified() returns is found by attempts: the first one tries this share of
+/// the error, and each later one a distance larger by this factor.
 constexpr double first_share = 1.0 / 1024;
 constexpr double growth = 1.25;
 
@@ -73,7 +74,7 @@ bool ErrorBound::keeps_bound(const Patch& patch) {
   return is_near_input(patch);
 }
 
-/// Finds what the patch concerns.
+/// Finds the faces of the input whose witnesses are replaced, and the candidates for new witnesses.
 void ErrorBound::gather(const Patch& patch) {
   ++stamp_;
   inputs_.clear();
@@ -100,7 +101,7 @@ void ErrorBound::gather(const Patch& patch) {
   }
 }
 
-/// Squared distances of a vertex of the input from the new faces.
+/// The squared distances of a vertex of the input from each new face, computed once per patch.
 const double* ErrorBound::distances_of(Index vertex) {
   if (vertex_stamp_[vertex] != stamp_) {
     vertex_stamp_[vertex] = stamp_;
@@ -175,7 +176,7 @@ bool ErrorBound::find_witnesses(Index input, std::size_t& cuts) {
   return is_covered;
 }
 
-/// Adds the witnesses that stay and are no candidates yet.
+/// Adds the witnesses of the input face that are not replaced and not yet among the candidates.
 void ErrorBound::add_witness_candidates(Index input, Candidates& candidates) const {
   links_.for_each_witness(input, [&](Index face) {
     if (replaced_stamp_[face] == stamp_) return;
@@ -185,7 +186,8 @@ void ErrorBound::add_witness_candidates(Index input, Candidates& candidates) con
   });
 }
 
-/// Whether the new faces are. Vertices 2 i and 2 i + 1 of the patch are at new face i.
+/// Whether all points of the new faces are within the distance of the input. Vertices 2 i and
+/// 2 i + 1 of the patch are corners of new face i.
 bool ErrorBound::is_near_input(const Patch& patch) {
   NearInput input(input_, input_query_, distance_);
   const std::size_t most = least_cuts + cuts_per_face * inputs_.size();

@@ -2,14 +2,14 @@
 /// replaced.
 ///
 /// Both directions are certified by triangle_cover.h. Each face of the input has witnesses
-/// (witness_links.h): faces of the result such that all of its points are within the distance of
-/// them. A patch is allowed if each input face with a witness in the patch finds other witnesses.
-/// These are new faces, faces around them, or witnesses that stay. Each new face has to be within
-/// the distance of faces of the input. So nothing accumulates, and the bound holds after each step.
-/// A change that keeps the bound may be refused, as certificates may be missed. The whole is in
-/// docs/design/decimation-error.md.
-/// Reference: Cohen, Varshney et al., "Simplification envelopes", SIGGRAPH 1996, for the bound in
-/// both directions; certificates by witnesses are our own.
+/// (witness_links.h): faces of the result such that all points of the input face are within the
+/// distance of them. A patch is allowed under two conditions. Each input face with a witness in the
+/// patch must find new witnesses among new faces, faces around them, and remaining witnesses. Each
+/// new face must be within the distance of faces of the input. Errors therefore do not accumulate,
+/// and the bound holds after each step. Since a certificate may not be found, a patch that keeps
+/// the bound may be refused. See docs/design/decimation-error.md. Reference: Cohen, Varshney,
+/// Manocha, Turk, Weber, Agarwal, Brooks & Wright, "Simplification envelopes", SIGGRAPH 1996, for
+/// the bound in both directions. Witnesses replace their envelopes.
 #pragma once
 
 #include <cstdint>
@@ -24,21 +24,21 @@ namespace transformesh {
 
 class ErrorBound {
  public:
-  /// `mesh` was made of `input`, and has not been changed. Both stay, and faces of the mesh are
-  /// only replaced by patches that were allowed.
+  /// `mesh` must equal `input`. Keeps references to both. Afterwards faces of the mesh may be
+  /// replaced only by allowed patches.
   ErrorBound(const EditableMesh& mesh, const Mesh& input, double error);
 
-  /// Whether the patch, with `Patch::spokes`, keeps the bound.
+  /// True if the patch certainly keeps the bound. Needs Patch::spokes.
   bool allows(const Patch& patch);
-  /// To be called after the mesh was changed by the patch that was allowed last.
+  /// Call after the mesh was changed by the last allowed patch.
   void commit(const Patch& patch);
   std::size_t refused() const { return refused_; }
-  /// A distance within which both surfaces are certified to be; at most the error.
+  /// Returns a certified upper bound of the distance between both surfaces; at most the error.
   double certified();
 
  private:
   using Candidates = std::vector<NearCandidate>;
-  /// A face of the input with one of its witnesses to be.
+  /// A face of the input with a future witness.
   struct Witness {
     Index input, face;
   };
@@ -59,25 +59,25 @@ class ErrorBound {
   const Mesh& input_;
   ClosestPointQuery input_query_;
   double error_;
-  double distance_;  ///< the error less what rounding may add
+  double distance_;  ///< error minus the bound of rounding errors
   WitnessLinks links_;
-  ProjectedFaces projected_;    ///< those of the input
-  std::vector<Index> nearest_;  ///< per vertex of the result: the nearest face of the input
+  ProjectedFaces projected_;    ///< faces of the input
+  std::vector<Index> nearest_;  ///< per vertex of the result: nearest face of the input
   Index nearest_center_ = no_index;
   std::size_t refused_ = 0;
 
-  // About the patch in question.
+  // Data of the current patch.
   std::uint32_t stamp_ = 0;
   std::vector<std::uint32_t> replaced_stamp_;  ///< per face of the result
   std::vector<std::uint32_t> input_stamp_;     ///< per face of the input
   std::vector<std::uint32_t> vertex_stamp_;    ///< per vertex of the input
-  std::vector<Index> row_;                     ///< per vertex of the input, of distances_
-  std::vector<double> distances_;              ///< squared, from the new faces
-  Candidates candidates_;                      ///< the new faces, and those around them
-  std::size_t made_ = 0;                       ///< how many of these are new
-  std::vector<Index> inputs_;                  ///< faces of the input that lose a witness
-  std::vector<Index> open_inputs_;             ///< not all near one new face
-  std::vector<Witness> witnesses_;             ///< which they all get
+  std::vector<Index> row_;          ///< per vertex of the input: first entry in distances_
+  std::vector<double> distances_;   ///< squared distances from the new faces, in rows
+  Candidates candidates_;           ///< new faces, then faces around them
+  std::size_t made_ = 0;            ///< number of new faces in candidates_
+  std::vector<Index> inputs_;       ///< faces of the input that lose a witness
+  std::vector<Index> open_inputs_;  ///< inputs_ that are not near a single new face
+  std::vector<Witness> witnesses_;  ///< new witnesses of inputs_
 };
 
 }  // namespace transformesh

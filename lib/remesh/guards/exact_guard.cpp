@@ -60,7 +60,8 @@ void ExactGuard::divide(Index face, std::span<const Index> parts) {
   }
 }
 
-/// Lets the boxes of a node and of those above it hold another one, as rounding moves parts.
+/// Enlarges the boxes of a node and its ancestors until they contain another box: rounding moves
+/// the parts of a divided face out of its box.
 void ExactGuard::widen(Index node, const FloatBox& box) {
   while (!holds(nodes_[node].box, box)) {
     nodes_[node].box = nodes_[node].box.merged(box);
@@ -97,7 +98,7 @@ bool ExactGuard::for_each_near(const Triangle& triangle,
                                 [&](Index root) { return visit_below(root, box, visit); });
 }
 
-/// Whether the triangle meets only faces that one of `replaced` met.
+/// Whether each remaining face that the triangle meets was met by one of the replaced faces before.
 bool ExactGuard::keeps_apart(const Triangle& triangle, std::span<const Index> replaced) const {
   return for_each_near(triangle, [&](Index face) {
     if (std::find(replaced.begin(), replaced.end(), face) != replaced.end()) return true;

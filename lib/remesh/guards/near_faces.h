@@ -1,5 +1,5 @@
-/// Surfaces that triangle_cover.h asks: a few faces, all of which are tested, and all faces of a
-/// mesh in a tree.
+/// The two surfaces for TriangleCover: a few faces, all of which are tested, and all faces of a
+/// mesh, which are searched in a tree.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct NearCandidate {
   NearTriangle triangle;
 };
 
-/// A few faces. Remembers which are near a part of what is covered.
+/// A few faces. used() lists those that cover a part of the triangle.
 class NearCandidates {
  public:
   NearCandidates(const std::vector<NearCandidate>& all, double limit) : all_(all), limit_(limit) {}

@@ -1,9 +1,9 @@
-/// A triangle that is asked for the distances of many points.
+/// Computes the distances of many points from a triangle.
 ///
-/// The distance is that of a point of the triangle which is the closest but for rounding. It is
-/// measured to that point. So it may be too large, as in slivers, if rounding chose another point,
-/// and it is too small by no more than the rounding of a coordinate.
-/// Reference for the regions: Ericson, "Real-time collision detection", 2005, section 5.1.5.
+/// The result is the distance from a point of the triangle that is the closest one up to rounding.
+/// It may be too large if rounding selects another point, which happens in slivers. It is too small
+/// by at most the rounding error of a coordinate. Reference for the regions: Ericson, "Real-time
+/// collision detection", 2005, section 5.1.5.
 #pragma once
 
 #include <algorithm>

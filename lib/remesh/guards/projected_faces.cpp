@@ -6,11 +6,11 @@
 namespace transformesh {
 namespace {
 
-/// Least squared sine of the angles at a triangle's first corner, as its height over its width:
-/// shares of edges in narrower triangles have rounding errors above 1e-10.
+/// A triangle is projected onto only if the squared ratio of its height to its longest edge is
+/// above this. In narrower triangles, barycentric coordinates have rounding errors above 1e-10.
 constexpr double least_squared_sine = 1e-12;
-/// Edges that pass the triangle at this share of its size may meet it. Rounding errors of shares
-/// are a tenth of that; a larger margin only collects more faces.
+/// Edges that pass the triangle within this share of its size may meet it. Rounding errors of the
+/// barycentric coordinates are a tenth of that; a larger margin only collects more faces.
 constexpr double margin = 1e-9;
 
 bool is_wide(const TriangleAxes& axes) {
@@ -24,8 +24,8 @@ bool is_wide(const TriangleAxes& axes) {
 ProjectedFaces::ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites)
     : mesh_(mesh), opposites_(std::move(opposites)), stamps_(mesh.faces.size(), 0) {}
 
-/// Whether an edge comes to the triangle, by separating lines along the triangle's edges and along
-/// the edge.
+/// Whether the projected edge may meet the triangle. Tests whether one of the triangle's edges or
+/// the edge itself is a separating line.
 bool ProjectedFaces::may_meet(const Place& from, const Place& to) {
   if (std::max(from.first, to.first) < -margin || std::max(from.second, to.second) < -margin ||
       std::max(from.rest(), to.rest()) < -margin)
@@ -38,8 +38,9 @@ bool ProjectedFaces::may_meet(const Place& from, const Place& to) {
   return !(low > least || high < -least);
 }
 
-/// How often the edge passes the ray from the triangle's middle along the first axis, to the left
-/// less to the right. Both halfedges of an edge have opposite numbers, as ends are put in order.
+/// The signed number of crossings of the edge with the ray from the triangle's middle along the
+/// first axis: 1 upwards, -1 downwards. The ends are sorted, so both halfedges of an edge yield
+/// opposite numbers.
 int ProjectedFaces::turns_around_middle(const Place& from, const Place& to) {
   constexpr double middle = 1.0 / 3;
   const bool is_above = from.second > middle;
@@ -51,7 +52,7 @@ int ProjectedFaces::turns_around_middle(const Place& from, const Place& to) {
   return is_above ? -1 : 1;
 }
 
-/// Whether the part of a face over the triangle is.
+/// Whether the part of a face that projects onto the triangle is within the distance of its plane.
 bool ProjectedFaces::is_within(const Places& face, double squared_limit) {
   const auto is_near = [&](const Place& place) {
     return place.away.squaredNorm() <= squared_limit;

@@ -1,13 +1,13 @@
 /// Certifies that all points of a triangle are within a distance of a surface, by projection.
 ///
-/// The faces around a seed are projected onto the plane of the triangle. Faces are collected from
-/// neighbor to neighbor across edges that meet the triangle in the projection, so that the boundary
-/// of what is collected does not meet it. Then all points of the triangle are covered equally
-/// often, counted with the sense of the faces (the degree of the projection). If that is not zero,
-/// each point of the triangle is the projection of a point of the surface. How far these are apart
-/// is a convex function on each face, which is largest at the corners of the part of the face over
-/// the triangle. The certificate may be missed, where the surface folds or ends, but it is never
-/// wrong. Cost: O(faces over the triangle).
+/// The faces around a seed are projected onto the plane of the triangle. Starting from the seed,
+/// faces are collected across edges that meet the triangle in the projection. The boundary of the
+/// collected faces thus does not meet the triangle. Then all points of the triangle are covered
+/// equally often, counted with the orientation of the faces (the degree of the projection). If this
+/// number is not zero, each point of the triangle is the projection of a point of the surface.
+/// Their distance is a convex function on each face, and is largest at the corners of the part of
+/// the face over the triangle. The certificate may not be found if the surface folds or ends, but
+/// it is never wrong. Cost: O(number of faces over the triangle).
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,10 @@ namespace transformesh {
 
 class ProjectedFaces {
  public:
-  /// Keeps a reference to the mesh, which has those opposite halfedges.
+  /// Keeps a reference to the mesh. `opposites` are its opposite halfedges.
   ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites);
 
-  /// Whether the triangle is certified by the faces around the seed, of which there are no more
-  /// than `most_faces`.
+  /// True if at most `most_faces` faces around the seed certify the triangle.
   bool covers(const Triangle& triangle, Index seed, double squared_limit, std::size_t most_faces);
 
  private:

@@ -1,4 +1,4 @@
-/// Two edges of a triangle as the axes of its plane.
+/// A coordinate system of a triangle's plane, whose axes are two edges.
 #pragma once
 
 #include "mesh/triangle.h"
@@ -6,8 +6,8 @@
 namespace transformesh {
 
 struct TriangleAxes {
-  /// A point as the triangle sees it: shares of the two edges, and the way to it from the point of
-  /// the plane that these give.
+  /// Coordinates of a point: its coordinates along the two edges after projection onto the plane,
+  /// and the vector from the projection to the point.
   struct Place {
     double first, second;
     Vec3 away;
@@ -22,7 +22,7 @@ struct TriangleAxes {
     first_dual = second.cross(normal) / squared_normal;
     second_dual = normal.cross(first) / squared_normal;
   }
-  /// Without area, both shares are zero.
+  /// Returns the coordinates of a point. If the triangle has no area, `first` and `second` are 0.
   Place place_of(const Vec3& point) const {
     const Vec3 way = point - corner;
     const double share = first_dual.dot(way), other = second_dual.dot(way);
@@ -31,7 +31,7 @@ struct TriangleAxes {
 
   Vec3 corner;
   Vec3 first, second;              ///< edges from the corner
-  Vec3 first_dual = Vec3::Zero();  ///< its product with a way from the corner is the share
+  Vec3 first_dual = Vec3::Zero();  ///< its product with a vector from the corner is Place::first
   Vec3 second_dual = Vec3::Zero();
   double squared_normal;
 };

@@ -7,11 +7,13 @@
 namespace transformesh {
 namespace {
 
-/// Relative to the sizes involved, whose rounding errors are below 1e-14.
+/// Gaps must exceed this share of the sizes involved; their relative rounding errors are below
+/// 1e-14. A larger margin refuses more patches, a smaller one accepts contacts.
 constexpr double margin = 1e-12;
 constexpr double nearly_zero = 1e-9;
 
-/// Whether the projections onto the axis leave a gap. Coordinates are relative to a corner.
+/// Whether there is a gap between the projections onto the axis. `size` is the largest distance of
+/// a corner from the origin of the coordinates.
 bool is_gap(const Vec3& axis, const Triangle& first, const Triangle& second, double size) {
   const std::array<double, 3> s{axis.dot(first[0]), axis.dot(first[1]), axis.dot(first[2])};
   const std::array<double, 3> t{axis.dot(second[0]), axis.dot(second[1]), axis.dot(second[2])};
@@ -29,8 +31,8 @@ Vec3 edge_of(const Triangle& triangle, std::size_t corner) {
   return triangle[(corner + 1) % 3] - triangle[corner];
 }
 
-/// Tries the separating axes of two triangles: their normals, the products of their edges, and the
-/// normals of their edges within their planes.
+/// Separating axis test of two triangles. The axes are both normals, the cross products of two
+/// edges, and the normals of edges within the planes, for coplanar triangles.
 bool are_apart(const Triangle& first, const Triangle& second) {
   const Triangle s = relative_to(first, first[0]);
   const Triangle t = relative_to(second, first[0]);
@@ -50,16 +52,18 @@ bool are_apart(const Triangle& first, const Triangle& second) {
   return false;
 }
 
-/// The four unit directions along the sides of two triangles that leave a common corner.
+/// The unit directions of the four edges of two triangles at their common corner.
 struct Wedges {
-  std::array<Vec3, 4> rays;  ///< two of the first triangle, two of the second
+  std::array<Vec3, 4> rays;  ///< two edges of the first triangle, then two of the second
 
-  /// The distance of a ray from the plane, positive on its own triangle's side.
+  /// The signed distance of a ray's end from the plane with that normal. The sign is reversed for
+  /// the second triangle, so all distances are positive if the plane separates the triangles.
   double side(const Vec3& axis, std::size_t ray) const {
     return (ray < 2 ? 1.0 : -1.0) * axis.dot(rays[ray]);
   }
 
-  /// Whether the plane, turned a little where rays lie in it, has the wedges on its two sides.
+  /// Whether the plane separates the triangles. If rays lie in it, it is tilted a little away from
+  /// them first.
   bool separates(const Vec3& unit_axis) const {
     double least = 1;
     Vec3 tilt = Vec3::Zero();
@@ -104,8 +108,8 @@ bool are_wedges_apart(const Wedges& wedges) {
                      [&](const Vec3& axis) { return wedges.separates_either_way(axis); });
 }
 
-/// Whether two triangles with the common edge from `origin` along `edge` open by more than a
-/// thousandth of a radian.
+/// Whether two triangles at a common edge enclose more than a thousandth of a radian. All vectors
+/// start at one end of the edge: `edge` leads to the other end, the others to the apexes.
 bool is_open_hinge(const Vec3& edge, const Vec3& first_apex, const Vec3& second_apex) {
   const Vec3 first = edge.cross(first_apex);
   const Vec3 second = edge.cross(second_apex);
@@ -115,11 +119,11 @@ bool is_open_hinge(const Vec3& edge, const Vec3& first_apex, const Vec3& second_
   return scale > smallest && (first.dot(second) < 0 || first.cross(second).norm() > 1e-3 * scale);
 }
 
-/// The corners that two triangles have in common, by their numbers in each.
+/// The common corners of two triangles, as their numbers in each triangle.
 struct CommonCorners {
   std::array<std::size_t, 3> in_first{};
   std::array<std::size_t, 3> in_second{};
-  std::size_t count = 0;  ///< 3 where a triangle has two corners in one place, which may touch any
+  std::size_t count = 0;  ///< 3 also if a triangle has two equal corners: it may touch any other
 
   CommonCorners(const Triangle& first, const Triangle& second) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -156,7 +160,7 @@ bool may_touch(const Triangle& first, const Triangle& second) {
       return !is_open_hinge(edge, first[3 - i - common.in_first[1]] - origin,
                             second[3 - j - common.in_second[1]] - origin);
     }
-    default:  // the same triangle, or one without area
+    default:  // the same triangle, or one with two equal corners
       return true;
   }
 }

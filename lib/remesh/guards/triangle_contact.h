@@ -1,17 +1,17 @@
 /// A conservative test for contact of two triangles: rounding errors count as contact.
-/// Two triangles are certainly apart when a plane separates them with a margin far above rounding
-/// error; which plane is tried does not matter for that certainty. Corners are the same when their
-/// coordinates are equal.
+/// Two triangles are certainly apart if a plane separates them with a margin far above rounding
+/// errors. This is certain no matter how the plane was found. Corners with equal coordinates are
+/// the same.
 #pragma once
 
 #include "mesh/triangle.h"
 
 namespace transformesh {
 
-/// False only where the triangles certainly share no point beyond common corners and the edge
-/// between two common corners. True for contact, for near contact within rounding, for faces that
-/// fold onto each other across a common edge (closer than a thousandth of a radian), for equal
-/// triangles and next to triangles without area.
+/// Returns false only if the triangles certainly share no point other than common corners and the
+/// edge between two common corners. Returns true for contact, for distances within rounding errors,
+/// for equal triangles, and if a triangle has no area. Also returns true for faces that fold onto
+/// each other at a common edge, with an angle below a thousandth of a radian.
 bool may_touch(const Triangle& first, const Triangle& second);
 
 }  // namespace transformesh

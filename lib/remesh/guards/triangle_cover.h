@@ -2,10 +2,10 @@
 ///
 /// The distance from a convex set, such as a face, is a convex function. If the three corners of a
 /// triangle are within the distance of one face, then all of its points are. A triangle without
-/// such a face is cut in two, and each part is certified by itself. The cut is where the edge
-/// between two corners passes from the face near one of them to the face near the other. So a
-/// triangle is cut about as often as edges of the surface cross it, however small the distance is.
-/// The certificate may be missed, as there is a largest number of cuts, but it is never wrong.
+/// such a face is cut in two, and each part is certified separately. The cut is where an edge
+/// passes from the face near one end to the face near the other end. Therefore a triangle is cut
+/// about as often as edges of the surface cross it, for any distance. Since the number of cuts is
+/// limited, the certificate may not be found, but it is never wrong.
 #pragma once
 
 #include <cmath>
@@ -14,23 +14,24 @@
 
 namespace transformesh {
 
-/// A corner of a triangle with a face of the surface that is within the distance of the corner.
+/// A corner of a triangle, and a face of the surface within the distance of the corner.
 struct CoverCorner {
   Vec3 point;
   Index face = no_index;
 };
 using CoverTriangle = std::array<CoverCorner, 3>;
 
-/// `Surface` is the set of faces. Its `limit()` is the square of the distance.
-/// `squared_distance(point, face)` is from a point of the face that is about the closest.
-/// `nearest(point, hint)` is a face within the distance of the point, or no_index.
-/// `near_all(corners)` is a face within the distance of all three corners, or no_index.
+/// Certifies triangles. `Surface` is the set of faces and has these functions:
+/// - `limit()` returns the square of the distance.
+/// - `squared_distance(point, face)` is measured to the approximately closest point of the face.
+/// - `nearest(point, hint)` returns a face within the distance of the point, or no_index.
+/// - `near_all(corners)` returns a face within the distance of all three corners, or no_index.
 template <class Surface>
 class TriangleCover {
  public:
   TriangleCover(Surface& surface, std::size_t most_cuts) : surface_(surface), cuts_(most_cuts) {}
 
-  /// Whether the triangle is certified. Corners without a face get one.
+  /// True if the triangle is certified. Finds the faces of corners that have none.
   bool covers(CoverTriangle corners) {
     for (CoverCorner& corner : corners) {
       if (corner.face == no_index) corner.face = surface_.nearest(corner.point, corners[0].face);
@@ -41,8 +42,8 @@ class TriangleCover {
   std::size_t cuts_left() const { return cuts_; }
 
  private:
-  /// Triangles are cut again up to this often. Rounding of a cut moves a point by no more than two
-  /// spacings, and all cuts together by 32: `rounding_share` in error_bound.cpp counts on that.
+  /// Largest number of cuts after each other. Rounding of a cut moves a point by at most two
+  /// spacings, and all cuts together by 32, which `rounding_share` in error_bound.cpp assumes.
   /// Twice as many levels find no more certificates on folded and noisy shapes.
   static constexpr int most_levels = 16;
 
@@ -66,8 +67,8 @@ class TriangleCover {
     double share = 0.5;  ///< part of the edge before the cut
   };
 
-  /// On the longest edge of which neither end is near the face of the other end; if there is none,
-  /// in the middle of the longest edge.
+  /// Returns a cut on the longest edge whose ends are both not near the face of the other end. If
+  /// there is no such edge, returns the middle of the longest edge.
   Cut find_cut(const CoverTriangle& corners) const {
     Cut cut, middle;
     double longest = -1, longest_of_all = -1;

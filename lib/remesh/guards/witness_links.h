@@ -1,6 +1,6 @@
-/// Which faces of a result are witnesses of which faces of its input: all points of an input face
-/// are within a distance of its witnesses. Both ways in lists, so that a change takes constant
-/// time. About 25 bytes per link.
+/// The relation between faces of the input and their witnesses: faces of the result such that all
+/// points of the input face are within a distance of them. Links are stored in lists of both sides,
+/// so that a change takes constant time. About 25 bytes per link.
 #pragma once
 
 #include <vector>
@@ -11,24 +11,24 @@ namespace transformesh {
 
 class WitnessLinks {
  public:
-  /// Each input face has the result face of the same number as its witness.
+  /// Initially each input face has the result face with the same index as its witness.
   explicit WitnessLinks(Index faces);
 
-  /// Calls visit(input face) for the faces of which `face` is a witness.
+  /// Calls visit(input face) for each input face of which `face` is a witness.
   template <class Visit>
   void for_each_input(Index face, const Visit& visit) const {
     for (Index i = first_of_face_[face]; i != no_index; i = links_[i].next_of_face)
       visit(links_[i].input);
   }
-  /// Calls visit(face) for the witnesses of an input face.
+  /// Calls visit(face) for each witness of an input face.
   template <class Visit>
   void for_each_witness(Index input, const Visit& visit) const {
     for (Index i = first_of_input_[input]; i != no_index; i = links_[i].next_of_input)
       visit(links_[i].face);
   }
-  /// Adds a witness that the input face does not have.
+  /// Adds a witness that the input face does not yet have.
   void add(Index input, Index face);
-  /// Takes all its witnesses from an input face.
+  /// Removes all witnesses of an input face.
   void clear(Index input);
 
  private:
@@ -41,7 +41,7 @@ class WitnessLinks {
   std::vector<Link> links_;
   std::vector<Index> first_of_face_;
   std::vector<Index> first_of_input_;
-  Index first_free_ = no_index;  ///< links without use follow each other as those of an input
+  Index first_free_ = no_index;  ///< first unused link; they are chained by next_of_input
 };
 
 }  // namespace transformesh

@@ -34,7 +34,7 @@ void EditableMesh::find_outgoing() {
   std::vector<Index> count(positions_.size(), 0);
   for (Index h = 0; h < halfedge_slots(); ++h) {
     ++count[source(h)];
-    // The border halfedge is taken, else the lowest.
+    // Takes the border halfedge if there is one, else the lowest.
     if (outgoing_[source(h)] == no_index || is_border(h)) outgoing_[source(h)] = h;
   }
   isolated_.assign(positions_.size(), false);
@@ -103,7 +103,7 @@ Index EditableMesh::valence(Index vertex) const {
   return count;
 }
 
-/// Whether an inner vertex has no more than three neighbors.
+/// Whether a vertex that is not on the border has exactly three neighbors.
 bool EditableMesh::has_three_neighbors(Index vertex) const {
   Index halfedge = outgoing_[vertex];
   for (int i = 0; i < 3; ++i) halfedge = opposites_[previous_halfedge(halfedge)];
@@ -210,7 +210,8 @@ bool EditableMesh::can_collapse(Index halfedge) const {
   const bool border_edge = o == no_index;
   if (is_border_vertex(from) && is_border_vertex(to) && !border_edge) return false;
 
-  // Each face that vanishes must leave an apex that still has an umbrella.
+  // The apex of each face that vanishes must keep a valid star: at least one face on a border, and
+  // at least three elsewhere.
   for (const Index h : {halfedge, o}) {
     if (h == no_index) continue;
     const Index n = opposites_[next_halfedge(h)];
@@ -219,11 +220,11 @@ bool EditableMesh::can_collapse(Index halfedge) const {
     if (!is_border_vertex(apex(h)) && has_three_neighbors(apex(h))) return false;
   }
 
-  // The ends may have no common neighbors but the apexes.
+  // Link condition: the ends have no common neighbors except the apexes.
   return count_common_neighbors(from, to) == (border_edge ? 1U : 2U);
 }
 
-/// Of two vertices that are neighbors.
+/// The number of common neighbors of two adjacent vertices.
 Index EditableMesh::count_common_neighbors(Index from, Index to) const {
   constexpr std::size_t usual = 24;
   std::array<Index, usual> ring;
@@ -244,7 +245,7 @@ Index EditableMesh::count_common_neighbors(Index from, Index to) const {
   return common;
 }
 
-/// Makes one edge of the two of a face that vanishes.
+/// Joins the two remaining edges of a face that vanishes into one.
 void EditableMesh::close_gap(Index removed, Index other_removed) {
   const Index first = opposites_[removed];
   const Index second = opposites_[other_removed];
@@ -256,7 +257,7 @@ void EditableMesh::close_gap(Index removed, Index other_removed) {
   if (second != no_index) features_[second] = feature;
 }
 
-/// Finds the first outgoing halfedge of a vertex from any of them.
+/// Sets the first outgoing halfedge of a vertex, found from any of its outgoing halfedges.
 void EditableMesh::rewind_outgoing(Index vertex, Index any_outgoing) {
   Index halfedge = any_outgoing;
   while (opposites_[halfedge] != no_index) {

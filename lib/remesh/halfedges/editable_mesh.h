@@ -1,8 +1,8 @@
-/// The triangle mesh that the remeshing operations edit in place: an index-based halfedge structure
-/// for oriented manifolds with or without borders. A halfedge is named 3 * face + corner, as in
-/// mesh.h, so next and previous are arithmetic and only `opposite` is stored. A removed face or
-/// vertex leaves a dead slot, and new ones are appended, so survivors keep their order; to_mesh()
-/// squeezes dead slots out. Attribute rows travel along: every vertex and face names its row.
+/// The triangle mesh that remeshing edits in place: an index-based halfedge structure for oriented
+/// manifolds with or without borders. Halfedge 3 * face + corner is defined as in mesh.h, so that
+/// next and previous are arithmetic, and only `opposite` is stored. A removed face or vertex leaves
+/// a dead slot, and new ones are appended. Remaining elements thus keep their order; to_mesh()
+/// removes dead slots. Every vertex and face has the index of its row of attributes.
 #pragma once
 
 #include <span>
@@ -15,13 +15,13 @@ namespace transformesh {
 
 class EditableMesh {
  public:
-  /// Throws InputError with face ids where the mesh is not an oriented manifold: an index out of
-  /// range, a corner repeated, an edge with three faces or two that have the same direction, a
-  /// vertex with more than one umbrella. O(n).
+  /// Throws InputError with face indices if the mesh is not an oriented manifold: an index is out
+  /// of range, a face has a corner twice, or an edge has three faces. Also throws if two faces
+  /// traverse an edge in the same direction, or if a vertex has several umbrellas. O(n).
   explicit EditableMesh(const Mesh& mesh);
-  /// With its manifold_opposites() (halfedges.h), which are known already.
+  /// The same for a mesh whose manifold_opposites() (halfedges.h) are known.
   EditableMesh(const Mesh& mesh, std::vector<Index> opposites);
-  /// Living vertices and faces in slot order: survivors first, new ones behind.
+  /// Returns the living vertices and faces in slot order: first those of the input, then new ones.
   Mesh to_mesh() const;
 
   Index vertex_slots() const { return static_cast<Index>(positions_.size()); }
@@ -36,12 +36,13 @@ class EditableMesh {
   Index target(Index halfedge) const { return sources_[next_halfedge(halfedge)]; }
   Index apex(Index halfedge) const { return sources_[previous_halfedge(halfedge)]; }
   Index opposite(Index halfedge) const { return opposites_[halfedge]; }
-  /// One halfedge of each edge: the lower, or the only one.
+  /// True for one halfedge of each edge: the one with the lower index, or the only one.
   bool is_edge(Index halfedge) const {
     return has_halfedge(halfedge) && halfedge < opposites_[halfedge];
   }
   bool is_border(Index halfedge) const { return opposites_[halfedge] == no_index; }
-  /// The first in counter-clockwise order; at a border vertex the one on the border.
+  /// Returns the first outgoing halfedge in counter-clockwise order. At a border vertex it is on
+  /// the border.
   Index outgoing(Index vertex) const { return outgoing_[vertex]; }
   bool is_border_vertex(Index vertex) const { return is_border(outgoing_[vertex]); }
 
@@ -49,14 +50,15 @@ class EditableMesh {
   double squared_length(Index halfedge) const {
     return (positions_[target(halfedge)] - positions_[source(halfedge)]).squaredNorm();
   }
-  /// The same in units of the local size, the mean of both ends'; plain while there are no sizes.
+  /// Returns the squared length in units of the mean size of both ends; unscaled if there are no
+  /// sizes.
   double scaled_squared_length(Index halfedge) const {
     const double squared = squared_length(halfedge);
     if (sizes_.empty()) return squared;
     const double size = mean_size(source(halfedge), target(halfedge));
     return squared / (size * size);
   }
-  /// That of its three halfedges.
+  /// Returns scaled_squared_length() of the three halfedges of a face.
   std::array<double, 3> scaled_squared_lengths(Index face) const {
     const Index* corners = sources_.data() + std::size_t{3} * face;
     const Vec3& a = positions_[corners[0]];
@@ -75,10 +77,10 @@ class EditableMesh {
     const Index* corners = sources_.data() + std::size_t{3} * face;
     return triangle_of(positions_, {corners[0], corners[1], corners[2]});
   }
-  /// Twice the area times the unit normal.
+  /// Returns twice the area times the unit normal.
   Vec3 face_normal(Index face) const;
 
-  /// Calls visit(halfedge) for every halfedge that leaves the vertex, counter-clockwise: one per
+  /// Calls visit(halfedge) for every halfedge that leaves the vertex, counter-clockwise, one per
   /// face at the vertex.
   template <class Visit>
   void for_each_outgoing(Index vertex, const Visit& visit) const {
@@ -89,8 +91,8 @@ class EditableMesh {
       halfedge = opposites_[previous_halfedge(halfedge)];
     } while (halfedge != first && halfedge != no_index);
   }
-  /// Calls visit(neighbor, halfedge) for every edge at the vertex; the halfedge leaves the vertex,
-  /// but for the last edge of a border vertex, where it arrives.
+  /// Calls visit(neighbor, halfedge) for every edge at the vertex. The halfedge leaves the vertex,
+  /// except at the last edge of a border vertex, where it arrives.
   template <class Visit>
   void for_each_neighbor(Index vertex, const Visit& visit) const {
     Index last = no_index;
@@ -103,13 +105,13 @@ class EditableMesh {
   Index valence(Index vertex) const;
   bool are_neighbors(Index first, Index second) const;
 
-  /// Marks an edge to be kept sharp. Splits and collapses hand the mark on.
+  /// Marks an edge as a feature, which is kept sharp. Splits and collapses propagate the mark.
   void set_feature(Index halfedge, bool is_feature);
   void clear_features() { features_.clear(); }
   bool has_features() const { return !features_.empty(); }
   bool is_feature(Index halfedge) const { return !features_.empty() && features_[halfedge]; }
 
-  /// A wanted edge length per vertex, which the operations interpolate as they do attributes.
+  /// Sets a wanted edge length per vertex. The operations interpolate it like attributes.
   void set_sizes(std::vector<double> sizes) { sizes_ = std::move(sizes); }
   bool has_sizes() const { return !sizes_.empty(); }
   double mean_size(Index first, Index second) const {
@@ -117,13 +119,13 @@ class EditableMesh {
   }
   double size(Index vertex) const { return sizes_.empty() ? 1 : sizes_[vertex]; }
 
-  /// A label per vertex, which those of the same component share: operations neither join nor part
-  /// components. Empty where nobody has set them.
+  /// Sets a label per vertex, equal within a component. The operations neither join nor separate
+  /// components. components() is empty if no labels are set.
   void set_components(std::vector<Index> components) { components_ = std::move(components); }
   std::span<const Index> components() const { return components_; }
 
-  /// Positions are rounded to this type as they are made, so that what is checked is what a file
-  /// of that type holds.
+  /// Sets the type to which rounded() rounds new positions, so that checks use the coordinates that
+  /// a file of this type will contain.
   void set_coordinate(Scalar coordinate) { single_ = coordinate == Scalar::float32; }
   Scalar coordinate() const { return single_ ? Scalar::float32 : Scalar::float64; }
   Vec3 rounded(const Vec3& position) const {
@@ -131,28 +133,28 @@ class EditableMesh {
     return {round_to_single(position.x()), round_to_single(position.y()),
             round_to_single(position.z())};
   }
-  /// The positions given to these are to be rounded already.
+  /// Moves a vertex. Positions passed to this and the following functions must already be rounded.
   void move(Index vertex, const Vec3& position) { positions_[vertex] = position; }
-  /// Puts a new vertex at `position` on the edge, with the mean of both ends' attributes; returns
-  /// it. Faces inherit their rows.
+  /// Splits an edge and returns the new vertex, which has the mean attributes of both ends. New
+  /// faces have the attributes of the faces that were split.
   Index split(Index halfedge, const Vec3& position);
-  /// Whether merging the ends of the edge leaves a manifold of the same topology (link condition).
+  /// True if merging the ends of the edge leaves a manifold of the same topology (link condition).
   bool can_collapse(Index halfedge) const;
-  /// Merges the source of the halfedge into its target, which moves to `position` and takes the
-  /// share `source_weight` of its attributes from the source. Pre: can_collapse.
+  /// Merges the source of the halfedge into its target, which moves to `position`. The attributes
+  /// of the source have the weight `source_weight`, in [0, 1]. Pre: can_collapse.
   void collapse(Index halfedge, const Vec3& position, double source_weight);
-  /// Whether the edge has two faces and turning it makes no edge that exists already.
+  /// True if the edge has two faces, and the flipped edge does not exist yet.
   bool can_flip(Index halfedge) const;
-  /// Turns the edge within its two faces. Pre: can_flip.
+  /// Exchanges the diagonal of the two faces. Pre: can_flip.
   void flip(Index halfedge);
-  /// Gives a face the attributes of another one.
+  /// Copies the attributes of the face `from` to the face `to`.
   void copy_face_row(Index from, Index to) { face_rows_[to] = face_rows_[from]; }
-  /// Removes a face without mending what it leaves: for whole components.
+  /// Removes a face without updating its neighbors; for removing whole components.
   void remove_face(Index face);
   void remove_vertex(Index vertex) { outgoing_[vertex] = no_index; }
 
   bool has_vertex_attributes() const { return !vertex_columns_.columns.empty() || !sizes_.empty(); }
-  /// Gives the vertex the blend of the rows, and of the sizes, of three vertices.
+  /// Sets the attributes and the size of a vertex to the weighted mean of those of three vertices.
   void blend_attributes(Index vertex, const std::array<Index, 3>& sources,
                         const std::array<double, 3>& weights);
 
@@ -174,8 +176,8 @@ class EditableMesh {
   std::vector<Index> opposites_;   ///< per halfedge
   std::vector<Index> outgoing_;    ///< per vertex; no_index for dead and isolated ones
   std::vector<bool> isolated_;     ///< vertices without a face in the input, which are kept
-  std::vector<char> features_;     ///< per halfedge, empty while there are none
-  std::vector<double> sizes_;      ///< per vertex, empty while there are none
+  std::vector<char> features_;     ///< per halfedge; empty if there are no features
+  std::vector<double> sizes_;      ///< per vertex; empty if there are no sizes
   std::vector<Index> components_;  ///< per vertex, or empty
   std::vector<Index> vertex_rows_;
   std::vector<Index> face_rows_;

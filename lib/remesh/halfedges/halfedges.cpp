@@ -54,15 +54,15 @@ void check_corners(const Mesh& mesh) {
                    std::move(data));
 }
 
-/// The opposites of an oriented manifold, found as the halfedges come; nothing if two have the same
-/// direction along an edge or a third one comes to it, or a vertex has so many that looking for
-/// them would take long. Pre: corners are good.
+/// The opposites of an oriented manifold, found in one pass over the halfedges. Returns nothing if
+/// an edge has two halfedges of the same direction or three halfedges, or if vertices have so many
+/// edges that the search would take long. Pre: has_good_corners().
 std::optional<std::vector<Index>> quick_opposites(const Mesh& mesh) {
   struct Waiting {
-    Index larger;  ///< vertex of the edge
-    Index next;    ///< that waits at the smaller vertex
+    Index larger;  ///< the larger vertex of the edge
+    Index next;    ///< next halfedge in the list of the smaller vertex
   };
-  constexpr std::size_t usual_steps = 16;  // a halfedge
+  constexpr std::size_t usual_steps = 16;  // per halfedge, on average
   const auto halfedges = static_cast<Index>(3 * mesh.faces.size());
   std::size_t steps_left = usual_steps * halfedges;
   std::vector<Index> first_at(mesh.positions.size(), no_index);

@@ -1,4 +1,4 @@
-/// Which halfedges of an oriented manifold lie across from each other.
+/// Finds opposite halfedges of an oriented manifold.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace transformesh {
 
-/// For each halfedge the one that has the opposite direction along its edge, or no_index on a
-/// border. Throws InputError with face ids where an index is out of range, a face uses a vertex
-/// twice, or two faces traverse an edge in the same direction, as if there are three. O(n).
+/// Returns for each halfedge its opposite, or no_index on a border. Throws InputError with face
+/// indices if an index is out of range, a face uses a vertex twice, or two faces traverse an edge
+/// in the same direction. The last is always the case if an edge has three faces. O(n).
 std::vector<Index> manifold_opposites(const Mesh& mesh);
 
 }  // namespace transformesh

@@ -8,18 +8,18 @@
 namespace transformesh {
 namespace {
 
-/// A direction sees a front when its cosine to the normal is above this.
+/// A direction sees the front of a face if the cosine of its angle to the normal is above this.
 constexpr float least_cosine = 0.03F;
-/// Of normals between these lengths single precision holds the coordinates well.
+/// Single precision represents the coordinates of normals between these lengths well.
 constexpr double smallest = 1e-30;
 constexpr double largest = 1e30;
 
-/// Four numbers that the processor treats at once (an extension that GCC and Clang share).
+/// Four numbers that one instruction processes (a vector extension of GCC and Clang).
 using Floats = float __attribute__((vector_size(16)));
 using Words = std::int32_t __attribute__((vector_size(16)));
 
-/// Thirteen directions in fours, padded with none: the axes, the diagonals of a cube's faces, and
-/// its diagonals.
+/// The thirteen directions in groups of four: the axes, the diagonals of a cube's faces, and the
+/// diagonals of the cube. Unused places have no bit.
 struct FourDirections {
   Floats x, y, z, length;
   Words bits;
@@ -33,7 +33,8 @@ constexpr std::array<FourDirections, 4> directions_tested{{
     {{-1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}, {cube, 1, 1, 1}, {4096, 0, 0, 0}},
 }};
 
-/// Four normals side by side, and how long a coordinate along a direction has to be.
+/// Four normals, coordinate by coordinate, and the least component along a unit direction with
+/// which the direction sees the front.
 struct FourNormals {
   Floats x, y, z;
   Floats least;
@@ -50,7 +51,7 @@ float needed_length(const Vec3& normal) {
   return is_usual ? least_cosine * static_cast<float>(length) : HUGE_VALF;
 }
 
-/// Those that are missing are like the first.
+/// The first four normals. If there are fewer, the first one takes the places of those missing.
 FourNormals four_normals(std::span<const Vec3> normals) {
   const Vec3& a = normals[0];
   const Vec3& b = normals[normals.size() > 1 ? 1 : 0];
@@ -64,7 +65,8 @@ FourNormals four_normals(std::span<const Vec3> normals) {
           Floats{needed_length(a), needed_length(b), needed_length(c), needed_length(d)}};
 }
 
-/// The cones of four normals. The sums are those of cone_of() without what is multiplied by 0.
+/// The cones of four normals, with the same rounding as cone_of(): products with 0 and 1 are left
+/// out of its sums.
 Words cones_of_four(const FourNormals& n) {
   Words front{};
   Words back{};
@@ -94,7 +96,7 @@ Words cones_of_four(const FourNormals& n) {
   return front | back << 16;
 }
 
-/// As needed_length() has it.
+/// needed_length() of four normals, given by their squared lengths.
 Floats needed_lengths(NumberPair first_squares, NumberPair second_squares) {
   const NumberPair first = square_roots(first_squares);
   const NumberPair second = square_roots(second_squares);
@@ -122,7 +124,7 @@ NormalCone common_cone(std::span<const Vec3> normals) {
   return common_bits(cone);
 }
 
-// What is missing of the last four is like others.
+// If the last group has fewer than four normals, normals of the group or the first one repeat.
 NormalCone common_cone(std::span<const NormalPair> pairs, std::size_t count) {
   Words cone{-1, -1, -1, -1};
   const auto pair_at = [&](std::size_t i) {
@@ -151,8 +153,8 @@ void find_cones(std::span<const Vec3> normals, std::span<NormalCone> cones) {
   }
 }
 
-/// Bit k is set where direction k sees the front, bit 16 + k where the opposite direction does.
-/// Single precision is far finer than the margin of least_cosine.
+/// Bit k is set if direction k sees the front, bit 16 + k if the opposite direction does. Rounding
+/// to single precision is harmless, since it is far smaller than the margin of least_cosine.
 NormalCone cone_of(const Vec3& normal) {
   const double length = normal.norm();
   if (!(length > smallest && length < largest)) return 0;

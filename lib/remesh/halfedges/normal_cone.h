@@ -1,7 +1,8 @@
-/// Normal cones: what the normals of a part of a surface have in common (Volino &
-/// Magnenat-Thalmann, "Efficient self-collision detection on smoothly discretized surface
-/// animations", Eurographics 1994). A cone is kept as the set of directions, out of 26, that look
-/// at the front of every face of the part; the cone of two parts together is one bitwise and.
+/// Normal cones of parts of a surface. A cone is stored as the set of those of 26 directions that
+/// are in front of every face of the part. The cone of the union of two parts is the bitwise AND of
+/// their cones. Reference: Volino & Magnenat-Thalmann, "Efficient self-collision detection on
+/// smoothly discretized surface animations", Eurographics 1994. Departure: fixed directions instead
+/// of exact cones.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +13,17 @@
 
 namespace transformesh {
 
-/// One bit for each direction to a side, an edge or a corner of a cube.
+/// A set of directions, with one bit for each direction from the center of a cube to a side, an
+/// edge or a corner.
 using NormalCone = std::uint32_t;
-/// The cone of no face at all.
+/// The cone of an empty part.
 inline constexpr NormalCone all_directions = 0x1fff1fff;
 
-/// The normal of a triangle (normal_of), or zero if the triangle is so thin that rounding error may
-/// turn that normal by more than a millionth of a radian. Zero has an empty cone.
+/// Returns the normal of a triangle (normal_of), or zero if rounding errors may rotate it by more
+/// than a millionth of a radian because the triangle is thin. The cone of zero is empty.
 inline Vec3 reliable_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  // Rounding errors of a cross product are below 1e-15 of the product of both lengths; this is the
-  // square of the least sine for which they are below a millionth of the result.
+  // The square of the least sine for which rounding errors are below a millionth of the cross
+  // product. They are below 1e-15 of the product of both lengths.
   constexpr double least_squared_sine = 1e-18;
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -30,25 +32,25 @@ inline Vec3 reliable_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return normal.squaredNorm() < least_squared_sine * lengths ? Vec3(Vec3::Zero()) : normal;
 }
 
-/// The directions that clearly see the front of a face with that normal; none where its length is
-/// not between 1e-30 and 1e30.
+/// Returns the directions that are clearly in front of a face with this normal. Empty if its length
+/// is not between 1e-30 and 1e30.
 NormalCone cone_of(const Vec3& normal);
-/// What the cones of all the normals have in common: several times as fast as one by one.
+/// Returns the intersection of the cones of all normals; several times as fast as one by one.
 NormalCone common_cone(std::span<const Vec3> normals);
-/// The same of `count` normals in pairs.
+/// The same for `count` normals in pairs.
 NormalCone common_cone(std::span<const NormalPair> pairs, std::size_t count);
-/// The cone of each normal.
+/// Computes the cone of each normal.
 void find_cones(std::span<const Vec3> normals, std::span<NormalCone> cones);
 
 struct Direction {
   NormalCone bit = 0;
   Vec3 unit = Vec3::Zero();
 };
-/// The direction of a cone, which is not empty, that is nearest to that of a vector.
+/// Returns the direction in a cone with the smallest angle to `vector`. The cone must not be empty.
 Direction nearest_direction(NormalCone cone, const Vec3& vector);
 
-/// Whether a direction of unit length, which need not be one of the 26, clearly sees the front of
-/// the triangle.
+/// True if a direction is clearly in front of the triangle. It must have unit length, and need not
+/// be one of the 26.
 bool sees(const Vec3& direction, const Triangle& triangle);
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
-/// Two numbers at a time, by vector instructions: the same operations on each as one by one. The
-/// types are an extension that GCC and Clang share.
+/// Pairs of numbers for vector instructions. Results are the same as for single numbers. The types
+/// are an extension of GCC and Clang.
 #pragma once
 
 #ifdef __SSE2__
@@ -11,7 +11,7 @@
 namespace transformesh {
 
 using NumberPair = double __attribute__((vector_size(16)));
-/// For each of two numbers all bits or none.
+/// A pair of truth values: all bits set, or none.
 using MaskPair = long long __attribute__((vector_size(16)));
 
 inline NumberPair twice(double number) { return NumberPair{number, number}; }
@@ -19,7 +19,7 @@ inline NumberPair lesser(NumberPair a, NumberPair b) { return b < a ? b : a; }
 inline NumberPair greater(NumberPair a, NumberPair b) { return a < b ? b : a; }
 inline bool any(MaskPair mask) { return (mask[0] | mask[1]) != 0; }
 inline bool all(MaskPair mask) { return (mask[0] & mask[1]) != 0; }
-/// Of four numbers the two in the middle.
+/// Returns the two middle ones of four numbers.
 inline NumberPair middle(NumberPair a, NumberPair b) { return NumberPair{a[1], b[0]}; }
 
 inline NumberPair square_roots(NumberPair squares) {
@@ -30,7 +30,7 @@ inline NumberPair square_roots(NumberPair squares) {
 #endif
 }
 
-/// Two vectors. Sums are in the order in which Eigen takes them.
+/// Two vectors. Sums have the order of Eigen, so that results are the same.
 struct VectorPair {
   NumberPair x, y, z;
 
@@ -56,7 +56,7 @@ inline VectorPair middle(const VectorPair& a, const VectorPair& b) {
   return {middle(a.x, b.x), middle(a.y, b.y), middle(a.z, b.z)};
 }
 
-/// Two normals, with their squared lengths.
+/// Two normals with their squared lengths.
 struct NormalPair {
   VectorPair normal;
   NumberPair squared;

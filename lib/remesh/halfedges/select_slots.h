@@ -1,4 +1,4 @@
-/// Selects slots of an edited mesh that fulfil a condition, on all threads.
+/// Selects slots of an edited mesh that satisfy a condition, in parallel.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace transformesh {
 
-/// What find(index, found) appends to `found` for all indices below `count`, ascending. It is
-/// called from several threads at once.
+/// Calls find(index, found) for all indices below `count`, which appends to `found`. Returns all
+/// results in the order of the indices. `find` is called from several threads.
 template <class Find>
 std::vector<Index> indices_where_in(Index count, const Find& find) {
   constexpr std::size_t per_chunk = 4096;
@@ -30,7 +30,7 @@ std::vector<Index> indices_where_in(Index count, const Find& find) {
   return result;
 }
 
-/// The indices below `count` for which is_wanted(index) holds, ascending.
+/// Returns the indices below `count` for which is_wanted(index) is true, ascending.
 template <class IsWanted>
 std::vector<Index> indices_where(Index count, const IsWanted& is_wanted) {
   return indices_where_in(count, [&](Index i, std::vector<Index>& found) {
@@ -38,8 +38,8 @@ std::vector<Index> indices_where(Index count, const IsWanted& is_wanted) {
   });
 }
 
-/// The edges, each by its lower halfedge, for whose scaled squared length is_wanted() holds. Faces
-/// are looked at as wholes: three lengths at once cost little more than one.
+/// Returns the lower halfedges of the edges for whose scaled squared length is_wanted() is true.
+/// The three lengths of a face are computed at once, which costs little more than one.
 template <class IsWanted>
 std::vector<Index> edges_where(const EditableMesh& mesh, const IsWanted& is_wanted) {
   return indices_where_in(mesh.face_slots(), [&](Index face, std::vector<Index>& found) {

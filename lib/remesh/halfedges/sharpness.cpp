@@ -11,17 +11,25 @@
 namespace transformesh {
 namespace {
 
-constexpr double steady_spacings = 16;  ///< height of a face whose normal is good to 4 degrees
+/// A face has a steady normal if its height is above this many spacings of its coordinates:
+/// rounding then turns the normal by less than 4 degrees.
+constexpr double steady_spacings = 16;
+/// Angles between the normals at sharp edges and at lines, which include the sharp edges.
 constexpr double sharp_deg = 60;
 constexpr double line_deg = 40;
-constexpr double smooth_share = 0.35;  ///< of the angle of a sharp edge
-constexpr double meant_share = 0.9;    ///< of the length of sharp edges
+/// A sharp edge is meant, and no noise, if the edges at its ends that are not lines turn by less
+/// than this share of its angle.
+constexpr double smooth_share = 0.35;
+/// A mesh has sharp edges if the meant ones have more than these shares of the length of all sharp
+/// edges and of all lines. Larger shares miss features of noisy meshes, smaller ones keep noise.
+constexpr double meant_share = 0.9;
 constexpr double meant_of_lines = 0.25;
-constexpr double least_length = 0.5;  ///< of all that are meant, per root of the area
+/// The total length of meant edges must exceed this share of the square root of the area.
+constexpr double least_length = 0.5;
 
 double cosine_of(double degrees) { return elementary::cos(degrees * std::numbers::pi / 180); }
 
-/// In radians.
+/// The angle in radians.
 double angle_of(double cosine) {
   return elementary::atan2(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine);
 }
@@ -40,7 +48,7 @@ double spacing_at_face(const EditableMesh& mesh, Index face) {
   return spacing;
 }
 
-/// Zero for a face without a steady one.
+/// The unit normal of a face, or zero if the face is too thin for a steady one.
 Vec3 own_normal(const EditableMesh& mesh, Index face) {
   const Vec3 normal = mesh.face_normal(face);
   const double area = normal.stableNorm();
@@ -49,8 +57,9 @@ Vec3 own_normal(const EditableMesh& mesh, Index face) {
   return is_steady ? Vec3(normal / area) : Vec3(Vec3::Zero());
 }
 
-/// Gives thin faces the normals at the ends of the ways across longest edges. A way that comes back
-/// to itself, as where two of them share their longest edge, leads nowhere.
+/// Walks from each thin face across longest edges until a face has a normal, and gives that normal
+/// to all faces on the path. Paths that end in a cycle, as if two thin faces share their longest
+/// edge, yield none.
 void take_over_across_longest(const EditableMesh& mesh, const std::vector<Index>& thin,
                               std::vector<Vec3>& normals) {
   std::vector<char> is_visited(normals.size(), 0);
@@ -69,7 +78,8 @@ void take_over_across_longest(const EditableMesh& mesh, const std::vector<Index>
   }
 }
 
-/// Gives each face without a normal that of the nearest face with one, in steps across edges.
+/// Gives each face without a normal that of the nearest face with one; the distance is the number
+/// of edges crossed.
 void take_over_across_any(const EditableMesh& mesh, std::vector<Vec3>& normals) {
   std::vector<Index> reached;
   for (Index face = 0; face < mesh.face_slots(); ++face)
@@ -84,8 +94,8 @@ void take_over_across_any(const EditableMesh& mesh, std::vector<Vec3>& normals) 
   }
 }
 
-/// True wherever an edge turns by 60 degrees, be it only by noise. Most meshes are smooth: of them
-/// nothing is asked but this, which takes no root.
+/// Whether any edge turns by more than 60 degrees, even if only by noise. This fast test without
+/// square roots settles most meshes, which are smooth.
 bool may_have_sharp_edges(const EditableMesh& mesh) {
   std::vector<Vec3> normals(mesh.face_slots());
   std::vector<double> squares(mesh.face_slots());
@@ -102,7 +112,7 @@ bool may_have_sharp_edges(const EditableMesh& mesh) {
   return false;
 }
 
-/// Lengths of the edges of a mesh by how they turn.
+/// Total lengths of lines, of the sharp edges among them, and of the meant ones among those.
 struct SharpLengths {
   double lines = 0, sharp = 0, meant = 0;
 };
@@ -137,7 +147,7 @@ class SharpEdges {
       if (!here.isZero(0) && !there.isZero(0)) visit(h, here.dot(there));
     }
   }
-  // Keeps at both ends the cosine of the largest angle that is no line's.
+  // Updates at both ends the cosine of the largest angle of edges that are not lines.
   void note_smooth(Index h, double cosine) {
     if (cosine < line_cosine_) return;
     for (const Index v : {mesh_.source(h), mesh_.target(h)})
@@ -155,7 +165,7 @@ class SharpEdges {
 
   const EditableMesh& mesh_;
   std::vector<Vec3> normals_;
-  std::vector<double> flattest_;  ///< per vertex
+  std::vector<double> flattest_;  ///< per vertex: least cosine at edges that are not lines
   double sharp_cosine_ = cosine_of(sharp_deg), line_cosine_ = cosine_of(line_deg);
 };
 

@@ -1,4 +1,4 @@
-/// Measures of triangles that the operations compare before and after.
+/// Measures of the quality of triangles, and of changes of normals.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace transformesh {
 
-/// The area over the sum of the squared edges, scaled: 1 for equilateral, 0 for degenerate
-/// triangles.
+/// Returns the area divided by the sum of the squared edge lengths, scaled so that it is 1 for an
+/// equilateral triangle. It is 0 for a degenerate triangle.
 inline double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -17,20 +17,21 @@ inline double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
   return squares > 0 ? 3.4641016151377544 * ab.cross(ac).norm() / squares : 0;
 }
 
-/// The cosine of the smallest angle, which is opposite the shortest edge: smaller is better.
+/// Returns the cosine of the smallest angle, which is opposite the shortest edge. Smaller is
+/// better.
 inline double cosine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double ab = (b - a).squaredNorm();
   const double bc = (c - b).squaredNorm();
   const double ca = (a - c).squaredNorm();
-  // Which edge is the shortest is left to minima and maxima: a branch would be a coin toss.
+  // Minima and maxima select the shortest edge, since a branch could not be predicted.
   const double lesser = std::min(ab, bc), greater = std::max(ab, bc);
   const double shortest = std::min(lesser, ca);
   const double product = std::max(lesser, std::min(greater, ca)) * std::max(greater, ca);
   return product > 0 ? (ab + bc + ca - 2 * shortest) / (2 * std::sqrt(product)) : 1;
 }
 
-/// Whether a normal turns by more than the angle with this cosine, given the product of it before
-/// and after, and both lengths squared.
+/// True if a normal rotates by more than the angle with cosine `least_cosine`. `dot` is the product
+/// of the normals before and after.
 inline bool turns(double dot, double before_squared, double after_squared, double least_cosine) {
   if (dot <= 0) return true;
   return dot * dot < least_cosine * least_cosine * before_squared * after_squared;

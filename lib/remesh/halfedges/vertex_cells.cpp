@@ -8,10 +8,10 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t faces_per_task = 4096;
+constexpr std::size_t faces_per_task = 4096;  ///< affects time only
 constexpr std::size_t faces_at_once = 64;
-/// Of the slots of the table one in so many is used at most: most searches find nothing, and end at
-/// the first slot that is free.
+/// At most one slot in this many of the hash table is used: most searches find nothing and end at
+/// the first free slot. A fuller table takes less memory and longer searches.
 constexpr std::size_t most_full = 6;
 
 std::vector<NormalCone> cones_of_faces(const EditableMesh& mesh) {
@@ -33,7 +33,7 @@ std::vector<NormalCone> cones_of_faces(const EditableMesh& mesh) {
   return cones;
 }
 
-/// Collects the faces of the component of that vertex, and says whether it is closed.
+/// Collects the faces of the component of the vertex; returns whether it has no border.
 bool gather_component(const EditableMesh& mesh, Index seed, std::vector<char>& reached,
                       std::vector<Index>& faces) {
   bool closed = true;
@@ -75,7 +75,7 @@ VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
     low = low.cwiseMin(mesh.position(v));
     high = high.cwiseMax(mesh.position(v));
   }
-  // There is a margin of cells on each side, and no more cells than a key can count.
+  // The cell size leaves a margin of cells on each side and limits their number to that of keys.
   cell_size_ = std::max(cell_size_, (high - low).maxCoeff() / (1 << (key_bits - 3)));
   origin_ = low - Vec3::Constant(8 * cell_size_);
   std::vector<NormalCone> cones;
@@ -131,7 +131,8 @@ void VertexCells::for_each_cell_around(Index cell, const Visit& visit) const {
   for (Index i = 0; i < around.count; ++i) visit(around.cells[i]);
 }
 
-/// Enters the cell and others in each other's lists: those around it at some of the offsets.
+/// Enters the cell into its own list, and the cell and each existing one at the given offsets into
+/// each other's lists.
 void VertexCells::find_cells_around(Index cell, std::span<const Key> offsets) {
   const auto enter = [&](Index at, Index other) { around_[at].cells[around_[at].count++] = other; };
   enter(cell, cell);
@@ -148,7 +149,7 @@ void VertexCells::fill(std::span<const NormalCone> cones) {
   Index cell = no_index;
   for (Index v = 0; v < mesh_.vertex_slots(); ++v) {
     if (!mesh_.has_vertex(v)) continue;
-    // Vertices that follow each other are often in one cell.
+    // Consecutive vertices are often in the same cell, which saves the search.
     const Key key = key_of(mesh_.position(v));
     if (cell == no_index || cells_[cell].key != key) cell = find_cell(key);
     if (cell == no_index) cell = make_cell(key, vertices_[v].component);

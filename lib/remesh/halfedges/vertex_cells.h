@@ -1,5 +1,5 @@
-/// The vertices of a mesh in the cells of a grid, with the normal cones of the faces there: what
-/// the embedding guard asks about a neighborhood. Cells in use are kept in a hash table.
+/// A grid of the vertices of a mesh with normal cones of their faces, for the embedding guard. Used
+/// cells are stored in a hash table.
 #pragma once
 
 #include <array>
@@ -12,46 +12,47 @@
 
 namespace transformesh {
 
-/// Per vertex the lowest vertex of its component; no_index where that has a border. O(n).
+/// Returns for each vertex the lowest vertex of its component; no_index if the component has a
+/// border. O(n).
 std::vector<Index> closed_components(const EditableMesh& mesh);
 
 class VertexCells {
  public:
   struct Cell {
     std::int64_t key;
-    NormalCone cone;         ///< of all faces at the cell's vertices
-    NormalCone cone_around;  ///< of those of the 27 cells around; none near other components
+    NormalCone cone;         ///< cone of all faces at the cell's vertices
+    NormalCone cone_around;  ///< cone of the 27 cells around; empty near other components
     Index first_vertex;
     Index component;
   };
-  /// What is known of one vertex stands together in memory.
+  /// Data of a vertex, stored together for locality.
   struct Vertex {
     Index cell = no_index;
-    Index next = no_index;  ///< in the cell
+    Index next = no_index;  ///< next vertex in the cell
     Index previous = no_index;
-    Index component = no_index;        ///< as closed_components() labels it
-    NormalCone cone = all_directions;  ///< of all faces at the vertex
-    /// No edge of these faces is longer; measured only where the mesh has sizes.
+    Index component = no_index;        ///< label of closed_components()
+    NormalCone cone = all_directions;  ///< cone of all faces at the vertex
+    /// Bound for the squared length of edges of these faces; measured only if the mesh has sizes.
     float longest_squared = HUGE_VALF;
   };
 
-  /// Keeps a reference to the mesh. Looks for components where the mesh does not know them. Cells
-  /// become larger where there are too many for a key.
+  /// Keeps a reference to the mesh. Finds components if the mesh has no labels. Enlarges cells if
+  /// there would be too many for a key.
   VertexCells(const EditableMesh& mesh, double cell_size);
 
   double cell_size() const { return cell_size_; }
   const Vertex& operator[](Index vertex) const { return vertices_[vertex]; }
   const Cell& cell_of(Index vertex) const { return cells_[vertices_[vertex].cell]; }
 
-  /// To be called after a vertex has moved.
+  /// Call after a vertex has moved.
   void update(Index vertex);
-  /// To be called before a vertex goes.
+  /// Call before a vertex is removed.
   void remove(Index vertex);
-  /// To be called where faces at vertices are replaced by others of that cone, with edges up to
-  /// that length.
+  /// Call if faces at these vertices are replaced by faces with this cone and this longest edge.
   void restrict(std::span<const Index> vertices, NormalCone cone, double longest_squared);
 
-  /// Calls visit(cell) for the cells that meet a box until it returns false.
+  /// Calls visit(cell) for the cells that meet a box until it returns false. Returns false if it
+  /// did.
   template <class Visit>
   bool for_each_cell_near(const Vec3& low, const Vec3& high, const Visit& visit) const;
 
@@ -62,7 +63,8 @@ class VertexCells {
   };
   using Key = std::int64_t;
   static constexpr int key_bits = 21;  ///< per axis
-  /// From the key of a cell to those of the 26 around it, the lower ones first.
+  /// Differences between the key of a cell and those of the 26 cells around it; negative ones
+  /// first.
   static constexpr std::array<Key, 26> offsets_around = [] {
     std::array<Key, 26> offsets{};
     std::size_t count = 0;
@@ -82,10 +84,10 @@ class VertexCells {
   Index make_cell(Key key, Index component);
   void enter_in_table(Index cell);
   void grow_table();
-  /// Calls visit(cell) for the cells around, itself among them.
+  /// Calls visit(cell) for the 27 cells around a cell, including the cell itself.
   template <class Visit>
   void for_each_cell_around(Index cell, const Visit& visit) const;
-  void fill(std::span<const NormalCone> cones);  ///< of the faces
+  void fill(std::span<const NormalCone> cones);  ///< cones per face
   void find_cells_around(Index cell, std::span<const Key> offsets);
   void restrict_to_faces(std::span<const NormalCone> cones);
   void dilate(Index cell);
@@ -100,7 +102,7 @@ class VertexCells {
   Vec3 origin_ = Vec3::Zero();
   std::vector<Cell> cells_;
   std::vector<CellsAround> around_;  ///< per cell
-  std::vector<Index> table_;         ///< open addressing, no_index where empty
+  std::vector<Index> table_;         ///< hash table with open addressing; no_index if empty
   std::vector<Vertex> vertices_;     ///< per vertex
 };
 

@@ -1,5 +1,6 @@
-/// The neighbors of every vertex in order, found on all threads: walking from face to face waits
-/// for memory, and sweeps that only move vertices need it once. O(n); deterministic.
+/// Stores the ordered neighbors of all vertices, found in parallel. Walking around a vertex is slow
+/// because of cache misses, and sweeps that only move vertices can reuse the rings. O(n);
+/// deterministic.
 #pragma once
 
 #include <span>
@@ -11,11 +12,11 @@ namespace transformesh {
 
 class VertexRings {
  public:
-  /// They stay right as long as no face of the mesh changes.
+  /// Rings are valid as long as no face of the mesh changes.
   explicit VertexRings(const EditableMesh& mesh);
 
-  /// The neighbors of a living vertex, counter-clockwise, from the target of outgoing(); the first
-  /// of them again at the end, unless the vertex lies on a border.
+  /// Returns the neighbors of a living vertex, counter-clockwise, starting with the target of
+  /// outgoing(). The first is repeated at the end, unless the vertex lies on a border.
   std::span<const Index> operator[](Index vertex) const {
     const Chunk& chunk = chunks_[vertex / chunk_size];
     const Index* end = chunk.ends.data() + vertex % chunk_size;
@@ -24,17 +25,17 @@ class VertexRings {
 
  private:
   static constexpr Index chunk_size = 1024;
-  /// Vertices one after the other.
+  /// Rings of consecutive vertices.
   struct Chunk {
     std::vector<Index> neighbors;
-    std::vector<Index> ends;  ///< where those of each vertex begin, and where the last ones end
+    std::vector<Index> ends;  ///< per vertex: begin of its ring; then the end of the last ring
   };
   static Chunk chunk_of(const EditableMesh& mesh, Index first, Index last);
 
   std::vector<Chunk> chunks_;
 };
 
-/// Replaces what is in `ring` by the neighbors of one vertex.
+/// Replaces the contents of `ring` by the neighbors of a vertex.
 void find_ring(const EditableMesh& mesh, Index vertex, std::vector<Index>& ring);
 
 }  // namespace transformesh

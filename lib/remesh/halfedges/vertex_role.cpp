@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// The cosine of 45 degrees: a line that turns by more has a corner there.
+/// The cosine of 45 degrees: a vertex where a line turns by more is a corner.
 constexpr double corner_cosine = 0.7071067811865476;
 
 }  // namespace

@@ -1,5 +1,6 @@
-/// Which vertices may move and merge: free inside a smooth part, bound to a line (a border or a row
-/// of sharp edges), or fixed where lines meet, end or turn.
+/// Roles of vertices, which decide how they may move and merge. A vertex is free inside a smooth
+/// part, bound to a line (a border or a chain of sharp edges), or fixed if lines meet, end or turn
+/// there.
 #pragma once
 
 #include "remesh/halfedges/editable_mesh.h"
@@ -8,10 +9,10 @@ namespace transformesh {
 
 enum class VertexRole { free, on_line, fixed };
 
-/// Marks the edges between faces whose normals differ by more than the angle; from 180 on, none.
+/// Marks the edges between faces whose normals differ by more than an angle; none if it is >= 180.
 void mark_features(EditableMesh& mesh, double feature_angle_deg);
 
-/// Whether the edge is a border or marked sharp.
+/// True if the edge is a border or a feature.
 inline bool is_line(const EditableMesh& mesh, Index halfedge) {
   return mesh.is_border(halfedge) || mesh.is_feature(halfedge);
 }
@@ -23,9 +24,9 @@ class VertexRoles {
         has_lines_(mesh.has_borders() || mesh.has_features()),
         keep_border_(keep_border) {}
   VertexRole operator[](Index vertex) const { return has_lines_ ? role(vertex) : VertexRole::free; }
-  /// The vertices before and behind this one on the line. Pre: the role is on_line.
+  /// Returns the two neighbors of the vertex on its line. Pre: the role is on_line.
   std::array<Index, 2> line_neighbors(Index vertex) const;
-  /// Whether merging the ends of the edge keeps the lines.
+  /// True if merging the ends of the edge keeps the lines.
   bool may_merge(Index halfedge) const;
   bool keeps_border() const { return keep_border_; }
 

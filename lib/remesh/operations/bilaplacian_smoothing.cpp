@@ -9,20 +9,24 @@
 namespace transformesh {
 namespace {
 
+/// The share of each step that is taken. Larger steps even out faster and may overshoot.
 constexpr double share = 0.3;
-constexpr double crease = 0.25;  ///< of the edge length; a vertex higher than that is at a crease
-constexpr double rest = 1e-3;    ///< of the edge length; shorter ways are not gone
-/// The squared edge length of six equilateral triangles whose doubled areas sum up to 1.
+/// A vertex that is higher above its neighbors than this share of the edge length is at a crease
+/// and does not move.
+constexpr double crease = 0.25;
+/// Moves shorter than this share of the edge length are skipped.
+constexpr double rest = 1e-3;
+/// The squared edge length of six equal equilateral triangles whose doubled areas sum to 1.
 constexpr double squared_edge_by_area = 0.19245008972987526;
 
 constexpr double not_smooth = std::numeric_limits<double>::quiet_NaN();
 
 struct Vertex {
-  Vec3 neighbors = Vec3::Zero();  ///< their sum
-  Vec3 normal = Vec3::Zero();     ///< sum of the doubled area normals, then of unit length
+  Vec3 neighbors = Vec3::Zero();  ///< sum of the neighbors' positions
+  Vec3 normal = Vec3::Zero();     ///< sum of the normals of the faces; later its direction
   double valence = 0;
   double edge = 0;
-  double height = not_smooth;  ///< over the mean of the neighbors
+  double height = not_smooth;  ///< above the mean of the neighbors, along the normal
 };
 
 std::vector<Vertex> heights(const EditableMesh& mesh, const VertexRoles& roles) {

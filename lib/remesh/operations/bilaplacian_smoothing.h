@@ -1,4 +1,4 @@
-/// Evens out how far vertices lie above and below the surface that they sample.
+/// Smooths the heights of vertices over the surface that they sample.
 #pragma once
 
 #include "remesh/guards/embedding_guard.h"
@@ -7,13 +7,13 @@
 
 namespace transformesh {
 
-/// Splits, collapses and relaxation leave vertices a little above or below the surface, which shows
-/// where height over the neighbors' mean, a measure of curvature, differs from that of the
-/// neighbors. Each free vertex moves along its normal by three tenths of the difference: the
-/// Laplacian of a Laplacian, so that smooth parts do not shrink. On resolved surfaces the largest
-/// distance to the input falls by a tenth to a sixth. Vertices at creases and lines stay. All moves
-/// are computed before the first; those that break what VertexMover promises are halved, then left
-/// out.
+/// Splits, collapses and relaxation leave vertices a little above or below the surface. The height
+/// of a vertex over the mean of its neighbors measures curvature, and then differs from the heights
+/// of its neighbors. Each free vertex moves along its normal by three tenths of the difference.
+/// This is the Laplacian of a Laplacian, so that smooth parts do not shrink. On well-sampled
+/// surfaces, the largest distance to the input decreases by a tenth to a sixth. Vertices at creases
+/// and lines stay. All movements are computed before the first one. A movement that VertexMover
+/// refuses is halved, then omitted.
 void smooth_bilaplacian(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                         const Progress& progress);
 

@@ -10,10 +10,11 @@
 namespace transformesh {
 namespace {
 
-/// Edges may be collapsed up to this many times the shortest where that makes valences regular.
+/// Edges of up to this many times the shortest allowed length are collapsed if that makes valences
+/// more regular. Larger values make more valences regular and more edges long.
 constexpr double longest_irregular = 1.15;
 
-/// Holds the edges that are to go and yields the shortest first.
+/// The queue of edges to collapse, shortest first.
 template <class Wanted>
 class Candidates {
  public:
@@ -64,7 +65,7 @@ CollapseCounts collapse_wanted(EditableMesh& mesh, EdgeCollapser& collapser, Wan
   return counts;
 }
 
-/// Wants edges shorter than the least length.
+/// Selects edges shorter than the least length.
 class IsShort {
  public:
   IsShort(const EditableMesh& mesh, double min_edge, bool keep_border)
@@ -86,7 +87,7 @@ class IsShort {
   bool keep_border_;
 };
 
-/// Wants edges that are not too long and whose collapse brings valences closer to six.
+/// Selects edges that are not too long and whose collapse brings valences closer to six.
 class IsIrregular {
  public:
   IsIrregular(const EditableMesh& mesh, double longest)
@@ -95,14 +96,14 @@ class IsIrregular {
       if (!mesh.has_halfedge(h)) continue;
       ++excess_[mesh.source(h)];
       if (mesh.is_border(h))
-        ++excess_[mesh.target(h)];  // a border vertex has one edge more than faces
+        ++excess_[mesh.target(h)];  // a border vertex has one more edge than faces
     }
   }
   bool operator()(Index halfedge) const {
     return mesh_.scaled_squared_length(halfedge) < limit_ && !mesh_.is_border(halfedge) &&
            gain(halfedge) > 0;
   }
-  // Valences are asked before lengths, as few edges pass.
+  // Tests valences before lengths, since few edges pass.
   std::vector<Index> all() const {
     return indices_where_in(mesh_.face_slots(), [&](Index face, std::vector<Index>& found) {
       if (!mesh_.has_face(face)) return;
@@ -112,7 +113,8 @@ class IsIrregular {
         const Index h = 3 * face + i;
         const Index opposite = mesh_.opposite(h);
         if (opposite == no_index) continue;
-        // Which of two halfedges is the lower is a coin toss: that is asked last.
+        // The comparison of both halfedges is unpredictable for the processor and comes after the
+        // test that rejects most edges.
         const int gained = gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                 excess_[mesh_.apex(opposite)]);
         if (gained > 0 && h < opposite && mesh_.scaled_squared_length(h) < limit_)
@@ -131,10 +133,11 @@ class IsIrregular {
     return gain(excess_[mesh_.source(halfedge)], excess_[mesh_.target(halfedge)],
                 excess_[mesh_.apex(halfedge)], excess_[mesh_.apex(mesh_.opposite(halfedge))]);
   }
-  /// By how much the squared deviations from six shrink, of which these are the signed ones.
+  /// The decrease of the sum of squared deviations from valence six. The arguments are the signed
+  /// deviations before the collapse.
   static int gain(int source, int target, int left, int right) {
     const int merged = source + target + 2;
-    // Each apex loses an edge, which gains x^2 - (x - 1)^2 = 2x - 1.
+    // Each apex loses an edge, which decreases the sum by x^2 - (x - 1)^2 = 2x - 1.
     return source * source + target * target - merged * merged + 2 * left + 2 * right - 2;
   }
 
@@ -155,7 +158,7 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
   counts.films_kept = collapser.films_kept();
   if (counts.refused == 0) return counts;
 
-  // An edge may have been refused more than once, or be gone in the end.
+  // An edge may have been refused several times, or may not exist any more.
   counts.refused = is_short.all().size();
   return counts;
 }

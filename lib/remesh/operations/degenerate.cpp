@@ -8,7 +8,9 @@
 namespace transformesh {
 namespace {
 
-constexpr double short_edge = 0.1;  ///< of the longest edge; what has one is a needle
+/// A face whose shortest edge is below this share of the longest one is a needle: that edge is
+/// collapsed. The longest edge of other degenerate faces is flipped.
+constexpr double short_edge = 0.1;
 constexpr int most_rounds = 4;
 
 /// The shortest and the longest edge of a face.

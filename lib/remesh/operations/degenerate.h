@@ -1,4 +1,4 @@
-/// Removes triangles that have nearly no area.
+/// Removes degenerate triangles, which have nearly no area.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,9 @@
 
 namespace transformesh {
 
-/// The height of degenerate triangles is at most this share of their longest edge.
+/// A triangle is degenerate if its height is at most this share of its longest edge. A larger share
+/// changes more of the surface; at a smaller one, normals of remaining thin faces are less
+/// reliable.
 inline constexpr double least_height = 1e-3;
 
 /// The measures of a face that decide whether it is degenerate.
@@ -32,13 +34,13 @@ struct FaceShape {
   }
 };
 
-/// A triangle counts as degenerate when its height is below a thousandth of its longest edge: one
-/// with a short edge (needle) loses that edge, one without (cap) has its longest edge flipped.
-/// Returns how many are left, where both were refused.
+/// Removes degenerate triangles. The short edge of a needle is collapsed; the longest edge of a
+/// cap, which has no short edge, is flipped. Returns the number of triangles that are left because
+/// both were refused.
 std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits);
 
-/// The faces that count as degenerate, ascending.
+/// Returns the degenerate faces, ascending.
 std::vector<Index> degenerate_faces(const EditableMesh& mesh);
 
 }  // namespace transformesh

@@ -11,24 +11,26 @@ namespace transformesh {
 namespace {
 
 constexpr double least_turn_cosine = 0.5;
-/// Triangles at least this round are good enough; others must not get worse.
+/// Collapses may leave triangles of at least this roundness, or none less round than before.
 constexpr double round_enough = 0.3;
-/// The same where the shape of the surface counts for more than that of its triangles.
+/// The same for collapse_to(), where the shape of the surface matters more than that of triangles.
 constexpr double round_enough_for_shape = 0.001;
-/// The normal of a triangle that is no rounder than this is mostly rounding error.
+/// Normals of triangles that are at most this round are mostly rounding error: new normals are
+/// compared with the mean normal of the star instead.
 constexpr double normal_roundness = 0.02;
-/// Around vertices of high valence all triangles are narrow, and collapses make some a little
-/// narrower and squared lengths a little longer. Long edges are split afterwards.
+/// Limits for vertices of high valence, whose triangles are all narrow. Each collapse may make
+/// triangles narrower and squared lengths longer by these factors. Long edges are split afterwards.
 constexpr double normal_roundness_of_stars = 1e-6;
 constexpr double narrowing_of_stars = 0.5;
 constexpr double stretch_of_stars = 1.02;
-/// Collapses on curves leave edges shorter than the longest by this share of the collapsed edge.
-/// A flow that stretches the surface would soon have longer ones split again, and each step
-/// interpolates.
+/// Under ShapeRules::curved, collapses leave edges that are shorter than the longest allowed length
+/// by this share of the collapsed edge. A flow that stretches the surface would soon split longer
+/// ones again, and each step interpolates. In Enright's test with 5,000 faces, 0.3 and 0.75 have
+/// about the same error, 1 has a Hausdorff distance 1.4 times as large.
 constexpr double room_to_stretch = 0.5;
-/// Collapses on curves move the surface by no more than this share of the longest edge unless
-/// ShapeRules::min_film says otherwise. Without a limit, short edges at the corners of Zalesak's
-/// sphere take off half an edge of it. A third leaves a tenth more faces after Enright's test.
+/// Under ShapeRules::curved and without min_film, collapses move the surface by at most this share
+/// of the longest edge. Without a limit, collapses at the corners of Zalesak's sphere cut off half
+/// an edge length. A third of the limit leaves a tenth more faces after Enright's test.
 constexpr double curved_shift = 0.05;
 
 }  // namespace
@@ -63,7 +65,7 @@ bool EdgeCollapser::prepare(Index halfedge) {
   return true;
 }
 
-// The end that is bound more keeps its place.
+// Collapses to the end with the higher role, which keeps its position.
 bool EdgeCollapser::try_bound_end() {
   const bool source_wins = roles_[goes_] > roles_[stays_];
   return try_position(mesh_.position(source_wins ? goes_ : stays_), source_wins ? 1 : 0);
@@ -107,8 +109,8 @@ void EdgeCollapser::gather_star(Index vertex) {
   });
 }
 
-/// The largest squared length of an edge from the merged vertex to that neighbor. The merged vertex
-/// counts with the mean size of both ends.
+/// The largest allowed squared length of an edge from the merged vertex to the neighbor. The size
+/// at the merged vertex is the mean of both ends.
 double EdgeCollapser::longest_to(Index neighbor) const {
   const double size = 0.5 * (mesh_.mean_size(goes_, stays_) + mesh_.size(neighbor));
   if (!shape_.curved) return longest_ * size * size;
@@ -130,9 +132,8 @@ bool EdgeCollapser::try_free_positions() {
   return try_position(middle, 0.5) || try_position(target, 0) || try_position(source, 1);
 }
 
-/// Tries both ends and the curved midpoint, first the one that is nearest to the planes of the
-/// faces that give way, as in quadric.h. Of equal ones an end wins, where a vertex is a point of
-/// the input still.
+/// Tries both ends and the curved midpoint by increasing squared distance from the planes of the
+/// replaced faces. Of equal ones an end comes first: it may still be a vertex of the input.
 bool EdgeCollapser::try_curved_positions() {
   struct Place {
     Vec3 position;
@@ -150,7 +151,7 @@ bool EdgeCollapser::try_curved_positions() {
   });
 }
 
-/// Whether a film, or a feature of the shape, would be lost.
+/// Whether the collapse would move the surface farther than films or curved shapes allow.
 bool EdgeCollapser::moves_too_far(const Vec3& position) const {
   const bool has_film = shape_.min_film > 0;
   if (!has_film && !shape_.curved) return false;
@@ -175,7 +176,7 @@ EdgeCollapser::SurfaceShift EdgeCollapser::shift_to(const Vec3& position) const 
 }
 
 Vec3 EdgeCollapser::volume_keeping_shift(const Vec3& position) const {
-  // The volume is linear in the position: six times it is position . ring plus a constant.
+  // The volume is linear in the position: six times the volume is position . ring + constant.
   const Vec3& origin = mesh_.position(stays_);
   Vec3 ring = Vec3::Zero();
   for (const Spoke& spoke : spokes_) {

@@ -1,4 +1,4 @@
-/// Collapses one edge where that keeps what collapse.h promises.
+/// Collapses a single edge if the rules of collapse.h allow it.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ namespace transformesh {
 
 class EdgeCollapser {
  public:
-  /// Positions keep the bound, if there is one.
+  /// If `bound` is not null, collapses also keep this error bound.
   EdgeCollapser(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                 double max_edge, ErrorBound* bound = nullptr)
       : mesh_(mesh), guard_(&guard), bound_(bound), roles_(roles), longest_(max_edge * max_edge) {}
-  /// Without a guard: the caller looks for intersections.
+  /// Works without a guard; the caller must check for intersections.
   EdgeCollapser(EditableMesh& mesh, const VertexRoles& roles, double max_edge)
       : mesh_(mesh),
         guard_(nullptr),
@@ -24,33 +24,33 @@ class EdgeCollapser {
         roles_(roles),
         longest_(max_edge * max_edge) {}
 
-  /// The vertex that the edge became; no_index where it stays.
+  /// Returns the merged vertex; no_index if the edge stays.
   Index collapse(Index halfedge);
-  /// The same, to that position only, and with narrower triangles. If one end is bound more than
-  /// the other, the position has to be its own.
+  /// Collapses an edge to the given position only, and allows narrower triangles. If the role of
+  /// one end is stricter than that of the other, the position must be that of this end.
   Index collapse_to(Index halfedge, const Vec3& position);
-  /// To be called before the first collapse; without that, all of the rules are off.
+  /// Sets the rules for the shape; by default all are off. Call before the first collapse.
   void keep_shape(const ShapeRules& rules) { shape_ = rules; }
-  /// How many collapses stayed undone though all but the rule on films allowed them.
+  /// Returns the number of collapses that were refused only because of ShapeRules::min_film.
   std::size_t films_kept() const { return films_kept_; }
-  /// Whether the last position was refused because an edge would be too long.
+  /// True if the last position was refused because an edge would be too long.
   bool was_too_long() const { return was_too_long_; }
 
  private:
-  /// A triangle that stays, without its corner at the edge.
+  /// A remaining triangle, without its corner at the edge.
   struct Spoke {
     Vec3 first;
     Vec3 second;
     Vec3 normal;
     bool has_normal;
-    double first_limit;  ///< squared: no new edge to `first` may be longer
+    double first_limit;  ///< squared length limit of the new edge to `first`
     double second_limit;
   };
 
-  /// How far the planes of the faces that give way are from a position.
+  /// Distances of a position from the planes of the faces that are replaced.
   struct SurfaceShift {
-    double quadric = 0;  ///< sum of the squares, weighted by twice the area
-    double most = 0;
+    double quadric = 0;  ///< sum of the squared distances, weighted by twice the area
+    double most = 0;     ///< largest distance
   };
 
   bool prepare(Index halfedge);
@@ -83,7 +83,7 @@ class EdgeCollapser {
   Index stays_ = no_index;
   std::vector<Spoke> spokes_;
   Vec3 mean_normal_ = Vec3::Zero();
-  double volume_ = 0;  ///< six times what the star of goes_ encloses with stays_
+  double volume_ = 0;  ///< six times the volume between the star of goes_ and stays_
   Patch patch_;
 };
 

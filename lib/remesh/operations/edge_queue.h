@@ -1,5 +1,5 @@
-/// Edges that wait for an operation, by their lengths in units of the local size. Entries are not
-/// updated when the mesh changes: is_current() decides whether an entry still describes an edge.
+/// Queues of edges, sorted by their lengths in units of the local size. Entries are not updated if
+/// the mesh changes; is_current() tests whether an entry still describes an edge.
 #pragma once
 
 #include <queue>

@@ -7,12 +7,12 @@
 namespace transformesh {
 namespace {
 
-/// Shares of the edge at which a vertex is tried, the middle first.
+/// Positions along the edge that are tried for the new vertex, as shares of the edge.
 constexpr std::array<double, 5> shares{0.5, 0.4375, 0.5625, 0.375, 0.625};
 
 Vec3 point_on(const Vec3& a, const Vec3& b, double share) { return (1 - share) * a + share * b; }
 
-/// The next number of the mesh's type above (step 1) or below (step -1) a coordinate.
+/// The next number above (step 1) or below (step -1) a coordinate in the type of coordinates.
 double neighbor_of(double x, int step, bool is_single) {
   if (step == 0) return x;
   if (is_single) return std::nextafter(static_cast<float>(x), step > 0 ? HUGE_VALF : -HUGE_VALF);
@@ -49,7 +49,7 @@ std::vector<Index> ExactSplitter::split(Index halfedge, bool keep_border) {
   return vertices;
 }
 
-/// Fills copies_ with the edges whose ends equal those of the edge.
+/// Fills copies_ with the edge and all edges whose ends have the same positions.
 void ExactSplitter::find_copies(Index halfedge) {
   const Vec3& a = mesh_.position(mesh_.source(halfedge));
   const Vec3& b = mesh_.position(mesh_.target(halfedge));
@@ -76,7 +76,7 @@ void ExactSplitter::gather_replaced() {
   }
 }
 
-/// Whether another sheet has a vertex there, which the new one would touch.
+/// Whether there is a vertex at the position already, which the new one would touch.
 bool ExactSplitter::is_taken(const Vec3& position) const {
   return !guard_.for_each_near({position, position, position}, [&](Index face) {
     const Triangle triangle = mesh_.triangle(face);

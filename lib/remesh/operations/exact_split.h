@@ -8,15 +8,15 @@
 namespace transformesh {
 
 /// Splits an edge only if that adds no self-intersection and no face without area. Rounding moves a
-/// midpoint off its edge by up to half a spacing in each coordinate; where slivers or other sheets
-/// are as near as that, other positions are tried. Edges with equal ends, as copies of a singular
-/// edge have, are split together.
+/// midpoint off its edge by up to half a spacing in each coordinate. If this causes contact with
+/// slivers or other sheets, other positions are tried. Edges with equal end positions, such as
+/// copies of a singular edge, are split together.
 class ExactSplitter {
  public:
   ExactSplitter(EditableMesh& mesh, ExactGuard& guard) : mesh_(mesh), guard_(guard) {}
 
-  /// Returns the new vertices, of which there are several only for copies of an edge. None if no
-  /// position is possible, or if one of the copies is a border and `keep_border` is set.
+  /// Returns the new vertices; there are several only if the edge has copies. Empty if no position
+  /// is possible, or if one of the copies is a border and `keep_border` is set.
   std::vector<Index> split(Index halfedge, bool keep_border);
 
  private:
@@ -29,7 +29,7 @@ class ExactSplitter {
   EditableMesh& mesh_;
   ExactGuard& guard_;
   std::vector<Index> copies_;    ///< halfedges, one per edge
-  std::vector<Index> replaced_;  ///< their faces
+  std::vector<Index> replaced_;  ///< faces at `copies_`
   std::vector<Triangle> made_;
 };
 

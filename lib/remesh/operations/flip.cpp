@@ -12,12 +12,14 @@ namespace transformesh {
 namespace {
 
 constexpr double least_cosine = 0.5;
-constexpr std::size_t faces_per_task = 2048;
-/// The cosine of 20 degrees: below that, a flip for valence may not make the least angle smaller.
+constexpr std::size_t faces_per_task = 2048;  ///< affects time only
+/// The cosine of 20 degrees: a flip for valence may not decrease the least angle below that.
 constexpr double narrow = 0.9396926207859084;
-/// A stretched edge may pass the old one at this distance, as a share of its length.
+/// A flip to an edge above the longest length, and within EdgeLimits::stretched(), may move the
+/// surface by at most this share of the edge. Larger values allow more flips and worse shapes.
 constexpr double farthest_shift = 0.012;
-/// Angles must grow by more than rounding, so that no edge flips to and fro.
+/// The cosine of the least angle must decrease by more than rounding errors, so that no edge flips
+/// back and forth.
 constexpr double least_gain = 1e-9;
 
 class Flipper {
@@ -58,15 +60,15 @@ class Flipper {
   EmbeddingGuard& guard_;
   FlipRule rule_;
   EdgeLimits limits_;
-  std::vector<int> excess_;  ///< valence minus what it should be
+  std::vector<int> excess_;  ///< per vertex: valence minus 6, or minus 4 on borders
   std::vector<Index> queue_;
-  /// Per halfedge: whether it stood for an edge, which was to be flipped, before the first flip;
-  /// whether that may have changed; whether it is in the queue. Only those that stood for an edge
-  /// are visited.
+  /// State of a halfedge. `edge`: it was the lower one of its edge before the first flip, and only
+  /// such halfedges are visited. `wanted_before`: look_ahead() wanted to flip the edge. `changed`:
+  /// a flip nearby may have changed that. `queued`: it is in the queue.
   using State = std::uint8_t;
   enum : State { edge = 1, wanted_before = 2, changed = 4, queued = 8 };
   std::vector<State> states_;
-  Index swept_ = 0;  ///< the edges below are not visited any more unless they are in the queue
+  Index swept_ = 0;  ///< edges below this one were visited; again only if they are in the queue
   Patch patch_;
   std::size_t refused_ = 0;
 };
@@ -76,14 +78,15 @@ void Flipper::count_valences() {
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
     if (!mesh_.has_halfedge(h)) continue;
     ++excess_[mesh_.source(h)];
-    // A border vertex has one edge more than faces, and should have four edges.
+    // A border vertex has one more edge than faces and should have four edges.
     if (mesh_.is_border(h)) excess_[mesh_.source(h)] += 3;
   }
 }
 
-/// By how much the squared deviations from the valences wanted get smaller, given the signed ones.
+/// The decrease of the sum of squared deviations from ideal valences. The arguments are the signed
+/// deviations before the flip.
 int deviation_gain(int from, int to, int left, int right) {
-  // Each end gains x^2 - (x - 1)^2, each apex x^2 - (x + 1)^2.
+  // The decrease is x^2 - (x - 1)^2 at each end and x^2 - (x + 1)^2 at each apex.
   return 2 * (from + to - left - right) - 4;
 }
 
@@ -106,8 +109,8 @@ bool Flipper::is_wanted(Index halfedge) const {
   return gains_angle(at, gain > 0);
 }
 
-/// Looks at all edges on all threads: those that a flip changes are looked at again. Valences are
-/// asked before angles, as few edges pass.
+/// Tests all edges in parallel before the first flip. Edges that a flip changes are tested again
+/// later. Valences are tested before angles, since few edges pass.
 void Flipper::look_ahead() {
   states_.assign(mesh_.halfedge_slots(), 0);
   parallel_for(mesh_.face_slots(), faces_per_task, [&](std::size_t first, std::size_t last) {
@@ -120,7 +123,8 @@ void Flipper::look_ahead() {
         const Index opposite = mesh_.opposite(h);
         states_[h] = static_cast<State>(h < opposite ? edge : 0);
         if (opposite == no_index) continue;
-        // Which of two halfedges is the lower is a coin toss: that is asked last.
+        // The comparison of both halfedges is unpredictable for the processor and comes after the
+        // test that rejects most edges.
         const int gain = deviation_gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                         excess_[mesh_.apex(opposite)]);
         if ((gain >= 0 || rule_ == FlipRule::angle) && h < opposite && is_wanted(h))
@@ -130,7 +134,7 @@ void Flipper::look_ahead() {
   });
 }
 
-/// After a flip, whose corners were these.
+/// Updates valences and states after a flip of the edge that had these corners.
 void Flipper::note_change(const Corners& at) {
   --excess_[at.from];
   --excess_[at.to];
@@ -154,7 +158,7 @@ bool Flipper::is_too_long(const Corners& at) const {
   const double scaled = length / mesh_.mean_size(at.left, at.right);
   if (scaled <= limits_.longest || scaled > limits_.stretched()) return scaled > limits_.longest;
 
-  // The mixed product gives the distance between the old edge and the new one.
+  // The scalar triple product yields the distance between the lines of the old and the new edge.
   const Vec3 across = before.cross(after);
   return std::abs(across.dot(c - a)) > farthest_shift * length * across.norm();
 }
@@ -163,7 +167,7 @@ bool Flipper::is_sound(Index halfedge, const Corners& at) const {
   const auto [a, b, c, d] = positions(at);
   if ((d - c).squaredNorm() > mesh_.squared_length(halfedge) && is_too_long(at)) return false;
 
-  // All four triangles have to look the same way.
+  // All four normals must be similar.
   const Vec3 left = normal_of(a, b, c);
   const Vec3 right = normal_of(a, d, b);
   const Vec3 first = normal_of(a, d, c);
@@ -226,7 +230,8 @@ bool Flipper::visit(Index halfedge) {
   return true;
 }
 
-// Every flip lowers a bounded measure, but in rounded arithmetic a limit is safer than a proof.
+// Each flip decreases a bounded measure, so flips end. Because of rounding, their number is limited
+// as well.
 FlipCounts Flipper::run(const Progress& progress) {
   progress("flip");
   count_valences();

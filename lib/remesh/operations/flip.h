@@ -11,19 +11,21 @@ namespace transformesh {
 
 struct FlipCounts {
   std::size_t done = 0;
-  std::size_t refused = 0;  ///< by the guard
+  std::size_t refused = 0;  ///< flips that the guard refused
 };
 
-/// With FlipRule::valence flips where the squared deviations from valence 6 (4 on borders)
-/// get smaller, or stay as they are and the smaller of the least angles grows. With FlipRule::angle
-/// where the smaller of the least angles grows. No flip makes an edge that exists, takes one on a
-/// line or between faces that meet at more than 60 degrees, turns a normal by more than that, or
-/// makes an edge longer than allowed; stretched ones are made only where the surface hardly moves.
-/// Edges are tried in order, then again around each that was flipped.
+/// Flips edges by a rule. FlipRule::angle flips an edge if the least angle of its two faces
+/// increases. FlipRule::valence flips an edge if the sum of the squared deviations from valence 6
+/// (4 on borders) decreases, or if it stays equal and the least angle increases.
+///
+/// Edges on lines, and between faces whose normals differ by more than 60 degrees, are not flipped.
+/// A flip must not make an existing edge, rotate a normal by more than 60 degrees, or make a too
+/// long edge. Stretched edges (edge_rules.h) are made only if the surface hardly moves. Edges are
+/// tried in order, then again around each flipped edge.
 FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule,
                       const EdgeLimits& limits, const Progress& progress);
 
-/// Flips one edge where the result is sound, whatever the rule. Without limits, edges do not become
+/// Flips an edge if the conditions above hold, without a rule. Without limits, edges do not become
 /// longer.
 bool flip_edge(EditableMesh& mesh, EmbeddingGuard& guard, Index halfedge,
                const EdgeLimits& limits = {});

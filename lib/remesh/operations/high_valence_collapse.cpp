@@ -11,10 +11,11 @@
 namespace transformesh {
 namespace {
 
-/// A star of so many faces takes a hundredth of a second with the guard.
+/// Vertices with more faces are treated here. EmbeddingGuard takes a hundredth of a second for a
+/// collapse at a vertex with this many faces.
 constexpr Index usual_valence = 256;
 
-/// Faces around each vertex.
+/// The number of faces at each vertex.
 std::vector<Index> valences_of(const EditableMesh& mesh) {
   std::vector<Index> valences(mesh.vertex_slots(), 0);
   for (Index face = 0; face < mesh.face_slots(); ++face) {
@@ -53,7 +54,7 @@ class StarThinner {
  private:
   bool is_crowded(Index vertex) const { return valences_[vertex] > usual_valence; }
 
-  /// Opposite to a crowded vertex, but not at one.
+  /// Whether the edge is short and opposite to a crowded vertex, with no crowded end.
   bool is_wanted(Index h) const {
     const Index opposite = mesh_.opposite(h);
     return (is_crowded(mesh_.apex(h)) ||
@@ -70,7 +71,7 @@ class StarThinner {
     --valences_[left];
     if (right != no_index) --valences_[right];
     valences_[vertex] = mesh_.valence(vertex);
-    // The edges from the vertex, and those across from it, have new lengths or apexes.
+    // The edges at the vertex and those opposite to it have new lengths or apexes.
     mesh_.for_each_outgoing(vertex, [&](Index outgoing) {
       for (const Index edge : {outgoing, next_halfedge(outgoing), previous_halfedge(outgoing)})
         if (is_wanted(edge)) queue_.emplace(mesh_, edge);

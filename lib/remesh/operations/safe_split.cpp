@@ -11,14 +11,15 @@
 namespace transformesh {
 namespace {
 
-/// Compares a mesh with what it was before its edges were split.
+/// Compares the contacts of a mesh after its edges were split with those before.
 class ContactCheck {
  public:
   ContactCheck(const EditableMesh& before, const EditableMesh& after,
                std::span<const Index> parents)
       : before_(before), after_(after), parents_(parents), guard_(after) {}
 
-  /// Whether faces at the vertex meet others, or have no area, though their predecessors did not.
+  /// Whether a face at the vertex meets others or has no area, and the face that it is part of did
+  /// not.
   bool is_worse_at(Index vertex) const {
     bool is_worse = false;
     after_.for_each_outgoing(

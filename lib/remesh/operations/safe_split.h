@@ -11,19 +11,20 @@ namespace transformesh {
 
 struct SafeSplitOptions {
   SplitLimits limits;
-  std::function<std::unique_ptr<EmbeddingGuard>()> make_guard;  ///< for the mesh as it is then
+  std::function<std::unique_ptr<EmbeddingGuard>()>
+      make_guard;  ///< makes a guard of the current mesh
 };
 
 struct SafeSplits {
   std::unique_ptr<EmbeddingGuard> guard;  ///< for the mesh after the splits
   std::size_t done = 0;
-  std::size_t refused = 0;  ///< edges that stay too long, or vertices that rounding left in contact
+  std::size_t refused = 0;  ///< edges that stay too long; vertices in contact because of rounding
   std::vector<std::array<Index, 2>> ends = {};  ///< SplitCounts::ends
 };
 
-/// Splits first and checks the result. If a vertex has added a self-intersection or a face without
-/// area, the splits are undone, slivers are removed (slivers.h), and the splits are done again,
-/// each one tested exactly. Meshes without such contact do not pay for exact tests.
+/// Splits all long edges and then checks the result. If a new vertex has added a self-intersection
+/// or a face without area, the splits are undone and slivers are removed (slivers.h). The splits
+/// are then repeated with an exact test of each. Other meshes do not need exact tests.
 SafeSplits split_safely(EditableMesh& mesh, const SafeSplitOptions& options,
                         const Progress& progress);
 

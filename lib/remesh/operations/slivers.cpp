@@ -15,9 +15,10 @@ namespace {
 /// Largest height of a sliver, as a share of the shortest edge; the table in the header shows its
 /// effect.
 constexpr double thin_share = 1e-5;
-constexpr double thin_spacings = 4;  ///< largest height of a sliver, in spacings of coordinates
-/// Each round moves the surface by at most two heights, so all remain within the slack of the
-/// guard.
+/// Largest height of a sliver in spacings of coordinates. Lower heights are mostly rounding error.
+constexpr double thin_spacings = 4;
+/// Each round moves the surface by at most two heights of slivers. All rounds therefore remain
+/// within the slack of the guard.
 constexpr int most_rounds = 16;
 constexpr double slack_heights = 4 * most_rounds;
 
@@ -48,7 +49,7 @@ class SliverRemoval {
         guard_(mesh, slack_heights * is_sliver.largest_thickness()),
         merged_in_(mesh.vertex_slots(), 0) {}
 
-  /// Returns how many steps were done.
+  /// Returns the number of removed slivers.
   std::size_t run_round() {
     ++round_;
     const std::vector<Index> slivers = indices_where(
@@ -71,7 +72,7 @@ class SliverRemoval {
     return !mesh_.is_border(halfedge) && collapse(mesh_.opposite(halfedge));
   }
 
-  /// Merges the source into the target, which keeps its place.
+  /// Merges the source into the target, which keeps its position.
   bool collapse(Index halfedge) {
     const Index from = mesh_.source(halfedge);
     const Index to = mesh_.target(halfedge);
@@ -91,8 +92,8 @@ class SliverRemoval {
     return true;
   }
 
-  /// Flips the longest edge of a sliver. Both new faces take the place of the face across that
-  /// edge.
+  /// Flips the longest edge of a sliver. Both new faces are parts of the face across that edge and
+  /// get its attributes.
   bool flip(Index halfedge) {
     if (mesh_.is_border(halfedge) || !mesh_.can_flip(halfedge)) return false;
     const Index sliver = halfedge / 3;
@@ -111,7 +112,7 @@ class SliverRemoval {
     return true;
   }
 
-  /// Whether a flip leaves fewer slivers, or as many and a shorter edge. So flips come to an end.
+  /// Whether a flip leaves fewer slivers, or as many and a shorter edge. This ensures termination.
   bool is_progress(Index across, bool is_shorter) const {
     const auto is_made_thin = [&](const Triangle& t) { return is_sliver_.is_sliver(t); };
     const auto after = std::count_if(made_.begin(), made_.end(), is_made_thin);
@@ -130,7 +131,7 @@ class SliverRemoval {
   ExactGuard guard_;
   int round_ = 0;
   std::vector<int>
-      merged_in_;  ///< per vertex, the last round in which another one was merged into it
+      merged_in_;  ///< per vertex: last round in which another vertex was merged into it
   std::vector<Triangle> made_;
   std::vector<Index> replaced_;
 };

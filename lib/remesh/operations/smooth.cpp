@@ -11,10 +11,11 @@
 namespace transformesh {
 namespace {
 
-/// Moves below this share of the star's size are left out.
+/// Moves shorter than this share of the root of the star's doubled area are skipped.
 constexpr double rest = 5e-3;
+/// Smaller weights of edges, which may be negative, are replaced by this one.
 constexpr double least_weight = 0.01;
-constexpr std::size_t things_per_task = 2048;
+constexpr std::size_t things_per_task = 2048;  ///< affects time only
 
 class Relaxer {
  public:
@@ -61,7 +62,7 @@ class Relaxer {
 };
 
 Vec3 Relaxer::free_target() const {
-  // The mean of the triangles' centroids, weighted by area, is taken relative to the old center.
+  // Mean of the centroids of the triangles, weighted by area, relative to the old position.
   double x = 0, y = 0, z = 0, weight = 0;
   const VertexStar::Pair* const pairs = star_.pairs();
   for (std::size_t i = 0; i < star_.size(); i += 2) {
@@ -94,7 +95,8 @@ Vec3 Relaxer::line_target(Index vertex) const {
 
 void Relaxer::carry_attributes(Index vertex) {
   if (!mesh_.has_vertex_attributes()) return;
-  // Barycentric coordinates find the triangle of the old star that holds the new position best.
+  // Takes the triangle of the old star in which the least barycentric coordinate of the new
+  // position is largest: it contains the position or is nearest to that.
   const Vec3 shift = mesh_.position(vertex) - star_.center();
   double best = -HUGE_VAL;
   std::array<Index, 3> sources{vertex, vertex, vertex};
@@ -118,8 +120,8 @@ void Relaxer::carry_attributes(Index vertex) {
   mesh_.blend_attributes(vertex, sources, weights);
 }
 
-/// The Laplace-Beltrami operator: at every vertex the value minus the weighted mean of the values
-/// of its neighbors.
+/// The normalized Laplace-Beltrami operator: at each vertex, its value minus the weighted mean of
+/// the values of its neighbors.
 class Laplacian {
  public:
   Laplacian(const EditableMesh& mesh, const VertexRoles& roles) : mesh_(mesh), roles_(roles) {
@@ -167,7 +169,7 @@ class Laplacian {
 
   const EditableMesh& mesh_;
   const VertexRoles& roles_;
-  std::vector<double> cotangents_;  ///< of the angle opposite each halfedge
+  std::vector<double> cotangents_;  ///< per halfedge: cotangent of the opposite angle
 };
 
 }  // namespace

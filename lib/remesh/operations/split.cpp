@@ -14,12 +14,13 @@
 namespace transformesh {
 namespace {
 
-/// A midpoint in contact is tried at these distances, in spacings of its largest coordinate.
+/// A midpoint that touches other faces is moved along its normal by these distances, in spacings of
+/// its largest coordinate.
 constexpr std::array<double, 3> roundings{1, 2, 4};
 constexpr int most_rounds = 4;
-/// Shorter edges, in the same spacings, are not split: their midpoints are rounded by up to a half
-/// of the square root of 3, and with at least so many, lines to the midpoint of a longest edge are
-/// shorter than it all the same. Else splits would never end.
+/// Edges shorter than this many spacings are not split. Rounding moves midpoints by up to half the
+/// square root of 3 spacings. From this length on, edges to the midpoint of a longest edge are
+/// still shorter than that edge; otherwise splits might not end.
 constexpr double least_spacings = 8;
 
 double rounding_at(const EditableMesh& mesh, const Vec3& point) {
@@ -79,9 +80,9 @@ class Splitter {
     if (!mesh_.is_border(halfedge)) is_held_[mesh_.opposite(halfedge)] = is_held;
   }
 
-  /// Whether a longer edge of its faces stays as it is, a border or itself beside one that stays,
-  /// and is longer than 1.5 times the limit. The two others of a face, halved in turn, come to a
-  /// third and two thirds of it, and so splits would never end. Longer edges came first.
+  /// Whether a face at the edge has a longer edge that is held and longer than 1.5 times the limit.
+  /// Splitting the other edges of such a face would never make all of them short: in turn, they
+  /// approach one and two thirds of the held edge. Longer edges are always decided earlier.
   bool is_beside_held(const QueuedEdge& edge) const {
     const auto holds = [&](Index other) {
       const double length = mesh_.scaled_squared_length(other);
@@ -115,7 +116,8 @@ class Splitter {
     ++counts_.refused;
   }
 
-  /// Edges at a new vertex may be too long, and some of those around it have a new name.
+  /// Enqueues the edges at a new vertex, which may be too long, and those around it, whose
+  /// halfedges may have new indices.
   void push_around(Index vertex) {
     ++counts_.done;
     mesh_.for_each_outgoing(vertex, [&](Index outgoing) {
@@ -128,10 +130,10 @@ class Splitter {
   EditableMesh& mesh_;
   double limit_;
   bool keep_border_;
-  Index first_left_;  ///< edges at vertices from this one on are not split
+  Index first_left_;  ///< edges with an end at this vertex or a later one are not split
   ExactSplitter* exact_;
   EdgeQueue<LongerFirst> queue_;
-  std::vector<bool> is_held_;  ///< per halfedge; empty while none is
+  std::vector<bool> is_held_;  ///< per halfedge: whether its edge stays; empty while all may split
   SplitCounts counts_;
 };
 
@@ -170,7 +172,7 @@ std::vector<Index> settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, I
   };
   for (Index v = first; v < mesh.vertex_slots(); ++v) try_to_settle(v);
 
-  // Neighbors may be out of the way by now.
+  // Tries again, since neighbors may have moved out of the way.
   for (int round = 0; round < most_rounds && !in_contact.empty(); ++round) {
     const std::vector<Index> again = std::exchange(in_contact, {});
     std::for_each(again.begin(), again.end(), try_to_settle);

@@ -1,4 +1,4 @@
-/// Moves one vertex where all that the operations promise stays true.
+/// Moves a single vertex if the conditions of smooth.h hold.
 #pragma once
 
 #include "remesh/guards/embedding_guard.h"
@@ -10,13 +10,13 @@ namespace transformesh {
 
 class VertexMover {
  public:
-  /// Triangles at least so round (roundness() in star.h) are good enough; others must not get
-  /// worse.
+  /// Triangles with at least this roundness() (triangle_quality.h) may become less round down to
+  /// this value; others must not become less round. A larger value refuses more movements.
   static constexpr double round_enough = 0.6;
   VertexMover(EditableMesh& mesh, EmbeddingGuard& guard, double enough = round_enough)
       : mesh_(mesh), guard_(guard), enough_(enough) {}
 
-  /// Moves the vertex to `target`, or half the way; false where neither is sound.
+  /// Moves the vertex to `target`, or halfway. Returns false if both are refused.
   bool move(Index vertex, const VertexStar& star, const Vec3& target);
 
  private:
@@ -28,16 +28,16 @@ class VertexMover {
   void name_faces(Index vertex, const VertexStar& star, const Vec3& target);
 
   struct WayPair {
-    VectorPair way;  ///< from the target to the rim
+    VectorPair way;  ///< vectors from the target to the neighbors
     NumberPair squared;
   };
 
   EditableMesh& mesh_;
   EmbeddingGuard& guard_;
-  bool has_thin_ = false;  ///< whether a triangle of the star would have no reliable normal
+  bool has_thin_ = false;  ///< a triangle of the star would have no reliable normal
   double enough_;
   std::vector<WayPair> ways_;
-  std::vector<NormalPair> normals_;  ///< of the triangles where they would be
+  std::vector<NormalPair> normals_;  ///< normals of the moved triangles
   Patch patch_;
 };
 

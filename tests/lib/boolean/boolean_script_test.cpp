@@ -16,7 +16,7 @@ void check_refused(const char* text, const char* message) {
 
 }  // namespace
 
-TEST_CASE("lines of a script") {
+TEST_CASE("a script is parsed line by line") {
   const auto lines = parse_boolean_script(
       "# first\r\n\na = union b.ply \"the c.ply\"  # more\n\tx#y\t= xor  a \"\"\r\nz = difference "
       "a");
@@ -31,7 +31,7 @@ TEST_CASE("lines of a script") {
   CHECK(lines[2].number == 5);
 }
 
-TEST_CASE("lines that are refused") {
+TEST_CASE("malformed lines of a script are refused") {
   check_refused("", "the script has no line with an operation");
   check_refused("# a\n\n", "the script has no line with an operation");
   check_refused("a = union", "line 1 of the script: expected NAME = OPERATION OPERAND...");

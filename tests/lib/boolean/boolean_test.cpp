@@ -112,7 +112,7 @@ std::uint64_t rounds() {
 
 }  // namespace
 
-TEST_CASE("Boolean operations select what winding numbers say: 100 cases, TM_ROUNDS=20 for 2000") {
+TEST_CASE("Boolean operations agree with winding numbers: 100 cases, TM_ROUNDS=20 for 2000") {
   for (std::uint64_t seed = 0; seed < 25 * rounds(); ++seed) {
     CAPTURE(seed);
     test::Random random(seed);
@@ -130,7 +130,7 @@ TEST_CASE("Boolean operations select what winding numbers say: 100 cases, TM_ROU
   }
 }
 
-TEST_CASE("inclusion and exclusion, and de Morgan's laws in a box") {
+TEST_CASE("volumes obey inclusion and exclusion, and de Morgan's laws in a box") {
   for (std::uint64_t seed = 0; seed < 10 * rounds(); ++seed) {
     CAPTURE(seed);
     test::Random random(1000 + seed);
@@ -183,7 +183,7 @@ TEST_CASE("disjoint operands pass unchanged") {
   CHECK(result.mesh.faces == both.faces);
 }
 
-TEST_CASE("operands that are open or empty") {
+TEST_CASE("open operands are refused, and empty ones allowed") {
   Mesh open = test::cube();
   open.faces.pop_back();
   CHECK_THROWS_WITH_AS(combine(Operation::unite, {test::cube(), open}),
@@ -193,7 +193,7 @@ TEST_CASE("operands that are open or empty") {
   CHECK(combine(Operation::subtract, {test::cube(), Mesh{}}).mesh.faces.size() == 12);
 }
 
-TEST_CASE("every face says which operand it comes from") {
+TEST_CASE("the column source_operand names the operand of each face") {
   const Mesh small = test::moved(test::cube(), Vec3::Constant(0.5));
   for (const Operation operation : {Operation::subtract, Operation::exclude}) {
     BooleanOptions options;

@@ -52,7 +52,7 @@ TEST_CASE("a plane through a ball leaves half of it") {
         doctest::Approx(volume / 2));
 }
 
-TEST_CASE("a plane through a box with a cavity leaves what is below") {
+TEST_CASE("a plane through a box with a cavity leaves the part below") {
   const Mesh solid = test::joined(box(0, 4), test::reversed(box(1, 3)));
   CHECK(test::signed_volume(capped(plane(2), solid, SheetSide::inside)) == doctest::Approx(32 - 4));
   CHECK(test::signed_volume(capped(plane(3.5), solid, SheetSide::inside)) ==
@@ -61,14 +61,14 @@ TEST_CASE("a plane through a box with a cavity leaves what is below") {
   CHECK(capped(plane(5), solid, SheetSide::inside).faces.empty());
 }
 
-TEST_CASE("two planes that look apart leave the slab between them") {
+TEST_CASE("two planes that face away from each other leave the slab between them") {
   const Mesh sheet = test::joined(plane(3), test::reversed(plane(1)));
   CHECK(test::signed_volume(capped(sheet, box(0, 4), SheetSide::inside)) == doctest::Approx(32));
   const Mesh alike = test::joined(plane(3), plane(1));
   CHECK(refusal(alike, box(0, 4), SheetSide::inside).starts_with("a region at ("));
 }
 
-TEST_CASE("what a sheet and the outside of a solid enclose lies on the solid") {
+TEST_CASE("a region between a sheet and the outside of a solid is capped by the solid") {
   // A box without its bottom, which stands in another one.
   Mesh hood = test::moved(box(0, 2), Vec3(1, 1, 3));
   std::erase_if(hood.faces, [&](const Face& face) {

@@ -7,7 +7,7 @@
 
 namespace transformesh {
 
-TEST_CASE("an edited solid finds faces, and forgets those that are gone") {
+TEST_CASE("an edited solid finds its faces, and no removed ones") {
   const Mesh cube = test::cube();
   EditedSolid solid(test::joined(cube, test::moved(cube, Vec3(5, 0, 0))));
   CHECK(solid.faces_touching(Box(Vec3(5.5, 0.5, 0.5), Vec3(9, 9, 9))).front() >= 12);

@@ -32,7 +32,7 @@ Mesh random_tool(test::Random& random) {
 
 }  // namespace
 
-TEST_CASE("a chain of changes in place is that of whole meshes") {
+TEST_CASE("a chain of local operations equals operations on whole meshes") {
   test::Random random(7);
   Mesh expected = statue();
   EditedSolid solid(expected);
@@ -76,7 +76,7 @@ TEST_CASE("an operand that meets no face is inside or outside") {
   CHECK(changed(BooleanOperation::subtract, Vec3(3, 2, 1)) == 0);
 }
 
-TEST_CASE("what a part does not decide changes nothing") {
+TEST_CASE("a local operation that the part does not decide changes nothing") {
   const Mesh ball = test::icosphere(3);
   EditedSolid solid(ball);
   const auto is_done = [&](const Mesh& operand) {

@@ -53,7 +53,7 @@ TEST_CASE("a body lies in the innermost cell around it") {
   }
 }
 
-TEST_CASE("a cavity has its outside within") {
+TEST_CASE("a cavity bounds the cell inside of its shell") {
   JoinedSides joined(test::joined(test::reversed(box(2, 8)), box(0, 10)));
   CHECK(joined.back(0) == joined.back(1));
   CHECK(joined.front(0) != joined.back(1));

@@ -31,7 +31,7 @@ Kind kind_of(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("kinds of operands") {
+TEST_CASE("simple, not negative and unknown operands are distinguished") {
   const Mesh cube = test::cube();
   const Mesh apart = test::moved(cube, Vec3(3, 0, 0));
   const Mesh across = test::moved(cube, Vec3(0.5, 0.25, 0.125));

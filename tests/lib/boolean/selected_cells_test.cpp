@@ -32,7 +32,7 @@ std::array<double, 6> all(double area) { return {area, area, area, area, area, a
 
 }  // namespace
 
-TEST_CASE("pieces look outwards, whatever the operands do") {
+TEST_CASE("pieces are oriented outwards, for any orientation of the operands") {
   const Mesh large = test::cuboid(Vec3::Zero(), Vec3::Constant(3));
   const Mesh small = test::moved(test::cube(), Vec3::Ones());
   using enum BooleanOperation;
@@ -43,7 +43,7 @@ TEST_CASE("pieces look outwards, whatever the operands do") {
   CHECK(chosen_areas(subtract, {small, large}) == all(0));
 }
 
-TEST_CASE("the same face of two operands counts for each") {
+TEST_CASE("coincident faces of two operands count for each operand") {
   const Mesh cube = test::cube();
   const Mesh twice = test::joined(cube, cube);
   using enum BooleanOperation;

@@ -171,7 +171,9 @@ TEST_CASE("columns: boxes with coplanar and coincident faces") {
       test::joined(test::cuboid({0, 0, 0}, {3, 2, 2}), test::cuboid({1, 0, 0}, {4, 1, 2})));
 }
 
-TEST_CASE("columns: a tangle") { check_columns(make_shape(test::shape("tangle", 4000))); }
+TEST_CASE("columns: many faces through each other") {
+  check_columns(make_shape(test::shape("tangle", 4000)));
+}
 
 TEST_CASE("columns: needles") {
   test::Random random(11);
@@ -192,7 +194,7 @@ TEST_CASE("columns: floats") {
   check_columns(as_float(make_shape(test::shape("tangle", 4000))), options);
 }
 
-TEST_CASE("columns: what was not touched keeps every bit") {
+TEST_CASE("columns: untouched faces keep every bit") {
   Mesh mesh = two_balls();
   Column& odd = mesh.vertex_columns.get("odd", Scalar::float32, mesh.positions.size());
   for (std::size_t v = 0; v < odd.values.size(); ++v) odd.values[v] = v % 2 == 0 ? -0.0 : NAN;
@@ -218,7 +220,7 @@ TEST_CASE("columns: what was not touched keeps every bit") {
   CHECK(differences == 0);
 }
 
-TEST_CASE("--refuse says what even a soup without intersections lacks") {
+TEST_CASE("--refuse names the defect of a soup without intersections") {
   const Mesh ball = test::icosphere(2);
   Mesh soup;
   for (const Face& face : ball.faces) {

@@ -183,7 +183,7 @@ double length_inside_any(const std::vector<Mesh>& bodies, double x, double y) {
 
 }  // namespace
 
-TEST_CASE("the volume of overlapping balls agrees with samples of what lies in any of them") {
+TEST_CASE("the volume of overlapping balls agrees with random samples") {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     CAPTURE(seed);
     test::Random random(seed);

@@ -17,7 +17,7 @@ Mesh overlapping_boxes() {
 
 }  // namespace
 
-TEST_CASE("a box has no problem, and an open one only if it has to be closed") {
+TEST_CASE("a box has no problem, and an open box only if it must be closed") {
   CHECK(check_mesh(test::cube()).problems.empty());
   Mesh open = test::cube();
   open.faces.pop_back();

@@ -57,7 +57,7 @@ TEST_CASE("source points give back the positions of the output") {
   CHECK(result.mesh.face_columns.find("tm:source-face") == nullptr);
 }
 
-TEST_CASE("source points of the input go if only the face column is wanted") {
+TEST_CASE("source points are removed if only the face column is requested") {
   Mesh input = overlapping_boxes();
   write_source_points(input, closest_source_points(input, input));
   CleanOptions options;

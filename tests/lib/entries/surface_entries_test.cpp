@@ -51,7 +51,7 @@ TEST_CASE("entries keep the order of the report, and appended ones follow") {
   CHECK(value_of<double>(entries, "scale") == 2);
 }
 
-TEST_CASE("a check of a mesh has entries for what was asked only") {
+TEST_CASE("a check of a mesh has entries only for requested checks") {
   CHECK(entries_of(check_mesh(test::cube())).back().first == "genus");
   CheckMeshOptions options;
   options.intersections = true;

@@ -63,7 +63,7 @@ TEST_CASE("a sphere that grows with unit speed has radius 1 + t at time t") {
   CHECK(result.volume == volume(mesh));
 }
 
-TEST_CASE("time goes on from one step to the next, and stages lie within it") {
+TEST_CASE("steps continue in time, and their stages lie within the step") {
   Mesh mesh = test::icosphere(2);
   double last = -1;
   const Motion motion{[&](const Mesh& now, const Moment& moment, const Progress&) {
@@ -127,7 +127,7 @@ TEST_CASE("a run that continues ends with the same bytes") {
   CHECK(bytes(state, 1000) == bytes(folder / "other", 1000));
 }
 
-TEST_CASE("options that mean nothing are refused") {
+TEST_CASE("meaningless options are refused") {
   Mesh mesh = test::icosphere(1);
   const auto refuse = [&](const TimeOptions& time) {
     CHECK_THROWS_AS(evolve_in_time(mesh, growing(1), time), UsageError);

@@ -50,7 +50,7 @@ TEST_CASE("a ball that grows by its normals has the volume of the larger ball") 
         doctest::Approx(4 * std::numbers::pi / 3 * std::pow(radius, 3)).epsilon(0.01));
 }
 
-TEST_CASE("two balls that grow become one, and a step that shrinks them parts it again") {
+TEST_CASE("two growing balls merge, and shrinking splits them again") {
   Document document = two_balls(0.2);
   Record record;
   const EvolveResult merged =

@@ -57,7 +57,7 @@ TEST_CASE("velocities that a filter writes move vertices as displace() does, and
   CHECK(mesh.vertex_columns.columns.empty());
 }
 
-TEST_CASE("vertices that moved are believed before velocities, which may be the user's own") {
+TEST_CASE("moved vertices take precedence over velocities") {
   Mesh mesh = test::cube();
   add_velocities(mesh);
   const DisplaceResult result = stepped(mesh, [](Mesh& inner) { inner.positions[0].x() -= 1; });

@@ -45,14 +45,14 @@ TEST_CASE("a ball around a torus becomes the torus") {
   CHECK(result.distances.displaced.moved == 0);
 }
 
-TEST_CASE("a mesh that is there already needs two iterations") {
+TEST_CASE("a mesh that already agrees with the target needs two iterations") {
   Document document = ball(1);
   const MorphResult result = morphed(document, make_target(test::icosphere(4)));
   CHECK(result.stop == MorphStop::converged);
   CHECK(result.iterations == 2);
 }
 
-TEST_CASE("a part of the target that is out of reach is no convergence, and the place is named") {
+TEST_CASE("a morph that misses a part of the target does not converge, and names the place") {
   const Mesh ball_there = test::moved(test::icosphere(3), Vec3(10, 0, 0));
   const Mesh target = test::joined(test::icosphere(3), ball_there);
   Document document = ball(1.1);
@@ -100,7 +100,7 @@ TEST_CASE("a target without faces has no topology to be reached") {
   CHECK_FALSE(goal_of(make_target(open)).topology);
 }
 
-TEST_CASE("a cavity of the target, and what floats in it, are no goal") {
+TEST_CASE("cavities of the target, and components in them, are no goal") {
   const Mesh hollow =
       test::joined(test::icosphere(4), test::reversed(test::scaled(test::icosphere(3), 0.6)));
   const Mesh floating = test::joined(hollow, test::scaled(test::icosphere(2), 0.2));

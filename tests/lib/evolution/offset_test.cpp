@@ -92,7 +92,7 @@ TEST_CASE("the bar of a dumbbell vanishes, and its balls are left") {
   CHECK(volume(mesh) == doctest::Approx(2 * 0.6 * 0.6 * 0.6).epsilon(0.06));
 }
 
-TEST_CASE("a plate that loses its rim is told of, with the place; finer edges keep it") {
+TEST_CASE("a plate that loses its rim is reported with the place; finer edges keep it") {
   // .2 is left of a thickness of 4, in a body 6 by 8.
   const Mesh box = test::cuboid(Vec3::Zero(), {4, 6, 8});
   const double left = 0.2 * 2.2 * 4.2;

@@ -39,7 +39,7 @@ TrackResult tracked(Document& document, Record& record,
 
 }  // namespace
 
-TEST_CASE("a movie is followed through merging and parting, with edges of one length") {
+TEST_CASE("a movie is followed through merges and splits, with edges of one length") {
   Document document = start();
   const double first = edge_lengths(document.mesh).mean;
   Record none;

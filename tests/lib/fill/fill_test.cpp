@@ -87,7 +87,7 @@ TEST_CASE("a patch that would intersect the mesh stays out") {
   CHECK(mesh.positions == before.positions);
 }
 
-TEST_CASE("a slit, which has only flat patches, is no hole that a crossing closes") {
+TEST_CASE("a slit, which has only flat patches, is not filled by intersecting faces") {
   // The cube with a vertex in the middle of an edge, of which only one of the faces there knows.
   for (const bool allows : {false, true}) {
     Mesh mesh = test::cube();
@@ -118,7 +118,7 @@ TEST_CASE("columns of new vertices are interpolated, those of new faces 0") {
   for (std::size_t f = 0; f < parts.size(); ++f) CHECK(parts[f] == (f < old_faces ? 7 : 0));
 }
 
-TEST_CASE("what is no oriented manifold is refused, and so are limits that are none") {
+TEST_CASE("meshes that are no oriented manifolds, and invalid limits, are refused") {
   Mesh mesh = test::cube();
   std::swap(mesh.faces[0][0], mesh.faces[0][1]);
   CHECK_THROWS_AS(fill_holes(mesh), InputError);

@@ -35,7 +35,7 @@ void check_closed(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a ring that is cut through is a bent rod, a slice shorter") {
+TEST_CASE("a ring that is cut becomes a bent rod") {
   const Mesh ring = test::torus(2, 0.5, 60, 24);
   Mesh rod = ring;
   const HandleResult result = remove_handles(rod, {.max_length = 3.2});
@@ -68,7 +68,7 @@ TEST_CASE("a narrow hole is closed, and a ring with a wide one around a thick tu
   CHECK(same.faces == thick.faces);
 }
 
-TEST_CASE("all handles go where the length allows it, and the parts of a mesh stay") {
+TEST_CASE("all handles within the length are removed, and components stay") {
   for (const Mesh& mesh : {shape("genus", {"7"}, 4000), shape("tori", {}, 4000),
                            clean(shape("boxes", {}, 3000)).mesh}) {
     const Components before = connected_components(mesh);
@@ -115,7 +115,7 @@ TEST_CASE("a cavity stays sealed, and the components that cleaning finds are tho
     }
 }
 
-TEST_CASE("a tunnel that something goes through stays, and what floats in it is not swallowed") {
+TEST_CASE("a tunnel with something in it stays, and components in it are not lost") {
   // The hole of the ring is .1 wide.
   const Mesh thick = test::torus(1, 0.9, 40, 80);
   const Mesh bar = test::cuboid(Vec3(-0.02, -0.02, -3), Vec3(0.02, 0.02, 3));
@@ -136,7 +136,7 @@ TEST_CASE("a tunnel that something goes through stays, and what floats in it is 
   CHECK(connected_components(clean(beaded).mesh).components.size() == 6);
 }
 
-TEST_CASE("columns go on, and thin limbs that are no handles stay") {
+TEST_CASE("columns are kept, and thin limbs that are no handles stay") {
   Mesh mesh = test::torus(2, 0.5, 30, 12);
   mesh.vertex_columns.get("heat", Scalar::float32, mesh.positions.size())
       .values.assign(mesh.positions.size(), 7);
@@ -172,7 +172,7 @@ TEST_CASE("positions are those that floats hold, and always the same, for any nu
   }
 }
 
-TEST_CASE("what is no closed manifold and no length is refused") {
+TEST_CASE("open or non-manifold meshes, and invalid lengths, are refused") {
   Mesh open = test::torus(2, 0.5, 30, 12);
   open.faces.pop_back();
   CHECK_THROWS_AS(remove_handles(open, {.max_length = 1}), InputError);

@@ -53,7 +53,7 @@ std::vector<Index> short_loop(Index i) {
 
 }  // namespace
 
-TEST_CASE("every loop separates a sphere: around each face and each vertex words cancel") {
+TEST_CASE("every loop separates a sphere: words around faces and vertices cancel") {
   const Words sphere(test::icosphere(2));
   CHECK(std::ranges::all_of(sphere.words, [](HomologyWord word) { return word == 0; }));
 }

@@ -104,7 +104,7 @@ TEST_CASE("fingers, bumps and cones have no necks, however narrow they are") {
   CHECK(necks_of(icosphere(3), 2).empty());
 }
 
-TEST_CASE("a cut makes fingers of what was a neck on both sides of it") {
+TEST_CASE("cutting a neck makes fingers on both sides") {
   const Mesh mesh = revolved(
       [](double z) { return std::abs(z - 3) < 2 ? 0.1 : 0.1 + std::sin(std::abs(z - 3) - 2); }, 6,
       120);

@@ -45,7 +45,7 @@ Mesh cavity(const Vec3& at, double radius) {
 
 }  // namespace
 
-TEST_CASE("nothing is in the way of a tube that is empty, or beside another body") {
+TEST_CASE("an empty tube, also beside another body, is free") {
   CHECK(Tube(Mesh()).is_free(0));
   CHECK(Tube(test::moved(test::icosphere(1), {2, 0, 3})).is_free(0));
 }
@@ -55,13 +55,13 @@ TEST_CASE("a cavity in the slab, small or as wide as the tube, is in the way") {
   CHECK(!Tube(cavity({2, 0, 0}, .4)).is_free(0));
 }
 
-TEST_CASE("a cavity elsewhere in the tube is in nobody's way") {
+TEST_CASE("a cavity elsewhere in the tube does not block a slit") {
   Tube tube(cavity({-2, 0, 0}, .3));
   CHECK(tube.is_free(0));
   CHECK(!tube.is_free(around / 2));
 }
 
-TEST_CASE("a slit that was taken is in the way of one at the same place only") {
+TEST_CASE("a used slit blocks only slits at the same place") {
   Tube tube{Mesh()};
   CHECK(tube.is_free(0, true));
   CHECK(!tube.is_free(0));

@@ -64,7 +64,7 @@ TEST_CASE("closing the slit makes a sphere of the torus, with new faces behind t
   CHECK(volume(closed) > volume(cut.mesh) * .9);
 }
 
-TEST_CASE("sides are drawn apart by a third of the way to their neighbors") {
+TEST_CASE("sides are moved apart by a third of the distance to their neighbors") {
   const Cut cut;
   for (std::size_t i = 0; i < cut.loop.size(); ++i) {
     const Vec3& at = cut.mesh.positions[cut.loop[i]];

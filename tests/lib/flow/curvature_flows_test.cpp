@@ -96,7 +96,7 @@ TEST_CASE("steps of flows by curvature are of second order in their span") {
   check("surface-diffusion", 0.002);
 }
 
-TEST_CASE("an ellipsoid has the axes of the one-dimensional solver on its way") {
+TEST_CASE("the axes of an ellipsoid agree with the one-dimensional solver at all times") {
   Mesh mesh = ellipsoid(0.5, 1, 4);
   test::RevolutionFlow profile(test::ellipsoid_profile(0.5, 1, 201));
   for (int i = 1; i <= 3; ++i) {
@@ -110,7 +110,7 @@ TEST_CASE("an ellipsoid has the axes of the one-dimensional solver on its way") 
   }
 }
 
-TEST_CASE("a ring and a dumbbell have the volumes and the neck of the one-dimensional solver") {
+TEST_CASE("volumes and necks of a ring and a dumbbell agree with the one-dimensional solver") {
   Mesh ring = test::torus(1, 0.4, 80, 40);
   test::RevolutionFlow profile(test::torus_profile(1, 0.4, 200));
   for (int i = 1; i <= 3; ++i) {
@@ -204,7 +204,7 @@ TEST_CASE("surface diffusion damps waves on a sphere at the rate of the closed f
   CHECK(volume_of(mesh) == Approx(volume_before).epsilon(1e-12));
 }
 
-TEST_CASE("borders stay, and a mesh without a volume is refused where that is kept") {
+TEST_CASE("borders stay, and flows that keep the volume refuse open meshes") {
   Mesh mesh = test::grid(6);
   mesh.positions[24] += Vec3(0, 0, 0.2);
   const Mesh start = mesh;

@@ -83,7 +83,7 @@ TEST_CASE("floats, big-endian numbers and scalars are read") {
   CHECK(read(scalars + "\n" + data<double>(4), 1).values == std::vector<double>{0, 1, 2, 3});
 }
 
-TEST_CASE("NRRD that is no grid of the kind wanted is refused with the reason") {
+TEST_CASE("NRRD that is no suitable grid is refused with the reason") {
   std::string bytes("\n");
   bytes += data<double>(12);
   CHECK(refuses(replaced(usual, "raw", "gzip") + bytes, "encoding"));
@@ -101,7 +101,7 @@ TEST_CASE("NRRD that is no grid of the kind wanted is refused with the reason") 
   CHECK(refuses(usual, "does not end"));
 }
 
-TEST_CASE("damaged NRRD is read or refused, and nothing else happens") {
+TEST_CASE("damaged NRRD is read or refused, and causes no other failure") {
   const std::string whole = usual + "spacings: NaN 0.5 2 .25\n\n" + data<double>(12);
   test::Random random(6);
   for (int i = 0; i < 2000; ++i) {

@@ -86,7 +86,7 @@ TEST_CASE("values are linear in time, and times outside are those of the nearest
   CHECK(!value_at(series.around(0), Vec3(9, 9, 9)).is_outside);
 }
 
-TEST_CASE("series that make no sense are refused") {
+TEST_CASE("inconsistent series of grids are refused") {
   FlowGrid grid;
   grid.values = {1, 2, 3};
   CHECK_THROWS_AS(GridSeries({}, 3), UsageError);

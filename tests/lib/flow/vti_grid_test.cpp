@@ -112,7 +112,7 @@ TEST_CASE("scalars, a single array and values of cells are found") {
   CHECK(grid.values == std::vector<double>{1, 2, 3, 4, 5, 6});
 }
 
-TEST_CASE("ImageData that is no grid of the kind wanted is refused with the reason") {
+TEST_CASE("ImageData that is no suitable grid is refused with the reason") {
   Parts parts;
   parts.array = "";
   CHECK(refuses(parts, "has no array of vectors"));
@@ -143,7 +143,7 @@ TEST_CASE("ImageData that is no grid of the kind wanted is refused with the reas
   CHECK_THROWS_AS(read_flow_grid("ply\n", "a.vti", 3), InputError);
 }
 
-TEST_CASE("damaged ImageData is read or refused, and nothing else happens") {
+TEST_CASE("damaged ImageData is read or refused, and causes no other failure") {
   Parts parts;
   parts.array = "format=\"appended\" offset=\"0\">";
   parts.end = "<AppendedData encoding=\"raw\">\n_" + block() + "\n</AppendedData>";

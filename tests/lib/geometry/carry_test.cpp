@@ -88,7 +88,8 @@ Mesh with_texture(Mesh mesh, double major) {
 
 }  // namespace
 
-TEST_CASE("a linear function through clean, a motion and remesh is that of a place nearby") {
+TEST_CASE(
+    "a linear function carried through clean, a motion and remesh is that of a place nearby") {
   const Mesh ball = test::icosphere(3);
   const Mesh first = with_height(test::joined(ball, test::moved(ball, Vec3(0.9, 0.31, 0.17))));
   const Mesh clean_one = cleaned(first);

@@ -14,7 +14,7 @@
 using namespace transformesh;
 using doctest::Approx;
 
-TEST_CASE("a mesh is at no distance from itself") {
+TEST_CASE("a mesh has distance 0 from itself") {
   const Mesh mesh = test::torus(2, 0.5, 40, 20);
   const Comparison same = compare(mesh, mesh);
   CHECK(same.accuracy < 1e-15);
@@ -35,7 +35,7 @@ TEST_CASE("a square above a square is at its height everywhere") {
   CHECK(compare(high, low, {.samples = 1000, .seed = 4, .distance = 0.26}).completeness == 1);
 }
 
-TEST_CASE("a half against the whole: the two directions differ as they should") {
+TEST_CASE("the distances of a half and the whole differ in the two directions") {
   // The half square x < 1/2 lies in the whole; the distance from the whole is max(0, x - 1/2).
   Mesh half = test::grid(4);
   for (Vec3& point : half.positions) point.x() /= 2;

@@ -50,7 +50,7 @@ TEST_CASE("of nested components the innermost that contains the point is taken")
   CHECK(component_around(mesh, {7, 0.5, 0.5}).distance == doctest::Approx(1));
 }
 
-TEST_CASE("what passes through the point contains it") {
+TEST_CASE("a component through the point contains it") {
   const Mesh mesh = nested();
   CHECK(found_at(mesh, mesh.positions[3]) == Found(0, true));
   CHECK(found_at(mesh, {5, 0.25, 0.25}) == Found(3, true));
@@ -67,7 +67,7 @@ TEST_CASE("a component with a small hole contains what is inside, an open sheet 
   CHECK(found_at(sheet, {0.3, 0.3, 1e-6}) == Found(0, false));
 }
 
-TEST_CASE("meshes of any size do, and one without faces does not") {
+TEST_CASE("meshes of any size have a component around a point, and empty ones have none") {
   for (const double size : {1e-300, 1e-150, 1e150, 1e300}) {
     Mesh mesh = nested();
     for (Vec3& position : mesh.positions) position *= size;

@@ -77,7 +77,7 @@ TEST_CASE("the distance of triangles is that of their points, by brute force") {
   CHECK(crossings < 250);
 }
 
-TEST_CASE("a star may move up to the gap, and no farther") {
+TEST_CASE("a vertex star may move up to the gap, and no farther") {
   const Mesh ceiling = test::moved(test::grid(4), Vec3(-0.5, -0.5, 1));
   Mesh wide = ceiling;
   for (Vec3& p : wide.positions) p = Vec3(8 * p.x(), 8 * p.y(), 1);
@@ -96,7 +96,7 @@ TEST_CASE("a star may move up to the gap, and no farther") {
   CHECK(keep_out.distance(flat[0], 0.5) == 0.5);
 }
 
-TEST_CASE("nothing jumps over a body that is smaller than the step") {
+TEST_CASE("faces do not pass over a body that is smaller than the step") {
   const Mesh pebble = test::moved(test::scaled(test::icosphere(1), 0.05), Vec3(0.1, 0.1, 0.5));
   const KeepOut keep_out({&pebble, 0.01});
   const auto flat = star(Vec3::Zero());
@@ -119,7 +119,7 @@ TEST_CASE("nothing jumps over a body that is smaller than the step") {
   }
 }
 
-TEST_CASE("faces that are too near are counted, those that meet are refused") {
+TEST_CASE("faces that are too close are counted, and intersecting ones refused") {
   const Mesh ball = test::icosphere(2);
   const Mesh other = test::moved(ball, Vec3(2.1, 0, 0));
   const std::size_t near = KeepOut({&other, 0.2}).count_near(ball);

@@ -21,7 +21,7 @@ Mesh nest() {
 
 }  // namespace
 
-TEST_CASE("rays count what solid angles sum up to") {
+TEST_CASE("rays agree with solid angles") {
   const Mesh mesh = nest();
   const RayCastWinding by_rays(mesh);
   const SolidAngleWinding by_angles(mesh);
@@ -66,7 +66,7 @@ TEST_CASE("rays are exact next to the surface and for extreme coordinates") {
   }
 }
 
-TEST_CASE("faces without area count for nothing") {
+TEST_CASE("faces without area are ignored") {
   Mesh mesh = cube();
   mesh.positions.insert(mesh.positions.end(), {{-1, 0.25, 0.5}, {3, 0.25, 0.5}});
   mesh.faces.push_back({8, 9, 8});

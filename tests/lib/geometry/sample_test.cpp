@@ -114,7 +114,7 @@ TEST_CASE("points lie on the faces that their normals and columns are of") {
   }
 }
 
-TEST_CASE("a Poisson disk keeps its distance and leaves no room, by brute force") {
+TEST_CASE("Poisson disk samples keep their distance and leave no gap, by brute force") {
   for (const Mesh& mesh : {test::icosphere(3), test::cube(), test::torus(2, 0.5, 40, 20)})
     for (const double distance : {0.12, 0.5, 100.0}) {
       const Mesh points = sample_surface(mesh, {.count = 0, .distance = distance, .seed = 3});
@@ -141,14 +141,14 @@ TEST_CASE("a Poisson disk is as dense as random ones that are complete, far from
   }
 }
 
-TEST_CASE("a Poisson disk of numbers as far apart as its points ends") {
+TEST_CASE("Poisson disk sampling ends if coordinates are as far apart as its points") {
   Mesh mesh = test::scaled(test::cube(), 10);
   for (Vec3& p : mesh.positions) p += Vec3::Constant(1e15);
   const Mesh points = sample_surface(mesh, {.count = 0, .distance = 0.5, .seed = 3});
   CHECK(points.positions.size() > 100);
 }
 
-TEST_CASE("the seed decides, and what has no surface is refused") {
+TEST_CASE("samples depend on the seed, and meshes without area are refused") {
   const Mesh mesh = test::cube();
   const auto first = [&](const SampleOptions& options) {
     return sample_surface(mesh, options).positions;

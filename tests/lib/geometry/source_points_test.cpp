@@ -56,7 +56,7 @@ RemeshOptions edges_around(double length) {
 
 }  // namespace
 
-TEST_CASE("vertices of a cleaned mesh lie where they say, those of the input exactly") {
+TEST_CASE("source points of a cleaned mesh have its positions, those of input vertices exactly") {
   const Mesh ball = test::icosphere(3);
   const Mesh input = test::joined(ball, test::moved(ball, Vec3(0.9, 0.31, 0.17)));
   const Mesh mesh = cleaned(input);
@@ -82,7 +82,7 @@ TEST_CASE("vertices of a cleaned mesh lie where they say, those of the input exa
 }
 
 TEST_CASE(
-    "vertices of a remeshed mesh name the closest place that looks their way, by brute force") {
+    "source points of a remeshed mesh are the closest with a similar normal, by brute force") {
   const Mesh input = test::torus(2, 0.7, 40, 20);
   Mesh mesh = input;
   remesh(mesh, edges_around(0.3));
@@ -118,7 +118,7 @@ TEST_CASE("no vertex of a thin plate comes from its other side") {
   CHECK(inner > 200);
 }
 
-TEST_CASE("a place on a sliver is as near as its longest edge") {
+TEST_CASE("a source point on a sliver is within its longest edge") {
   test::Random random(41);
   for (int trial = 0; trial < 200; ++trial) {
     const Vec3 a = random.point(-1, 1), b = random.point(-1, 1);

@@ -41,7 +41,7 @@ TEST_CASE("samples lie on the surface, evenly by area however it is cut") {
   CHECK((mean - Vec3(0.5, 0.5, 0.5)).norm() < 0.005);
 }
 
-TEST_CASE("the seed decides, nothing else") {
+TEST_CASE("samples depend on the seed only") {
   const Mesh mesh = test::icosphere(2);
   CHECK(surface_samples(mesh, 100, 1) == surface_samples(mesh, 100, 1));
   CHECK(surface_samples(mesh, 100, 1) != surface_samples(mesh, 100, 2));

@@ -7,7 +7,8 @@ using doctest::Approx;
 
 namespace {
 
-/// Largest difference of a profile's distance from the origin to a sphere's radius.
+/// Returns the largest deviation of the profile of a shrinking unit sphere from the exact radius at
+/// time 0.2.
 double sphere_error(int count) {
   RevolutionFlow flow(ellipsoid_profile(1, 1, count));
   flow.advance_to(0.2);
@@ -21,7 +22,7 @@ double sphere_error(int count) {
 
 TEST_CASE("the solver for surfaces of revolution has the radius of a shrinking sphere") {
   CHECK(sphere_error(101) < 2e-4);
-  CHECK(sphere_error(51) / sphere_error(101) > 3.4);  // the order is 2
+  CHECK(sphere_error(51) / sphere_error(101) > 3.4);  // second order: nearly 4
 }
 
 TEST_CASE("a ring that is far from the axis collapses as a cylinder does") {
@@ -46,7 +47,7 @@ TEST_CASE("times of collapse and pinching converge with the number of points") {
   const double neck =
       converges([](int n) { return pinch_time(dumbbell_profile(0.15, n + 1)); }, 200);
   MESSAGE("the neck pinches at ", neck);
-  CHECK(neck > 0.01125);  // a cylinder of this radius lasts that long; the balls widen the neck
+  CHECK(neck > 0.01125);  // lifetime of a cylinder of radius 0.15; the balls prolong it
 }
 
 TEST_CASE("an ellipsoid becomes rounder, and vanishes between its inner and outer sphere") {

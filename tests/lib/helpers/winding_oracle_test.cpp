@@ -1,4 +1,4 @@
-// The judge judged: right results pass, and each seeded fault is found.
+// Tests of the oracle itself: it accepts right results and finds each kind of deliberate fault.
 #include "helpers/winding_oracle.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// Two boxes that do not touch, the second inside the first.
+/// Boxes that do not touch each other: `inner` lies inside of `outer`, `beside` outside of both.
 const Mesh outer = cuboid({-2, -2, -2}, {2, 2, 2});
 const Mesh inner = cuboid({-1, -1, -1}, {1, 1, 1});
 const Mesh beside = cuboid({3, 3, 3}, {4, 4, 4});

@@ -32,7 +32,7 @@ TEST_CASE("documents are joined: faces are renumbered, comments not repeated") {
   CHECK(first.style.comments == std::vector<std::string>{"one", "tm:reference-edge 2", "two"});
 }
 
-TEST_CASE("joined documents keep the unit of the first, and a difference is said") {
+TEST_CASE("joined documents keep the unit of the first, and differences are noted") {
   Document first, second;
   first.style.comments = {"tm:unit millimeter"};
   second.style.comments = {"tm:unit meter"};
@@ -58,7 +58,7 @@ TEST_CASE("a mesh without colors becomes white beside a colored one, first or se
     }
 }
 
-TEST_CASE("two colored meshes, and two without colors, need no word") {
+TEST_CASE("two colored meshes, and two without colors, cause no note") {
   Document all = document_of(colored(Scalar::uint8, 7));
   CHECK(append(all, document_of(colored(Scalar::uint8, 9))).empty());
   Document plain = document_of(test::cube());

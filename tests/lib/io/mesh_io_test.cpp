@@ -96,7 +96,7 @@ TEST_CASE("mesh io: the decimal comma of a locale changes nothing") {
   std::setlocale(LC_NUMERIC, "C");
 }
 
-TEST_CASE("mesh io: what is wanted, else the name of a file, else the input chooses the format") {
+TEST_CASE("mesh io: the format follows the option, else the file name, else the input") {
   CHECK(format_for(Format::off, "ply-be", "a.stl") == Format::ply_big);
   CHECK(format_for(Format::ply_big, "", "a.PLY") == Format::ply_big);
   CHECK(format_for(Format::off, "", "a.ply") == Format::ply_little);
@@ -146,7 +146,7 @@ TEST_CASE("mesh io: rounding to float") {
   CHECK_THROWS_AS(round_positions(mesh, Scalar::float32), GoalError);
 }
 
-TEST_CASE("mesh io: rounding to floats leaves nothing that is no float") {
+TEST_CASE("mesh io: rounding to floats leaves floats only") {
   test::Random random(4);
   for (int count = 1; count < 60; ++count) {
     Mesh mesh;
@@ -164,7 +164,7 @@ TEST_CASE("mesh io: rounding to floats leaves nothing that is no float") {
   }
 }
 
-TEST_CASE("mesh io: what is no mesh is refused with its first bytes") {
+TEST_CASE("mesh io: files that are no meshes are refused with their first bytes") {
   CHECK(read_error("") == "the input is empty: not a single byte of a mesh (input)");
   CHECK(read_error("\x89PNG\r\n") ==
         "unknown mesh format, starting with '\\x89PNG\\x0d\\x0a': PLY, OFF, OBJ, STL, glTF, 3MF, "

@@ -95,7 +95,7 @@ TEST_CASE("a mesh without faces has no halfedges") {
   CHECK(VertexFaces(points)[2].empty());
 }
 
-TEST_CASE("closed manifolds have their opposites told from edges, and other meshes have not") {
+TEST_CASE("closed manifolds get opposites from edges, and other meshes do not") {
   const auto closed = [](const Mesh& mesh) {
     return closed_opposites(mesh, opposite_halfedges(mesh));
   };

@@ -26,7 +26,7 @@ using Offsets = std::vector<std::size_t>;
 
 }  // namespace
 
-TEST_CASE("a column for results takes the place of one of its name, whatever that held") {
+TEST_CASE("a column for results replaces one of its name, of any type") {
   for (const char* name : {"height", "red", "tags"}) {
     Columns columns = four_rows();
     Column& made = columns.get(name, Scalar::int32, 3);

@@ -64,7 +64,7 @@ TEST_CASE("two cones that meet in their tips share a singular vertex") {
         "the faces around vertex 0 at (0, 0, 0) do not form one umbrella");
 }
 
-TEST_CASE("faces that run alike are a matter of orientation only") {
+TEST_CASE("misoriented faces affect the orientation only") {
   const Mesh mesh = triangles(4, {{0, 1, 2}, {0, 1, 3}});
   const ManifoldReport report = check_manifold(mesh);
   CHECK(report.is_manifold());
@@ -94,7 +94,7 @@ TEST_CASE("faces that name a vertex twice spoil the manifold, equal positions do
   CHECK(describe_problem(mesh, report, false) == "face 4 names a vertex twice");
 }
 
-TEST_CASE("isolated vertices are listed and do no harm") {
+TEST_CASE("isolated vertices are listed and affect nothing else") {
   Mesh mesh = test::cube();
   mesh.positions.emplace_back(7, 7, 7);
   const ManifoldReport report = check_manifold(mesh);

@@ -13,7 +13,7 @@ using namespace transformesh;
 using doctest::Approx;
 using std::numbers::pi;
 
-TEST_CASE("a cube measures what a cube measures") {
+TEST_CASE("a cube has its exact measures") {
   const Mesh mesh = test::cuboid({1, 2, 3}, {2, 4, 6});
   CHECK(surface_area(mesh) == Approx(22).epsilon(1e-14));
   CHECK(volume(mesh) == Approx(6).epsilon(1e-14));
@@ -137,7 +137,7 @@ TEST_CASE("valence six is counted over interior vertices") {
   CHECK(valence_six_share(Mesh{}) == 0);
 }
 
-TEST_CASE("over halfedges an edge of two faces counts twice, at its ends too") {
+TEST_CASE("means over halfedges count an inner edge twice, at its ends too") {
   const Mesh closed = test::tetrahedron();
   const double root = std::sqrt(2);
   const HalfedgeLengths lengths = halfedge_lengths(closed);

@@ -47,7 +47,7 @@ Column texture_of(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("normals follow the surface: moved, turned, remeshed") {
+TEST_CASE("normals are updated if the surface is moved, rotated or remeshed") {
   Mesh ball = ball_with_normals();
   CHECK(worst_normal(ball, 1) < 0.02);
 
@@ -71,7 +71,7 @@ TEST_CASE("normals follow the surface: moved, turned, remeshed") {
   CHECK(worst_normal(ball, -1) < 0.06);
 }
 
-TEST_CASE("texture coordinates of corners turn with their faces, and go with them") {
+TEST_CASE("texture coordinates of corners follow reversed and removed faces") {
   Mesh ball = test::icosphere(2);
   ball.face_columns.columns.push_back(texture_of(ball));
   stitch(ball, {.flip = true});

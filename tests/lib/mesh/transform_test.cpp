@@ -82,7 +82,7 @@ TEST_CASE("mirrors, boxes and scales") {
   CHECK(scale_of(rotation_about({1, 2, 3}, 40)) == 1);
 }
 
-TEST_CASE("what is singular, not affine or not finite is refused") {
+TEST_CASE("singular, projective and infinite matrices are refused") {
   Mesh mesh = test::cube();
   const auto before = mesh.positions;
   Matrix4 matrix = scaling_by({1, 1, 0});

@@ -34,7 +34,7 @@ std::vector<std::size_t> numbers_of(const LiveRun& live) {
 
 }  // namespace
 
-TEST_CASE("frames of a run that goes on come one after the other, each under its own name") {
+TEST_CASE("frames of an active run appear one after the other, each under its own name") {
   const TemporaryFolder above;
   const std::string folder = above / "run";
   begin_run(folder, {"tm-evolve", "1", {}}, {});
@@ -55,7 +55,7 @@ TEST_CASE("frames of a run that goes on come one after the other, each under its
   CHECK(live.run().meshes[0].block == first);
 }
 
-TEST_CASE("a run that begins anew has other meshes, and a broken frame waits") {
+TEST_CASE("a restarted run has new meshes, and an incomplete frame waits") {
   const TemporaryFolder above;
   const std::string folder = above / "run";
   begin_run(folder, {"tm-evolve", "1", {}}, {});
@@ -83,7 +83,7 @@ TEST_CASE("a run that begins anew has other meshes, and a broken frame waits") {
   CHECK(numbers_of(live) == std::vector<std::size_t>{0, 3});
 }
 
-TEST_CASE("of a movie targets and views come with their frames") {
+TEST_CASE("targets and views of a movie appear with their frames") {
   const TemporaryFolder above;
   const std::string folder = above / "run";
   begin_run(folder, {"tm-morph", "1", {}}, {});

@@ -30,7 +30,7 @@ void check_same_place(const Mesh& mesh, const Mesh& back, const PackedMesh& pack
 
 }  // namespace
 
-TEST_CASE("meshes come back but for half a quantization step, also far away, tiny and large") {
+TEST_CASE("meshes are decoded within half a quantization step, also far away, tiny and large") {
   for (const double size : {1.0, 1e-200, 1e200}) {
     for (const double shift : {0.0, 1e6 * size}) {
       CAPTURE(size);

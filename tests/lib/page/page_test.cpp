@@ -40,7 +40,7 @@ std::string content(const std::string& html, const std::string& id) {
 
 }  // namespace
 
-TEST_CASE("a page holds what there is to show, and every mesh") {
+TEST_CASE("a page contains all data, and every mesh") {
   const Page page = page_of_two_meshes();
   const std::string html = page_html(page, viewer);
   CHECK(html.find("<title>a &lt;title&gt;</title>") != std::string::npos);
@@ -59,7 +59,7 @@ TEST_CASE("a page holds what there is to show, and every mesh") {
   CHECK(html.find("connect-src 'none'") != std::string::npos);
 }
 
-TEST_CASE("up is what photographs have above, y where they do not say it, and what is asked for") {
+TEST_CASE("up follows the option, else the cameras, else is y") {
   Page page = page_of_two_meshes();
   const auto up = [&] { return Json::parse(page_json(page))["up"]; };
   CHECK(up() == "y");
@@ -89,7 +89,7 @@ TEST_CASE("a live page has no meshes, and may ask for them") {
   CHECK(html.find("connect-src 'self'") != std::string::npos);
 }
 
-TEST_CASE("a viewer without places and a report that is none are told") {
+TEST_CASE("a viewer without placeholders, and an invalid report, are reported") {
   Page page = page_of_two_meshes();
   CHECK_THROWS_AS(page_html(page, "<html>"), InputError);
   page.runs[0].report = "{";

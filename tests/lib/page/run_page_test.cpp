@@ -41,7 +41,7 @@ std::vector<std::size_t> numbers_of(const PageRun& run) {
 
 }  // namespace
 
-TEST_CASE("a run that goes on is shown as far as it is") {
+TEST_CASE("an active run is shown up to its last frame") {
   const TemporaryFolder above;
   const PageRun run = read_run_page(make_run(above, 4) + '/');
   CHECK(run.name == "a run");
@@ -56,7 +56,7 @@ TEST_CASE("a run that goes on is shown as far as it is") {
   CHECK(distance.high == doctest::Approx(1).epsilon(0.05));
 }
 
-TEST_CASE("of frames every few are taken, and the result where it is no frame") {
+TEST_CASE("every N-th frame is taken, and the result if it is no frame") {
   const TemporaryFolder above;
   const std::string folder = make_run(above, 6);
   CHECK(numbers_of(read_run_page(folder, {.every = 4})) == std::vector<std::size_t>{0, 4, 5});

@@ -27,7 +27,7 @@ TEST_CASE("convex bodies are open everywhere, the inside of a ball nowhere") {
   for (const double share : openness(reversed(icosphere(3)))) CHECK(share < 0.02);
 }
 
-TEST_CASE("before a long wall, the floor sees what the closed form says") {
+TEST_CASE("the occlusion of a floor before a long wall agrees with the closed form") {
   // A wall of height 1 at x = 0, 200 long; the form factor to it is (1 - x / sqrt(x^2 + 1)) / 2.
   Mesh mesh;
   mesh.positions = {{0, -100, 0}, {0, 100, 0}, {0, 100, 1}, {0, -100, 1}};

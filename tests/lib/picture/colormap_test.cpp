@@ -35,7 +35,7 @@ Mesh with_values(bool of_faces, const std::string& name, std::vector<double> val
 
 }  // namespace
 
-TEST_CASE("ends and middle have the published colors, and what is beyond has that of the end") {
+TEST_CASE("ends and middle have the published colors, and values beyond those of the ends") {
   const ColorScale scale{2, 4};
   CHECK(bytes(scale.at(2)) == std::vector<int>{68, 1, 84});
   CHECK(bytes(scale.at(4)) == std::vector<int>{253, 231, 37});
@@ -57,7 +57,7 @@ TEST_CASE("lightness rises evenly from one end to the other") {
   }
 }
 
-TEST_CASE("where both signs occur 0 is white, blue below and red above, as far either way") {
+TEST_CASE("if both signs occur, 0 is white, blue below and red above, symmetrically") {
   const ColorScale scale{-1, 4};
   CHECK(scale.is_diverging());
   CHECK(bytes(scale.at(0)) == std::vector<int>{247, 247, 247});
@@ -68,7 +68,7 @@ TEST_CASE("where both signs occur 0 is white, blue below and red above, as far e
   CHECK_FALSE(ColorScale{0, 1}.is_diverging());
 }
 
-TEST_CASE("what is no number is gray; any finite ends do") {
+TEST_CASE("values that are no numbers are gray; any finite ends are allowed") {
   const ColorScale scale{0, 1};
   for (const double value : {no_number, infinity, -infinity})
     CHECK(bytes(scale.at(value)) == std::vector<int>{128, 128, 128});

@@ -96,7 +96,7 @@ TEST_CASE(
   CHECK(is_there);
 }
 
-TEST_CASE("with edges the diagonals of the cube's three faces join in, and nothing behind") {
+TEST_CASE("with edges, the diagonals of the three front faces of a cube are drawn too") {
   PictureOptions options = corner_view(300, 200);
   options.shade.draw_edges = true;
   const std::string svg = draw({&block}, options);
@@ -120,7 +120,7 @@ TEST_CASE("the outline of a sphere is the circle of the cone that touches it") {
   CHECK(lines_of(svg, "creases").empty());
 }
 
-TEST_CASE("borders are outlines; segments are drawn; what is behind is not") {
+TEST_CASE("borders are outlines; segments are drawn; hidden parts are not") {
   Mesh sheet = moved(scaled(grid(3), 2), {-1, -1, 0});
   PictureOptions options = corner_view(100, 100);
   options.orbit = {0, 0, Axis::y, 1};

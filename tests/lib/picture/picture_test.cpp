@@ -76,7 +76,7 @@ TEST_CASE("zoom enlarges") {
   CHECK(covered(draw({&ball}, options), 0, 120) == doctest::Approx(before / 4).epsilon(0.01));
 }
 
-TEST_CASE("panels fill rows, then go down, without a gap for any size") {
+TEST_CASE("panels fill rows, then columns, without a gap for any size") {
   PictureOptions options = silhouettes(101, 67);
   options.columns = 2;
   const Image image = draw({&ball, &ball, &ball}, options);

@@ -26,7 +26,7 @@ Mesh plate() {
 
 }  // namespace
 
-TEST_CASE("below the end of a plate as much of the lamp is seen as the segment of its disc says") {
+TEST_CASE("below the edge of a plate the visible part of the lamp is a segment of its disc") {
   const SoftShadow shadow(plate(), Vec3::UnitZ());
   const double radius = std::tan(4 * std::numbers::pi / 180);
   for (double share = -1.5; share <= 1.5; share += 0.125) {
@@ -38,14 +38,14 @@ TEST_CASE("below the end of a plate as much of the lamp is seen as the segment o
   }
 }
 
-TEST_CASE("a lamp that does not stand in the middle throws the shadow aside") {
+TEST_CASE("a lamp off the center casts the shadow to the side") {
   const Vec3 direction = Vec3(1, 0, 1).normalized();
   const SoftShadow shadow(plate(), direction);
   CHECK(shadow.share_seen({-1.3, 0, 0}, Vec3::UnitZ()) == 0);
   CHECK(shadow.share_seen({-0.7, 0, 0}, Vec3::UnitZ()) == 1);
 }
 
-TEST_CASE("the side of a convex body that the whole lamp sees is not shaded, round or flat") {
+TEST_CASE("the lit side of a convex body has no shadow, round or flat") {
   const Vec3 direction = Vec3(1, 2, 3).normalized();
   for (const Mesh& mesh : {icosphere(1), icosphere(4), cuboid({0, 0, 0}, {1, 2, 3})}) {
     const SoftShadow shadow(mesh, direction);
@@ -60,7 +60,7 @@ TEST_CASE("the side of a convex body that the whole lamp sees is not shaded, rou
   }
 }
 
-TEST_CASE("places of coarse faces lie on the surface that their normals suggest") {
+TEST_CASE("points on coarse faces are moved to the surface that their normals suggest") {
   const std::array<Vec3, 3> corners{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   const Vec3 place = round_place(corners, corners, 1.0 / 3, 1.0 / 3);
   CHECK(place.norm() > 0.95);
@@ -70,7 +70,7 @@ TEST_CASE("places of coarse faces lie on the surface that their normals suggest"
   CHECK(round_place(corners, hollow, 0.25, 0.25).isApprox(Vec3(0.25, 0.25, 0.5)));
 }
 
-TEST_CASE("the floor is dark where the mesh keeps the lamp off, and nowhere else") {
+TEST_CASE("the floor is dark where the mesh hides the lamp, and nowhere else") {
   const Mesh ball = icosphere(3);
   const Orbit orbit{0, 30, Axis::y, 0.4};
   const Camera camera = orbit_camera(aim_at(ball.positions, orbit, 120, 120), orbit, 120, 120);

@@ -52,7 +52,7 @@ bool is_in(const VisibleLines::Parts& parts, double place) {
 
 }  // namespace
 
-TEST_CASE("the parts that show are those that rays from the eye reach") {
+TEST_CASE("visible parts of lines are those that rays from the eye reach") {
   Random random(21);
   int compared = 0;
   int hidden = 0;
@@ -94,7 +94,7 @@ TEST_CASE("parts end at the borders of the image and in front of the eye") {
   CHECK(lines.parts({1e300, 0, 0}, {-1e300, 1e300, 0}).size() <= 1);
 }
 
-TEST_CASE("a line on a surface shows, one just behind it does not, nor through what reaches past") {
+TEST_CASE("a line on a surface is visible, and one just behind it is not") {
   Mesh sheet = moved(scaled(grid(4), 2), {-1, -1, 0});
   const VisibleLines lines(sheet, front);
   CHECK(lines.parts({-0.9, -0.7, 0}, {0.8, 0.9, 0}) == VisibleLines::Parts{{0, 1}});
@@ -108,7 +108,7 @@ TEST_CASE("a line on a surface shows, one just behind it does not, nor through w
   CHECK(above.parts({-1, -0.5, 0}, {1, -0.5, 0}).empty());
 }
 
-TEST_CASE("faces named as one's own hide nothing") {
+TEST_CASE("a line's own faces do not hide it") {
   const Mesh cube = cuboid({-1, -1, -1}, {1, 1, 1});
   const VisibleLines lines(cube, front);
   std::vector<Index> all(cube.faces.size());

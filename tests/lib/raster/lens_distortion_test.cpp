@@ -43,7 +43,7 @@ TEST_CASE("distortion is that of the formulas, worked out by hand") {
   CHECK(tangential.distorted(0.3, 0.4).isApprox(Eigen::Vector2d(0.41, 0.505), 1e-14));
 }
 
-TEST_CASE("an image without distortion is what a pinhole sees") {
+TEST_CASE("an undistorted image is that of a pinhole camera") {
   const LensDistortion lens{{0.3, -0.1, 0, 0, 0, 0}, {0.01, -0.02}};
   const Eigen::Matrix3d k = intrinsics();
   GrayImage bent(80, 60);

@@ -75,7 +75,7 @@ TEST_CASE("parallel axes: beside the mean of the centers") {
   CHECK((viewed_point(cameras) - Vec3(1, 0, 2)).norm() < 1e-9);
 }
 
-TEST_CASE("the pixel's size is the median of depth by focal length of who sees the point") {
+TEST_CASE("the pixel size is the median of depth / focal length over views of the point") {
   const Vec3 point(0, 0, 0);
   std::vector<PinholeCamera> cameras{looking({0, 0, -6}, point, 300),
                                      looking({4, 0, 0}, point, 100),

@@ -134,7 +134,7 @@ TEST_CASE("the mirrored mesh gives the mirrored buffer") {
   CHECK(different == 0);
 }
 
-TEST_CASE("of coincident faces the first is seen; degenerate and unseen ones are not") {
+TEST_CASE("of coincident faces the first is drawn; degenerate and hidden ones are not") {
   Mesh mesh;
   mesh.positions = {{-1, -1, 2}, {1, -1, 2}, {0, 1, 2},     {0, 0, -3}, {1, 0, -3}, {0, 1, -3},
                     {-1, 0, 1},  {0, 0, 1},  {0.5, 0, 1.0}, {0, 1, 0},  {1, 0, 0}};
@@ -187,7 +187,7 @@ TEST_CASE("bands of any height are the rows of the whole buffer") {
   }
 }
 
-TEST_CASE("the box of bands is around what is seen, and hardly larger") {
+TEST_CASE("the box of bands encloses the visible part tightly") {
   const Mesh ball = moved(icosphere(4), {0.3, 0.1, 4});
   const Camera camera = camera_at_origin(90, 61, 70);
   const FaceBuffer whole = rasterize(ball, camera);

@@ -4,7 +4,7 @@
 
 using namespace transformesh;
 
-TEST_CASE("what was lost comes before what moves, and that before what changed late") {
+TEST_CASE("lost surface is reported before movement, and movement before late changes") {
   const SurfaceEvidence good;
   CHECK(ReconstructionFaults{0, 0, true}.in_words(good).empty());
   CHECK(ReconstructionFaults{1.4142, 1, false}.in_words(good).find(
@@ -15,7 +15,7 @@ TEST_CASE("what was lost comes before what moves, and that before what changed l
         std::string::npos);
 }
 
-TEST_CASE("a surface at rest is not converged where masks or photographs speak against it") {
+TEST_CASE("a surface at rest is not converged if masks or photographs disagree with it") {
   const ReconstructionFaults at_rest{0, 0, true};
   CHECK(at_rest.in_words({0.946, 0.942, {}}).empty());
   CHECK(at_rest.in_words({0.946, 0.902, {}}) ==

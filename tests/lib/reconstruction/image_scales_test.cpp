@@ -25,13 +25,13 @@ TEST_CASE("scales go from the coarsest to 1 by the square root of 2, and edges w
   CHECK(scale_steps[2].edge == 1.5);
 }
 
-TEST_CASE("a coarsest scale between two is rounded up, but for what is hardly more") {
+TEST_CASE("a coarsest scale between two is rounded up, except if it is hardly larger") {
   CHECK(coarse_to_fine(from(2.1), 640, 1).front().scale == 2.8284);
   CHECK(coarse_to_fine(from(2.001), 640, 1).front().scale == 2);
   CHECK(coarse_to_fine(from(1), 640, 1).size() == 1);
 }
 
-TEST_CASE("photographs are 28 pixels wide at the scale that nobody asked for, 11.3 at most") {
+TEST_CASE("the default coarsest scale makes photographs 28 pixels wide, and is at most 11.3") {
   CHECK(coarse_to_fine({}, 160, 1).front().scale == 5.6569);
   CHECK(coarse_to_fine({}, 6000, 1).front().scale == 11.3137);
   CHECK(coarse_to_fine({}, 20, 1).front().scale == 1);

@@ -9,7 +9,7 @@
 
 using namespace transformesh;
 
-TEST_CASE("a pixel where the cameras look is the distance by the focal length") {
+TEST_CASE("a pixel at the object is the distance / focal length") {
   const CameraRing ring = test::small_ring();
   const std::vector<View> views = test::photographed(test::icosphere(3));
   CHECK(pixel_size(views) == doctest::Approx(ring.distance / ring.focal_length).epsilon(.05));
@@ -23,7 +23,7 @@ TEST_CASE("the hull of masks encloses the object, and is little larger") {
   CHECK(volume(hull) < volume(ball) * 1.3);
 }
 
-TEST_CASE("outlines are where the mesh is, and a view that shows none is named") {
+TEST_CASE("outlines are the silhouettes of the mesh, and a view without one is named") {
   const Mesh ball = test::icosphere(3);
   std::vector<View> views = test::photographed(ball);
   const std::vector<View> masks = views;
@@ -47,7 +47,7 @@ TEST_CASE("outlines are where the mesh is, and a view that shows none is named")
   }
 }
 
-TEST_CASE("of a given mesh only what is within the hull stays") {
+TEST_CASE("only the part of a given mesh inside the hull stays") {
   const Mesh ball = test::icosphere(3);
   std::vector<View> views = test::photographed(ball);
   Document document;

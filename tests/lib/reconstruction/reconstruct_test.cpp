@@ -193,8 +193,7 @@ TEST_CASE("with a start, outlines come from a threshold that is given, and from 
   }
 }
 
-TEST_CASE(
-    "a first scale at which nothing is left of the surface is passed over, unless asked for") {
+TEST_CASE("a first scale at which the surface vanishes is skipped, unless requested") {
   // A ball of a few pixels, between edges that are longer than it is wide.
   const std::vector<View> views = test::photographed(test::scaled(test::icosphere(4), 0.2));
   ReconstructionOptions options = few_sweeps();
@@ -228,8 +227,7 @@ TEST_CASE("comments of the document are those of the result, and its columns are
   CHECK(result.mesh.vertex_columns.find("heat") != nullptr);
 }
 
-TEST_CASE(
-    "a surface that explodes begins anew, stiffer, and is given up where that does not help") {
+TEST_CASE("a surface that explodes is restarted, stiffer, and given up if that fails") {
   // Photographs of other sides, and nothing that holds the surface.
   std::vector<View> views = dented_views();
   std::vector<GrayImage> images;
@@ -250,7 +248,7 @@ TEST_CASE(
   CHECK(notes[1].find("beginning anew, 16 times as stiff") != std::string::npos);
 }
 
-TEST_CASE("components that are small beside the largest go at last") {
+TEST_CASE("components that are small relative to the largest are removed at the end") {
   Mesh mesh = test::moved(test::scaled(test::icosphere(4), 0.6), Vec3(0, -0.3, 0));
   const Mesh moon = test::moved(test::scaled(test::icosphere(4), 0.25), Vec3(0, 0.75, 0));
   const auto offset = static_cast<Index>(mesh.positions.size());

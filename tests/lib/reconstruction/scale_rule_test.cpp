@@ -22,7 +22,7 @@ Sweep with_outside(Sweep sweep, std::size_t outside) {
 
 }  // namespace
 
-TEST_CASE("a scale is done where vertices hardly move, or photographs agree hardly better") {
+TEST_CASE("a scale ends if vertices hardly move, or photographs hardly agree better") {
   ScaleRule rule;
   Sweep slow = moving(0.5);
   slow.steps.last.mean_share = 0.014;
@@ -35,7 +35,7 @@ TEST_CASE("a scale is done where vertices hardly move, or photographs agree hard
   CHECK(verdict.is_at_rest);
 }
 
-TEST_CASE("a scale ends after so many sweeps, and does not count as at rest") {
+TEST_CASE("a scale ends at its limit of sweeps, and does not count as at rest") {
   ScaleRule rule(2);
   CHECK_FALSE(rule.add(moving(0.5)).is_done);
   const SweepVerdict verdict = rule.add(moving(0.4));
@@ -53,7 +53,7 @@ TEST_CASE("while the topology changes a scale has twice as many sweeps, and no r
   CHECK_FALSE(verdict.is_at_rest);
 }
 
-TEST_CASE("while vertices come in from outside of silhouettes a scale goes on") {
+TEST_CASE("while vertices move in from outside of silhouettes a scale continues") {
   ScaleRule rule(2);
   CHECK_FALSE(rule.add(with_outside(moving(0.5), 100)).is_done);
   CHECK_FALSE(rule.add(with_outside(moving(0.5), 80)).is_done);
@@ -64,7 +64,7 @@ TEST_CASE("while vertices come in from outside of silhouettes a scale goes on") 
   CHECK(rule.add(with_outside(moving(0.5), 2)).is_at_rest);
 }
 
-TEST_CASE("a surface of which less is compared than when the scale began is lost, not at rest") {
+TEST_CASE("a surface whose coverage decreases in a scale is lost, not at rest") {
   for (const bool is_share : {true, false}) {
     ScaleRule rule;
     CHECK_FALSE(rule.add(moving(0.5)).is_lost);
@@ -104,7 +104,7 @@ TEST_CASE("a topology that changes within a late scale is told from one that cha
   CHECK_FALSE(rule.add(first).is_late);
 }
 
-TEST_CASE("the rule of a scale goes on from its memory as if nothing had happened") {
+TEST_CASE("a restored scale rule continues unchanged") {
   ScaleRule whole(6), parts(6);
   for (int i = 0; i < 6; ++i) {
     Sweep measures = with_outside(moving(0.123456789 / (1 + i)), 100 - 5 * (i / 2));

@@ -70,8 +70,7 @@ std::string without_seconds(const std::string& csv) {
 
 }  // namespace
 
-TEST_CASE(
-    "surfaces follow what moves, and what jumps is found from the hull; and a run continues") {
+TEST_CASE("surfaces follow movement, jumps are found from the hull, and a run continues") {
   const TemporaryFolder whole;
   std::vector<std::string> messages;
   SequenceOptions options = options_in(whole);

@@ -33,7 +33,7 @@ Mesh with_plate(Mesh mesh, double half_thickness) {
 
 }  // namespace
 
-TEST_CASE("of the true surface nothing is doubtful but what no two views see") {
+TEST_CASE("only parts of the true surface that no two views observe are doubtful") {
   Mesh mesh = ball(1);
   const SurfaceDoubt doubt = doubt_of(mesh);
   CHECK(doubt.places.empty());
@@ -48,7 +48,7 @@ TEST_CASE("of the true surface nothing is doubtful but what no two views see") {
   }
 }
 
-TEST_CASE("a plate that photographs do not show is found where it is, a thin one as such") {
+TEST_CASE("a plate that photographs do not show is found, and a thin one reported as thin") {
   for (const double half_thickness : {0.02, 0.2}) {
     const SurfaceDoubt doubt = doubt_of(with_plate(ball(1), half_thickness));
     REQUIRE_FALSE(doubt.places.empty());
@@ -61,7 +61,7 @@ TEST_CASE("a plate that photographs do not show is found where it is, a thin one
   }
 }
 
-TEST_CASE("a surface that is too small is doubtful where it is seen") {
+TEST_CASE("a surface that is too small is doubtful where it is visible") {
   const SurfaceDoubt doubt = doubt_of(ball(0.8));
   CHECK(doubt.disagreement > 0.4);
   CHECK(doubt.share > 0.4);

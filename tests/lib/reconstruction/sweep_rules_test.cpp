@@ -8,7 +8,7 @@ using namespace transformesh;
 
 using test::moving;
 
-TEST_CASE("views are wide where even the nearest ones are more than 40 degrees apart on average") {
+TEST_CASE("views are wide if nearest ones are more than 40 degrees apart on average") {
   const std::vector<ViewPair> eight{{0, 1, 45}, {0, 2, 50}, {1, 0, 45}, {2, 0, 50}, {2, 1, 39}};
   const std::vector<ViewPair> dense{{0, 1, 45}, {0, 2, 20}, {1, 0, 45}, {2, 0, 20}, {2, 3, 50}};
   CHECK(is_wide(eight));
@@ -16,13 +16,12 @@ TEST_CASE("views are wide where even the nearest ones are more than 40 degrees a
   CHECK_FALSE(is_wide(std::vector<ViewPair>{}));
 }
 
-TEST_CASE("a start is torn where a twentieth of what is compared is gone") {
+TEST_CASE("an initial mesh is torn if a twentieth of its coverage is lost") {
   CHECK(is_torn(1000, 949));
   CHECK_FALSE(is_torn(1000, 950));
 }
 
-TEST_CASE(
-    "a surface explodes where it goes to pieces, leaves the silhouettes or is hardly compared") {
+TEST_CASE("a surface explodes if it breaks up, leaves the silhouettes or loses coverage") {
   const auto explodes = [](const auto& change) {
     Sweep sweep = moving(0.5);
     change(sweep);
@@ -53,7 +52,7 @@ TEST_CASE("windows are those of coarse scales down to scale 2") {
   CHECK(radii.at(1) == 2);
 }
 
-TEST_CASE("windows that disagree as much as the mean pull less") {
+TEST_CASE("windows that disagree as much as the mean have less weight") {
   CHECK(robust_loss(1, 0.2) == 0.2);
   CHECK(robust_loss(0.5, 0.4) == 0.2);
   CHECK(robust_loss(0, 0.1) == 0);

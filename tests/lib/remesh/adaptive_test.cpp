@@ -98,7 +98,7 @@ TEST_CASE("a coarse sphere is refined as well as a fine one is coarsened") {
   CHECK(shares.mean < 0.85);
 }
 
-TEST_CASE("on a torus the tube decides") {
+TEST_CASE("on a torus the curvature of the tube decides") {
   const double error = 0.002;
   Mesh mesh = torus(1, 0.25, 240, 60);
   remesh(mesh, within(error));
@@ -111,7 +111,7 @@ TEST_CASE("on a torus the tube decides") {
   CHECK(shares.longest < 1.05);
 }
 
-TEST_CASE("on an ellipsoid edges are short where it bends") {
+TEST_CASE("on an ellipsoid edges are short where the curvature is large") {
   const double error = 0.002;
   Mesh mesh = icosphere(6);
   for (Vec3& point : mesh.positions) point.z() *= 2;

@@ -120,7 +120,7 @@ TEST_CASE("a rounded cube becomes the cube: corners, edges and volume") {
     }
 }
 
-TEST_CASE("concave edges are met as well") {
+TEST_CASE("concave edges are aligned as well") {
   const Mesh block = test::cuboid(Vec3(0, 0, 0), Vec3(1, 1, 1));
   const Mesh other = test::cuboid(Vec3(0.4, 0.3, 0.35), Vec3(1.6, 0.7, 1.5));
   const Mesh target = clean(test::joined(block, other)).mesh;
@@ -134,7 +134,7 @@ TEST_CASE("concave edges are met as well") {
   CHECK(volume(mesh) == Approx(volume(target)).epsilon(1e-3));
 }
 
-TEST_CASE("curved edges are followed, and what is smooth beside them stays so") {
+TEST_CASE("curved edges are followed, and smooth parts beside them stay smooth") {
   const Mesh target = prism(90);
   Mesh mesh = rounded(target, 0.1);
   const double before = compare(mesh, target).hausdorff;

@@ -47,14 +47,14 @@ TEST_CASE("inwards or outwards is the same curvature") {
   CHECK(inwards.least == doctest::Approx(1).epsilon(0.05));
 }
 
-TEST_CASE("a torus bends most around its tube") {
+TEST_CASE("the largest curvature of a torus is that of its tube") {
   // 1 / minor everywhere but where the larger circle bends more, which it does not here
   const Extremes tube(torus(1, 0.25, 160, 48), 0.25);
   CHECK(tube.least == doctest::Approx(1).epsilon(0.03));
   CHECK(tube.largest == doctest::Approx(1).epsilon(0.03));
 }
 
-TEST_CASE("an ellipsoid bends as the closed form says") {
+TEST_CASE("the curvature of an ellipsoid agrees with the closed form") {
   // of x^2 + y^2 + z^2 / 4 = 1: along a meridian 2 / (sin^2 + 4 cos^2)^(3/2) in the angle of the
   // parameter from the pole's end of the axis, and 2 / sqrt of the same along a parallel, halved
   Mesh mesh = icosphere(5);
@@ -71,7 +71,7 @@ TEST_CASE("an ellipsoid bends as the closed form says") {
   CHECK(worst < 0.06);
 }
 
-TEST_CASE("what is flat, and edges that are features, bend nothing") {
+TEST_CASE("flat parts and feature edges have no curvature") {
   const Extremes flat(grid(10), 1);
   CHECK(flat.largest == doctest::Approx(0));
 

@@ -81,7 +81,7 @@ TEST_CASE("a sphere keeps its shape with few faces") {
   }
 }
 
-TEST_CASE("what is flat goes first: a fine cube becomes twelve triangles with eight corners") {
+TEST_CASE("flat parts are decimated first: a fine cube becomes twelve triangles") {
   const Mesh mesh = decimated(fine_cube(12), 12);
   CHECK(mesh.positions.size() == 8);
   CHECK(volume(mesh) == doctest::Approx(1).epsilon(1e-9));
@@ -99,7 +99,7 @@ TEST_CASE("flat sides stay flat at every number of faces, and no vertex leaves t
   }
 }
 
-TEST_CASE("long edges of a rod do not cost its ends their shape") {
+TEST_CASE("the ends of a rod with long edges keep their shape") {
   // A rod 40 times as long as it is wide, with 32 sides, in 80 slices: the sides are flat along it.
   constexpr int around = 32, slices = 80;
   Mesh rod;
@@ -138,7 +138,7 @@ TEST_CASE("handles and components stay") {
   CHECK(connected_components(decimated(pair, 40)).components.size() == 2);
 }
 
-TEST_CASE("sheets that are close do not come to cross") {
+TEST_CASE("close sheets do not intersect after decimation") {
   Mesh plate = test::icosphere(5);
   for (Vec3& p : plate.positions) p.z() *= 0.01;
   decimated(plate, 400);
@@ -164,7 +164,7 @@ TEST_CASE("vertex properties are blended along") {
     CHECK(std::abs(column->values[v] - mesh.positions[v].z()) < 0.1);
 }
 
-TEST_CASE("what cannot be decimated so far is told") {
+TEST_CASE("a number of faces that cannot be reached is reported") {
   Mesh mesh = test::icosphere(2);
   CHECK_THROWS_AS(decimate(mesh, {3}), UsageError);
   Mesh empty;

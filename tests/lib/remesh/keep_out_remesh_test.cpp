@@ -24,7 +24,7 @@ Mesh relief(int subdivisions, double radius) {
 
 }  // namespace
 
-TEST_CASE("a coarser shell around a relief stays a gap away, as it would not without") {
+TEST_CASE("a shell around a relief keeps the gap while it becomes coarser") {
   const Mesh inner = relief(3, 1);
   const Mesh outer = relief(3, 1.03);
   const double gap = 0.01;
@@ -64,7 +64,7 @@ TEST_CASE("smoothing shrinks a shell onto what is inside, and stops there") {
   CHECK(distance < 0.05);
 }
 
-TEST_CASE("decimation keeps out as well, and says so where that makes it end early") {
+TEST_CASE("decimation keeps the gap as well, and reports if that ends it early") {
   const Mesh inner = relief(3, 1);
   Mesh outer = relief(3, 1.03);
   DecimateOptions options;

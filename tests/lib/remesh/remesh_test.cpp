@@ -81,7 +81,7 @@ TEST_CASE("three quarters of the vertices of bad meshes come to have six neighbo
   CHECK(sum / count > 0.76);
 }
 
-TEST_CASE("lengths come into the interval") {
+TEST_CASE("edge lengths are brought into the interval") {
   Mesh mesh = icosphere(3);
   RemeshOptions options = around(mesh, 6);
   SUBCASE("finer") { options.min_edge /= 2, options.max_edge /= 2; }
@@ -93,7 +93,7 @@ TEST_CASE("lengths come into the interval") {
   CHECK(result.splits + result.collapses > 100);
 }
 
-TEST_CASE("edges eight times as long come in one iteration") {
+TEST_CASE("edges become eight times as long in one iteration") {
   // in stages: sheets near each other stay apart in all of them
   Mesh mesh = joined(icosphere(5), scaled(reversed(icosphere(5)), 0.9));
   const Mesh before = mesh;
@@ -108,7 +108,7 @@ TEST_CASE("edges eight times as long come in one iteration") {
   CHECK(std::abs(volume(mesh) / volume(before) - 1) < 0.02);
 }
 
-TEST_CASE("few edges stay short where they become eight times as long") {
+TEST_CASE("if edges become eight times as long, few stay short") {
   Mesh mesh = icosphere(5);
   RemeshOptions options = around(mesh, 1);
   options.min_edge *= 8;
@@ -363,7 +363,7 @@ TEST_CASE("sharp edges stay sharp") {
   CHECK(angles(mesh).minimum_deg > 20);
 }
 
-TEST_CASE("what is made for floats is made of floats") {
+TEST_CASE("for float output all positions are floats") {
   Mesh mesh = bad_sphere(6);
   for (Vec3& p : mesh.positions) {
     for (double& x : p) x = round_to_single(x);

@@ -81,7 +81,7 @@ TEST_CASE("edges follow the sizes of a column") {
   }
 }
 
-TEST_CASE("a column of one value is the same as that length") {
+TEST_CASE("a column of equal sizes equals that length") {
   Mesh mesh = icosphere(3);
   Mesh other = mesh;
   mesh.vertex_columns.get("wanted", Scalar::float64, mesh.positions.size())
@@ -108,7 +108,7 @@ TEST_CASE("small components are judged by their own sizes") {
   CHECK(remesh(mesh, with_column(2)).components_removed.count == 1);
 }
 
-TEST_CASE("a column that holds no sizes is refused") {
+TEST_CASE("a column with invalid sizes is refused") {
   Mesh mesh = icosphere(1);
   CHECK(refusal(mesh, with_column(1)).find("no vertex property 'wanted'") != std::string::npos);
   mesh = with_sizes(mesh);

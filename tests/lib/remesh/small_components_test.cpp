@@ -24,7 +24,7 @@ RemeshResult::RemovedComponents removed_from(const Mesh& mesh, double edge,
 
 }  // namespace
 
-TEST_CASE("a cube goes if its edges, its volume and its sides are small") {
+TEST_CASE("a cube is removed if its edges, its volume and its sides are small") {
   // The diagonals of its sides are edges of length 1.41; along its principal axes, which are any, a
   // side is at most its diagonal of 1.73.
   CHECK(removed_from(box({1, 1, 1}), 1.41).count == 0);
@@ -40,7 +40,7 @@ TEST_CASE("a plate that is wider than the edge stays, however thin it is") {
   CHECK(removed_from(box({1e-3, 1e-3, 0.9}), 1).count == 1);
 }
 
-TEST_CASE("of several components the small ones go, and the rest keeps its order") {
+TEST_CASE("small components are removed, and the rest keeps its order") {
   const Mesh mesh =
       test::joined(test::moved(box({0.1, 0.1, 0.1}), {5, 0, 0}),
                    test::joined(box({2, 2, 2}), test::moved(box({0.2, 0.2, 0.2}), {0, 5, 0})));

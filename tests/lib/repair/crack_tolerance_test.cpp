@@ -66,7 +66,7 @@ TEST_CASE("the rims of a thin plate fold back, and are no cracks") {
   CHECK(find_cracks(test::joined(top, below)).tolerance == 0);
 }
 
-TEST_CASE("a vertex upon an edge is a crack of no width, which the tolerance splits") {
+TEST_CASE("a vertex on an edge is a crack of width 0, and the tolerance splits the edge") {
   // One side of the square's diagonal is split in the middle.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}};

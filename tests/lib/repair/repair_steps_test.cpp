@@ -46,7 +46,7 @@ TEST_CASE("joining is recorded with options, counts and the change of the volume
   CHECK(all[0].lost_share == 0);
 }
 
-TEST_CASE("filling closes holes up to a diameter, and says where") {
+TEST_CASE("filling closes holes up to a diameter, and records the place") {
   Mesh ball = test::icosphere(2);
   const Face gone = ball.faces.back();
   ball.faces.pop_back();

@@ -54,7 +54,7 @@ TEST_CASE("the figure stands, and is within the cube of all shapes") {
   }
 }
 
-TEST_CASE("of 40 frames each is near the one before, where arms join and part too") {
+TEST_CASE("consecutive frames of 40 are close, also when arms join and separate") {
   constexpr std::size_t faces = 10000;
   for (const int first : {9, 28, 30}) {
     CAPTURE(first);

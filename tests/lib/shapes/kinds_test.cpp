@@ -26,7 +26,7 @@ TEST_CASE("kinds have names of their own, known options, and make a mesh from th
   }
 }
 
-TEST_CASE("lengths are sensible where their fourth power is a number") {
+TEST_CASE("lengths are accepted if their fourth power is finite") {
   CHECK(shapes::is_sensible_length(1e-50));
   CHECK(shapes::is_sensible_length(1e50));
   CHECK_FALSE(shapes::is_sensible_length(0.9e-50));

@@ -95,7 +95,7 @@ double error_of(const Scans& scans, const RegistrationResult& result) {
 
 }  // namespace
 
-TEST_CASE("partial scans with noise and outliers come together from 20 degrees and 10 % away") {
+TEST_CASE("partial scans with noise and outliers are aligned from 20 degrees and 10 % away") {
   for (const char* kind : {"dented", "figure", "genus", "torus-knot"}) {
     const Mesh whole = make_shape(test::shape(kind, 10000));
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -111,7 +111,7 @@ TEST_CASE("partial scans with noise and outliers come together from 20 degrees a
   }
 }
 
-TEST_CASE("exact copies come back exactly, whatever their size and place") {
+TEST_CASE("exact copies are aligned exactly, for any size and place") {
   const Mesh shape = make_shape(test::shape("dented", 3000));
   for (const double scale : {1e-150, 1.0, 1e100}) {
     Mesh reference = shape;
@@ -154,7 +154,7 @@ TEST_CASE("a sphere slides, and a box does not") {
   CHECK(align(box, test::cuboid({0, 0, 0}, {1, 2, 3})).stability > 0.1);
 }
 
-TEST_CASE("what cannot be aligned is refused, and the mesh stays") {
+TEST_CASE("meshes that cannot be aligned are refused, and stay unchanged") {
   Mesh empty, cube = test::cube(), flat = test::cube(), inside = test::cube();
   for (Vec3& p : flat.positions) p = Vec3(1, 2, 3);
   for (Face& face : inside.faces) std::swap(face[0], face[1]);

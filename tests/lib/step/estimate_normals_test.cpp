@@ -44,7 +44,7 @@ TEST_CASE("normals of closed surfaces are found and look outwards") {
   CHECK(least_cosine(test::torus(1, 0.4, 60, 30)) > 0.99);
 }
 
-TEST_CASE("each of several bodies is turned outwards") {
+TEST_CASE("normals of several bodies are oriented outwards") {
   const Mesh sphere = test::icosphere(3);
   CHECK(least_cosine(test::joined(sphere, test::moved(sphere, {5, 0, 0}))) > 0.99);
 }

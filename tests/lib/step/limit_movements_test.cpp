@@ -85,7 +85,7 @@ TEST_CASE("floats keep the gap as they are written") {
   CHECK(distance_of_meshes(ball, shell) >= 0.02 * (1 - 1e-12));
 }
 
-TEST_CASE("without another surface a step is as it was; one that is met is refused") {
+TEST_CASE("without an obstacle a step is unchanged; one that is intersected is refused") {
   const Mesh ball = test::icosphere(2);
   Mesh with = ball;
   Mesh without = ball;

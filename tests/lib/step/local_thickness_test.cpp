@@ -221,7 +221,7 @@ TEST_CASE("a gap between large faces is found although no vertex is near") {
   CHECK(read_target(write_target(split), "a.ply").thickness == split.thickness);
 }
 
-TEST_CASE("of points too; the file of a target keeps them") {
+TEST_CASE("thickness of point sets is measured too, and stored in target files") {
   Mesh points = two_balls(0.1);
   std::vector<Vec3> normals = points.positions;
   for (std::size_t v = normals.size() / 2; v < normals.size(); ++v) normals[v].x() -= 2.1;
@@ -234,7 +234,7 @@ TEST_CASE("of points too; the file of a target keeps them") {
   CHECK(read_target(write_target(target), "a.ply").thickness == target.thickness);
 }
 
-TEST_CASE("a step says how long edges may be: short ones in the gap, and bounded") {
+TEST_CASE("a step stores edge lengths: short ones in the gap, and bounded") {
   Target target = make_target(two_balls(0.1));
   target.thickness = local_thickness(target, 0.6);
   Mesh mesh = test::icosphere(3);

@@ -35,7 +35,7 @@ Mesh moved(Mesh mesh, const Vec3& by) {
 
 }  // namespace
 
-TEST_CASE("a closed target is nothing to tell about, as a soup and as points too") {
+TEST_CASE("a closed target causes no warning, also as a soup or as points") {
   CHECK(check_target(target_of(test::icosphere(2)), "a.ply").empty());
   CHECK(check_target(target_of(soup_of(test::icosphere(2))), "a.ply").empty());
   Mesh points = test::icosphere(2);
@@ -57,7 +57,7 @@ TEST_CASE("targets that do not agree which side is outside, or are inside out, a
                        InputError);
 }
 
-TEST_CASE("an open target and one that intersects itself are told with their numbers") {
+TEST_CASE("open and self-intersecting targets cause warnings with numbers") {
   Mesh open = test::icosphere(2);
   open.faces.pop_back();
   auto warnings = check_target(target_of(open), "a.ply");
@@ -71,7 +71,7 @@ TEST_CASE("an open target and one that intersects itself are told with their num
   CHECK(warnings[0].sentence.starts_with("the target intersects itself at "));
 }
 
-TEST_CASE("a source apart from the target is told, one that touches its box is not") {
+TEST_CASE("a source apart from the target causes a warning, one that touches its box does not") {
   const Target target = target_of(test::cube());
   const double width = bounding_box(target.mesh).max().x() - bounding_box(target.mesh).min().x();
   CHECK(check_source(moved(test::cube(), {width, 0, 0}), target, "b.ply").empty());

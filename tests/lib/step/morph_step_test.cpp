@@ -45,7 +45,7 @@ TEST_CASE("movements are those of exact distances, however far away") {
   }
 }
 
-TEST_CASE("points are taken by their planes, and a mask holds vertices fast") {
+TEST_CASE("targets of points use tangent planes, and a mask fixes vertices") {
   const Mesh sphere = test::icosphere(3);
   Mesh points;
   points.positions = sphere.positions;

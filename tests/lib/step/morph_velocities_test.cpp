@@ -150,7 +150,7 @@ TEST_CASE("the distance from the target shows a component that the mesh has lost
   CHECK(distance_from_target(target, target.mesh).maximum < 1e-12);
 }
 
-TEST_CASE("where normals are noisy, several planes tell outside from inside better than one") {
+TEST_CASE("with noisy normals, several planes decide the side better than one") {
   const Vec3 axes(0.1, 0.1, 1);
   Mesh cloud;
   std::vector<Vec3> normals;

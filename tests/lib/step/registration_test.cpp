@@ -21,7 +21,7 @@ TEST_CASE("the overlap ends where distances jump") {
   CHECK(overlap_of(few, 100).count == 100);
 }
 
-TEST_CASE("a registration comes to rest in its place, and reports each iteration") {
+TEST_CASE("a registration converges to the right position, and reports each iteration") {
   const Mesh box = test::cuboid({0, 0, 0}, {0.3, 0.5, 0.7});
   const RegistrationSurface surface(box);
   RigidMotion start;

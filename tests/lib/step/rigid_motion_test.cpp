@@ -54,7 +54,7 @@ TEST_CASE("the motion is the least-squares one of Eigen's decomposition by QR") 
   CHECK((motion.translation - expected.tail<3>()).norm() < 1e-9);
 }
 
-TEST_CASE("directions without resistance stay as they are") {
+TEST_CASE("undetermined motions are zero") {
   PlaneEquations equations(Vec3::Zero(), 1);
   for (const double x : {-1.0, 0.0, 1.0})
     for (const double y : {-1.0, 0.0, 1.0}) equations.add({x, y, 0}, {0, 0, 1}, 0.25, 1);

@@ -32,13 +32,13 @@ TEST_CASE("normals of points are normalized") {
   CHECK_THROWS_AS(make_target(point_with_normal({0, nan, 0})), InputError);
 }
 
-TEST_CASE("vertices that no face uses do not attract") {
+TEST_CASE("vertices without faces are not part of a target") {
   Mesh mesh = test::cube();
   mesh.positions.emplace_back(100, 100, 100);
   CHECK(make_target(mesh).mesh.positions.size() == 8);
 }
 
-TEST_CASE("a soup attracts as the mesh that it is, beside edges and corners as well") {
+TEST_CASE("a soup as target equals its mesh, beside edges and corners as well") {
   const Target soup = make_target(test::soup_of(test::cube()));
   CHECK(soup.mesh.positions.size() == 8);
   const Mesh cube = test::cube();
@@ -50,7 +50,7 @@ TEST_CASE("a soup attracts as the mesh that it is, beside edges and corners as w
   }
 }
 
-TEST_CASE("nothing, and a closed mesh inside out, are refused; an open one has no inside") {
+TEST_CASE("empty and inside-out targets are refused; open ones have no inside") {
   CHECK_THROWS_AS(make_target(Mesh()), InputError);
   CHECK_THROWS_WITH_AS(make_target(test::reversed(test::cube())), doctest::Contains("inside out"),
                        InputError);

@@ -42,7 +42,7 @@ TEST_CASE("on a torus the curvature flow is that of the closed form") {
   CHECK(worst < 0.05);
 }
 
-TEST_CASE("planes, borders and slivers do not run away under curvature flow") {
+TEST_CASE("planes, borders and slivers are stable under curvature flow") {
   Mesh plane;
   for (int i = 0; i < 9; ++i) plane.positions.emplace_back(i % 3, i / 3, 0);
   plane.faces = {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4},
@@ -77,7 +77,7 @@ TEST_CASE("mean curvature is that of the closed forms, with the sign of the side
   CHECK(negative > 1000);
 }
 
-TEST_CASE("mean curvature is 0 on borders and planes and where no number holds it") {
+TEST_CASE("mean curvature is 0 on borders and planes, and if it overflows") {
   for (const double curvature : mean_curvatures(test::grid(5))) CHECK(std::abs(curvature) < 1e-12);
   for (const double size : {1e-300, 1e-160, 1e200, 1e300})
     for (const double curvature : mean_curvatures(test::scaled(test::cube(), size)))
@@ -97,7 +97,7 @@ TEST_CASE("velocities are the sum of the given ones and of the speeds, times the
     CHECK((velocities[v] - 3 * (Vec3(1, 0, 0) + 2 * mesh.positions[v])).norm() < .1);
 }
 
-TEST_CASE("columns are taken if none are given, and something has to move the mesh") {
+TEST_CASE("columns are used if no velocities are given, and missing velocities refused") {
   Mesh mesh = test::icosphere(1);
   try {
     velocities_of(mesh, {});

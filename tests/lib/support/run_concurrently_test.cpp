@@ -12,7 +12,7 @@
 
 using namespace transformesh;
 
-TEST_CASE("what runs beside uses a thread of its own where one is free, and comes second else") {
+TEST_CASE("concurrent work uses a free thread, or runs second if there is none") {
   const auto own_thread = std::this_thread::get_id();
   for (const int limit : {1, 2}) {
     const ThreadLimit alive(limit);
@@ -35,7 +35,7 @@ TEST_CASE("what runs beside uses a thread of its own where one is free, and come
   }
 }
 
-TEST_CASE("what the work of this thread throws comes out once the other has ended") {
+TEST_CASE("an exception of this thread is rethrown after the other has ended") {
   const ThreadLimit alive(2);
   std::atomic<bool> other_has_ended{false};
   const auto fail = [] { throw std::runtime_error("own"); };

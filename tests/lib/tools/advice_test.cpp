@@ -23,7 +23,7 @@ std::string advice(ErrorKind kind, const std::vector<std::string>& flags, ErrorD
 
 }  // namespace
 
-TEST_CASE("every kind has a remedy, unless nothing is known that mends it") {
+TEST_CASE("every kind has a remedy, unless none is known") {
   const std::set<ErrorKind> without = {ErrorKind::other, ErrorKind::no_such_level,
                                        ErrorKind::surface_vanished,
                                        ErrorKind::coordinates_too_large, ErrorKind::unknown_format};
@@ -36,7 +36,7 @@ TEST_CASE("every kind has a remedy, unless nothing is known that mends it") {
   }
 }
 
-TEST_CASE("a row for all programs is the last one of its kind") {
+TEST_CASE("a remedy for all programs is the last one of its kind") {
   std::set<ErrorKind> ended;
   for (const Advice& row : advice_table()) {
     CAPTURE(row.text);
@@ -55,7 +55,7 @@ TEST_CASE("programs offer no options that they do not have") {
   CHECK(advice(ErrorKind::other, {"double"}).empty());
 }
 
-TEST_CASE("the remedy follows the sentence, and holds facts of the problem") {
+TEST_CASE("the remedy follows the sentence, and contains data of the problem") {
   const Program program = program_with({"reference-edge"});
   CHECK(with_advice({ErrorKind::not_closed, "the mesh is open"}, program) ==
         "the mesh is open; tm-fill closes holes");

@@ -28,4 +28,4 @@ TEST_CASE("sizes are shown with three digits") {
   CHECK(size_text(25117000000) == "23.4G");
 }
 
-TEST_CASE("some memory is there") { CHECK(available_memory() > 1 << 20); }
+TEST_CASE("the size of the memory is known") { CHECK(available_memory() > 1 << 20); }

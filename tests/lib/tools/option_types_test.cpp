@@ -104,7 +104,7 @@ TEST_CASE("an unknown option names the nearest") {
   CHECK(refusal({"-x"}) == "unknown option '-x'; --help lists those that there are");
 }
 
-TEST_CASE("the first of several errors is told") {
+TEST_CASE("the first of several errors is reported") {
   CHECK(refusal({"--number", "2", "--numbr"}).starts_with("--number: '2' is too large"));
   CHECK(refusal({"--numbr", "--number", "2"}).starts_with("unknown option '--numbr'"));
 }
@@ -126,7 +126,7 @@ TEST_CASE("a bad value names the option, the value and what is allowed") {
   CHECK(refusal({"--point", "1,2,"}) == "--point: '' is not a number");
 }
 
-TEST_CASE("missing and superfluous values are told") {
+TEST_CASE("missing and superfluous values are reported") {
   CHECK(refusal({"--number"}) == "--number needs a value");
   CHECK(refusal({"--number", "--flag"}) == "--number needs a value");
   CHECK(refusal({"--number="}) == "--number needs a value");

@@ -78,7 +78,7 @@ TEST_CASE("names that promise a format that is not written are refused") {
   CHECK_NOTHROW(place.outputs.check_name());
 }
 
-TEST_CASE("what is kept of a failed run is written") {
+TEST_CASE("outputs kept after a failed run are written") {
   Place place;
   place.terminal.configure(true, false, false, false);
   place.outputs.write_kept();

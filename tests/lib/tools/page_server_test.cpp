@@ -99,19 +99,19 @@ void check_idle(const ServerProcess& server, int count) {
 
 }  // namespace
 
-TEST_CASE("a page server answers the request of who knows the token") {
+TEST_CASE("a page server answers only requests with the token") {
   const ServerProcess server;
   const int connection = connection_to(server);
   CHECK(answer_on(connection, server.request()).starts_with("HTTP/1.1 200 OK\r\n"));
   close(connection);
 }
 
-TEST_CASE("64 connections that say nothing, and one that waits, take no time of a processor") {
+TEST_CASE("64 silent connections, and one that waits, take no processor time") {
   const ServerProcess server;
   check_idle(server, 65);
 }
 
-TEST_CASE("connections that wait for file descriptors take no time of a processor") {
+TEST_CASE("connections that wait for file descriptors take no processor time") {
   const ServerProcess server(4);
   check_idle(server, 8);
 }

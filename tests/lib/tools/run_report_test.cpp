@@ -22,7 +22,7 @@ struct Place {
 
 }  // namespace
 
-TEST_CASE("entries are lines, JSON, or the one that is asked for") {
+TEST_CASE("entries are printed as lines, as JSON, or singly") {
   Place place;
   place.report.add("closed", true);
   place.report.add({{"faces", std::size_t{12}}, {"box", std::vector<double>{0, .5}}});

@@ -81,7 +81,7 @@ TEST_CASE("a filter changes the mesh read and keeps the rest") {
                                              "0 0 1\n3 0 1\n0 4 1\n3 0 1 2\n"));
 }
 
-TEST_CASE("a no is exit code 1, and nothing is written where the body says so") {
+TEST_CASE("a negative answer is exit code 1, and suppresses the output if requested") {
   Place place;
   CHECK(place.run(Reads::mesh, Writes::answer, {"t.ply"}, [](Run& run) {
     run.report("vertices", run.document().mesh.positions.size());
@@ -93,7 +93,7 @@ TEST_CASE("a no is exit code 1, and nothing is written where the body says so") 
   CHECK_FALSE(place.has("out.ply"));
 }
 
-TEST_CASE("what is needed is asked for with what it is for") {
+TEST_CASE("a missing input is reported with its purpose") {
   Place place;
   static std::string target;
   const auto run = [&place](const std::vector<std::string>& arguments) {
@@ -135,7 +135,7 @@ TEST_CASE("an evolution's meshes all have the comments that the output has, once
   CHECK(report.contains("peak_memory_bytes"));
 }
 
-TEST_CASE("what is continued keeps its comments and its reference edge") {
+TEST_CASE("a continued run keeps its comments and its reference edge") {
   Place place;
   const auto body = [](Run& run) {
     std::string text = triangle;
@@ -148,7 +148,7 @@ TEST_CASE("what is continued keeps its comments and its reference edge") {
   CHECK(nlohmann::json::parse(place.text("r.json"))["result"]["half"] == 1);
 }
 
-TEST_CASE("a failure that leaves something is told with what it leaves") {
+TEST_CASE("a failure that leaves a state names it") {
   Place place;
   const auto body = [](Run& run) {
     move_up(run.read_input());
@@ -184,7 +184,7 @@ TEST_CASE("outputs of one place and outputs that cannot be written are refused e
   }) == 0);
 }
 
-TEST_CASE("a signal is told with the advice to continue") {
+TEST_CASE("a signal is reported with the advice to continue") {
   Place place;
   const auto body = [](Run& run) {
     report_interruption(run.program().name, run.out().name() == "-" ? "" : "; --resume continues");

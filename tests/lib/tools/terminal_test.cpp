@@ -54,7 +54,7 @@ TEST_CASE("-q leaves errors only, -v adds details") {
         }) == "tm-x: one\ntm-x: two\n");
 }
 
-TEST_CASE("where stderr is no terminal progress is silent unless asked for") {
+TEST_CASE("if stderr is no terminal, progress is shown only if requested") {
   const auto calls = [](bool progress, bool no_progress) {
     return printed([=](Terminal& terminal) {
       terminal.configure(false, false, progress, no_progress);
@@ -85,7 +85,7 @@ TEST_CASE("a bar appears after a while, is redrawn at most ten times a second, a
   CHECK(redraws == 3);
 }
 
-TEST_CASE("lines of progress are shown as asked for, one each, and never with -q") {
+TEST_CASE("lines of progress are shown if requested, and never with -q") {
   const auto calls = [](bool quiet, bool progress) {
     return printed([=](Terminal& terminal) {
       terminal.configure(quiet, false, progress, false);

@@ -53,7 +53,7 @@ double area_of(const PlaneCut& cut, std::size_t facet) {
 
 }  // namespace
 
-TEST_CASE("n blades part a face as n lines in general position do") {
+TEST_CASE("n blades cut a face into as many parts as n lines in general position") {
   for (const int n : {0, 1, 2, 3, 7, 12}) {
     CAPTURE(n);
     const WeldedMesh welded = weld(blades(n));
@@ -93,7 +93,7 @@ TEST_CASE("no facet crosses a line") {
   }
 }
 
-TEST_CASE("coplanar faces share pieces where they overlap, and tell which are reversed") {
+TEST_CASE("coplanar faces share pieces where they overlap, with the orientation of each") {
   // The square of the first two faces and one of the same size, reversed, that covers a quarter of
   // it.
   const Mesh square = test::grid(1);

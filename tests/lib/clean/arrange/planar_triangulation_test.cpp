@@ -161,7 +161,7 @@ TEST_CASE("segments on a lattice become edges, and their crossings become points
   }
 }
 
-TEST_CASE("equal points are one, and lines through them are all known") {
+TEST_CASE("equal points are merged, and keep all lines through them") {
   const Drawing drawing = random_drawing(5, 8);
   const Triangulated triangulated(drawing);
   std::map<std::array<double, 3>, Index> id_at;

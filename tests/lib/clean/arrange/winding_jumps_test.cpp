@@ -39,7 +39,7 @@ Mesh with_wall_reversed(Mesh mesh) {
 
 }  // namespace
 
-TEST_CASE("w falls where one comes to the front of a face, where that rises above the plane") {
+TEST_CASE("the winding number decreases towards the front of a face that rises above the plane") {
   CHECK(step_over_wall(floor_and_wall(-1, 2), false) == -1);
   CHECK(step_over_wall(with_wall_reversed(floor_and_wall(-1, 2)), false) == 1);
   CHECK(step_over_wall(floor_and_wall(0, 2), false) == -1);

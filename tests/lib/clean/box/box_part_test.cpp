@@ -11,7 +11,7 @@
 #include "transformesh/errors.h"
 
 namespace transformesh {
-TEST_CASE("the whole mesh holds everything, and its reference point is outside") {
+TEST_CASE("a part that is the whole mesh has all faces, and a reference point outside") {
   const Mesh mesh = test::moved(test::workload("folded", 2000, 1), {3, 4, 5});
   const Region region = whole_region(mesh);
   CHECK(region.is_whole);
@@ -20,7 +20,7 @@ TEST_CASE("the whole mesh holds everything, and its reference point is outside")
   CHECK(region.reference.winding == 0);
 }
 
-TEST_CASE("a region that does not reach as far as the faces need is refused") {
+TEST_CASE("a region that is too small for its faces is refused") {
   const Mesh mesh = test::workload("folded", 2000, 1);
   std::vector<bool> own(mesh.faces.size(), false);
   for (Index f = 0; f < 100; ++f) own[f] = true;

@@ -20,7 +20,7 @@ TEST_CASE("a box has its lower sides and not its upper ones") {
   CHECK(std::all_of(owners.begin(), owners.end(), [](int count) { return count == 1; }));
 }
 
-TEST_CASE("faces near a box are those whose own boxes reach it") {
+TEST_CASE("faces near a box are those whose bounding boxes meet it") {
   const Mesh ball = test::icosphere(3);
   const Box box(Vec3::Constant(.5), Vec3::Ones());
   const std::vector<bool> near = faces_near(ball, box);
@@ -48,7 +48,7 @@ TEST_CASE("a part keeps order and columns, and the first vertex of every place c
   CHECK(part.mesh.vertex_columns.find("id")->values[9] == 9);
 }
 
-TEST_CASE("closed is what has as many faces one way as the other along every edge") {
+TEST_CASE("a part is closed if every edge is traversed equally often both ways") {
   Mesh mesh = test::joined(test::icosphere(2), test::cuboid({0, 0, 0}, {3, 3, 3}));
   CHECK(face_sums(mesh).is_closed());
   std::swap(mesh.faces[7][0], mesh.faces[7][1]);

@@ -106,7 +106,7 @@ TEST_CASE("eight boxes have the triangles of the whole") {
   }
 }
 
-TEST_CASE("also of a soup, of coincident faces and of faces in one plane") {
+TEST_CASE("eight boxes also agree for soups, coincident faces and coplanar faces") {
   Mesh blocks;
   for (int i = 0; i < 4; ++i) {
     const Vec3 low(.5 * i, i % 2 * .25, 0);
@@ -129,7 +129,7 @@ TEST_CASE("also of a soup, of coincident faces and of faces in one plane") {
   }
 }
 
-TEST_CASE("where rounding breaks faces, boxes are taken from the whole") {
+TEST_CASE("if rounding breaks faces, boxes are taken from the cleaned whole mesh") {
   // Boxes with sides in one plane but for rounding.
   Mesh turned = test::workload("boxes", 2000, 2);
   const Eigen::AngleAxisd turn(.3, Vec3(1, 2, 3).normalized());
@@ -147,7 +147,7 @@ TEST_CASE("where rounding breaks faces, boxes are taken from the whole") {
   CHECK(sorted_triangles(boxes) == sorted_triangles(expected.mesh));
 }
 
-TEST_CASE("a box around one crossing leaves another as it was") {
+TEST_CASE("a box around one self-intersection leaves others unchanged") {
   const Mesh pair = test::workload("two-spheres", 2000, 1);
   Mesh input = test::joined(pair, test::moved(pair, {10, 0, 0}));
   Column& number = input.face_columns.get("number", Scalar::int32, input.faces.size());
@@ -173,7 +173,7 @@ TEST_CASE("a box around one crossing leaves another as it was") {
   CHECK(find_intersections(mesh).size() == find_intersections(pair).size());
 }
 
-TEST_CASE("a box in which nothing crosses changes nothing, though it may be cut from the rest") {
+TEST_CASE("a box without self-intersections changes no face") {
   const Mesh input = test::workload("two-spheres", 2000, 1);
   const Box all = bounding_box(input);
   CleanOptions options;

@@ -34,7 +34,7 @@ TEST_CASE("faces around others are all that touch them, and few of the rest") {
   CHECK(std::count(around.begin(), around.end(), true) < 600);
 }
 
-TEST_CASE("a needle that leaves the faces brings only what is along it") {
+TEST_CASE("a needle beyond the faces adds only faces along it") {
   Mesh mesh = test::icosphere(4);
   const auto v = static_cast<Index>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), {{-1, -1, -1}, {1, 1, 1}, {1, 1, 1.01}});
@@ -47,7 +47,7 @@ TEST_CASE("a needle that leaves the faces brings only what is along it") {
   CHECK(near < 100);
 }
 
-TEST_CASE("rings one after the other are the rings around them all at once") {
+TEST_CASE("rings found one by one equal those found at once") {
   const Mesh ball = test::icosphere(4);
   std::vector<bool> some(ball.faces.size(), false);
   for (Index f = 0; f < 20; ++f) some[f] = true;

@@ -6,7 +6,7 @@
 
 namespace transformesh {
 
-TEST_CASE("a face that was cut goes behind all, and its pieces share what they had") {
+TEST_CASE("pieces of a cut face are appended and share its columns") {
   const Mesh input = test::tetrahedron();
   // Face 1 has corners 0, 1, 3; it is cut from corner 0 to the middle of the edge across.
   CleanedFaces cleaned;
@@ -20,7 +20,7 @@ TEST_CASE("a face that was cut goes behind all, and its pieces share what they h
   CHECK(result.faces == std::vector<Face>{{0, 2, 1}, {0, 3, 2}, {1, 2, 3}, {0, 1, 4}, {0, 4, 3}});
 }
 
-TEST_CASE("faces that are gone take their vertices along, uncut ones stay in their place") {
+TEST_CASE("removed faces remove their vertices, and uncut faces stay in place") {
   const Mesh input = test::joined(test::tetrahedron(), test::moved(test::tetrahedron(), {5, 0, 0}));
   CleanedFaces cleaned;
   cleaned.mesh = test::moved(test::tetrahedron(), {5, 0, 0});

@@ -21,7 +21,7 @@ Mesh two_balls() {
 
 }  // namespace
 
-TEST_CASE("faces are the same where their corners are, in the same order round") {
+TEST_CASE("faces are equal if their corners are, in the same cyclic order") {
   const Mesh mesh = test::icosphere(1);
   Mesh other = test::soup_of(mesh);  // other indices
   std::reverse(other.faces.begin(), other.faces.end());
@@ -40,7 +40,7 @@ TEST_CASE("faces are the same where their corners are, in the same order round")
   CHECK(marked_faces(changed.input_vanished, 1) == std::vector<Index>{last - 9, last - 4});
 }
 
-TEST_CASE("an input is closed where every edge is run along as often both ways, by positions") {
+TEST_CASE("an input is closed if edges, by position, are traversed equally often both ways") {
   Mesh mesh = test::soup_of(test::cube());
   CHECK(match_faces(mesh, mesh).input_is_closed);
   CHECK(match_faces(test::joined(mesh, mesh), mesh).input_is_closed);
@@ -49,7 +49,7 @@ TEST_CASE("an input is closed where every edge is run along as often both ways, 
   CHECK(!match_faces(test::grid(2), mesh).input_is_closed);
 }
 
-TEST_CASE("uncut patches are what neighbors reach without a face that is cut") {
+TEST_CASE("uncut patches are connected across edges without cut faces") {
   const Mesh mesh = two_balls();
   const UncutPatches patches = find_uncut_patches(mesh, Progress());
   std::vector<char> is_cut(mesh.faces.size(), 0);
@@ -83,7 +83,7 @@ TEST_CASE("uncut patches are what neighbors reach without a face that is cut") {
   for (const auto& [first, faces] : expected) CHECK(patches.faces[i++] == faces);
 }
 
-TEST_CASE("spreading takes the first and others at even distances") {
+TEST_CASE("spread samples are the first and others at equal steps") {
   std::vector<Index> faces(100);
   std::iota(faces.begin(), faces.end(), 1000);
   CHECK(spread(faces, 100) == faces);

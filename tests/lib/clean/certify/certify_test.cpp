@@ -38,7 +38,7 @@ void check_wrong(const Mesh& input, const Mesh& output) {
 
 }  // namespace
 
-TEST_CASE("what clean makes of the seven workloads is certified, in doubles and floats") {
+TEST_CASE("cleaned workloads are certified, in doubles and floats") {
   for (const char* kind :
        {"two-spheres", "folded", "tangle", "dumbbell", "many-spheres", "boxes", "pinch"})
     for (const Scalar coordinate : {Scalar::float64, Scalar::float32}) {
@@ -119,9 +119,7 @@ TEST_CASE("a wrong sheet is found: the inner one beside or instead of the outer 
   check_wrong(nested, inner_ball());
 }
 
-TEST_CASE("crossing surfaces that were left as they are are found") {
-  check_wrong(two_balls(), two_balls());
-}
+TEST_CASE("remaining self-intersections are found") { check_wrong(two_balls(), two_balls()); }
 
 TEST_CASE("a cavity inverted, filled or invented is found") {
   const Mesh hollow = joined(icosphere(2), reversed(inner_ball()));
@@ -131,7 +129,7 @@ TEST_CASE("a cavity inverted, filled or invented is found") {
   check_wrong(icosphere(2), hollow);
 }
 
-TEST_CASE("a vertex moved is found, also by little") {
+TEST_CASE("a moved vertex is found, even if it moved little") {
   const Mesh input = two_balls();
   const Mesh output = clean(input).mesh;
   for (const double shift : {1e-1, 1e-4, 1e-8, 1e-11}) {
@@ -145,7 +143,7 @@ TEST_CASE("a vertex moved is found, also by little") {
   }
 }
 
-TEST_CASE("what only rounding moved is not wrong") {
+TEST_CASE("movements by rounding are accepted") {
   const Mesh input = two_balls();
   Mesh output = clean(input).mesh;
   for (Vec3& position : output.positions) position = position.unaryExpr(&round_to_single);
@@ -212,7 +210,7 @@ TEST_CASE("equal positions close a soup, and a missing face opens it") {
   CHECK(!certify(soup, cube()).input_is_closed);
 }
 
-TEST_CASE("of an open input the new faces must be pieces of its faces") {
+TEST_CASE("new faces of an open mesh must be pieces of input faces") {
   const Mesh sheet = grid(1);
   Mesh finer = grid(4);
   for (Vec3& position : finer.positions) position.z() = 0;
@@ -228,7 +226,7 @@ TEST_CASE("of an open input the new faces must be pieces of its faces") {
   CHECK(!certify(sheet, finer).holds());
 }
 
-TEST_CASE("of an open input, a piece that rounding can turn has no orientation") {
+TEST_CASE("a piece of an open mesh that rounding can reverse has any orientation") {
   Mesh sheet;
   sheet.positions = {{-1, 0, 1}, {0, 0, 9}, {0, -1, 1}};
   sheet.faces = {{0, 1, 2}};
@@ -270,7 +268,7 @@ TEST_CASE("patches are bounded by the faces that meet others") {
   CHECK(cut + whole == balls.faces.size());
 }
 
-TEST_CASE("any number of threads certifies the same") {
+TEST_CASE("certification does not depend on the number of threads") {
   const Mesh input = two_balls();
   const Mesh output = joined(clean(input).mesh, inner_ball());
   const Certificate expected = certify(input, output);

@@ -71,7 +71,7 @@ std::vector<Index> halfedges_by(const Book& book, const Before& before) {
 
 }  // namespace
 
-TEST_CASE("pages at random angles come in the order of their angles") {
+TEST_CASE("faces around an edge are sorted by angle") {
   test::Random random(1);
   for (int round = 0; round < 200; ++round) {
     CAPTURE(round);
@@ -82,7 +82,7 @@ TEST_CASE("pages at random angles come in the order of their angles") {
   }
 }
 
-TEST_CASE("with the ends of the edge swapped the order is seen from the other side") {
+TEST_CASE("swapping the ends of the edge reverses the order") {
   test::Random random(4);
   for (int round = 0; round < 50; ++round) {
     const Book book = random_book(random, 6);
@@ -96,7 +96,7 @@ TEST_CASE("with the ends of the edge swapped the order is seen from the other si
   }
 }
 
-TEST_CASE("equal and opposite directions are told exactly; of equal ones the forward come first") {
+TEST_CASE("equal and opposite directions are distinguished exactly; forward faces come first") {
   constexpr std::array<std::array<int, 2>, 8> directions{
       {{1, 0}, {2, 1}, {0, 1}, {-2, 1}, {-1, 0}, {-2, -1}, {0, -1}, {2, -1}}};
   test::Random random(5);
@@ -123,7 +123,7 @@ TEST_CASE("equal and opposite directions are told exactly; of equal ones the for
   }
 }
 
-TEST_CASE("between neighbors around a curve of an arrangement lies one winding number") {
+TEST_CASE("adjacent faces around an intersection curve agree about the winding number between") {
   const Mesh mesh = test::random_balls(2, 5);
   const Arrangement arrangement = test::arranged(mesh);
   const auto& pieces = arrangement.pieces;

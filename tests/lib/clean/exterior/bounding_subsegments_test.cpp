@@ -116,7 +116,7 @@ std::size_t compare(const Curves& curves, int winding_level) {
 
 }  // namespace
 
-TEST_CASE("parts of curves that cross are those with something exterior on one side") {
+TEST_CASE("bounding subsegments have the exterior on one side") {
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
@@ -134,7 +134,7 @@ TEST_CASE("parts of curves that cross are those with something exterior on one s
   CHECK(count > 2000);
 }
 
-TEST_CASE("segments that touch, and three through one point, are not told by crossings") {
+TEST_CASE("touching segments, and three through one point, are left undecided") {
   const auto chords = [](std::initializer_list<std::array<double, 2>> ends) {
     Curves curves(1);
     for (const auto& [x, y] : ends) curves.add_chord(x, y, 1);
@@ -149,7 +149,7 @@ TEST_CASE("segments that touch, and three through one point, are not told by cro
   CHECK_FALSE(curves.parts(1).has_value());
 }
 
-TEST_CASE("nothing is told where no winding number is known, or none that fits") {
+TEST_CASE("without a known or consistent winding number nothing is decided") {
   Curves curves(3);
   curves.add_polygon({3, 3, 0}, 1, 5, 1);
   const std::vector<Vec3> positions{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};

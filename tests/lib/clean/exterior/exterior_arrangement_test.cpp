@@ -102,7 +102,7 @@ Mesh lattice_tetrahedra(std::uint64_t seed, std::size_t count, std::uint64_t siz
 
 }  // namespace
 
-TEST_CASE("exterior pieces of balls are those that rays find") {
+TEST_CASE("exterior pieces of balls agree with rays") {
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
@@ -111,7 +111,7 @@ TEST_CASE("exterior pieces of balls are those that rays find") {
   CHECK(count > 2000);
 }
 
-TEST_CASE("exterior pieces of boxes that lie upon each other are those that rays find") {
+TEST_CASE("exterior pieces of stacked boxes agree with rays") {
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
@@ -120,7 +120,7 @@ TEST_CASE("exterior pieces of boxes that lie upon each other are those that rays
   CHECK(count > 5000);
 }
 
-TEST_CASE("exterior pieces of tetrahedra on a lattice are those that rays find") {
+TEST_CASE("exterior pieces of tetrahedra on a lattice agree with rays") {
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     CAPTURE(seed);
@@ -142,7 +142,7 @@ TEST_CASE("shapes that share vertices and edges, and copies, are distinguished")
     compare(test::joined(cube, test::moved(cube, by)));
 }
 
-TEST_CASE("what is deep inside is not cut, and no more rays are cast than there are parts") {
+TEST_CASE("interior faces are not cut, and there is at most one ray per component") {
   Mesh mesh = test::scaled(test::icosphere(2), 2);
   test::Random random(2);
   for (int i = 0; i < 6; ++i) {

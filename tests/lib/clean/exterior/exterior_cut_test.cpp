@@ -40,14 +40,14 @@ Count cut_all(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("faces that others merely cross are cut along what bounds their exterior") {
+TEST_CASE("properly intersected faces are cut along the boundary of their exterior") {
   const Count count = cut_all(test::random_balls(1, 6));
   CHECK(count.in_full == 0);
   CHECK(count.cut > 100);
   CHECK(count.facets > 0);
 }
 
-TEST_CASE("what is inside all over has no facets") {
+TEST_CASE("a face that lies inside has no facets") {
   // Two crossing balls within a third.
   const Mesh ball = test::icosphere(1);
   const Mesh mesh = test::joined(test::joined(ball, test::moved(ball, {0.5, 0.1, 0.2})),

@@ -18,7 +18,7 @@ Mesh ball(double radius, const Vec3& center = Vec3::Zero()) {
 
 }  // namespace
 
-TEST_CASE("by rays a piece is kept if the winding number passes the level behind it") {
+TEST_CASE("the ray method keeps pieces at which the winding number passes the level") {
   std::size_t tested = 0, kept = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const Mesh mesh = test::random_balls(seed, 5);
@@ -54,7 +54,7 @@ TEST_CASE("the reason why nothing is kept depends on level, surface and borders"
   CHECK(nothing_kept(welded, true, 1).sentence.find("open mesh") != std::string::npos);
 }
 
-TEST_CASE("the outermost surface has neither cavities nor what floats in them") {
+TEST_CASE("the outermost surface has no cavities and no components inside them") {
   const Mesh shell = test::joined(ball(3), test::reversed(ball(2)));
   Mesh mesh = test::joined(test::joined(shell, ball(0.5, {0.3, 0, 0})), ball(1, {10, 0, 0}));
   CHECK(drop_enclosed_components(mesh) == 2);

@@ -68,7 +68,7 @@ TEST_CASE(
   CHECK(largest > 0);
 }
 
-TEST_CASE("there is no point in a cell that is not covered, or that no way leads to") {
+TEST_CASE("uncovered or unreachable cells have no reference point") {
   const Mesh mesh = test::joined(test::icosphere(2), test::moved(test::icosphere(2), {9, 0, 0}));
   const Vec3 start = mesh.positions[0];
   const Surroundings surroundings =

@@ -62,7 +62,7 @@ TEST_CASE("w in front is constant on a patch") {
   CHECK(tested > 1000);
 }
 
-TEST_CASE("pieces that cancel out part nothing") {
+TEST_CASE("pieces that cancel out separate no patches") {
   const Mesh second = test::cuboid({1, 0, 0}, {2, 1, 1});
   // Of two cubes side by side the wall between them cancels out, and the rest is one surface.
   const Arrangement united = test::arranged(test::joined(test::cube(), second));

@@ -28,7 +28,7 @@ void add_lattice_cube(Mesh& mesh, int n) {
 
 }  // namespace
 
-TEST_CASE("w in front of every piece is that of solid angles, with and without a hierarchy") {
+TEST_CASE("winding numbers in front of pieces agree with solid angles, with and without a tree") {
   std::size_t tested = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     CAPTURE(seed);
@@ -48,7 +48,7 @@ TEST_CASE("w in front of every piece is that of solid angles, with and without a
   CHECK(tested > 1500);
 }
 
-TEST_CASE("rays along a lattice, where corners lie behind corners, count right") {
+TEST_CASE("rays through corners of a lattice count correctly") {
   // In front of the k-th cube from outside there are k others.
   Mesh mesh;
   std::vector<int> expected;

@@ -53,7 +53,7 @@ TEST_CASE("w in front of corners agrees with solid angles") {
   CHECK(cut > 1000);
 }
 
-TEST_CASE("a hidden face has no exterior part, and most faces inside are told") {
+TEST_CASE("a hidden face has no exterior part, and most interior faces are found") {
   std::size_t hidden = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Mesh mesh = test::random_balls(seed, 9);
@@ -75,7 +75,7 @@ TEST_CASE("a hidden face has no exterior part, and most faces inside are told") 
   CHECK(hidden > 300);
 }
 
-TEST_CASE("nothing is said of corners that other faces meet, nor where no face is whole") {
+TEST_CASE("corners on other faces are left undecided, and so are meshes without a whole face") {
   // The second tetrahedron has a corner on a face of the first, the third crosses all of them.
   const Mesh first = test::tetrahedron();
   const Mesh mesh = test::joined(first, test::moved(first, {0.25, 0.25, 0}));

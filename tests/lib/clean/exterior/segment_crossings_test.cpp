@@ -49,7 +49,7 @@ double share(const Segments& all, Index s, Index t) {
 
 }  // namespace
 
-TEST_CASE("random segments cross where those of all with all do, in order along each") {
+TEST_CASE("segment crossings agree with testing all pairs, in order along each segment") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     test::Random random(seed);
     Segments all;
@@ -95,7 +95,7 @@ TEST_CASE("segments that touch do not merely cross, but those that share an end 
   CHECK(none.of(0).empty());
 }
 
-TEST_CASE("three segments through one point have no order there") {
+TEST_CASE("the order of three segments through one point is undecided") {
   Segments all;
   all.add({1, 2, 0}, {3, 2, 0});
   all.add({2, 1, 0}, {2, 3, 0});

@@ -41,7 +41,7 @@ struct Outlined {
 
 }  // namespace
 
-TEST_CASE("a side of a cube has its four corners left, in order") {
+TEST_CASE("the outline of a cube's side has its four corners in order") {
   Outlined cube(test::grid_cube(4));
   CHECK(cube.staying() == 8);
   CHECK(cube.outlines->movement() == 0);
@@ -101,7 +101,7 @@ TEST_CASE("vertices with copies stay, and the edges between them") {
                       [](const auto& outline) { return outline.size() == 2; }) == 1);
 }
 
-TEST_CASE("a region that is given up keeps its vertices") {
+TEST_CASE("a region that cannot be merged keeps its vertices") {
   Outlined cube(test::grid_cube(4));
   std::vector<Index> of_face = cube.flat.of_face;
   for (const Index face : cube.flat.regions[2].faces) of_face[face] = no_index;
@@ -110,7 +110,7 @@ TEST_CASE("a region that is given up keeps its vertices") {
     for (const Index v : cube.mesh.faces[face]) CHECK(!outlines.goes(v));
 }
 
-TEST_CASE("an edge that is bent within the tolerance is straightened, and says how far") {
+TEST_CASE("an edge bent within the tolerance is straightened, and the displacement reported") {
   Mesh mesh = test::grid_cube(4);
   for (Vec3& point : mesh.positions)
     if (point == Vec3(1, 1, .5)) point -= Vec3(1e-15, 1e-15, 0);

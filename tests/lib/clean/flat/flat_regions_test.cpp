@@ -36,7 +36,7 @@ TEST_CASE("a curved surface has no region") {
   CHECK(regions_of(test::icosphere(3)).regions.empty());
 }
 
-TEST_CASE("a plane is fitted, so that a region outgrows the plane of its first face") {
+TEST_CASE("a region grows by its fitted plane, beyond the plane of its first face") {
   // Rows of vertices that leave the plane of the first triangle by a little more each.
   Mesh mesh = test::grid(40);
   const double spacing = spacing_around(Vec3::Ones(), Scalar::float64);

@@ -105,7 +105,7 @@ TEST_CASE("sides bent by rounding are merged, and the movement is bounded") {
   }
 }
 
-TEST_CASE("what is farther from a plane than the tolerance stays") {
+TEST_CASE("vertices farther from a plane than the tolerance stay") {
   Mesh mesh = test::grid_cube(4);
   for (Vec3& point : mesh.positions)
     if (point == Vec3(.5, .5, 1)) point.z() += 1e-9;
@@ -134,7 +134,7 @@ TEST_CASE("borders between properties of faces stay") {
   check_surface(mesh, {0});
 }
 
-TEST_CASE("regions without a wanted face keep theirs") {
+TEST_CASE("regions without a selected face keep their faces") {
   Mesh mesh = test::grid_cube(4);
   std::vector<char> wanted(mesh.faces.size(), 0);
   const std::size_t before = mesh.faces.size();

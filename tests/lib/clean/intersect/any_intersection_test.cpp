@@ -7,7 +7,7 @@
 #include "transformesh/intersect.h"
 
 namespace transformesh {
-TEST_CASE("something crosses where the whole search finds a pair") {
+TEST_CASE("the early search agrees with the full search") {
   for (const char* kind : {"two-spheres", "folded", "tangle", "boxes", "pinch", "torus"}) {
     for (const std::size_t faces : {800, 30000}) {
       if (faces > 800 && (kind == std::string("boxes") || kind == std::string("pinch"))) continue;

@@ -55,7 +55,7 @@ TEST_CASE("all stars of smooth surfaces are embedded") {
   CHECK(count_embedded(sphere) == sphere.positions.size());
 }
 
-TEST_CASE("a star is embedded that goes round once, whichever way it looks") {
+TEST_CASE("a star that goes around once is embedded, for either orientation") {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Mesh mesh = star(9, 1, seed);
     CHECK(is_first_embedded(mesh));
@@ -67,7 +67,7 @@ TEST_CASE("a star is embedded that goes round once, whichever way it looks") {
   }
 }
 
-TEST_CASE("a star is not embedded that goes round twice, or has another beside it") {
+TEST_CASE("a star that goes around twice, or has another beside it, is not embedded") {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     CHECK(!is_first_embedded(star(9, 2, seed)));
     CHECK(!is_first_embedded(star(11, 3, seed)));
@@ -83,7 +83,7 @@ TEST_CASE("a star is not embedded that goes round twice, or has another beside i
   }
 }
 
-TEST_CASE("a star with a border, a fold or a third face at an edge is not told embedded") {
+TEST_CASE("a star with a border, a fold or a third face at an edge is not accepted") {
   Mesh open = star(9, 1, 1);
   open.faces.erase(open.faces.begin());
   CHECK(!is_first_embedded(open));

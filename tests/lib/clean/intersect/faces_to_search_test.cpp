@@ -37,7 +37,7 @@ TEST_CASE("of a smooth surface few faces need be searched") {
   CHECK(count_to_search(sphere) < sphere.faces.size() / 2);
 }
 
-TEST_CASE("two balls that cross are searched where they do") {
+TEST_CASE("two intersecting balls are searched only near their intersection") {
   const Mesh balls =
       test::joined(test::icosphere(3), test::moved(test::icosphere(3), Vec3(1.7, 0.1, 0.05)));
   CHECK(count_to_search(balls) > 0);

@@ -64,7 +64,7 @@ std::vector<FacePair> all_pairs(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("around vertices of high valence the search finds what all pairs hold") {
+TEST_CASE("the search around vertices of high valence agrees with testing all pairs") {
   std::mt19937 random(7);
   for (int trial = 0; trial < 40; ++trial) {
     CAPTURE(trial);

@@ -62,7 +62,7 @@ TEST_CASE("a smooth surface consists of few regions") {
   CHECK(std::unique(regions.begin(), regions.end()) - regions.begin() < 60);
 }
 
-TEST_CASE("what lies over itself is no region, though all of it looks one way") {
+TEST_CASE("a surface that overlaps itself is no region, even if it faces one way") {
   CHECK(count_in_regions(stairs(1, 0.2)) == 48);
   CHECK(count_in_regions(stairs(2, 0.2)) == 0);
 }

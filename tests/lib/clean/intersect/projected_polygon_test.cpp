@@ -28,7 +28,7 @@ bool is_simple(const std::vector<Vec3>& corners) {
   return answers[0];
 }
 
-TEST_CASE("a polygon is simple that meets itself nowhere, whatever its heights") {
+TEST_CASE("a polygon that does not intersect itself is simple, for any heights") {
   CHECK(is_simple({{0, 0, 0}, {1, 0, 5}, {0, 1, -5}}));
   CHECK(is_simple({{0, 0, 0}, {2, 0, 0}, {1, 1, 9}, {2, 2, 0}, {0, 2, 0}}));
   CHECK(!is_simple({{0, 0, 0}, {2, 2, 1}, {2, 0, 0}, {0, 2, 5}}));
@@ -39,7 +39,7 @@ TEST_CASE("a corner that touches an edge or a corner is no simple outline") {
   CHECK(!is_simple({{0, 0, 0}, {2, 1, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 1}, {0, 4, 0}}));
 }
 
-TEST_CASE("edges on one line are apart where they go on, and not where they turn back") {
+TEST_CASE("collinear edges are apart if they continue, and not if they fold back") {
   CHECK(is_simple({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {0, 2, 0}, {0, 1, 0}}));
   CHECK(!is_simple({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 2, 0}}));
   CHECK(!is_simple({{0, 0, 0}, {0, 2, 0}, {0, 1, 0}, {1, 1, 0}}));
@@ -54,7 +54,7 @@ TEST_CASE("a polygon that goes around twice is not simple") {
   CHECK(!is_simple(points));
 }
 
-TEST_CASE("an outline of which very many edges lie beside each other is given up, not taken") {
+TEST_CASE("an outline with very many adjacent edges is rejected, not accepted") {
   std::vector<Vec3> comb;
   for (int i = 0; i < 400; ++i) {
     comb.emplace_back(i % 2 == 0 ? 0 : 1000, i, 0);

@@ -30,13 +30,13 @@ TEST_CASE("a pair that met before rounding does not count") {
   CHECK(count_rounding_intersections(exact, exact.positions) == 0);
 }
 
-TEST_CASE("only pairs that are new count, whatever else intersects") {
+TEST_CASE("only new intersections count") {
   const Mesh exact = test::joined(tip_above(1e-3), test::moved(tip_above(-1e-3), {10, 0, 0}));
   const Mesh rounded = test::joined(tip_above(0), test::moved(tip_above(0), {10, 0, 0}));
   CHECK(count_rounding_intersections(rounded, exact.positions) == 1);
 }
 
-TEST_CASE("rounding to floats is searched if their spacing is near the edges") {
+TEST_CASE("rounding to floats is tested if their spacing is close to edge lengths") {
   // At 2^22 floats are multiples of 1/2: the tip at 1/8 is put onto the face.
   const Mesh mesh = test::moved(tip_above(.125), {0, 0, 1 << 22});
   CHECK(count_rounding_intersections(mesh, Scalar::float32) == 1);

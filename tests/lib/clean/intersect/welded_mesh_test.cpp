@@ -7,7 +7,7 @@
 
 namespace transformesh {
 
-TEST_CASE("equal positions are one point, in the order of their first vertex") {
+TEST_CASE("equal positions are merged, in the order of their first vertex") {
   test::Random random(2);
   Mesh mesh;
   for (int i = 0; i < 500; ++i) {

@@ -103,7 +103,7 @@ TEST_CASE("faces that name a point twice say nothing about orientation") {
   CHECK(test::signed_volume(clean(mesh).mesh) == 0);
 }
 
-TEST_CASE("refused: a reversed face, with two faces that run alike and what mends it") {
+TEST_CASE("refused: a reversed face; the error names two faces and the remedy") {
   Mesh mesh = test::icosphere(1);
   std::swap(mesh.faces[7][0], mesh.faces[7][1]);
   const std::string message = refusal(mesh);
@@ -128,7 +128,7 @@ TEST_CASE("refused: a reversed face, with two faces that run alike and what mend
   CHECK(refusal(mesh).empty());
 }
 
-TEST_CASE("refused: faces on one edge of which more than one is left over") {
+TEST_CASE("refused: an edge with more than one face left over") {
   Mesh mesh = fan_of_three();
   CHECK(refusal(mesh).empty());
   std::swap(mesh.faces[2][0], mesh.faces[2][1]);
@@ -139,7 +139,7 @@ TEST_CASE("refused: faces on one edge of which more than one is left over") {
         "at (0, 0, 1): the mesh is not oriented");
 }
 
-TEST_CASE("refused: what reversing faces cannot orient is of another kind") {
+TEST_CASE("refused: a non-orientable mesh has its own kind of error") {
   Mesh strip = test::moebius_strip(12);
   CHECK(refusal(strip).ends_with(
       ", however faces are turned: the surface has one side only, like a Moebius strip"));

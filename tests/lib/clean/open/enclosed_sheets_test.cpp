@@ -26,7 +26,7 @@ std::size_t enclosed_faces(const Mesh& mesh, int winding_level = 1) {
 
 }  // namespace
 
-TEST_CASE("a wall that two rooms share and that is given once is enclosed, either way around") {
+TEST_CASE("a wall between two rooms that occurs once is enclosed, in either orientation") {
   CHECK(enclosed_faces(box_with_wall(1)) == 2);
   CHECK(enclosed_faces(box_with_wall(1, true)) == 2);
 }

@@ -27,7 +27,7 @@ double kept_area(const Arrangement& arrangement, const OpenPatches& patches, dou
 
 }  // namespace
 
-TEST_CASE("a sheet alone is one patch, which is kept whichever way it looks") {
+TEST_CASE("a single sheet is one patch, which is kept in either orientation") {
   for (const bool is_reversed : {false, true}) {
     const Mesh mesh = is_reversed ? test::reversed(sheet(1, 0)) : sheet(1, 0);
     const OpenPatches patches = find_exterior_patches(test::arranged_open(mesh, {0, 0}), 1);
@@ -47,7 +47,7 @@ TEST_CASE("a sheet through a closed box loses what is inside") {
   CHECK(patches.patches >= 2);
 }
 
-TEST_CASE("two sheets that do not meet both stay, however they look") {
+TEST_CASE("two sheets that do not meet both stay, in any orientation") {
   for (const bool is_reversed : {false, true}) {
     const Mesh upper = is_reversed ? test::reversed(sheet(1, 1)) : sheet(1, 1);
     const Arrangement arrangement =
@@ -58,7 +58,7 @@ TEST_CASE("two sheets that do not meet both stay, however they look") {
   }
 }
 
-TEST_CASE("of two sheets that pass through each other the half in front of the other is left") {
+TEST_CASE("of two intersecting sheets the half in front of the other stays") {
   for (const bool is_reversed : {false, true}) {
     CAPTURE(is_reversed);
     Mesh upright = test::reversed(sheet(1, 0));

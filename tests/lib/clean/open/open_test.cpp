@@ -92,7 +92,7 @@ Mesh random_sheet(test::Random& random) {
 
 }  // namespace
 
-TEST_CASE("a sheet that meets nothing stays, whichever way it looks") {
+TEST_CASE("a sheet that meets nothing stays, in either orientation") {
   for (const Map& map : {Map(flat), Map(wavy)}) {
     check_unchanged(sheet(map));
     check_unchanged(test::reversed(sheet(map)));
@@ -100,7 +100,7 @@ TEST_CASE("a sheet that meets nothing stays, whichever way it looks") {
   check_unchanged(without_top(test::icosphere(4), 0.6));
 }
 
-TEST_CASE("of two crossing sheets what lies before both is left") {
+TEST_CASE("of two intersecting sheets the parts in front of both stay") {
   // The flat one from y = -0.017 on, the tilted one from y = -0.1 on.
   const double steep = 2 * std::sqrt(1 + 0.3 * 0.3);
   const Mesh down = cleaned(test::joined(sheet(flat), sheet(tilted)));
@@ -122,7 +122,7 @@ TEST_CASE("a sheet that is pierced within keeps its area, and only the part befo
   CHECK(component_count(result) == 2);
 }
 
-TEST_CASE("a sheet loses what lies within a ball, and the ball is only cut along the curve") {
+TEST_CASE("a sheet loses its part inside a ball, and the ball is only cut along the curve") {
   const Mesh ball = test::moved(test::icosphere(4), {0, 0, 0.017});
   const Mesh plane = sheet([](double x, double y) { return Vec3(2 * x, 2 * y, 0.003); });
   const Mesh result = cleaned(test::joined(plane, ball));
@@ -136,7 +136,7 @@ TEST_CASE("a sheet loses what lies within a ball, and the ball is only cut along
   CHECK(closed == 1);
 }
 
-TEST_CASE("a ball loses what lies within a body with a hole, and the body what lies within it") {
+TEST_CASE("a ball and a body with a hole lose their parts inside each other") {
   const Mesh ball = test::moved(test::icosphere(4), {0.9, 0.02, 0.01});
   Mesh punctured = test::icosphere(4);
   const Mesh closed = cleaned(test::joined(punctured, ball));
@@ -149,7 +149,7 @@ TEST_CASE("a ball loses what lies within a body with a hole, and the body what l
   CHECK(component_count(result) == 1);
 }
 
-TEST_CASE("a sheet bounds nothing but what it meets") {
+TEST_CASE("a sheet affects only surfaces that it meets") {
   const Mesh ball = test::icosphere(3);
   for (const double height : {-3.0, 3.0}) {
     const Mesh plane = sheet([&](double x, double y) { return Vec3(2 * x, 2 * y, height); });
@@ -158,8 +158,7 @@ TEST_CASE("a sheet bounds nothing but what it meets") {
   }
 }
 
-TEST_CASE(
-    "what lies within a closed body goes, and nothing that a body with a hole merely surrounds") {
+TEST_CASE("surfaces inside a closed body vanish; those that a body with a hole surrounds stay") {
   const Mesh ball = test::icosphere(3);
   const Mesh small_sheet = sheet([](double x, double y) { return Vec3(0.3 * x, 0.3 * y, 0.01); });
   CHECK(cleaned(test::joined(ball, small_sheet)).faces.size() == ball.faces.size());
@@ -176,11 +175,11 @@ TEST_CASE("a bowl that passes through itself parts there and keeps its rim") {
   CHECK(check_manifold(result).border_halfedges.size() == rim);
 }
 
-TEST_CASE("a scan that looks inwards and meets nothing stays") {
+TEST_CASE("a scan that is oriented inwards and meets nothing stays") {
   check_unchanged(test::reversed(without_top(test::icosphere(4), 0.9)));
 }
 
-TEST_CASE("what is left of sheets that cross at random cleans to itself") {
+TEST_CASE("the result of random intersecting sheets is clean") {
   test::Random random(3);
   for (int round = 0; round < 700; ++round) {
     Mesh mesh;
@@ -218,7 +217,7 @@ TEST_CASE("static refuses an open mesh") {
   CHECK_THROWS_AS(clean(sheet(flat), options), UsageError);
 }
 
-TEST_CASE("a patch that is inside out is refused, though only positions join it to the rest") {
+TEST_CASE("an inside-out patch is refused, even if it shares only positions with the rest") {
   for (const bool is_reversed : {false, true}) {
     CAPTURE(is_reversed);
     Mesh mesh = test::icosphere(2);

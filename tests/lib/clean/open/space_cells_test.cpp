@@ -43,7 +43,7 @@ bool is_connected(const Arrangement& arrangement) {
 
 }  // namespace
 
-TEST_CASE("cells of closed surfaces that cross have the winding numbers of solid angles") {
+TEST_CASE("cells of intersecting closed surfaces have the winding numbers of solid angles") {
   std::size_t tested = 0, connected = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
@@ -70,7 +70,7 @@ TEST_CASE("cells of closed surfaces that cross have the winding numbers of solid
   CHECK(tested > 1000);
 }
 
-TEST_CASE("a wall given once has the same winding number on both sides") {
+TEST_CASE("a wall that occurs once has the same winding number on both sides") {
   const Arrangement arrangement = test::arranged(two_rooms());
   const Patches patches(arrangement);
   const Index wall = wall_of(arrangement, patches);

@@ -103,7 +103,7 @@ Rooms row(int count) {
 
 }  // namespace
 
-TEST_CASE("of two cubes that share a wall given once, the skin around both is left") {
+TEST_CASE("two cubes that share a single wall become their common outer surface") {
   for (const Walls& walls : {Walls(looking_up), Walls(looking_down)}) {
     const Mesh mesh = build(row(2), walls);
     CHECK(mesh.faces.size() == 22);
@@ -113,7 +113,7 @@ TEST_CASE("of two cubes that share a wall given once, the skin around both is le
   }
 }
 
-TEST_CASE("several walls, and walls that meet like a T and like a cross, go") {
+TEST_CASE("several walls, and walls that meet in T and X shapes, are removed") {
   check_body(build(row(4), looking_up), 4);
   const Rooms tee = {{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{0, 1, 0}, 1}, {{1, 1, 0}, 2}};
   const Rooms cross = {{{0, 0, 0}, 0}, {{1, 0, 0}, 1}, {{0, 1, 0}, 2}, {{1, 1, 0}, 3}};
@@ -122,14 +122,14 @@ TEST_CASE("several walls, and walls that meet like a T and like a cross, go") {
   check_body(build(tee, looking_down), 4);
 }
 
-TEST_CASE("a room amid others, which has no part in the skin, is filled") {
+TEST_CASE("a room between other rooms, away from the outer surface, is filled") {
   Rooms rooms;
   for (int i = 0; i < 27; ++i) rooms[{i % 3, i / 3 % 3, i / 9}] = i;
   check_body(build(rooms, looking_up), 27);
   check_body(build(rooms, looking_down), 27);
 }
 
-TEST_CASE("a wall with a hole, and half a wall, go") {
+TEST_CASE("a wall with a hole, and half a wall, are removed") {
   Rooms rooms;
   for (int i = 0; i < 36; ++i) rooms[{i % 4, i / 4 % 3, i / 12}] = i % 4 < 2 ? 0 : 1;
   const auto without = [&](const std::function<bool(const Cell&)>& is_gone) {
@@ -143,7 +143,7 @@ TEST_CASE("a wall with a hole, and half a wall, go") {
   check_body(without([](const Cell& cell) { return cell[1] + cell[2] != 0; }), 36);
 }
 
-TEST_CASE("a wall that shares no edge with the skin but lies upon it goes") {
+TEST_CASE("a wall that touches the outer surface without sharing an edge is removed") {
   Mesh wall = test::grid(3);
   for (Vec3& p : wall.positions) p = Vec3(2 * p.x(), 2 * p.y(), 0.75);
   const Mesh body = test::cuboid({0, 0, 0}, {2, 2, 2});
@@ -151,7 +151,7 @@ TEST_CASE("a wall that shares no edge with the skin but lies upon it goes") {
   check_body(test::joined(body, test::reversed(wall)), 8);
 }
 
-TEST_CASE("rooms cross other bodies and walls all the same") {
+TEST_CASE("rooms may intersect other bodies and walls") {
   const Mesh rooms = build(row(3), looking_up);
   check_body(test::joined(rooms, test::cuboid({1, -1, 0.5}, {2, 2, 3})), 3 + 7.5 - 0.5);
   check_body(test::joined(rooms, test::moved(rooms, {0.5, 0.25, 0.125})), 6 - 2.5 * 0.75 * 0.875);
@@ -180,7 +180,7 @@ TEST_CASE("walls given once or twice in rooms at random leave the voxels of the 
   }
 }
 
-TEST_CASE("what is no wall within a body stays") {
+TEST_CASE("sheets that are not walls inside a body stay") {
   // A cavity whose skin is in two parts because a wall ends on it.
   Rooms shell;
   for (int i = 0; i < 27; ++i)

@@ -58,7 +58,7 @@ TEST_CASE("a mesh with nothing to clean is unchanged, and one to be stitched is 
   CHECK(soup.assembly.mesh.positions.size() == test::icosphere(2).positions.size());
 }
 
-TEST_CASE("with too many pairs nothing but their number is found") {
+TEST_CASE("with too many pairs only their number is reported") {
   const std::size_t pairs = find_intersections(two_balls()).size();
   CleanPassOptions options;
   options.most_pairs = pairs - 1;

@@ -33,14 +33,14 @@ TEST_CASE("intersecting faces are broken where one of them is new, and faces wit
   CHECK(!find_broken_faces(flat).faces.empty());
 }
 
-TEST_CASE("places are counted by common corners") {
+TEST_CASE("broken faces with common corners count as one place") {
   const Mesh two = test::joined(test::cube(), test::moved(test::cube(), {5, 0, 0}));
   CHECK(count_places(two, {}) == 0);
   CHECK(count_places(two, {0, 1, 4}) == 1);
   CHECK(count_places(two, {0, 12, 13}) == 2);
 }
 
-TEST_CASE("a collapsed edge takes its two faces along, and a flattened body vanishes") {
+TEST_CASE("a collapsed edge removes its two faces, and a flattened body vanishes") {
   Assembly cube = test::assembly_of(test::cube());
   cube.mesh.positions[1] = cube.mesh.positions[0];
   CHECK(drop_collapsed_faces(cube));
@@ -55,7 +55,7 @@ TEST_CASE("a collapsed edge takes its two faces along, and a flattened body vani
   CHECK(flat.mesh.faces.empty());
 }
 
-TEST_CASE("of faces upon each other as many go as cancel out") {
+TEST_CASE("coincident faces are removed as far as they cancel out") {
   const Mesh cube = test::cube();
   Assembly three = test::assembly_of(test::joined(test::joined(cube, test::reversed(cube)), cube));
   CHECK(drop_collapsed_faces(three));

@@ -99,7 +99,7 @@ bool remove_all(Assembly& assembly, bool moves_input, Displacement& moved, doubl
 
 }  // namespace
 
-TEST_CASE("a new vertex in a flat face goes, and all corners stay") {
+TEST_CASE("a new vertex inside a flat face is removed, and all corners stay") {
   for (const double height : {0.0, 0x1p-53, -0x1p-53}) {
     CAPTURE(height);
     Assembly assembly = cube_with_vertex(height);
@@ -121,7 +121,7 @@ TEST_CASE("a vertex higher than the tolerance stays") {
   CHECK(moved.length == 0);
 }
 
-TEST_CASE("a spike goes whose edges are shorter than half of the tolerance") {
+TEST_CASE("a spike with edges shorter than half the tolerance is removed") {
   const double steps = 0x1p20, step = 0x1p-55;  // the step is up to four times that
   Assembly assembly = cube_with_spike(steps * step / 16);
   Displacement moved;
@@ -132,7 +132,7 @@ TEST_CASE("a spike goes whose edges are shorter than half of the tolerance") {
   CHECK(moved.length <= 4 * steps * step);
 }
 
-TEST_CASE("what collapses one after the other is counted as a sum") {
+TEST_CASE("displacements of consecutive collapses add up") {
   const double steps = 0x1p20, storey = steps * 0x1p-55 / 4;
   const Index storeys = 6;
   Assembly assembly = cube_with_tower(4 * storey, storey, storeys);
@@ -149,7 +149,7 @@ TEST_CASE("what collapses one after the other is counted as a sum") {
   CHECK(moved.length >= height);
 }
 
-TEST_CASE("vertices of the input go only if they may") {
+TEST_CASE("input vertices are removed only if that is allowed") {
   Assembly assembly = cube_with_vertex(0);
   assembly.vertex_is_new.back() = 0;
   Displacement moved;
@@ -157,7 +157,7 @@ TEST_CASE("vertices of the input go only if they may") {
   CHECK(assembly.mesh.faces.size() == 14);
 }
 
-TEST_CASE("a vertex on a crease goes along it, and the shape stays") {
+TEST_CASE("a vertex on a crease is removed along it, and the shape stays") {
   // The edge from a to b of a cube is split, so that its middle lies in two planes.
   Assembly assembly = cube_with_vertex(0);
   Mesh& mesh = assembly.mesh;

@@ -52,7 +52,7 @@ TEST_CASE("a sliver lower than the rule is flipped, a higher one stays") {
   CHECK(high.mesh.faces == before.faces);
 }
 
-TEST_CASE("what is low doubles with the grids of the vertices") {
+TEST_CASE("the limit height doubles with the grids of the vertices") {
   Assembly assembly = cube_with_sliver(8 * spacing_at(0.4));
   VertexGrids grids(assembly, Scalar::float64);
   grids.coarsen(assembly.mesh, {0});

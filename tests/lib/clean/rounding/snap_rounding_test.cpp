@@ -58,7 +58,7 @@ Mesh check_clean(const Mesh& mesh, Scalar coordinate) {
 
 }  // namespace
 
-TEST_CASE("rotated lattice boxes: coplanar faces that rounding has parted still make one solid") {
+TEST_CASE("rotated lattice boxes: coplanar faces separated by rounding still give one solid") {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     const Mesh straight = boxes(seed, 500);
     const double volume = test::signed_volume(clean(straight).mesh);
@@ -73,7 +73,7 @@ TEST_CASE("rotated lattice boxes: coplanar faces that rounding has parted still 
   }
 }
 
-TEST_CASE("however far from the origin a shape lies, what is stored is clean") {
+TEST_CASE("stored shapes are clean at any distance from the origin") {
   for (const char* kind : {"two-spheres", "folded", "pinch", "dumbbell"}) {
     const Mesh shape = make_shape(test::shape(kind, 600));
     for (const double scale : {1e-3, 1e-9, 1e-12}) {
@@ -106,7 +106,7 @@ TEST_CASE("scaling changes nothing, up to where products overflow or vanish") {
   }
 }
 
-TEST_CASE("a shape that its coordinates cannot hold is refused, and said why") {
+TEST_CASE("a shape that its coordinates cannot represent is refused with a reason") {
   const Mesh shape = in_singles(test::moved(test::scaled(test::icosphere(3), 1e-9), {1, 2, 3}));
   CHECK_THROWS_WITH_AS(clean(shape), doctest::Contains("no area"), GoalError);
 }

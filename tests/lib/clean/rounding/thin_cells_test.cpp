@@ -88,7 +88,7 @@ TEST_CASE("a thin sheet beside a body vanishes, and the body stays") {
   CHECK(cells.volume() == doctest::Approx(0.125).epsilon(1e-14));
 }
 
-TEST_CASE("of two thin sheets only that one vanishes of which a face has a coarser grid") {
+TEST_CASE("of two thin sheets only the one with a coarser grid vanishes") {
   const double thickness = 3 * spacing;
   const Mesh thin_sheet = cuboid({1.6, 1, 1}, {1.9, 1.5, 1 + thickness});
   const Mesh other = cuboid({1, 1.6, 1}, {1.5, 1.8, 1 + thickness});

@@ -5,7 +5,7 @@
 
 namespace transformesh {
 
-TEST_CASE("distances from a line are right near one of its ends, however far the other is") {
+TEST_CASE("distances from a line are accurate near one end, however far the other is") {
   for (const double far : {10.0, 1e20, 1e100, 1e300}) {
     const Vec3 a(0, 0, 0), b(far, 0, 0), point(1, 3, 4);
     for (const LineDistance& d :
@@ -18,7 +18,7 @@ TEST_CASE("distances from a line are right near one of its ends, however far the
   }
 }
 
-TEST_CASE("heights over a plane are right near a corner, however far the others are") {
+TEST_CASE("heights over a plane are accurate near a corner, however far the others are") {
   for (const double far : {10.0, 1e20, 1e100, 1e300}) {
     const Triangle t = {Vec3(far, 0, 0), Vec3(0, far, 0), Vec3(0, 0, 0)};
     const Vec3 normal = unit_normal(t);

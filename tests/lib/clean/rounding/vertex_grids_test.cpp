@@ -22,7 +22,7 @@ Assembly two_faces(const Vec3& first) {
 
 }  // namespace
 
-TEST_CASE("steps double at the corners of broken faces, and nowhere else") {
+TEST_CASE("grid steps double at the corners of broken faces, and nowhere else") {
   const Assembly assembly = two_faces({1, 1e-17, -0x1.8p-53});
   VertexGrids grids(assembly, Scalar::float64);
   CHECK(grids.step(assembly.mesh, 0) == 0x1p-53);

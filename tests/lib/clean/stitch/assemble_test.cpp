@@ -55,7 +55,7 @@ void check_rows(const Mesh& mesh, const Assembly& assembly) {
 
 }  // namespace
 
-TEST_CASE("vertices and faces know what they are of the input, and columns follow") {
+TEST_CASE("vertices and faces have their source in the input, and columns follow") {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);
     Mesh mesh = test::random_balls(seed, 4);
@@ -81,7 +81,7 @@ TEST_CASE("whole faces and their vertices come first, in their order") {
   CHECK(std::is_sorted(assembly.vertex_is_new.begin(), assembly.vertex_is_new.end()));
 }
 
-TEST_CASE("touching cubes come apart: a copy for a vertex, two for an edge") {
+TEST_CASE("touching cubes are separated: one copy for a vertex, two for an edge") {
   struct Case {
     Vec3 shift;
     std::size_t copies;

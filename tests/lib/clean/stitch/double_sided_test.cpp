@@ -48,7 +48,7 @@ TEST_CASE("one side of a double-sided solid is the solid") {
     CHECK(component.volume == doctest::Approx(volume(ball)));
 }
 
-TEST_CASE("what has one side only stays") {
+TEST_CASE("a surface with one side only stays") {
   Mesh mesh = test::joined(test::icosphere(1), test::moved(test::icosphere(1), {3, 0, 0}));
   CHECK(count_double_sided(mesh) == 0);
   CHECK(drop_reverses(mesh) == 0);

@@ -8,7 +8,7 @@
 
 using namespace transformesh;
 
-TEST_CASE("a soup becomes a mesh, and what is none stays as it is") {
+TEST_CASE("a soup becomes a mesh, and other meshes stay unchanged") {
   const Mesh ball = test::icosphere(2);
   Mesh soup = test::soup_of(ball);
   CHECK(join_soup(soup).joined_vertices == 3 * ball.faces.size() - ball.positions.size());
@@ -30,7 +30,7 @@ TEST_CASE("closed bodies that touch keep their own vertices") {
   CHECK(bodies.positions.size() == before);
 }
 
-TEST_CASE("faces that look this way and that are refused, as not oriented") {
+TEST_CASE("inconsistently oriented faces are refused") {
   Mesh soup = test::soup_of(test::cube());
   std::swap(soup.faces[3][1], soup.faces[3][2]);
   const std::vector<Face> faces = soup.faces;

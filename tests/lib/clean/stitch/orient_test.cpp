@@ -52,7 +52,7 @@ Mesh row_of_cubes(int count) {
 
 }  // namespace
 
-TEST_CASE("closed parts look outwards again, whatever was reversed, and the count is right") {
+TEST_CASE("closed parts are oriented outwards again, and reversed faces are counted") {
   const Mesh two =
       test::joined(test::icosphere(2), test::moved(test::torus(2, 0.5, 20, 10), {9, 0, 0}));
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -67,7 +67,7 @@ TEST_CASE("closed parts look outwards again, whatever was reversed, and the coun
   }
 }
 
-TEST_CASE("a part that agreed is left alone, inside out or not") {
+TEST_CASE("a consistent part stays unchanged, even if it is inside out") {
   Mesh inside_out = test::reversed(test::icosphere(1));
   CHECK(orient_faces(inside_out) == 0);
   // Beside one that does not agree.
@@ -77,7 +77,7 @@ TEST_CASE("a part that agreed is left alone, inside out or not") {
         doctest::Approx(1 + test::signed_volume(inside_out)).epsilon(1e-12));
 }
 
-TEST_CASE("an open part looks the way most of its faces did") {
+TEST_CASE("an open part takes the orientation of most of its faces") {
   for (const int wrong : {1, 40, 60, 127}) {
     CAPTURE(wrong);
     Mesh mesh = test::grid(8);
@@ -91,7 +91,7 @@ TEST_CASE("an open part looks the way most of its faces did") {
   }
 }
 
-TEST_CASE("solids that share an edge, or a wall that is given once, get their insides back") {
+TEST_CASE("solids that share an edge, or a single wall, get their insides back") {
   // Two cubes that share the edge from (1, 1, 0) to (1, 1, 1) by their vertices.
   Mesh cubes = test::cube();
   std::array<Index, 8> index{};
@@ -116,7 +116,7 @@ TEST_CASE("solids that share an edge, or a wall that is given once, get their in
   }
 }
 
-TEST_CASE("bodies that share faces, edges or corners, and copies of them, all look outwards") {
+TEST_CASE("bodies that share faces, edges or corners, and their copies, are oriented outwards") {
   const Mesh ring = test::torus(2, 0.5, 12, 8);
   const Mesh cube = test::cube();
   const Mesh apart = test::joined(cube, test::moved(cube, {1, 1, 1}));
@@ -143,7 +143,7 @@ TEST_CASE("bodies that share faces, edges or corners, and copies of them, all lo
   }
 }
 
-TEST_CASE("a copy that agrees is not turned against its original because a face of it is wrong") {
+TEST_CASE("a copy is not reversed against its original because of one wrong face") {
   for (const Mesh& body : {test::cube(), test::icosphere(1), test::torus(2, 0.5, 12, 8)}) {
     const Mesh twice = welded(test::joined(body, body));
     const std::size_t count = body.faces.size();

@@ -23,7 +23,7 @@ Mesh book(int forward, int backward) {
 
 }  // namespace
 
-TEST_CASE("the sum along an edge is that of the faces that run forward, less the others") {
+TEST_CASE("the sum at an edge is the number of forward faces minus that of the others") {
   for (int forward = 0; forward < 4; ++forward) {
     for (int backward = 0; backward < 4; ++backward) {
       if (forward + backward == 0) continue;
@@ -36,7 +36,7 @@ TEST_CASE("the sum along an edge is that of the faces that run forward, less the
   }
 }
 
-TEST_CASE("a misoriented edge is named with the faces that run alike, and how many there are") {
+TEST_CASE("a misoriented edge is reported with its faces and the number of such edges") {
   CHECK(describe_misorientation(book(2, 0)) ==
         "faces 0 and 1 run the same way along the edge from vertex 0 at (0, 0, 0) to vertex 1 at "
         "(0, 0, 1)");

@@ -21,7 +21,7 @@ double volume_of(const Mesh& mesh) { return test::signed_volume(mesh); }
 
 }  // namespace
 
-TEST_CASE("bodies that look outwards, with cavities, stay") {
+TEST_CASE("bodies oriented outwards, with cavities, stay unchanged") {
   Mesh mesh = test::joined(nested(), test::moved(ball(1), {5, 0, 0}));
   const std::vector<Face> faces = mesh.faces;
   CHECK_FALSE(has_inward_bodies(mesh));
@@ -30,7 +30,7 @@ TEST_CASE("bodies that look outwards, with cavities, stay") {
   CHECK(mesh.faces == faces);
 }
 
-TEST_CASE("a body that is inside out is turned with all that is in it, and no other") {
+TEST_CASE("an inside-out body is reversed together with its contents, and no other") {
   const Mesh other = test::moved(nested(), {9, 0, 0});
   Mesh mesh = test::joined(test::reversed(nested()), other);
   CHECK(has_inward_bodies(mesh));
@@ -46,7 +46,7 @@ TEST_CASE("a cavity of a body with a hole stays a cavity") {
   CHECK(turn_bodies_outwards(mesh) == 0);
 }
 
-TEST_CASE("nested components of any directions look outwards and inwards in turn") {
+TEST_CASE("nested components are oriented outwards and inwards alternately") {
   for (int directions = 0; directions < 8; ++directions) {
     Mesh mesh;
     for (int i = 0; i < 3; ++i) {
@@ -58,7 +58,7 @@ TEST_CASE("nested components of any directions look outwards and inwards in turn
   }
 }
 
-TEST_CASE("with outwards, a cavity in faces of all directions keeps that of most") {
+TEST_CASE("with outwards, a shuffled cavity takes the orientation of most faces") {
   Mesh mesh = nested();
   for (std::size_t f = 0; f < mesh.faces.size(); f += 3)
     std::swap(mesh.faces[f][1], mesh.faces[f][2]);

@@ -105,7 +105,7 @@ double highest(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("cubes that share a corner come apart by the distance") {
+TEST_CASE("cubes that share a corner are moved apart by the distance") {
   const Mesh cubes = clean(test::joined(test::cube(), test::moved(test::cube(), {1, 1, 1}))).mesh;
   const Mesh apart = check_apart(cubes, 0.1);
   double least = 1e300;
@@ -120,7 +120,7 @@ TEST_CASE("cubes that share a corner come apart by the distance") {
   CHECK(test::signed_volume(apart) > 2 - 0.1);
 }
 
-TEST_CASE("cubes that share edges and parts of edges come apart, whatever the rotation") {
+TEST_CASE("cubes that share edges or parts of edges are moved apart, for any rotation") {
   for (const Vec3& shift : {Vec3(1, 1, 0), Vec3(1, 0, 1), Vec3(1, 1, .5), Vec3(1, .25, 1)}) {
     CAPTURE(shift.transpose());
     const Mesh cubes = test::joined(test::cube(), test::moved(test::cube(), shift));
@@ -153,7 +153,7 @@ TEST_CASE("a cavity that touches its wall and the wall move away from each other
   CHECK(test::winding_number(nested, {.5, .5, .98}) == doctest::Approx(1));
 }
 
-TEST_CASE("a step does not jump over what lies in its way") {
+TEST_CASE("a step does not pass through other faces") {
   const Mesh bubble = test::moved(test::scaled(test::icosphere(1), 0.01), {.9, .9, .9});
   const Mesh bodies = test::joined(test::joined(test::cube(), test::reversed(bubble)),
                                    test::moved(test::cube(), {1, 1, 1}));
@@ -162,7 +162,7 @@ TEST_CASE("a step does not jump over what lies in its way") {
   CHECK(test::winding_number(apart, {.9, .9, .92}) == doctest::Approx(1));
 }
 
-TEST_CASE("what cleaning the workloads leaves in one place comes apart, small steps and large") {
+TEST_CASE("coincident vertices of cleaned workloads are moved apart, by small and large steps") {
   for (const char* kind : {"boxes", "pinch", "folded"}) {
     for (const std::uint64_t seed : {1U, 2U}) {
       ShapeOptions options = test::shape(kind, 3000);
@@ -177,7 +177,7 @@ TEST_CASE("what cleaning the workloads leaves in one place comes apart, small st
   }
 }
 
-TEST_CASE("float coordinates come apart as floats, or not at all") {
+TEST_CASE("vertices are moved apart in floats, or not at all") {
   const Mesh cubes = test::joined(test::cube(), test::moved(test::cube(), {1, 1, 0}));
   const Mesh apart = check_apart(clean(cubes).mesh, 0.1, Scalar::float32);
   for (const Vec3& p : apart.positions) {
@@ -191,7 +191,7 @@ TEST_CASE("float coordinates come apart as floats, or not at all") {
   CHECK(same.positions == before);
 }
 
-TEST_CASE("what does not touch stays as it is") {
+TEST_CASE("surfaces that do not touch stay unchanged") {
   Mesh mesh = test::joined(test::icosphere(2), test::moved(test::icosphere(2), {3, 0, 0}));
   const std::vector<Vec3> before = mesh.positions;
   CHECK(separate(mesh, {0.1}).separated_vertices == 0);

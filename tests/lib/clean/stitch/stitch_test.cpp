@@ -155,7 +155,7 @@ TEST_CASE("a soup becomes the mesh it was cut from") {
   CHECK(is_closed_manifold(mesh));
 }
 
-TEST_CASE("singular vertex: cubes that touch in a corner come apart there") {
+TEST_CASE("singular vertex: cubes that touch at a corner are separated there") {
   Mesh mesh = test::soup_of(test::joined(test::cube(), test::moved(test::cube(), {1, 1, 1})));
   CHECK(stitch(mesh).copied_vertices == 1);
   CHECK(is_closed_manifold(mesh));
@@ -205,7 +205,7 @@ TEST_CASE("a closed part that agreed keeps its orientation, a shuffled one besid
   CHECK(volumes(mesh).back() == doctest::Approx(1));
 }
 
-TEST_CASE("random solids of cells, as shuffled soups, become what they were") {
+TEST_CASE("random voxel solids are restored from shuffled soups") {
   test::Random random(7);
   int tested = 0, singular = 0;
   while (tested < 300) {
@@ -281,7 +281,7 @@ TEST_CASE("three faces on an edge: two become a sheet, one another") {
   CHECK(mesh.positions.size() == 7);
 }
 
-TEST_CASE("the pages of a book pair up, but for one of an odd number") {
+TEST_CASE("faces at an edge are paired, except one if their number is odd") {
   for (Index pages = 3; pages < 12; ++pages) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       Mesh mesh;
@@ -347,7 +347,7 @@ TEST_CASE("an edge that copies of its ends cannot take apart is split in the mid
   }
 }
 
-TEST_CASE("solids that overlap at a common edge pair up without remainder") {
+TEST_CASE("solids that overlap at a common edge are paired without remainder") {
   Mesh mesh = test::soup_of(
       test::joined(test::cuboid({0, 0, 0}, {2, 1, 1}), test::cuboid({0, 0, 0}, {1, 2, 1})));
   const StitchResult result = stitch(mesh);

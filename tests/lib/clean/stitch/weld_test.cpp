@@ -42,7 +42,7 @@ std::vector<Index> welded_by_steps(const std::vector<Vec3>& positions, double to
 
 }  // namespace
 
-TEST_CASE("positions are welded with all that short steps lead to") {
+TEST_CASE("positions are welded transitively over short distances") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     CAPTURE(seed);
     const std::vector<Vec3> positions = clumps(seed, 0.05);
@@ -55,7 +55,7 @@ TEST_CASE("positions are welded with all that short steps lead to") {
   CHECK(weld_positions({}, 1).empty());
 }
 
-TEST_CASE("heaps of points within the tolerance are welded as by steps") {
+TEST_CASE("clusters of points within the tolerance are welded as the definition says") {
   for (const double tolerance : {0.01, 0.05, 0.1, 0.25}) {
     test::Random random(static_cast<std::uint64_t>(1000 * tolerance));
     std::vector<Vec3> plate;  // many are in one place along x

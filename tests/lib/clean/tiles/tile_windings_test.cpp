@@ -34,7 +34,7 @@ TEST_CASE("points of boxes have the winding numbers of solid angles, nested copi
   CHECK(windings.of_box(13).winding == 0);
 }
 
-TEST_CASE("where the box is a point on a diagonal, every ray grazes") {
+TEST_CASE("if the box is a point on a diagonal, every ray is undecided") {
   const Mesh cube = test::cube();
   const Vec3 middle = Vec3::Constant(.5);
   TileWindings windings({Box(middle, middle)});

@@ -33,7 +33,7 @@ void check_promises(const Mesh& input, const Mesh& output) {
 
 }  // namespace
 
-TEST_CASE("the seven workloads come back right, and both methods agree to the byte") {
+TEST_CASE("the seven workloads are cleaned correctly, and both methods give the same bytes") {
   for (const char* kind :
        {"two-spheres", "folded", "tangle", "dumbbell", "many-spheres", "boxes", "pinch"}) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
@@ -52,7 +52,7 @@ TEST_CASE("the seven workloads come back right, and both methods agree to the by
   }
 }
 
-TEST_CASE("what needs no cleaning comes back as it was") {
+TEST_CASE("a clean mesh is returned unchanged") {
   const Mesh input =
       test::joined(test::icosphere(3), test::moved(test::torus(1, .3, 40, 16), {4, 0, 0}));
   const CleanResult result = clean(input);
@@ -69,7 +69,7 @@ TEST_CASE("what needs no cleaning comes back as it was") {
   CHECK(!clean(input, options).changed);
 }
 
-TEST_CASE("how a mesh hangs together is told only where nothing changes") {
+TEST_CASE("connectivity is returned only if nothing changes") {
   const Mesh ball = test::icosphere(3);
   const Mesh inside = test::scaled(ball, 0.5);
   CHECK(!clean(test::joined(ball, inside)).connectivity);
@@ -179,7 +179,7 @@ TEST_CASE("float coordinates are free of self-intersections as floats") {
   CHECK(test::compare_windings(input, mesh, tolerant).is_right());
 }
 
-TEST_CASE("what cannot be cleaned is refused with a reason") {
+TEST_CASE("meshes that cannot be cleaned are refused with a reason") {
   Mesh misoriented = test::icosphere(1);
   std::swap(misoriented.faces[5][0], misoriented.faces[5][1]);
   CHECK_THROWS_WITH_AS(clean(misoriented), doctest::Contains("the mesh is not oriented"),
@@ -195,7 +195,7 @@ TEST_CASE("what cannot be cleaned is refused with a reason") {
   CHECK_THROWS_AS(clean(test::workload("two-spheres", 500), options), GoalError);
 }
 
-TEST_CASE("what only indices get wrong is stitched: soups and singular vertices") {
+TEST_CASE("soups and singular vertices are stitched") {
   const Mesh joined = clean(test::soup_of(test::cube())).mesh;
   CHECK(joined.positions.size() == 8);
   CHECK(test::count(joined).is_closed_and_oriented);

@@ -12,7 +12,7 @@ using namespace transformesh::test;
 
 namespace fs = std::filesystem;
 
-TEST_CASE("a folder is locked once, and free again afterwards") {
+TEST_CASE("a folder is locked once, and free after unlocking") {
   const TemporaryFolder folder;
   {
     const FolderLock lock(folder / "state");
@@ -34,7 +34,7 @@ TEST_CASE("an empty folder goes with its lock, and the one above if the lock mad
   CHECK(fs::exists(folder / "state/mesh.ply"));
 }
 
-TEST_CASE("a folder that was removed in between is locked anew") {
+TEST_CASE("a folder that was removed meanwhile is created and locked again") {
   const TemporaryFolder folder;
   const FolderLock lock(folder / "state");
   fs::remove(folder / "state");

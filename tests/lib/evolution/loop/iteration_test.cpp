@@ -112,7 +112,7 @@ TEST_CASE("an iteration that leaves nothing, or is cancelled, says so beside cle
   }
 }
 
-TEST_CASE("the topology told is that of the mesh afterwards, by Euler's number") {
+TEST_CASE("the reported topology is that of the result, by Euler's number") {
   for (const double apart : {0.05, 0.5}) {
     Document document = two_balls(apart, Scalar::float64);
     const IterationResult result = iterate(document, growing(0.05), completed({}, document.mesh));

@@ -40,7 +40,7 @@ TEST_CASE("what a loop names is restored bit for bit from text") {
   }
 }
 
-TEST_CASE("text that is no memory, and a name that was not kept, are refused") {
+TEST_CASE("text that is no state, and unknown names, are refused") {
   CHECK(LoopState().text().empty());
   CHECK_THROWS_AS(LoopState("best much"), InputError);
   double best = 0;

@@ -49,7 +49,7 @@ TEST_CASE("a new run takes the place of an old one, and of nothing else") {
   CHECK(content_of(run + "/notes.txt") == "mine");
 }
 
-TEST_CASE("folders that are no run are refused where one is wanted, or would be overwritten") {
+TEST_CASE("folders that are no run are neither read nor overwritten") {
   const TemporaryFolder folder;
   check_run_folder(folder / "new");
   check_run_folder(folder / "");

@@ -51,7 +51,7 @@ TEST_CASE("a value that gets no better by a hundredth in twenty iterations has s
   CHECK(rule.add(value * 0.991));
 }
 
-TEST_CASE("a stalled rule goes on from its memory as if nothing had happened") {
+TEST_CASE("a restored stall rule continues unchanged") {
   StalledRule rule(4);
   rule.add(1);
   rule.add(1);
@@ -94,21 +94,21 @@ TEST_CASE("a morph that gets no better stalls in twenty iterations after the fir
   CHECK(verdict == MorphVerdict::stalled);
 }
 
-TEST_CASE("where no vertex moves any more nothing waits for twenty iterations") {
+TEST_CASE("if no vertex moves, a morph stalls before twenty iterations") {
   MorphRule rule;
   MorphVerdict verdict{};
   CHECK(iterations_until_verdict(rule, step_of(10, 20, 0.01, 500), verdict) == 4);
   CHECK(verdict == MorphVerdict::stalled);
 }
 
-TEST_CASE("a vertex that is pulled to and fro near the target is looked at for the last time") {
+TEST_CASE("a morph that oscillates near the target is compared for the last time") {
   MorphRule rule;
   MorphVerdict verdict{};
   CHECK(iterations_until_verdict(rule, step_of(0.1, 0.3, 0.9, 0), verdict) == 21);
   CHECK(verdict == MorphVerdict::examine_last);
 }
 
-TEST_CASE("a slow morph is judged by what it misses alone") {
+TEST_CASE("a slow morph is judged only by distances from the target") {
   MorphRule rule;
   MorphStepResult step = step_of(10, 20, 0.4, 500);
   MorphVerdict verdict = MorphVerdict::go_on;
@@ -143,7 +143,7 @@ TEST_CASE(
   CHECK(verdict == MorphVerdict::refine);
 }
 
-TEST_CASE("the rule of a morph goes on from its memory as if nothing had happened") {
+TEST_CASE("a restored morph rule continues unchanged") {
   MorphRule whole(2);
   MorphRule parts(2);
   for (std::size_t i = 1; i < 60; ++i) {

@@ -24,7 +24,7 @@ double some_number(test::Random& random, int exponents) {
 
 }  // namespace
 
-TEST_CASE("a sign that balls tell is right, and they tell all but the closest") {
+TEST_CASE("signs from balls are right, and known for all but the closest cases") {
   test::Random random(3);
   int told = 0, near = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -51,7 +51,7 @@ TEST_CASE("a sign that balls tell is right, and they tell all but the closest") 
   CHECK(near > 2000);
 }
 
-TEST_CASE("balls beyond the range tell nothing, and 0 is 0") {
+TEST_CASE("balls beyond the range have no sign, and 0 has sign 0") {
   const DoubleDoubleBall huge(1e200), tiny(1e-200), one(1);
   CHECK((huge * huge).sign() == 0);
   CHECK((tiny * tiny).sign() == 0);

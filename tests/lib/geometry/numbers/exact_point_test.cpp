@@ -185,7 +185,7 @@ TEST_CASE("orientation and order of defined points agree with rationals") {
   CHECK(equal > 20);
 }
 
-TEST_CASE("crossing edges and weighted means are where rationals put them") {
+TEST_CASE("intersections of edges and weighted means agree with rationals") {
   const std::vector<Vec3> positions{{0, 0, 0}, {3, 1, 2}, {0, 1, 2}, {3, 0, 0}, {1e6, 1, 7}};
   const std::vector<Face> faces{{0, 1, 2}};
   const ExactGeometry geometry(positions, faces);

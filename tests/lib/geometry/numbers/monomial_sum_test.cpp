@@ -39,7 +39,7 @@ double number_up_to(test::Random& random, int exponents) {
 
 }  // namespace
 
-TEST_CASE("a sum of products has the sign that rationals tell, whatever the magnitudes") {
+TEST_CASE("a sum of products has the sign of rational arithmetic, for all magnitudes") {
   test::Random random(21);
   for (int round = 0; round < 4000; ++round) {
     const int exponents = std::array{0, 20, 150, 1000}[random.below(4)];
@@ -53,7 +53,7 @@ TEST_CASE("a sum of products has the sign that rationals tell, whatever the magn
 
 // The large terms cancel, in another order and other factors: what is left lies hundreds of powers
 // of two below, or is nothing at all.
-TEST_CASE("what cancels leaves the sign of what is far below, or none") {
+TEST_CASE("canceling terms leave the sign of much smaller ones, or zero") {
   test::Random random(22);
   int zeros = 0;
   for (int round = 0; round < 4000; ++round) {
@@ -75,7 +75,7 @@ TEST_CASE("what cancels leaves the sign of what is far below, or none") {
 }
 
 // Terms that differ by one unit in the last place, which each window hands on to the next.
-TEST_CASE("what nearly cancels is carried from window to window") {
+TEST_CASE("carries of nearly canceling terms propagate through the windows") {
   test::Random random(23);
   for (int round = 0; round < 2000; ++round) {
     BothSums sum;

@@ -52,7 +52,7 @@ Vec3 any_point(test::Random& random, int exponents) {
 
 }  // namespace
 
-TEST_CASE("a sign that long balls tell is right, and they tell nearly all that are not 0") {
+TEST_CASE("signs from multiprecision balls are right, and known for nearly all that are not 0") {
   test::Random random(7);
   int told = 0, open = 0;
   for (int round = 0; round < 3000; ++round) {
@@ -67,7 +67,7 @@ TEST_CASE("a sign that long balls tell is right, and they tell nearly all that a
   CHECK(open < 30);
 }
 
-TEST_CASE("what cancels to below the last digit has no sign, what cancels to above it has one") {
+TEST_CASE("a sum that cancels below the last digit has no sign, above it has one") {
   const double tiny = 0x1p-300, less = 0x1p-700;
   const MultiprecisionBall one(1), almost = one + MultiprecisionBall(tiny),
                                    nearer = one + MultiprecisionBall(less);
@@ -82,7 +82,7 @@ TEST_CASE("what cancels to below the last digit has no sign, what cancels to abo
   CHECK((MultiprecisionBall(-1) + MultiprecisionBall(0x1p-500)).sign() == -1);
 }
 
-TEST_CASE("long balls neither over- nor underflow, and take what is not known along") {
+TEST_CASE("multiprecision balls neither over- nor underflow, and propagate the unknown") {
   MultiprecisionBall large(1e300), small(-5e-324);
   for (int i = 0; i < 20; ++i) large = large * large;
   for (int i = 0; i < 20; ++i) small = small * small;
@@ -98,7 +98,7 @@ TEST_CASE("long balls neither over- nor underflow, and take what is not known al
   CHECK((MultiprecisionBall::unknown() * large).sign() == 0);
 }
 
-TEST_CASE("homogeneous points lie on what defines them, by rationals") {
+TEST_CASE("homogeneous points lie on their planes and lines, by rationals") {
   test::Random random(9);
   int told = 0;
   for (int round = 0; round < 400; ++round) {

@@ -62,7 +62,7 @@ TEST_CASE("orient3d has the sign of the integer determinant, far out, tiny and h
   CHECK(zeros > 1000);
 }
 
-TEST_CASE("signs are those of rationals where coordinates are of very different magnitudes") {
+TEST_CASE("signs agree with rationals for coordinates of very different magnitudes") {
   test::Random random(11);
   const auto number = [&] {
     const int exponent = static_cast<int>(random.below(1000)) - 500;

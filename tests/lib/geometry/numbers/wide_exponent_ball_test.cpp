@@ -68,7 +68,7 @@ TEST_CASE("a quotient of wide balls contains the exact quotient") {
   }
 }
 
-TEST_CASE("what is not finite, or zero but for an error, has no sign") {
+TEST_CASE("infinite values, and zeros with an error, have no sign") {
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK(WideExponentBall(0).sign() == 0);
   CHECK(WideExponentBall(1, 2).sign() == 0);

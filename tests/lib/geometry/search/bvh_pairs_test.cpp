@@ -68,7 +68,7 @@ TEST_CASE("visited pairs are those that are collected, list by list") {
   }
 }
 
-TEST_CASE("boxes of one group are apart, and those of none are not") {
+TEST_CASE("boxes of the same group are no pairs, and those of no group are") {
   auto boxes = random_boxes(4, 400, .4);
   std::vector<Index> groups;
   for (Index i = 0; i < boxes.size(); ++i) groups.push_back(i % 5 == 4 ? no_index : i % 5);

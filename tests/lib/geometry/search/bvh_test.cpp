@@ -128,7 +128,7 @@ TEST_CASE("boxes of one group are not paired, those of none are") {
   }
 }
 
-TEST_CASE("many equal boxes cost pairs, not depth") {
+TEST_CASE("many equal boxes do not make the tree deep") {
   const std::vector<FloatBox> boxes(10000, float_box(Vec3::Zero(), Vec3::Ones()));
   const auto pairs = Bvh(boxes).overlapping_pairs([](Index, Index j) { return j == 9999; });
   REQUIRE(pairs.size() == 9999);

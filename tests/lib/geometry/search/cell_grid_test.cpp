@@ -69,14 +69,14 @@ TEST_CASE("coordinates of any size have cells") {
   }
 }
 
-TEST_CASE("one small face among large ones does not make cells too small to count") {
+TEST_CASE("one small face among large ones does not make too many cells") {
   CellSize size;
   for (int i = 0; i < 1000000; ++i) size.add({Vec3(0, 0, 0), Vec3(1e-9, 0, 0), Vec3(0, 1e-9, 0)});
   size.add({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
   CHECK(size.size() == 1. / 256);
 }
 
-TEST_CASE("marks are those that were made before a round, each once") {
+TEST_CASE("marks are those made before a round, each once") {
   test::Random random(5);
   CellMarks marks;
   std::array<std::map<Cell, std::set<Index>>, 2> expected;

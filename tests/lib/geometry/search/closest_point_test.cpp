@@ -119,7 +119,7 @@ TEST_CASE("signed distances to a cube agree with the closed form") {
   CHECK(closest(Vec3(1, 1, 1)).signed_distance == 0);
 }
 
-TEST_CASE("a hint changes nothing, and a face within a distance is found where there is one") {
+TEST_CASE("a hint changes no result, and a face within a distance is found if there is one") {
   const Mesh mesh = spiky_sphere();
   const ClosestPointQuery closest(mesh);
   test::Random random(8);
@@ -232,7 +232,7 @@ TEST_CASE("the lowest face wins ties; duplicates and flat faces do not disturb")
   }
 }
 
-TEST_CASE("a face at a right angle does not face, whichever way rounding turns it") {
+TEST_CASE("a face at a right angle does not face the point, for any rounding") {
   test::Random random(41);
   const Vec3 place(0.25, 0.375, 0);
   for (int trial = 0; trial < 200; ++trial) {
@@ -262,7 +262,7 @@ TEST_CASE("scale does not matter, down to 1e-30 and up to 1e30") {
   }
 }
 
-TEST_CASE("any order of faces gives the closest point, whatever is said about it") {
+TEST_CASE("any order of faces gives the closest point, even if declared wrongly") {
   Mesh mesh = spiky_sphere();
   const ClosestPointQuery usual(mesh);
   const ClosestPointQuery misled(mesh, FaceOrder::spatial);

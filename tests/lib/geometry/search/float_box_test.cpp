@@ -68,7 +68,7 @@ TEST_CASE("face boxes hold their corners, also of a selection of faces") {
   REQUIRE(selected.size() == 3);
   for (std::size_t i = 0; i < 3; ++i) CHECK(selected[i].min() == boxes[some[i]].min());
 }
-TEST_CASE("a point that is far away does not keep boxes from being told apart") {
+TEST_CASE("a point far away does not make boxes indistinguishable") {
   std::vector<Vec3> points;
   for (int i = 0; i < 1000; ++i) points.emplace_back(4e6 + i, 5e6, 1e-3 * i);
   points.emplace_back(1e15, -2e17, 0);

@@ -9,7 +9,7 @@
 
 using namespace transformesh;
 
-TEST_CASE("a grid finds what is near, by brute force, also at 0 from both sides and far out") {
+TEST_CASE("a grid finds near points, by brute force, also around 0 and far out") {
   for (const double far : {0.0, 1e12}) {
     Random random(7);
     const auto place = [&] {

@@ -83,7 +83,7 @@ TEST_CASE("the nearest box is that of a search over all, for buckets of any size
   }
 }
 
-TEST_CASE("of small boxes few are looked at") {
+TEST_CASE("few small boxes are visited") {
   const auto boxes = random_boxes(20000, 0.01, 1);
   const MedianTree tree(boxes, 2);
   test::Random random(4);

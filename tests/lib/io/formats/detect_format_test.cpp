@@ -69,7 +69,7 @@ TEST_CASE("binary STL is detected by its size, also where the header says solid"
   CHECK_FALSE(refusal(binary_stl(3, 2)).empty());
 }
 
-TEST_CASE("what is written in a format is told as that format, whatever its comment holds") {
+TEST_CASE("a written file is detected as its format, for any comment") {
   // Behind marks of any length, the count of a binary STL of exactly so many bytes.
   std::vector<std::pair<std::string, std::size_t>> comments{
       {"OFF OFF\xb6", 0}, {"ply", 0}, {"solid", 0}, {"v 0 0 0", 0}, {"\rOFF 0 0 0", 0}};
@@ -91,7 +91,7 @@ TEST_CASE("what is written in a format is told as that format, whatever its comm
   }
 }
 
-TEST_CASE("further formats are told by their first bytes") {
+TEST_CASE("other formats are detected by their first bytes") {
   CHECK(kind("glTF\2") == FileKind::gltf);
   CHECK(kind(" {\"asset\": {}}") == FileKind::gltf);
   CHECK(kind("PK\3\4") == FileKind::three_mf);
@@ -114,7 +114,7 @@ TEST_CASE("the name decides where bytes cannot") {
   CHECK(kind("plywood", "a.ply") == FileKind::ply);
 }
 
-TEST_CASE("what is no mesh is refused with what it is") {
+TEST_CASE("files that are no meshes are refused by name") {
   CHECK(refusal("").find("not a single byte") != std::string::npos);
   CHECK(refusal("\x1f\x8b\x08 and more", "a.ply").find("compressed twice") != std::string::npos);
   CHECK(refusal("<?xml version=\"1.0\"?>").find("unknown mesh format") != std::string::npos);

@@ -51,7 +51,7 @@ TEST_CASE("vertices that are not finite go with the triangles and polygons that 
         "off: 1 vertex with a coordinate that is not finite dropped, and 2 faces that use it");
 }
 
-TEST_CASE("notes count what was cut, what folds and what was dropped") {
+TEST_CASE("notes count triangulated, folded and dropped polygons") {
   const std::vector<std::vector<Index>> rows{{0, 1, 2}, {0, 1, 2, 4}, {0, 2, 1, 4}, {0, 1}};
   Read result = read(rows, 1);
   result.notes.pop_back();

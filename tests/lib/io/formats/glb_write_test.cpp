@@ -183,7 +183,7 @@ TEST_CASE("glb: closed manifolds are said to be such, with the copies that are o
   CHECK_FALSE(Glb(write_mesh(document).bytes).json.contains("extensionsUsed"));
 }
 
-TEST_CASE("glb: what the standard has no place for") {
+TEST_CASE("glb: data that the standard cannot hold is noted") {
   Document document = glb_document();
   set_columns({"nx", "ny", "nz"}, Scalar::float32, {0, 1, 1, 1}, document);
   set_columns({"red", "green", "blue"}, Scalar::float64, {0, 0.1, 0.5, 2}, document);

@@ -64,7 +64,7 @@ TEST_CASE("gltf: extensions that are required are known or refused by name") {
   CHECK(contains(error_with("EXT_mesh_gpu_instancing"), "'EXT_mesh_gpu_instancing'"));
 }
 
-TEST_CASE("gltf: buffers that are not there") {
+TEST_CASE("gltf: missing buffers are refused") {
   Json json = gltf_tetrahedron();
   json["buffers"][0]["byteLength"] = 73;
   CHECK(contains(read_error(json.dump()), "buffer 0 announces 73 bytes, but there are 72"));

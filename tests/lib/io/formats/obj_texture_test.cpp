@@ -41,7 +41,7 @@ TEST_CASE("obj: texture coordinates that vertices have by their numbers") {
   CHECK(write_mesh(document).bytes == text);
 }
 
-TEST_CASE("obj: texture coordinates that are not there") {
+TEST_CASE("obj: missing texture coordinates are refused") {
   const ReadResult result = read_mesh(
       points + "vt 0 0\nvt nan 0\nvt 1 1 7\nf 1/1 2/2 3/1\nf 1/1 2/1 3/4\nf 1/1 2 3/1\n", "input");
   CHECK(result.document.mesh.face_columns.columns.empty());

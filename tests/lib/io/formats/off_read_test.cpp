@@ -21,7 +21,7 @@ TEST_CASE("off: the plain format by hand") {
   CHECK(write_mesh(document).bytes == text);
 }
 
-TEST_CASE("off: counts, comments and blank lines wherever people put them") {
+TEST_CASE("off: counts, comments and blank lines at unusual places") {
   for (const std::string start :
        {"OFF\n4 1 6\n", "OFF 4 1 6\n", "OFF4 1 6\n", "OFF 4 1\n",
         "\n\n# first\n  OFF # kind\n\n4 1 6 # n\n", "OFF\r\n4 1 6\r\n", "COFF 4 1 0\n"}) {

@@ -83,7 +83,7 @@ TEST_CASE("ply: types in upper case, and comments without their keyword") {
                  "unknown type 'FLOAT'"));
 }
 
-TEST_CASE("ply: headers of what is no mesh are refused") {
+TEST_CASE("ply: headers without a mesh are refused") {
   CHECK(read_error(header("ascii", "element face 0\n")) ==
         "the PLY header has no element 'vertex' (input)");
   CHECK(read_error(header("ascii", "element vertex 1\nproperty float x\n") + "1\n") ==

@@ -256,7 +256,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("ply: rows of text that are longer than the header says are told") {
+TEST_CASE("ply: rows of text that are longer than the header states are noted") {
   const ReadResult result = read_mesh(ascii_triangle("3 0 1 2 9 9"), "input");
   CHECK(result.document.mesh.faces == std::vector<Face>{{0, 1, 2}});
   CHECK(result.notes.size() == 1);
@@ -264,7 +264,7 @@ TEST_CASE("ply: rows of text that are longer than the header says are told") {
   CHECK(contains(result.notes[0], "from line 13 on"));
 }
 
-TEST_CASE("ply: bytes after the data are told") {
+TEST_CASE("ply: bytes after the data are noted") {
   const std::string text = ascii_triangle("3 0 1 2");
   CHECK(read_mesh(text + "\n\n", "input").notes.empty());
   CHECK(has_note(read_mesh(text + "junk", "input").notes,

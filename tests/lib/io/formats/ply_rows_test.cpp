@@ -92,7 +92,7 @@ TEST_CASE("corners are written with other indices and another type") {
         document.mesh.face_columns.find("behind")->values);
 }
 
-TEST_CASE("what cannot be read row by row is refused, with the place") {
+TEST_CASE("files that cannot be read row by row are refused, with the place") {
   const test::TemporaryFolder folder;
   const Document document = example(Format::ply_little, Scalar::float64);
   const std::string bytes = write_mesh(document).bytes;

@@ -53,7 +53,7 @@ TEST_CASE("points and normals that are not finite are dropped with a count") {
                        InputError);
 }
 
-TEST_CASE("points are told from meshes by their first line") {
+TEST_CASE("points are distinguished from meshes by their first line") {
   CHECK(is_points("1 2 3 0 0 1\n"));
   CHECK(is_points("# comment\n 1 2 3\n"));
   CHECK(is_points("1 2 3 0 0 1\n", "odd.off"));
@@ -67,7 +67,7 @@ TEST_CASE("points are told from meshes by their first line") {
   CHECK_FALSE(is_points(std::string("1 2 3\0", 6)));
 }
 
-TEST_CASE("what is wrong with numbers that are no points") {
+TEST_CASE("numbers that are no points are refused with the reason") {
   const auto check = [](const std::string& text) { check_point_text({text, "scan.txt"}); };
   CHECK_THROWS_WITH_AS(
       check("# x\n1 2 3 4\n"),

@@ -74,7 +74,7 @@ TEST_CASE("a backslash joins lines where the format says so, but not inside a co
   CHECK(words("f 1 # \\\n3\n", joining) == "f,1,;3,;");
 }
 
-TEST_CASE("words are seen before they are read, counted, and skipped without blanks around them") {
+TEST_CASE("words are peeked, read, counted and skipped, without blanks around them") {
   const std::string text = "name  of a  mesh \nnext\n";
   const Source source{text, "a"};
   TextRows rows(source, 0, plain);

@@ -35,7 +35,7 @@ TEST_CASE("polygons are written as they were read") {
   CHECK(off_without_comments(document) == house);
 }
 
-TEST_CASE("faces that were dropped take their part of a polygon") {
+TEST_CASE("dropped faces are removed from their polygon") {
   Document document = read_off(house);
   SelectionOptions options;
   options.mask.emplace(document.mesh.faces.size(), true);

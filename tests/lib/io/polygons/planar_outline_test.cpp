@@ -100,7 +100,7 @@ TEST_CASE("the triangles of a convex outline are those whose circles are empty")
   }
 }
 
-TEST_CASE("an outline that goes around twice has each triangle twice, one of them a fold") {
+TEST_CASE("an outline that goes around twice has each triangle twice, one of them folded") {
   const Points points{{0, 0}, {1, 0}, {0, 1}, {0, 0}, {1, 0}, {0, 1}};
   const PlanarTriangles result = triangulated(points);
   CHECK(result.is_complete);

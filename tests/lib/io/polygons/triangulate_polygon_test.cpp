@@ -210,7 +210,7 @@ TEST_CASE("coordinates of any magnitude are decided exactly") {
   }
 }
 
-TEST_CASE("100,000 corners take no square of the time") {
+TEST_CASE("100,000 corners do not take quadratic time") {
   const auto check_size = [](const TestPolygon& polygon) {
     const PolygonTriangles result = cut(polygon);
     CHECK(result.folds == 0);

@@ -89,7 +89,7 @@ TEST_CASE("a temporary file of another run is not touched") {
   CHECK(content_of(other) == "other");
 }
 
-TEST_CASE("what cannot be written is refused, at once where that can be known") {
+TEST_CASE("output that cannot be written is refused, at once if possible") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(check_writable(""), OutputError);
   CHECK_THROWS_AS(check_writable(folder / "none/a"), OutputError);
@@ -123,7 +123,7 @@ TEST_CASE("two files have the same target, however it is named") {
   CHECK(file.place() != AtomicFile(folder / "b", "two").place());
 }
 
-TEST_CASE("what waits for its commit is removed when the process has to end") {
+TEST_CASE("uncommitted files are removed when the process is ended") {
   const TemporaryFolder folder;
   AtomicFile first(folder / "a", "new");
   write_file(folder / "b", "new");
@@ -134,7 +134,7 @@ TEST_CASE("what waits for its commit is removed when the process has to end") {
   CHECK_THROWS_AS(first.commit(), OutputError);
 }
 
-TEST_CASE("a file that grows appears once it is committed, and goes if it is not") {
+TEST_CASE("a growing file appears when it is committed, and is removed otherwise") {
   const TemporaryFolder folder;
   {
     AtomicFile file(folder / "a");

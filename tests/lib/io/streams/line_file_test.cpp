@@ -35,7 +35,7 @@ TEST_CASE("a FIFO stays open between lines") {
   close(reader);
 }
 
-TEST_CASE("a full disk is told") {
+TEST_CASE("a full disk is reported") {
   CHECK_THROWS_AS(LineFile("/dev/full", "header\n"), OutputError);
   CHECK_THROWS_AS(LineFile("none/log", "header\n"), OutputError);
 }

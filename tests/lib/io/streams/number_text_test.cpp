@@ -36,7 +36,7 @@ TEST_CASE("number text: reads what strtod reads") {
   }
 }
 
-TEST_CASE("number text: what is too small is zero, what is too large is refused") {
+TEST_CASE("number text: too small numbers are zero, too large ones are refused") {
   double value = 7;
   std::size_t used = 0;
   const std::string zeros(400, '0');
@@ -59,7 +59,7 @@ TEST_CASE("number text: what is too small is zero, what is too large is refused"
   CHECK(parse("1e39", single, used) == Parsed::out_of_range);
 }
 
-TEST_CASE("number text: what is no number is malformed") {
+TEST_CASE("number text: other text is malformed") {
   double value = 7;
   std::size_t used = 0;
   for (const std::string text : {"", "+", "-", "x", "+-1", "e5", ","}) {

@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-TEST_CASE("lists come back as they were, longer than a block or empty, and leave no file") {
+TEST_CASE("lists are read back unchanged, long or empty, and leave no file") {
   const test::TemporaryFolder folder;
   std::vector<std::vector<std::uint32_t>> expected(4);
   {

@@ -49,7 +49,7 @@ TEST_CASE("a file is read whole, whatever its size and the bytes in it") {
   }
 }
 
-TEST_CASE("what comes through a pipe in pieces is read and written whole, also without waiting") {
+TEST_CASE("data in pieces through a pipe is read and written whole, also without blocking") {
   const std::string bytes = many_bytes(5000001);
   for (const int flags : {0, O_NONBLOCK}) {
     const Pipe pipe(flags);
@@ -78,7 +78,7 @@ TEST_CASE("bytes reserved keep what stood there before") {
   }
 }
 
-TEST_CASE("what cannot be read or written is told") {
+TEST_CASE("read and write errors are reported") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(read_all(folder / "absent"),
                        (folder / "absent: cannot be read: No such file or directory").c_str(),

@@ -68,7 +68,7 @@ TEST_CASE("a patch that meets a large face far from all its corners is refused")
   }
 }
 
-TEST_CASE("a face that a patch made longer is found far from its corners") {
+TEST_CASE("a face enlarged by a patch is found far from its corners") {
   // The top of a ball is drawn out into a spike that passes a small ball.
   const Mesh large = icosphere(2);
   const Index top = 0;

@@ -52,7 +52,7 @@ struct Collapses {
 
 }  // namespace
 
-TEST_CASE("the bound holds after each collapse, and is used") {
+TEST_CASE("the bound holds after each collapse, and is nearly reached") {
   Mesh ball = test::icosphere(2);
   test::Random random(3);
   for (Vec3& p : ball.positions) p += random.point(-0.02, 0.02);

@@ -47,7 +47,7 @@ TEST_CASE("the guard finds all faces near, also after faces were divided") {
   }
 }
 
-TEST_CASE("triangles that meet what their predecessors did not are refused") {
+TEST_CASE("triangles with new intersections are refused") {
   // A square in the plane z = 0 and a triangle above it.
   Mesh above;
   above.positions = {{0.2, 0.2, 0.1}, {0.8, 0.2, 0.1}, {0.5, 0.8, 0.1}};

@@ -40,7 +40,7 @@ Mesh alone(const Triangle& triangle) {
 
 }  // namespace
 
-TEST_CASE("a triangle over a plane is as far from it as it is high") {
+TEST_CASE("the distance of a triangle over a plane is its largest height") {
   const Mesh plane = test::grid(10);
   const Triangle above{Vec3(0.13, 0.21, 0.1), Vec3(0.81, 0.32, 0.1), Vec3(0.4, 0.77, 0.1)};
   CHECK(covers(plane, above, 0.1 + 1e-12));

@@ -58,7 +58,7 @@ Counts compare(std::size_t common, std::uint64_t cells, int rounds) {
 
 }  // namespace
 
-TEST_CASE("no contact is missed, and apart in general position is found to be apart") {
+TEST_CASE("no contact is missed, and triangles apart in general position are found to be apart") {
   for (const std::size_t common : {0, 1, 2}) {
     const Counts counts = compare(common, 0, 2000);
     CAPTURE(common);

@@ -59,7 +59,7 @@ TEST_CASE("a mesh comes back as it was, with isolated vertices and columns") {
   CHECK(back.face_columns.find("label")->values == mesh.face_columns.find("label")->values);
 }
 
-TEST_CASE("what is no oriented manifold is refused with face ids") {
+TEST_CASE("meshes that are no oriented manifolds are refused with face indices") {
   Mesh twice = tetrahedron();
   twice.faces.push_back(twice.faces[1]);
   CHECK(refusal(twice).find("faces 1 and 4") != std::string::npos);
@@ -101,7 +101,7 @@ TEST_CASE("a tetrahedron cannot lose an edge, nor flip one") {
   }
 }
 
-TEST_CASE("a torus three around does not lose its hole") {
+TEST_CASE("a torus with three vertices around does not lose its hole") {
   // every edge around the hole has a common neighbor that no face spans
   const EditableMesh mesh(torus(2, 1, 3, 3));
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) CHECK_FALSE(mesh.can_collapse(h));

@@ -35,7 +35,7 @@ TEST_CASE(
     CHECK(manifold_opposites(mesh) == opposite_halfedges(mesh));
 }
 
-TEST_CASE("faces that run alike along an edge, and third faces, are refused with their numbers") {
+TEST_CASE("misoriented faces, and third faces at an edge, are refused with their indices") {
   Mesh turned = test::icosphere(1);
   std::swap(turned.faces[7][0], turned.faces[7][1]);
   CHECK_THROWS_AS(manifold_opposites(turned), InputError);

@@ -26,7 +26,7 @@ int count_within(const Vec3& normal, double cosine) {
 
 }  // namespace
 
-TEST_CASE("a normal is seen by the directions within 88 degrees of it") {
+TEST_CASE("a normal is in the cones of directions within 88 degrees") {
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const Vec3 normal = random.point(-1, 1) * std::pow(10, random.uniform(-28, 28));
@@ -36,7 +36,7 @@ TEST_CASE("a normal is seen by the directions within 88 degrees of it") {
   }
 }
 
-TEST_CASE("opposite normals are never seen alike, normals near each other mostly are") {
+TEST_CASE("opposite normals share no direction, similar normals mostly do") {
   Random random(2);
   for (int i = 0; i < 500; ++i) {
     const Vec3 normal = random.point(-1, 1);
@@ -46,14 +46,14 @@ TEST_CASE("opposite normals are never seen alike, normals near each other mostly
   }
 }
 
-TEST_CASE("what has no direction, or none that single precision can hold, is seen by none") {
+TEST_CASE("zero vectors, and those beyond single precision, are in no cone") {
   CHECK(cone_of(Vec3::Zero()) == 0);
   CHECK(cone_of(Vec3(1e-40, 0, 0)) == 0);
   CHECK(cone_of(Vec3(1e40, 1e40, 0)) == 0);
   CHECK((cone_of(Vec3(1, 2, 3)) & ~all_directions) == 0);
 }
 
-TEST_CASE("cones of many normals are those of each, and what these have in common") {
+TEST_CASE("cones of several normals are the intersections of their cones") {
   Random random(4);
   for (std::size_t count = 0; count <= 11; ++count) {
     for (int round = 0; round < 50; ++round) {
@@ -83,7 +83,7 @@ TEST_CASE("cones of many normals are those of each, and what these have in commo
   }
 }
 
-TEST_CASE("a direction sees a triangle from its front only, and not from its edge") {
+TEST_CASE("a direction is in front of a triangle, not behind it or along it") {
   const Triangle triangle{Vec3(0, 0, 5), Vec3(1, 0, 5), Vec3(0, 1, 5)};
   CHECK(sees(Vec3(0, 0, 1), triangle));
   CHECK(sees(Vec3(0.99, 0, 0.1).normalized(), triangle));

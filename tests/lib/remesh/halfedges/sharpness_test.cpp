@@ -99,7 +99,7 @@ TEST_CASE("bodies of flat and round faces have sharp edges, however fine their m
   CHECK(is_sharp(noisy(shape("box", 2000, {"1", "1", "3"}), 0.05)));
 }
 
-TEST_CASE("smooth shapes have none, be they coarse, noisy or folded") {
+TEST_CASE("smooth shapes have no sharp edges, even if coarse, noisy or folded") {
   for (const int subdivisions : {0, 1, 2, 3}) CHECK_FALSE(is_sharp(test::icosphere(subdivisions)));
   for (const char* kind : {"dumbbell", "torus", "bowl", "folded"})
     for (const std::size_t faces : {500, 1000, 3000}) CHECK_FALSE(is_sharp(shape(kind, faces)));
@@ -127,7 +127,7 @@ TEST_CASE("faces too thin to have a normal take that of the face beyond their lo
   }
 }
 
-TEST_CASE("remeshing decides by the input, and says how") {
+TEST_CASE("remeshing chooses sharp edges from the input, and reports the choice") {
   RemeshOptions options;
   options.min_edge = 0.1;
   options.max_edge = 0.2;

@@ -116,7 +116,7 @@ TEST_CASE("closed components are named by their lowest vertices, those with a bo
   CHECK(cells.cell_of(2 * count).cone == 0);
 }
 
-TEST_CASE("near another component no direction sees all") {
+TEST_CASE("near another component no direction is in front of all faces") {
   const Mesh ball = icosphere(2);
   const EditableMesh mesh(joined(ball, moved(ball, {2.05, 0, 0})));
   const VertexCells cells(mesh, 0.2);

@@ -41,7 +41,7 @@ std::size_t edges_below(const Mesh& mesh, double length) {
 
 }  // namespace
 
-TEST_CASE("of a fine sphere no short edge is left, and the volume is") {
+TEST_CASE("a fine sphere loses its short edges and keeps its volume") {
   const Mesh sphere = icosphere(4);
   const double length = 2.5 * edge_lengths(sphere).mean;
   const auto [counts, mesh] = collapsed(sphere, {length, 3 * length});
@@ -54,7 +54,7 @@ TEST_CASE("of a fine sphere no short edge is left, and the volume is") {
   CHECK(volume(mesh) == doctest::Approx(volume(sphere)).epsilon(1e-3));
 }
 
-TEST_CASE("what is short enough stays as it is") {
+TEST_CASE("meshes without short edges stay unchanged") {
   const Mesh sphere = icosphere(2);
   const auto [counts, mesh] = collapsed(sphere, {0.99 * edge_lengths(sphere).minimum, 10});
   CHECK(counts.done == 0);
@@ -79,7 +79,7 @@ TEST_CASE("no edge becomes longer than allowed") {
   CHECK(edge_lengths(longer.mesh).maximum <= 4 * cell);
 }
 
-TEST_CASE("borders shrink to nothing less than themselves, or stay to the bit") {
+TEST_CASE("borders keep their shape, or stay to the bit") {
   const double cell = 1.0 / 8;
   const auto [counts, mesh] = collapsed(grid(8), {1.1 * cell, 4 * cell}, true);
   CHECK(counts.done > 0);
@@ -105,7 +105,7 @@ TEST_CASE("a vertex that a split has added to a regular torus goes for the valen
   CHECK(valence_six_share(result) == 1);
 }
 
-TEST_CASE("for valences no edge goes that is longer than 1.15 times the shortest") {
+TEST_CASE("for valences only edges up to 1.15 times the shortest length are collapsed") {
   EditableMesh mesh(torus(2, 1, 24, 18));
   const Index h = 300;
   mesh.split(h, 0.5 * (mesh.position(mesh.source(h)) + mesh.position(mesh.target(h))));

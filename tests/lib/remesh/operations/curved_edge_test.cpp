@@ -75,7 +75,7 @@ TEST_CASE("midpoints of flat faces and of their sharp edges stay on them, exactl
   }
 }
 
-TEST_CASE("the crease around a cylinder is a circle again, and the side bends only around") {
+TEST_CASE("midpoints of a cylinder's crease lie on its circle, and those of its side on the side") {
   constexpr int around = 40;
   constexpr double pi = 3.14159265358979323846;
   Mesh mesh;

@@ -105,7 +105,7 @@ TEST_CASE("corners of a box with sharp edges do not merge") {
   CHECK(is_same(scene.mesh.to_mesh(), cube()));
 }
 
-TEST_CASE("an edge longer than allowed refuses the collapse that would make it") {
+TEST_CASE("a collapse that would make too long an edge is refused") {
   const Mesh mesh = grid(6);
   const Index from = vertex_of_grid(6, 2, 3);
   const Index to = vertex_of_grid(6, 3, 3);

@@ -70,7 +70,7 @@ TEST_CASE("the diagonal of a kite that makes the larger angles is taken, once") 
   CHECK(flipped(kite(), FlipRule::none).counts.done == 0);
 }
 
-TEST_CASE("of a torus whose valences are six, a flip is taken back, and nothing else is flipped") {
+TEST_CASE("in a torus with one flipped edge, only this flip is undone") {
   const Mesh regular = torus(2, 1, 40, 24);
   CHECK(flipped(regular, FlipRule::valence).counts.done == 0);
   for (const Index quad : {0, 77, 500}) {
@@ -119,7 +119,7 @@ TEST_CASE("no flip bends the surface, and none takes a border or a sharp edge") 
   CHECK_FALSE(flips(kite(2), 0, 1));  // its faces meet at 2 atan 2 = 127 degrees
 }
 
-TEST_CASE("a flip does not pass through another part of the surface") {
+TEST_CASE("a flip that would intersect another part of the surface is refused") {
   // The old edge lies at z = 0, the new one at z = -0.4.
   CHECK(flips(kite(0.4), 0, 1));
   CHECK_FALSE(flips(joined(kite(0.4), needle(-0.6, -0.1)), 0, 1));

@@ -40,7 +40,7 @@ std::vector<double> seams() {
 
 }  // namespace
 
-TEST_CASE("arctangents are off by what is stated at most") {
+TEST_CASE("errors of arctangents are within the stated bounds") {
   test::Random random(1);
   double worst = 0;
   for (int i = 0; i < 30000; ++i)
@@ -52,7 +52,7 @@ TEST_CASE("arctangents are off by what is stated at most") {
   CHECK(worst <= 1);
 }
 
-TEST_CASE("angles of points are off by what is stated at most, wherever they are") {
+TEST_CASE("errors of angles of points are within the stated bounds everywhere") {
   test::Random random(2);
   double worst = 0;
   const auto measure = [&](int low, int high, int spread) {
@@ -69,7 +69,7 @@ TEST_CASE("angles of points are off by what is stated at most, wherever they are
   CHECK(worst <= 1);
 }
 
-TEST_CASE("angles of zeros, infinities and what is no number are those of IEEE 754") {
+TEST_CASE("angles of zeros, infinities and NaN are those of IEEE 754") {
   const std::array values = {0.0, -0.0, 1.0, -1.0, infinity, -infinity, std::nan("")};
   for (const double y : values)
     for (const double x : values) {

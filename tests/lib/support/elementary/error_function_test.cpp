@@ -20,7 +20,7 @@ double share_of_allowed(double x) {
 
 }  // namespace
 
-TEST_CASE("the error function is off by what is stated at most") {
+TEST_CASE("errors of the error function are within the stated bounds") {
   test::Random random(1);
   double worst = 0;
   for (int i = 0; i < 20000; ++i)
@@ -34,7 +34,7 @@ TEST_CASE("the error function is off by what is stated at most") {
   CHECK(worst <= 1);
 }
 
-TEST_CASE("the error function of zeros, infinities and what is no number") {
+TEST_CASE("the error function of zeros, infinities and NaN is that of C") {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CHECK(test::is_same(elementary::erf(0), 0));
   CHECK(test::is_same(elementary::erf(-0.0), -0.0));

@@ -41,7 +41,7 @@ double worst_of(int count, double (*function)(double), test::ExactFunction exact
 
 }  // namespace
 
-TEST_CASE("exponentials are off by what is stated at most") {
+TEST_CASE("errors of exponentials are within the stated bounds") {
   test::Random random(1);
   const auto any = [&] { return test::any_number(random, -1074, 9); };
   const auto usual = [&] { return test::any_number(random, -12, 5); };
@@ -55,7 +55,7 @@ TEST_CASE("exponentials are off by what is stated at most") {
   CHECK(worst_of(40000, elementary::exp2, mpfr_exp2, to_both_ends_of_2) <= 1);
 }
 
-TEST_CASE("logarithms are off by what is stated at most") {
+TEST_CASE("errors of logarithms are within the stated bounds") {
   test::Random random(2);
   const auto any = [&] { return std::abs(test::any_number(random, -1074, 1023)); };
   const auto near_1 = [&] { return 1 + test::any_number(random, -52, -2); };
@@ -70,7 +70,7 @@ TEST_CASE("logarithms are off by what is stated at most") {
   CHECK(measure(elementary::log10, mpfr_log10) <= 1);
 }
 
-TEST_CASE("powers and cube roots are off by what is stated at most") {
+TEST_CASE("errors of powers and cube roots are within the stated bounds") {
   test::Random random(3);
   double worst = 0;
   for (int i = 0; i < 30000; ++i) {
@@ -112,7 +112,7 @@ TEST_CASE("powers, logarithms and roots that are doubles are exact") {
   }
 }
 
-TEST_CASE("exponentials of zeros, infinities and what is no number") {
+TEST_CASE("exponentials of zeros, infinities and NaN are those of IEEE 754") {
   const double none = std::nan("");
   CHECK(elementary::exp(0) == 1);
   for (const auto function : {elementary::exp, elementary::exp2}) {
@@ -131,7 +131,7 @@ TEST_CASE("exponentials of zeros, infinities and what is no number") {
     CHECK(test::is_same(elementary::cbrt(x), x));
 }
 
-TEST_CASE("powers of zeros, infinities and what is no number are those of IEEE 754") {
+TEST_CASE("powers of zeros, infinities and NaN are those of IEEE 754") {
   const double none = std::nan("");
   for (const double base : {0.0, 0.5, 1.0, 2.0, infinity, none})
     for (const double exponent : {-infinity, -2.0, -0.0, 0.0, 2.0, infinity, none}) {

@@ -54,13 +54,13 @@ bool is_increasing(double (*function)(double), double sign) {
 
 }  // namespace
 
-TEST_CASE("sines, cosines and tangents are off by what is stated at most") {
+TEST_CASE("errors of sines, cosines and tangents are within the stated bounds") {
   CHECK(worst(elementary::sin, mpfr_sin) <= most_units_off);
   CHECK(worst(elementary::cos, mpfr_cos) <= most_units_off);
   CHECK(worst(elementary::tan, mpfr_tan) <= most_units_off);
 }
 
-TEST_CASE("of zeros and of what is not finite, sines are what IEEE 754 has") {
+TEST_CASE("sines of zeros, infinities and NaN are those of IEEE 754") {
   for (const auto function : {elementary::sin, elementary::tan}) {
     CHECK(test::is_same(function(0), 0));
     CHECK(test::is_same(function(-0.0), -0.0));

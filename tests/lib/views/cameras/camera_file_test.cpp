@@ -112,7 +112,7 @@ TEST_CASE("Bundler: every mistake is refused with its line") {
   CHECK(is_refused(bundle + "500 0 0\n1 0 0\n0 1 0\n0 0 x\n0 0 -5\n", "row 3 of R", 6));
 }
 
-TEST_CASE("a matrix of any scale and sign is taken apart into what made it") {
+TEST_CASE("a projection matrix of any scale and sign is decomposed into its factors") {
   test::Random random(3);
   for (int round = 0; round < 200; ++round) {
     PinholeCamera camera = random_camera(random);
@@ -162,7 +162,7 @@ TEST_CASE("matrices: every mistake is refused with its line") {
   CHECK(is_refused("1 0 0 0\n0 1 0 0\n0 0 0 1\n", "singular", 3));
 }
 
-TEST_CASE("cameras of numbers that products or inverses have no room for are refused") {
+TEST_CASE("cameras whose products or inverses overflow are refused") {
   const std::string pose = " 1 0 0 0 1 0 0 0 1 0 0 5\n";
   CHECK(refusal("1\na.png 9 0 1e12 0 9 0 0 0 1" + pose).empty());
   CHECK(is_refused("1\na.png 9 0 1e13 0 9 0 0 0 1" + pose, "is singular", 2));
@@ -177,7 +177,7 @@ TEST_CASE("cameras of numbers that products or inverses have no room for are ref
   CHECK(is_refused(bundle + "9 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1e200\n", "out of range", 7));
 }
 
-TEST_CASE("cameras at the limit of what is read are written as what is read, or not at all") {
+TEST_CASE("cameras at the limits of the reader are written readably, or not at all") {
   test::Random random(9);
   std::array<int, 2> counts{};
   for (int round = 0; round < 2000; ++round) {
@@ -219,7 +219,7 @@ TEST_CASE("formats are distinguished by their content") {
   CHECK(refusal("OFF\n3 1 0\n").find("'OFF") != std::string::npos);
 }
 
-TEST_CASE("damaged files are refused with their name, or read as cameras that are some") {
+TEST_CASE("damaged files are refused with their name, or read as valid cameras") {
   const CameraList list = random_cameras(2, 8);
   const std::string pose = "1 0 0\n0 1 0\n0 0 1\n0 0 -5\n";
   const std::vector<std::string> texts{
@@ -247,7 +247,7 @@ TEST_CASE("damaged files are refused with their name, or read as cameras that ar
   }
 }
 
-TEST_CASE("what is written reads back") {
+TEST_CASE("written cameras are read back") {
   const CameraList list = random_cameras(9, 5);
   const auto check_back = [&](CameraFormat format, double tolerance) {
     const CameraList back = parse_cameras(write_cameras(list, format), "back.txt");
@@ -265,7 +265,7 @@ TEST_CASE("what is written reads back") {
   CHECK(colmap.cameras[3].height == 480);
 }
 
-TEST_CASE("what a format cannot hold is refused") {
+TEST_CASE("cameras that a format cannot hold are refused") {
   const auto refused = [](CameraList list, CameraFormat format, const char* what) {
     try {
       write_cameras(list, format);
@@ -294,7 +294,7 @@ TEST_CASE("what a format cannot hold is refused") {
   CHECK(refused(list, CameraFormat::matrices, "principal point"));
 }
 
-TEST_CASE("files of a folder are what the format's programs expect") {
+TEST_CASE("files of a folder have the names that the format's programs expect") {
   const CameraList list = random_cameras(2, 5);
   const auto names = [&](CameraFormat format) {
     std::string found;

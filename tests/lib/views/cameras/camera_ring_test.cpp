@@ -48,7 +48,7 @@ TEST_CASE("from the distance for some points all of them are in the image, near 
   CHECK(q.y() / q.z() < 20);
 }
 
-TEST_CASE("rings that make no sense are refused") {
+TEST_CASE("invalid rings are refused") {
   CHECK_THROWS_AS(camera_ring({.count = 0}), UsageError);
   CHECK_THROWS_AS(camera_ring({.elevations_deg = {}}), UsageError);
   CHECK_THROWS_AS(camera_ring({.elevations_deg = {90}}), UsageError);

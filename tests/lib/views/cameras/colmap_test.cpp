@@ -14,7 +14,7 @@ const std::string colmap_lens = "# a comment\n1 PINHOLE 320 240 300 310 160.5 12
 
 }  // namespace
 
-TEST_CASE("COLMAP: quaternions turn from the world, and pixels are half a pixel less") {
+TEST_CASE("COLMAP: quaternions rotate from the world, and pixels are shifted by a half") {
   const double half_angle = 0.35;
   const std::string turn =
       std::to_string(std::cos(half_angle)) + " 0 0 " + std::to_string(std::sin(half_angle));
@@ -58,14 +58,14 @@ TEST_CASE("COLMAP: every mistake is refused with its line") {
                    "line of points", 4));
 }
 
-TEST_CASE("COLMAP: only what is no list of points after an image is refused") {
+TEST_CASE("COLMAP: after an image, only a list of points is accepted") {
   const std::string image = "1 1 0 0 0 0 0 5 1 a.png\n";
   CHECK(refusal(colmap_lens + image + "1.5 2 -1 3 4.5 77\n").empty());
   CHECK(refusal(colmap_lens + image + " \t\r\n").empty());
   CHECK(is_refused(colmap_lens + image + "1.5 2\n", "line of points", 4));
 }
 
-TEST_CASE("COLMAP: a line is told from other rows of numbers") {
+TEST_CASE("COLMAP: lines are distinguished from other rows of numbers") {
   CHECK(camera_format("3 PINHOLE 320 240 300 310 160 120") == CameraFormat::colmap);
   CHECK_FALSE(camera_format("3 PINHOLE wide 240 300 310 160 120").has_value());
   CHECK_FALSE(camera_format("1 1 0 0 0 0 0 5 a.png").has_value());

@@ -55,7 +55,7 @@ TEST_CASE("Metashape: pixels are those of its manual's formulas") {
   CHECK(pixel.y() + 0.5 == doctest::Approx(v).epsilon(1e-12));
 }
 
-TEST_CASE("Metashape: what is no camera is refused") {
+TEST_CASE("Metashape: invalid cameras are refused") {
   const auto says = [](const std::string& text, const std::string& words) {
     const std::string message = refusal(text);
     INFO(message);

@@ -44,7 +44,7 @@ TEST_CASE("OpenCV: rows of rotation vectors and translations are a camera each")
   CHECK(list.cameras[1].camera.rotation == Eigen::Matrix3d::Identity());
 }
 
-TEST_CASE("OpenCV: what is no camera is refused") {
+TEST_CASE("OpenCV: invalid cameras are refused") {
   CHECK(refusal(yaml(pose)).empty());
   CHECK(says(yaml(""), "no R"));
   CHECK(says(yaml("R: [ 1, 0, 0, 0, 1, 0, 0, 0, -1 ]\nT: [ 1, 2, 3 ]\n"), "no rotation"));

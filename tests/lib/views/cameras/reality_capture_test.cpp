@@ -30,7 +30,7 @@ const std::string pose =
 
 }  // namespace
 
-TEST_CASE("RealityCapture: without angles a camera looks down, and each turns it as on a map") {
+TEST_CASE("RealityCapture: without angles a camera points down; angles rotate it as on a map") {
   const PinholeCamera down = camera_at("0,0,0");
   CHECK(is_near(down.center(), Vec3(1, 2, 3)));
   CHECK(is_near(down.rotation.row(2).transpose(), -Vec3::UnitZ()));
@@ -73,7 +73,7 @@ TEST_CASE("RealityCapture: an XMP file is a camera, by attributes or elements") 
   }
 }
 
-TEST_CASE("RealityCapture: what is no camera is refused") {
+TEST_CASE("RealityCapture: invalid cameras are refused") {
   const auto says = [](const std::string& text, const std::string& words) {
     const std::string message = refusal(text);
     INFO(message);

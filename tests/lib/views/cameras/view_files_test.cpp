@@ -189,7 +189,7 @@ TEST_CASE("names of which only some agree are refused") {
   CHECK(says(refusal({folder.at("par.txt"), folder.at("other"), ""}), "v1.png"));
 }
 
-TEST_CASE("counts that differ are refused, and what is missing is named") {
+TEST_CASE("different counts are refused, and missing files named") {
   const Folder folder;
   folder.write("par.txt", middlebury({"v1.png", "v2.png"}));
   folder.write("cameras/c1.txt", matrix(100));
@@ -204,7 +204,7 @@ TEST_CASE("counts that differ are refused, and what is missing is named") {
   CHECK(says(refusal({folder.at("par.txt"), folder.at("images"), ""}), "v3.pgm"));
 }
 
-TEST_CASE("sizes that cannot be are refused") {
+TEST_CASE("impossible sizes are refused") {
   const Folder folder;
   folder.write("a.txt", matrix(100));
   folder.write("a.pgm", image(5, 3, 10));

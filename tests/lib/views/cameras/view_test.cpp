@@ -48,7 +48,7 @@ TEST_CASE("every pixel of a linear image is where the smaller camera says") {
   }
 }
 
-TEST_CASE("a wave loses what the Gaussian and the area of the pixels take") {
+TEST_CASE("a wave is damped by the Gaussian and the area of the pixels") {
   const double scale = 2;
   const double length = 12;
   const GrayImage small = at_scale(wave(240, 30, length), scale);
@@ -77,7 +77,7 @@ TEST_CASE("silhouettes are averaged, and constant images stay so up to the borde
         test::intensities_of(view.silhouette));
 }
 
-TEST_CASE("scales that make no image are refused") {
+TEST_CASE("scales without an image are refused") {
   CHECK_THROWS_AS(at_scale(GrayImage(10, 10), 0.5), UsageError);
   CHECK_THROWS_AS(at_scale(GrayImage(10, 10), 10.5), UsageError);
   CHECK_THROWS_AS(at_scale(GrayImage(10, 10), NAN), UsageError);

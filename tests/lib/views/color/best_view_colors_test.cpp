@@ -14,7 +14,7 @@ float red_of(const BestViewColors& colors, const std::vector<Gain>& gains = no_g
 
 }  // namespace
 
-TEST_CASE("a place without views is not seen, and one view alone is its color") {
+TEST_CASE("a point without views has no color, and a single view gives its color") {
   BestViewColors colors;
   CHECK(!colors.is_seen());
   colors.add({0, {1, 2, 3}}, 0);
@@ -37,7 +37,7 @@ TEST_CASE("the best view decides where it is clearly better, and equal ones are 
   CHECK(equal.count_good() == 2);
 }
 
-TEST_CASE("of three views that see a place as well, one that disagrees hardly counts") {
+TEST_CASE("of three equally good views, one that disagrees has little weight") {
   BestViewColors colors;
   colors.add({1, {100, 0, 0}}, 0);
   colors.add({1, {102, 0, 0}}, 1);

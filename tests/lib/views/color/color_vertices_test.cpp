@@ -51,7 +51,7 @@ TEST_CASE("vertices take the color of the photograph that faces them") {
   }
 }
 
-TEST_CASE("both sides keep their own hue, and what no view sees takes that of its neighbors") {
+TEST_CASE("both sides keep their hue, and hidden vertices take that of their neighbors") {
   Mesh mesh = test::icosphere(4);
   color_vertices(mesh, two_views({120, 60, 60}, {60, 60, 120}));
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

@@ -30,7 +30,7 @@ std::vector<BestViewColors> places(std::span<const double> factors, double highl
 
 }  // namespace
 
-TEST_CASE("gains undo what photographs are brighter and darker") {
+TEST_CASE("gains compensate for brighter and darker photographs") {
   const std::vector<double> factors{1, 0.8, 1.2, 0.9, 1.1, 0.75};
   for (const double highlights : {0.0, 0.1}) {
     const std::vector<Gain> gains =
@@ -44,7 +44,7 @@ TEST_CASE("gains undo what photographs are brighter and darker") {
   }
 }
 
-TEST_CASE("exposures that are the same stay so, and what is not compared has none") {
+TEST_CASE("equal exposures stay equal, and views without overlap have no gain") {
   const std::vector<double> same(5, 1.0);
   for (const Gain& gain : compensate_exposure(places(same, 0), 7))
     CHECK((gain - 1).abs().maxCoeff() < 0.005F);

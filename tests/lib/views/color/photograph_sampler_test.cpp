@@ -29,7 +29,7 @@ PhotographSampler sampler_of(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("the color at a place is that of the pixel that its projection hits") {
+TEST_CASE("the color of a point is that of the pixel of its projection") {
   const PhotographSampler sampler = sampler_of(test::icosphere(5));
   const PinholeCamera camera = view_maker::camera_at(eye, frame);
   for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(1, .3, .2), Vec3(1, -.4, .1)}) {
@@ -43,7 +43,7 @@ TEST_CASE("the color at a place is that of the pixel that its projection hits") 
   }
 }
 
-TEST_CASE("quality falls towards the contour, and is nothing behind it") {
+TEST_CASE("quality decreases towards the contour, and is 0 behind it") {
   const PhotographSampler sampler = sampler_of(test::icosphere(5));
   const auto quality = [&](double angle) {
     const Vec3 point(std::cos(angle), std::sin(angle), 0);
@@ -55,7 +55,7 @@ TEST_CASE("quality falls towards the contour, and is nothing behind it") {
   CHECK(quality(3.1) == 0);
 }
 
-TEST_CASE("a place behind another surface, or seen from inside, has no color") {
+TEST_CASE("a hidden point, or one viewed from inside, has no color") {
   const Mesh front = test::moved(test::scaled(test::icosphere(4), .5), {2.5, 0, 0});
   const PhotographSampler sampler = sampler_of(test::joined(test::icosphere(4), front));
   CHECK(sampler.at({Vec3(1, 0, 0), Vec3(1, 0, 0), pixel}).quality == 0);

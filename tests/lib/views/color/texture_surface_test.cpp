@@ -126,7 +126,7 @@ Comparison compare_texture(const Mesh& mesh, const Image& picture,
 
 }  // namespace
 
-TEST_CASE("a texture shows what the photographs show, where they see it") {
+TEST_CASE("a texture agrees with the photographs where they show the surface") {
   Mesh mesh = knot();
   const std::vector<PictureView> views = photographed(mesh);
   const Atlas atlas = texture_surface(mesh, views);
@@ -140,7 +140,7 @@ TEST_CASE("a texture shows what the photographs show, where they see it") {
   CHECK(mesh.vertex_columns.find("red") == nullptr);
 }
 
-TEST_CASE("vertex colors are those of the photographs, as far as the edges show them") {
+TEST_CASE("vertex colors agree with the photographs, up to the edge length") {
   Mesh mesh = make_shape(shape("torus-knot", 40000));
   const std::vector<PictureView> views = photographed(mesh);
   color_vertices(mesh, views);
@@ -161,7 +161,7 @@ TEST_CASE("vertex colors are those of the photographs, as far as the edges show 
   CHECK(comparison.mean < 5);
 }
 
-TEST_CASE("what hides a part of the surface does not stain it") {
+TEST_CASE("an occluder does not color the surface behind it") {
   // A small black ball hides a part of a white one in each view, but another part in each.
   Mesh mesh = make_sphere(Vec3::Zero(), 1, 3000);
   const std::size_t white = mesh.positions.size();
@@ -189,7 +189,7 @@ TEST_CASE("what hides a part of the surface does not stain it") {
   CHECK(result.disagreement < 1);
 }
 
-TEST_CASE("a highlight that moves with the eye is left out") {
+TEST_CASE("a highlight that moves with the camera is left out") {
   Mesh mesh = make_sphere(Vec3::Zero(), 1, 3000);
   std::vector<PictureView> views = photographed(mesh, 24);
   for (PictureView& view : views) {

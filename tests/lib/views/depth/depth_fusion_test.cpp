@@ -82,7 +82,7 @@ TEST_CASE("without depths the hull stays as it is, and a few wrong ones open not
   CHECK(fuse_depths(hull, scene().views, maps).values == hull.values);
 }
 
-TEST_CASE("where a surface has a gap that no view sees it goes on smoothly") {
+TEST_CASE("a surface is continued smoothly in a gap that no view shows") {
   const ValueGrid hull = hull_of_block();
   std::vector<DepthMap> maps = true_maps();
   for (std::size_t v = 0; v < maps.size(); ++v) {
@@ -104,7 +104,7 @@ TEST_CASE("where a surface has a gap that no view sees it goes on smoothly") {
   CHECK(static_cast<double>(smooth) < 0.8 * static_cast<double>(solid));
 }
 
-TEST_CASE("photographs open a hull that closes a pocket; the same for any number of threads") {
+TEST_CASE("photographs open a pocket that the hull closes, for any number of threads") {
   const double of_hull = volume(visual_hull(scene().views, {.resolution = 60}).mesh);
   const double of_truth = test::block_volume - test::pocket_volume;
   CHECK(of_hull > 1.2 * of_truth);

@@ -36,7 +36,7 @@ std::size_t known_in(const std::vector<DepthMap>& maps) {
 
 }  // namespace
 
-TEST_CASE("what agrees is a part of what each view finds alone, unchanged") {
+TEST_CASE("consistent depths are an unchanged subset of each view's depths") {
   DepthMapsOptions alone;
   alone.least_views = 0;
   alone.least_pixels = 1;

@@ -91,7 +91,7 @@ TEST_CASE("one view's depths are those of the block, down to the floor of its po
     if (map.depth.pixels[i] > 0) CHECK(map.depth.pixels[i] > 8);
 }
 
-TEST_CASE("asked to agree well, photographs say less, and that is right") {
+TEST_CASE("a stricter limit leaves fewer depths, and these are right") {
   DepthMapsOptions strict;
   strict.sweep.least_correlation = 0.6;
   const GrayImage& truth = scene().photographed.depths[0];
@@ -108,7 +108,7 @@ TEST_CASE("asked to agree well, photographs say less, and that is right") {
   CHECK(known(wrong_maps[0]) < known(true_maps[0]) / 5);
 }
 
-TEST_CASE("without texture, neighbors or a hull nothing is known") {
+TEST_CASE("without texture, neighbors or a hull there are no depths") {
   const auto is_empty = [](const DepthMap& map) {
     return std::all_of(map.depth.pixels.begin(), map.depth.pixels.end(),
                        [](float depth) { return depth == 0; });
@@ -125,7 +125,7 @@ TEST_CASE("without texture, neighbors or a hull nothing is known") {
   CHECK(is_empty(sweep_planes(blank, {&neighbor, 1}, scene().hull)));
 }
 
-TEST_CASE("depths that other views do not find go, and those that they find stay") {
+TEST_CASE("depths that other views do not confirm are removed, and the others stay") {
   const Scene& true_scene = scene();
   const auto count = [](const DepthMap& map) {
     return std::count_if(map.depth.pixels.begin(), map.depth.pixels.end(),

@@ -68,7 +68,7 @@ void check_as_by_trying(const MatchingCosts& costs, const SemiglobalOptions& opt
 
 }  // namespace
 
-TEST_CASE("costs are added up as if all choices of planes along all paths were tried") {
+TEST_CASE("summed costs are minimal over all choices of planes along all paths") {
   const SemiglobalOptions options{0.07F, 0.4F};
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const MatchingCosts costs = random_costs(5, 4, 3, seed);
@@ -77,7 +77,7 @@ TEST_CASE("costs are added up as if all choices of planes along all paths were t
   }
 }
 
-TEST_CASE("paths end before a pixel that shows nothing, and that one gets no costs") {
+TEST_CASE("paths end at an invalid pixel, which gets no costs") {
   MatchingCosts costs = random_costs(5, 3, 3, 7);
   for (float& cost : costs.at(2, 1)) cost = 1;
   for (const int x : {0, 1, 3, 4}) check_as_by_trying(costs, {0.07F, 0.4F}, x, 1);
@@ -85,7 +85,7 @@ TEST_CASE("paths end before a pixel that shows nothing, and that one gets no cos
   for (const float sum : sums.at(2, 1)) CHECK(sum == 0);
 }
 
-TEST_CASE("what a pixel leaves open its neighbors decide") {
+TEST_CASE("ambiguous pixels are decided by their neighbors") {
   MatchingCosts costs{9, 9, 6};
   for (int i = 0; i < 81; ++i)
     for (const float cost : {0.9F, 0.9F, 0.1F, 0.9F, 0.9F, 0.9F}) costs.values.push_back(cost);
@@ -96,7 +96,7 @@ TEST_CASE("what a pixel leaves open its neighbors decide") {
   CHECK(std::min_element(at.begin(), at.end()) - at.begin() == 2);
 }
 
-TEST_CASE("nothing costs nothing") {
+TEST_CASE("an empty image has no costs") {
   CHECK(semiglobal_costs({}).values.empty());
   MatchingCosts one{1, 1, 1, {0.5F}};
   CHECK(semiglobal_costs(one).values == std::vector<float>{4.0F});

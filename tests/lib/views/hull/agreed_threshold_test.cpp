@@ -59,7 +59,7 @@ double intensity_of_all(const std::vector<View>& views) {
 
 }  // namespace
 
-TEST_CASE("dark parts of the object belong to it, as the other views say") {
+TEST_CASE("dark parts of the object belong to it, according to the other views") {
   const std::vector<View> views = photographs(35);
   CHECK(intensity_of_all(views) > 60);
   const double intensity = agreed_threshold(views);
@@ -76,7 +76,8 @@ TEST_CASE("a bright background that one view shows does not") {
   CHECK(intensity < 60);
 }
 
-TEST_CASE("of intensities that are as good the highest; views without photograph do not matter") {
+TEST_CASE(
+    "of equally good intensities the highest is chosen; views without photograph do not matter") {
   std::vector<View> views = photographs(160);
   const double intensity = agreed_threshold(views);
   CHECK(intensity == doctest::Approx(intensity_of_all(views)));

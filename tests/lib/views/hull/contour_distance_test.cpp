@@ -44,7 +44,7 @@ TEST_CASE("a straight contour, as far as it stays in the image") {
   }
 }
 
-TEST_CASE("every distance is that of the nearest crossing, found by looking at all") {
+TEST_CASE("every distance is that of the nearest contour point, by brute force") {
   // Two discs, a frame and a thin line, so that contours compete.
   GrayImage mask(width, height);
   for (int y = 0; y < height; ++y)

@@ -106,7 +106,7 @@ TEST_CASE("a box seen along its axes is its own hull") {
   CHECK(result.cell == 0.7);
 }
 
-TEST_CASE("what an image does not show is not carved") {
+TEST_CASE("space outside of an image is not carved") {
   // The ball leaves the images of two cameras: the third still bounds it, the hull goes on.
   const std::vector<Vec3> eyes = ring_of_eyes(8, 400, 20);
   std::vector<View> views = views_of_ball(eyes, Vec3::Zero(), 50);

@@ -27,7 +27,7 @@ View bright_view(bool is_packed) {
 
 }  // namespace
 
-TEST_CASE("what a view shows beside the box becomes background, but for a pixel around it") {
+TEST_CASE("pixels outside of the box become background, except for a margin of a pixel") {
   for (const bool is_packed : {false, true}) {
     std::vector<View> views{bright_view(is_packed)};
     // The nearest side is at z 4: from pixel 32 - 12.5 to 32 + 25, and 24 - 6.25 to 24 + 12.5.
@@ -44,7 +44,7 @@ TEST_CASE("what a view shows beside the box becomes background, but for a pixel 
   }
 }
 
-TEST_CASE("from within the box all is kept, and what there is not stays so") {
+TEST_CASE("for a camera inside the box all pixels stay, and missing images stay missing") {
   std::vector<View> views{bright_view(false)};
   views[0].silhouette = PackableImage();
   keep_in_box(views, {Vec3(-9, -9, -9), Vec3(9, 9, 9)});

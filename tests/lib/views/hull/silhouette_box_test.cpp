@@ -58,7 +58,7 @@ TEST_CASE("a ball seen from three far away places: its own box, a pixel wider") 
   }
 }
 
-TEST_CASE("what lies in all rectangles reaches to the sides of the box, and not beyond") {
+TEST_CASE("the box tightly bounds the space that projects into all rectangles") {
   const Vec3 center(5, 6, 7);
   const std::vector<View> views = views_of_ball(ring_of_eyes(7, 500, 25), center, 30);
   const Box box = silhouette_box(views);
@@ -84,7 +84,7 @@ TEST_CASE("what lies in all rectangles reaches to the sides of the box, and not 
   CHECK((box.max() - reached.max()).maxCoeff() < 4);
 }
 
-TEST_CASE("what cannot be bounded is refused") {
+TEST_CASE("unbounded objects are refused") {
   const std::vector<Vec3> front = {{600, 0, 0}};
   CHECK_THROWS_WITH_AS(silhouette_box(views_of_ball(front, Vec3::Zero(), 40)),
                        doctest::Contains("name its box"), InputError);

@@ -26,7 +26,7 @@ TEST_CASE("a threshold finds the contour between pixels") {
   CHECK(worst_error(lower, [](double x, double y) { return disc(x, y) - 1; }) < 0.1);
 }
 
-TEST_CASE("blur forgets single bright pixels") {
+TEST_CASE("blurring removes single bright pixels") {
   GrayImage photograph = soft_mask(disc);
   photograph.at(60, 5) = 255;
   CHECK(threshold_silhouette(photograph, {100, 0, 0}).at(60, 5) > 127.5F);

@@ -152,7 +152,7 @@ TEST_CASE("views that disagree are named, or left out") {
   CHECK(views[2].name == "v3");
 }
 
-TEST_CASE("views are believed where that is wanted, and where there is nothing to compare") {
+TEST_CASE("views are trusted if requested, and if there is nothing to compare") {
   std::vector<View> views = right_views();
   move(views[2]);
   CHECK(check_views(views, {.least_agreement = 0}).dropped.empty());

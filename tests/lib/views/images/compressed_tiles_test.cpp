@@ -36,7 +36,7 @@ double bytes_per_pixel(const Words& words) {
 
 }  // namespace
 
-TEST_CASE("words of a smooth image take half a byte, those of none as much as they are") {
+TEST_CASE("pixels of a smooth image take half a byte, and random ones their full size") {
   const auto from = [](double place_x, double place_y) {
     return [=](int x, int y) { return 64 * std::hypot(x - place_x, y - place_y); };
   };

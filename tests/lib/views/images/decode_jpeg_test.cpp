@@ -42,7 +42,7 @@ TEST_CASE("JPEG of gray and color, of one scan, several, and with restarts") {
   CHECK(std::abs(image.at(0, 8) - 230) < 2);
 }
 
-TEST_CASE("a JPEG of four inks is what they leave of the light") {
+TEST_CASE("a CMYK JPEG is decoded to the light that the inks leave") {
   // Inverted: all of the light that cyan and black leave of red is 200 * 128 / 255.
   const Rows rows = halves(16, 16, {200, 255, 0, 128}, {0, 0, 255, 255});
   const GrayImage image = decode_photograph(jpeg_of({4}, 16, 16, rows), "a.jpg");
@@ -50,7 +50,7 @@ TEST_CASE("a JPEG of four inks is what they leave of the light") {
   CHECK(std::abs(static_cast<double>(image.at(3, 12)) - gray(0, 0, 255)) < 2);
 }
 
-TEST_CASE("a JPEG stays as its camera saw it, whatever it says of how to show it") {
+TEST_CASE("a JPEG is decoded as recorded, and its orientation tag ignored") {
   std::string bytes = jpeg_of({1}, 16, 8, halves(16, 8, {0}, {255}));
   const std::string turned(
       "\xff\xe1\0\x22"

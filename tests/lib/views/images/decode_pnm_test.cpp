@@ -27,7 +27,7 @@ TEST_CASE("a PNM that is cut short is refused, and damage does no harm") {
   check_beginnings("P2 2 2 9 1 2 3 4");
 }
 
-TEST_CASE("what is wrong in a PNM is said") {
+TEST_CASE("errors in a PNM are reported") {
   CHECK(image_refusal("P5 0 4 255 ").find("no pixel") != std::string::npos);
   CHECK(image_refusal("P5 100000 100000 255 ").find("too large") != std::string::npos);
   CHECK(image_refusal("P5 3000 3000 255 abc").find("cannot have") != std::string::npos);

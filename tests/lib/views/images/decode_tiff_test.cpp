@@ -157,7 +157,7 @@ TEST_CASE("a TIFF that is cut short is refused, and damage does no harm") {
   check_damage(tiff_of(tiled, 19, 13, noise(19 * 13 * 6)));
 }
 
-TEST_CASE("a TIFF that claims what its bytes cannot hold costs nothing") {
+TEST_CASE("a TIFF that claims more than its bytes can hold takes no memory") {
   const auto claim = [](const TiffKind& kind, std::uint32_t size) {
     std::string bytes = tiff_of(kind, 16, 2, noise(kind.bits == 1 ? 4 : 32));
     set_label(bytes, TIFFTAG_IMAGEWIDTH, size);

@@ -64,12 +64,12 @@ TEST_CASE("an image of another format is refused with the way to convert it") {
   }
 }
 
-TEST_CASE("what is no image is refused with its first bytes") {
+TEST_CASE("files that are no images are refused with their first bytes") {
   CHECK(image_refusal("").find("empty") != std::string::npos);
   CHECK(image_refusal("hello, world").find("'hello, world'") != std::string::npos);
 }
 
-TEST_CASE("inside a silhouette is what has any sample above zero") {
+TEST_CASE("pixels with any sample above zero are inside a silhouette") {
   const GrayImage deep = decode_silhouette(std::string("P5 2 1 65535\n\0\1\0\0", 17), "a.pgm");
   CHECK(deep.at(0, 0) == 255);
   CHECK(deep.at(1, 0) == 0);

@@ -27,13 +27,13 @@ TEST_CASE("a mask of few intensities is inside where it is not black") {
   CHECK(mask_of(row({0, 0}), {}).silhouette.pixels == Intensities{0, 0});
 }
 
-TEST_CASE("a photograph before black keeps its dark parts") {
+TEST_CASE("an object before a black background keeps its dark parts") {
   const Mask mask = mask_of(row({0, 10, 30, 50, 90, 120, 150, 180, 210, 240}), {});
   CHECK(mask.rule == MaskRule::not_black);
   CHECK(mask.silhouette.pixels[1] == 255);
 }
 
-TEST_CASE("black that is not quite black is told from white") {
+TEST_CASE("nearly black pixels are distinguished from white") {
   for (const Intensities& intensities :
        {Intensities{5, 250, 5, 250}, Intensities{0, 3, 9, 7, 2, 255, 241, 250},
         Intensities{20, 22, 90, 100}}) {

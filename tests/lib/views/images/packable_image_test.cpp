@@ -115,7 +115,7 @@ TEST_CASE("distances keep their sign, and those without a contour are infinite")
   CHECK(constant.at(3, 0) > 511);
 }
 
-TEST_CASE("depths are never nearer than they were, and 0 is none") {
+TEST_CASE("packed depths are never nearer than before, and 0 means none") {
   GrayImage depths = ramp(500, 0.3F);
   depths.at(5, 5) = 0;
   const PackableImage held = packed(depths, PackableImage::Kind::depths);

@@ -49,7 +49,7 @@ double pixels_from_middle(const Vec3& p) {
 
 }  // namespace
 
-TEST_CASE("what is outside of a disk is as far from it as the circle says") {
+TEST_CASE("distances outside of a disk are those from its circle") {
   const Mesh ball = test::icosphere(4);
   const ContourGaps gaps = gaps_of(ball, {view_of_disk(40)});
   std::size_t outside = 0;
@@ -64,7 +64,7 @@ TEST_CASE("what is outside of a disk is as far from it as the circle says") {
   CHECK(outside > 100);
 }
 
-TEST_CASE("the rim knows how far the contour is beyond it, in every view that has one") {
+TEST_CASE("the rim has the distance to the contour beyond it, in every view with a contour") {
   // The ball's outline has a radius of 50.25 pixels.
   const Mesh ball = test::icosphere(4);
   const std::vector<View> views{view_of_disk(55), view_of_disk(55), View(view_of_disk(55))};
@@ -85,7 +85,7 @@ TEST_CASE("the rim knows how far the contour is beyond it, in every view that ha
   CHECK(rims > 30);
 }
 
-TEST_CASE("a rim before another part of the surface is none") {
+TEST_CASE("a rim before another part of the surface does not count") {
   // A wall that is larger than the image, behind the ball.
   Mesh mesh = test::icosphere(3);
   const Index first = static_cast<Index>(mesh.positions.size());
@@ -97,7 +97,7 @@ TEST_CASE("a rim before another part of the surface is none") {
   for (std::size_t v = 0; v < first; ++v) CHECK(gaps.rims[v] == 0);
 }
 
-TEST_CASE("beyond the image nothing is known") {
+TEST_CASE("outside of the image no distance is known") {
   // The disk is cut by the right border: the ball's vertices there are neither out nor in.
   const Mesh ball = test::icosphere(4);
   const ContourGaps gaps = gaps_of(ball, {view_of_disk(40, 60)});
@@ -107,7 +107,7 @@ TEST_CASE("beyond the image nothing is known") {
   }
 }
 
-TEST_CASE("silhouettes that show only some of the object pull out from a pixel on, and never in") {
+TEST_CASE("partial silhouettes pull outwards beyond a pixel, and never inwards") {
   const Mesh ball = test::icosphere(4);
   const auto least = SilhouetteMeaning::least;
   const ContourGaps inner = gaps_of(ball, {view_of_disk(40)}, least);

@@ -146,7 +146,7 @@ TEST_CASE("the derivative by every pixel is that of the definition") {
   }
 }
 
-TEST_CASE("a robust loss leaves the measure as it is, and hardly minds what disagrees") {
+TEST_CASE("a robust loss does not change the measure, and weakens outliers") {
   Images images;
   const CorrelationSums plain = correlate_images(images, {3, 25, 25}).sums;
   const CorrelationSums robust = correlate_images(images, {3, 25, 25, 0.1}).sums;

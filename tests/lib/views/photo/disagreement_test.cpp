@@ -62,8 +62,7 @@ TEST_CASE("noise is measured beside texture, as what the blur of scale 1 leaves 
   CHECK(noise_variance(waves, GrayImage(200, 150)) == 0);
 }
 
-TEST_CASE(
-    "noise explains what photographs disagree on the true surface, and no more on a wrong one") {
+TEST_CASE("noise explains the disagreement on the true surface, but not on a wrong one") {
   for (const double deviation : {0.0, 10.0, 25.0}) {
     const PhotoScene scene = noisy_scene(deviation);
     const Disagreement right = disagreement(ball(1), scene, least_cosine);
@@ -75,7 +74,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a single view that shows something else makes no doubt of what the others agree on") {
+TEST_CASE("a single view that disagrees does not make a surface doubtful") {
   std::vector<View> views = ring();
   GrayImage other = views[3].image.unpacked();
   std::reverse(other.pixels.begin(), other.pixels.end());

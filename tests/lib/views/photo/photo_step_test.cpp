@@ -46,7 +46,7 @@ TEST_CASE("the paper's step is t times the derivative per area, and then smooths
   CHECK(mesh.positions[50].norm() < 1.02);
 }
 
-TEST_CASE("a step says what it saw before the movement") {
+TEST_CASE("a step reports measures from before the movement") {
   const PhotoScene scene = photo_scene(ring(1, true), 2);
   Mesh mesh = ball(1.1);
   PhotoStepOptions still;
@@ -90,7 +90,7 @@ TEST_CASE("stiffness keeps a step smooth, damping keeps it short") {
   CHECK(error(ball(1.03), 1) - error(moved(options), 1) < 0.5 * usual);
 }
 
-TEST_CASE("surfaces that no view sees are refused, and options out of range") {
+TEST_CASE("hidden surfaces and options out of range are refused") {
   const PhotoScene scene = photo_scene(ring(), 4);
   Mesh far = ball(1);
   for (Vec3& p : far.positions) p.y() += 100;

@@ -32,7 +32,7 @@ TEST_CASE("steps lead to the sphere, from inside and from outside, in any unit")
   }
 }
 
-TEST_CASE("one order of the pairs after the other is as good") {
+TEST_CASE("different orders of the pairs give equally good results") {
   const PhotoScene scene = photo_scene(ring(), 2);
   Mesh mesh = ball(1.05);
   const PhotoStepsResult result = photo_steps(mesh, scene, {{}, 12, true});
@@ -60,7 +60,7 @@ TEST_CASE("with momentum small steps get there in fewer, and a single one is as 
   CHECK_THROWS_AS(error_after(2, -0.1), UsageError);
 }
 
-TEST_CASE("a robust loss minds less what photographs show that is not on the surface") {
+TEST_CASE("a robust loss weakens objects in front of the surface") {
   // Speckles that stay where they are in every photograph, as dirt on a lens.
   std::vector<View> views = ring();
   for (View& view : views) {
@@ -82,7 +82,7 @@ TEST_CASE("a robust loss minds less what photographs show that is not on the sur
   CHECK(errors[1] < 0.7 * errors[0]);
 }
 
-TEST_CASE("silhouettes bring back what photographs cannot judge") {
+TEST_CASE("silhouettes correct parts that photographs cannot measure") {
   // Without texture there is nothing to compare.
   std::vector<View> views = ring(1, true);
   for (View& view : views) test::change_intensities(view.image, [](float) { return 90.0F; });
@@ -126,7 +126,7 @@ TEST_CASE("a surface that becomes smaller keeps its coverage") {
   CHECK_FALSE(result.lost_coverage);
 }
 
-TEST_CASE("coverage that goes is told") {
+TEST_CASE("lost coverage is reported") {
   // Steps far too long crumple the ball: its spikes hide one another from the other views.
   const PhotoScene scene = photo_scene(ring(), 1);
   Mesh mesh = ball(1.02);

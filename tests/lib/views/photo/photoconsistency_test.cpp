@@ -259,7 +259,7 @@ TEST_CASE("the derivative leaves out what borders and contours add") {
   CHECK(std::abs(by_gradient / shaded.difference_quotient(field, 5e-3) - 1) > 0.5);
 }
 
-TEST_CASE("a surface where it belongs is consistent, and a change of light does not matter") {
+TEST_CASE("the true surface is consistent, also under a change of light") {
   Scene scene;
   scene.options.correlation.noise_variance = 0.01;  // it counts as inconsistent
   for (Vec3& p : scene.mesh.positions) p.z() = 0;

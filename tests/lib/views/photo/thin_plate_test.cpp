@@ -91,7 +91,7 @@ TEST_CASE("the step comes to within the residual of the minimum") {
   }
 }
 
-TEST_CASE("a dent that no data hold goes, data hold theirs") {
+TEST_CASE("a dent without data is smoothed away, and one with data stays") {
   Mesh mesh = test::icosphere(3);
   mesh.positions[100] *= 0.9;
   const UniformLaplacian laplacian(mesh);

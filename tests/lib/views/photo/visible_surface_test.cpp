@@ -44,7 +44,7 @@ TEST_CASE("depths of a sphere are those of its equation, and facing those of its
   CHECK(compared > 4000);
 }
 
-TEST_CASE("a threshold of the cosine leaves out what is seen flatly") {
+TEST_CASE("a threshold of the cosine excludes faces at grazing angles") {
   const Mesh mesh = test::icosphere(4);
   const std::vector<View> views{test::photograph(0, 1)};
   const auto count = [&](double least_cosine) {

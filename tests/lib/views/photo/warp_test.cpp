@@ -45,20 +45,20 @@ std::pair<double, double> compared(double angle_deg) {
 
 }  // namespace
 
-TEST_CASE("a view through itself is itself") {
+TEST_CASE("warping a view to itself does not change it") {
   const auto [difference, share] = compared(0);
   CHECK(difference < .5);
   CHECK(share > .95);
 }
 
-TEST_CASE("another view shows the same texture where it sees the point") {
+TEST_CASE("a warped view shows the same texture at visible points") {
   const auto [difference, share] = compared(22.5);
   CHECK(difference < 2);
   CHECK(share > .7);
   CHECK(share < 1);
 }
 
-TEST_CASE("a view from behind shows nothing of what is in front") {
+TEST_CASE("a view from behind shows nothing of the front") {
   const Mesh mesh = test::icosphere(5);
   const std::vector<View> views{test::photograph(0, 1), test::photograph(180, 1)};
   const SeenViews seen(mesh, views, .3);

@@ -65,7 +65,7 @@ TEST_CASE("alpha decides what is a hole") {
   CHECK(connected_components(coarse).components[0].genus() == 0);
 }
 
-TEST_CASE("the alpha that is found fits the points: tight, but never in between them") {
+TEST_CASE("the alpha that is found fits the points: tight, but not between them") {
   double before = 10;
   for (const int count : {200, 800, 3200, 12800}) {
     CAPTURE(count);

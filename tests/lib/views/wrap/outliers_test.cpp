@@ -91,7 +91,7 @@ TEST_CASE("outliers are found, near and far, alone and a few together") {
     }
 }
 
-TEST_CASE("no point of a clean cloud is an outlier, however uneven it is") {
+TEST_CASE("no point of a clean cloud is an outlier, even if it is uneven") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
     for (const int count : {40, 300, 3000}) {
       CAPTURE(seed);

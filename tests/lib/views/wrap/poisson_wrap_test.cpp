@@ -8,7 +8,7 @@
 using namespace transformesh;
 using namespace transformesh::test;
 
-TEST_CASE("a Poisson surface goes between noisy points, and closes what they leave open") {
+TEST_CASE("a Poisson surface passes between noisy points, and closes holes") {
   Cloud cloud = sphere_cloud(2000, 0.01);
   const Mesh whole = poisson_wrap(cloud.points, cloud.normals);
   check_surface(whole);
