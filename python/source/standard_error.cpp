@@ -1,6 +1,6 @@
-// Linked into the module of a wheel only. Debian compiles static libraries for programs, and there libpng and
-// libtiff address `stderr` as a variable of the program, which a shared object cannot contain. The linker's
-// option --wrap=stderr makes them use this copy; it fixes both names below.
+// Linked into the module of a wheel only. Debian compiles static libraries for programs, and there
+// libpng and libtiff address `stderr` as a variable of the program, which a shared object cannot
+// contain. The linker's option --wrap=stderr makes them use this copy; it fixes both names below.
 #include <cstdio>
 
 extern "C" {

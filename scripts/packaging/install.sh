@@ -33,12 +33,13 @@ parse() {
   done
 }
 
-files() { (cd "$from" && find bin share -type f | sort && echo "$list"); }
+files() { (cd "$from" && find bin share ! -type d | sort && echo "$list"); }
 
 # The new file replaces the old one in one step, so that a program that runs is not disturbed.
 copy() {
-  mkdir -p "$prefix/${1%/*}"
-  cp "$from/$1" "$prefix/$1.new"
+  mkdir -p "$prefix/${1%/*}" || { say "cannot write to $prefix" && exit 1; }
+  rm -f "$prefix/$1.new"
+  cp -P "$from/$1" "$prefix/$1.new"
   mv -f "$prefix/$1.new" "$prefix/$1"
 }
 
@@ -57,7 +58,7 @@ install() {
   remove_outdated
   mkdir -p "$prefix/${list%/*}"
   files >"$prefix/$list"
-  say "installed $(find "$from/bin" -type f | wc -l | tr -d ' ') programs in $prefix/bin"
+  say "installed $(find "$from/bin" ! -type d | wc -l | tr -d ' ') programs in $prefix/bin"
   case :$PATH: in
     *:"$prefix/bin":*) say "now try: tm" ;;
     *) say "to use them: export PATH=\"$prefix/bin:\$PATH\"" ;;

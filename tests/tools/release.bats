@@ -1,4 +1,4 @@
-# What a release needs beside the programs: the checklist, the workflows and the scripts of their jobs.
+# A release needs the checklist, the workflows and the scripts of their jobs.
 
 load ../helpers/common
 
@@ -25,7 +25,7 @@ step() {
   git clone -q --depth 1 "file://$tm_root" clone
   cd clone
   export VERSION=9.8.7 GIT_AUTHOR_NAME=t GIT_AUTHOR_EMAIL=t@t GIT_COMMITTER_NAME=t GIT_COMMITTER_EMAIL=t@t
-  for number in 1 2 3; do bash -e -c "$(step "$number")" >log || fail "step $number: $(cat log)"; done
+  for number in 1 2 3; do bash -e -c "$(step "$number")" >../log || fail "step $number: $(cat ../log)"; done
   grep -q '^project(transformesh VERSION 9.8.7 ' CMakeLists.txt
   grep -qx 'cff-version: 1.2.0' CITATION.cff
   grep -qx 'version: 9.8.7' CITATION.cff
