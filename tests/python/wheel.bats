@@ -41,7 +41,7 @@ setup() {
   done <transformesh-*.dist-info/RECORD
   [ "$(find . -type f | wc -l)" -eq "$(wc -l <"$(echo transformesh-*.dist-info/RECORD)")" ]
   for package in libgmp-dev libtiff-dev libcgal-dev pybind11-dev GPL-3; do
-    [ -s transformesh-*.dist-info/licenses/$package ]
+    [ -s "$(echo transformesh-*.dist-info/licenses/"$package")" ] || fail "$package"
   done
 }
 

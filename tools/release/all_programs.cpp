@@ -1,6 +1,6 @@
-// All programs in one file, for the portable tarball: it runs the program whose name it is called
-// by, as links to it have these names, and `tm` under any other name. The programs share nearly all
-// of their code, so that one file has a fifteenth of the size of all.
+// All programs in one file, for the portable tarball. Links to the file have the names of the
+// programs: it runs the one that it is called as, or `tm` under any other name. The programs share
+// nearly all of their code, so that one file has a fifteenth of the size of all.
 #include "all_programs.h"
 
 using namespace transformesh;
