@@ -30,7 +30,7 @@ install(TARGETS transformesh EXPORT transformeshTargets COMPONENT development
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/transformesh)
 install(EXPORT transformeshTargets NAMESPACE transformesh:: DESTINATION ${package} COMPONENT development)
 configure_package_config_file(transformeshConfig.cmake.in transformeshConfig.cmake INSTALL_DESTINATION ${package})
-write_basic_package_version_file(transformeshConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(transformeshConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/transformeshConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/transformeshConfigVersion.cmake
         DESTINATION ${package} COMPONENT development)

@@ -1,0 +1,16 @@
+// Linked into the module of a wheel only. Debian compiles static libraries for programs, and there
+// libpng and libtiff address `stderr` as a variable of the program, which a shared object cannot
+// contain. The linker's option --wrap=stderr makes them use this copy; it fixes both names below.
+#include <cstdio>
+
+extern "C" {
+extern std::FILE* __real_stderr;
+std::FILE* __wrap_stderr = nullptr;
+}
+
+namespace {
+
+/// Runs before all other initializers, which may write to stderr.
+[[gnu::constructor(101)]] void copy_stderr() { __wrap_stderr = __real_stderr; }
+
+}  // namespace
