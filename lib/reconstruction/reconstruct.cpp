@@ -16,6 +16,7 @@
 #include "reconstruction/initial_state.h"
 #include "reconstruction/recorded_reconstruction.h"
 #include "reconstruction/scale_rule.h"
+#include "reconstruction/start_comparison.h"
 #include "reconstruction/surface_doubt.h"
 #include "reconstruction/sweep_rules.h"
 #include "support/counted.h"
@@ -55,14 +56,15 @@ class Photographs {
   /// Measures the surface by a step without movement. Compares pairs of views in one order or in
   /// both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
-  SurfaceDoubt doubt(const Mesh& mesh, double scale, const Progress& progress);
-  /// Returns the agreement with exact masks, averaged over the views; 1 without such masks.
-  double agreement(const Mesh& mesh);
+  /// Measures the surface at scale 1.
+  SurfaceMeasures measures(const Mesh& mesh, const Progress& progress);
   int width() const { return width_; }
   double pixel() const { return pixel_size(views_); }
 
  private:
   const PhotoScene& at(double scale);
+  /// Returns SurfaceMeasures::outlines.
+  std::vector<double> outlines(const Mesh& mesh);
   /// Returns the options with the window radius of the scale and the silhouette weight for its
   /// pairs.
   PhotoStepsOptions steps_at(double scale);
@@ -136,25 +138,25 @@ PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
   return photo_steps(mesh, at(scale), options, progress).first;
 }
 
-SurfaceDoubt Photographs::doubt(const Mesh& mesh, double scale, const Progress& progress) {
-  return surface_doubt(mesh, at(scale), steps_.step.least_cosine, steps_at(scale).step.photographs,
-                       progress);
+SurfaceMeasures Photographs::measures(const Mesh& mesh, const Progress& progress) {
+  return {
+      look(mesh, 1, false, progress),
+      surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_at(1).step.photographs, progress),
+      outlines(mesh)};
 }
 
 // Uses distances from silhouettes at scale 1, because silhouettes may have been cleared.
-double Photographs::agreement(const Mesh& mesh) {
+std::vector<double> Photographs::outlines(const Mesh& mesh) {
+  std::vector<double> agreements;
+  if (steps_.step.meaning != SilhouetteMeaning::exact) return agreements;
   const PhotoScene& scene = at(1);
-  double sum = 0;
-  std::size_t count = 0;
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
     if (scene.distances[v].empty()) continue;
     GrayImage silhouette = scene.distances[v];
     for (float& intensity : silhouette.pixels) intensity = intensity < 0 ? 255.0F : 0.0F;
-    sum += silhouette_agreement(mesh_silhouette(mesh, scene.views[v]), silhouette);
-    ++count;
+    agreements.push_back(silhouette_agreement(mesh_silhouette(mesh, scene.views[v]), silhouette));
   }
-  const bool are_exact = steps_.step.meaning == SilhouetteMeaning::exact;
-  return are_exact && count > 0 ? sum / static_cast<double>(count) : 1;
+  return agreements;
 }
 
 ScaleOptions scales_of(const ReconstructionOptions& options, const InitialState& initial_state) {
@@ -189,6 +191,7 @@ class ReconstructionLoop : public Loop {
 
  private:
   void judge(Document& document, const Progress& progress);
+  void keep_start(Document& document, const std::string& reason);
   bool may_begin_finer() const;
   bool begins_stiffer(Document& document, const Progress& progress);
   bool drops_handles(Document& document, const Progress& progress);
@@ -357,24 +360,39 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   result_.handles = handles_;
   drop_crumbs(document);
   result_.pixel = photographs_.pixel();
-  result_.faces = document.mesh.faces.size();
-  result_.first = photographs_.look(initial_.mesh, 1, false, progress);
-  result_.last = photographs_.look(document.mesh, 1, false, progress);
   judge(document, progress);
+  result_.faces = document.mesh.faces.size();
 }
 
 void ReconstructionLoop::judge(Document& document, const Progress& progress) {
-  SurfaceEvidence evidence{photographs_.agreement(initial_.mesh),
-                           photographs_.agreement(document.mesh),
-                           photographs_.doubt(document.mesh, 1, progress)};
-  result_.fault = faults_.in_words(evidence);
-  set_doubt_column(document.mesh, evidence.doubt);
-  result_.first_agreement = evidence.first_agreement;
-  result_.agreement = evidence.agreement;
-  result_.disagreement = evidence.doubt.disagreement;
-  result_.noise_floor = evidence.doubt.floor;
-  result_.doubtful = evidence.doubt.share;
-  result_.doubtful_places = std::move(evidence.doubt.places);
+  const SurfaceMeasures start = photographs_.measures(initial_.mesh, progress);
+  SurfaceMeasures end = photographs_.measures(document.mesh, progress);
+  const std::string reason = options_.initial.is_given ? reason_to_keep(start, end) : "";
+  if (!reason.empty()) {
+    keep_start(document, reason);
+    end = start;
+  }
+  result_.first = start.windows;
+  result_.last = end.windows;
+  result_.first_agreement = start.mean_outline();
+  result_.agreement = end.mean_outline();
+  result_.fault = faults_.in_words({result_.first_agreement, result_.agreement, end.doubt});
+  set_doubt_column(document.mesh, end.doubt);
+  result_.disagreement = end.doubt.disagreement;
+  result_.noise_floor = end.doubt.floor;
+  result_.doubtful = end.doubt.share;
+  result_.doubtful_places = std::move(end.doubt.places);
+}
+
+// Makes the initial mesh the result. Faults of the sweeps are not faults of that mesh.
+void ReconstructionLoop::keep_start(Document& document, const std::string& reason) {
+  document = initial_;
+  const Components parts = connected_components(document.mesh);
+  result_.topology = {parts.components.size(), parts.genus()};
+  result_.crumbs = result_.handles = 0;
+  result_.kept = reason;
+  faults_ = {.is_at_rest = true};
+  if (options_.on_note) options_.on_note("the start is kept: " + reason);
 }
 
 void ReconstructionLoop::remember(LoopState& loop_state) {
@@ -435,7 +453,8 @@ ReconstructionResult reconstruct(Document& document, Views& views,
 std::string summary_of(const ReconstructionResult& result) {
   return counted(result.sweeps, "pass") + ": " + in_short(result.faces, result.topology) +
          "; dissimilarity from " + fixed(result.first.dissimilarity, 4) + " to " +
-         fixed(result.last.dissimilarity, 4) + (result.fault.empty() ? "" : "; " + result.fault);
+         fixed(result.last.dissimilarity, 4) + (result.kept.empty() ? "" : "; the start is kept") +
+         (result.fault.empty() ? "" : "; " + result.fault);
 }
 
 }  // namespace transformesh
