@@ -33,6 +33,7 @@ struct ReconstructionResult {
   std::size_t sweeps = 0;  ///< sweeps, with those of earlier runs
   std::string fault;       ///< reason why the result is not converged; empty if it is
   std::string kept;        ///< reason why the given initial mesh is the result; empty if it is not
+  double restored = 0;     ///< share of the vertices at which a given initial mesh came back
   Topology topology;
   std::size_t crumbs = 0;   ///< components that were dropped at the end
   std::size_t handles = 0;  ///< handles that were removed

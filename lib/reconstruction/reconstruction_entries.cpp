@@ -31,6 +31,7 @@ Entries entries_of(const ReconstructionResult& result) {
           {"fault", result.fault},
           {"stop", stop_of(result)},
           {"kept", result.kept},
+          {"restored", result.restored},
           {"crumbs", result.crumbs},
           {"handles", result.handles},
           {"components", result.topology.components},

@@ -40,6 +40,10 @@ double SurfaceMeasures::mean_outline() const {
          static_cast<double>(outlines.size());
 }
 
+bool is_clearly_less(double of_result, double of_start) {
+  return of_result < clear_ratio * of_start;
+}
+
 std::string reason_to_keep(const SurfaceMeasures& start, const SurfaceMeasures& result) {
   if (result.windows.dissimilarity > start.windows.dissimilarity)
     return "the dissimilarity of the result is " +
@@ -48,7 +52,7 @@ std::string reason_to_keep(const SurfaceMeasures& start, const SurfaceMeasures& 
   if (loss > outline_step)
     return "the outline of the result agrees with a silhouette by " +
            compared(result.outlines[view], start.outlines[view], 4);
-  const bool is_clear = result.doubt.dissimilarity < clear_ratio * start.doubt.dissimilarity ||
+  const bool is_clear = is_clearly_less(result.doubt.dissimilarity, start.doubt.dissimilarity) ||
                         result.mean_outline() > start.mean_outline() + outline_step;
   return is_clear ? "" : "photographs agree hardly better on the result";
 }

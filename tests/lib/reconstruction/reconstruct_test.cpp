@@ -184,7 +184,7 @@ TEST_CASE("with a start, outlines come from a threshold that is given, and from 
     std::vector<View> views = test::without_masks(dented_views());
     Document document = ball_of(1.1);
     if (is_given) options.initial.threshold = ThresholdOptions();
-    const auto outlined = make_initial_mesh(document, views, options.initial, 0.03);
+    const auto outlined = make_initial_mesh(document, views, options.initial, 0.03).outlined;
     CHECK(outlined.has_value() == is_given);
     CHECK(views[0].silhouette.empty() != is_given);
     if (outlined) outline(views, *outlined);
