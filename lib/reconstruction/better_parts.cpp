@@ -12,7 +12,6 @@ namespace {
 /// pixels long: four rings are windows of 25 pixels, in which noise hardly decides.
 constexpr int compared_rings = 4;
 constexpr int blended_rings = 2;
-
 /// Returns the vertex of a face that is closest to a point.
 Index closest_corner(const Mesh& mesh, Index face, const Vec3& point) {
   Index best = mesh.faces[face][0];

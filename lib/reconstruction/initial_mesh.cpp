@@ -13,6 +13,7 @@
 #include "transformesh/errors.h"
 #include "transformesh/hull.h"
 #include "transformesh/iteration.h"
+#include "transformesh/manifold.h"
 #include "transformesh/mesh_io.h"
 #include "transformesh/pinhole_camera.h"
 #include "views/cameras/view.h"
@@ -165,11 +166,12 @@ InitialMesh make_initial_mesh(Document& document, std::vector<View>& views,
   }
   document.style.format = Format::ply_little;
   clean_in_place(document, progress);
+  const bool is_closed = check_manifold(document.mesh).is_closed();
   if (are_masks && options.meaning == SilhouetteMeaning::exact && options.clips_by_hull &&
-      !is_within_masks(document.mesh, views)) {
+      !(is_closed && is_within_masks(document.mesh, views))) {
     InitialMeshOptions all = options;
     all.keep = 0;
-    made.unclipped = document;
+    if (is_closed) made.unclipped = document;
     clip(document, hull_of(views, all, edge, progress), options.name, progress);
   }
   if (!are_masks && options.threshold) made.outlined = hull_of(views, options, edge, progress);
