@@ -7,11 +7,11 @@ namespace {
 
 /// Dissimilarity from which on windows are more different than alike.
 constexpr double different = 0.5;
-/// Tolerated share of different windows. On four generated scenes the share at scale 1 was at most
-/// 0.035 on the true surface and on decimated ones, and 0.038 to 0.36 on smoothed and noisy
-/// surfaces and on hulls. A smaller limit sends accurate starts through coarse scales. At 0.08 a
-/// hull with deep hollows begins at a scale at which the hollows are not found.
-constexpr double most_different = 0.04;
+/// Tolerated share of different windows. On four generated scenes the share at scale 1 was 0.001 to
+/// 0.035 on the true surface and on decimated ones, and 0.038 to 0.57 on smoothed and noisy
+/// surfaces, spheres and hulls. Half of the limit sends accurate starts through coarse scales. At
+/// twice the limit, a hull with deep hollows begins at a scale at which the hollows are not found.
+constexpr double most_different = 0.03;
 /// Ratio within which shares count as equal. The coarsest of equal scales finds the largest errors.
 constexpr double equal_ratio = 1.05;
 

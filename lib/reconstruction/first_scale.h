@@ -14,7 +14,7 @@
 namespace transformesh {
 
 /// Returns one of the scales, which fall and end with 1. `disagreement_at` measures the start
-/// (Disagreement::of_vertex). Returns the finest scale at which at most 4 % of the compared windows
+/// (Disagreement::of_vertex). Returns the finest scale at which at most 3 % of the compared windows
 /// belong to vertices with a dissimilarity above 0.5. If there is none, returns the coarsest scale
 /// at which this share is within 5 % of the least one. Returns the coarsest scale if nothing is
 /// compared.

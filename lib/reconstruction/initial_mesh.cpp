@@ -37,14 +37,15 @@ void append(Mesh& mesh, const Mesh& other) {
     mesh.faces.push_back({a + offset, b + offset, c + offset});
 }
 
+// Vertices outside of the image count as outside of the mask: nothing is known about them.
 bool is_within_mask(const Mesh& mesh, const View& view) {
   constexpr double most_outside_px = 1;  // contours of masks of two intensities are as uncertain
   constexpr float limit_px = 4;
   const GrayImage distances = signed_distance(view.silhouette.unpacked(), limit_px);
   const Projection projection = view.camera.projection();
-  return std::none_of(mesh.positions.begin(), mesh.positions.end(), [&](const Vec3& position) {
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const Vec3& position) {
     const Vec3 q = projection.leftCols<3>() * position + projection.col(3);
-    return q.z() > 0 && distance_at(distances, q.x() / q.z(), q.y() / q.z()) > most_outside_px;
+    return q.z() > 0 && distance_at(distances, q.x() / q.z(), q.y() / q.z()) <= most_outside_px;
   });
 }
 
