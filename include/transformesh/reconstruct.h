@@ -8,6 +8,9 @@
 /// loop restarts with four times the stiffness, at most twice. The vertex column `doubt` is the
 /// disagreement of photographs beyond their noise, in [0, 1]. It is 1 at vertices that fewer than
 /// two views observe. Deterministic for any number of threads.
+///
+/// A given initial mesh is returned if the result does not agree clearly better with photographs
+/// and exact masks: see ReconstructionResult::kept.
 #pragma once
 
 #include <string>
@@ -29,6 +32,8 @@ struct DoubtfulPlace {
 struct ReconstructionResult {
   std::size_t sweeps = 0;  ///< sweeps, with those of earlier runs
   std::string fault;       ///< reason why the result is not converged; empty if it is
+  std::string kept;        ///< reason why the given initial mesh is the result; empty if it is not
+  double restored = 0;     ///< share of the vertices at which a given initial mesh came back
   Topology topology;
   std::size_t crumbs = 0;   ///< components that were dropped at the end
   std::size_t handles = 0;  ///< handles that were removed

@@ -13,6 +13,7 @@
 #include "transformesh/errors.h"
 #include "transformesh/hull.h"
 #include "transformesh/iteration.h"
+#include "transformesh/manifold.h"
 #include "transformesh/mesh_io.h"
 #include "transformesh/pinhole_camera.h"
 #include "views/cameras/view.h"
@@ -34,6 +35,27 @@ void append(Mesh& mesh, const Mesh& other) {
   mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
   for (const auto& [a, b, c] : other.faces)
     mesh.faces.push_back({a + offset, b + offset, c + offset});
+}
+
+// Vertices outside of the image count as outside of the mask: nothing is known about them.
+bool is_within_mask(const Mesh& mesh, const View& view) {
+  constexpr double most_outside_px = 1;  // contours of masks of two intensities are as uncertain
+  constexpr float limit_px = 4;
+  const GrayImage distances = signed_distance(view.silhouette.unpacked(), limit_px);
+  const Projection projection = view.camera.projection();
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const Vec3& position) {
+    const Vec3 q = projection.leftCols<3>() * position + projection.col(3);
+    return q.z() > 0 && distance_at(distances, q.x() / q.z(), q.y() / q.z()) <= most_outside_px;
+  });
+}
+
+bool is_within_masks(const Mesh& mesh, const std::vector<View>& views) {
+  std::vector<char> is_within(views.size(), 1);
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      if (!views[i].silhouette.empty()) is_within[i] = is_within_mask(mesh, views[i]) ? 1 : 0;
+  });
+  return std::find(is_within.begin(), is_within.end(), 0) == is_within.end();
 }
 
 // Replaces the mesh by its exact intersection with the hull.
@@ -132,24 +154,29 @@ void outline(std::vector<View>& views, const Mesh& mesh) {
   }
 }
 
-std::optional<Mesh> make_initial_mesh(Document& document, std::vector<View>& views,
-                                      const InitialMeshOptions& options, double pixel,
-                                      const Progress& progress) {
+InitialMesh make_initial_mesh(Document& document, std::vector<View>& views,
+                              const InitialMeshOptions& options, double pixel,
+                              const Progress& progress) {
   const bool are_masks = has_masks(views);
   const double edge = edge_times(3, pixel);
+  InitialMesh made;
   if (!options.is_given) {
     document.mesh = hull_of(views, options, edge, progress);
-    return are_masks ? std::nullopt : std::optional(document.mesh);
+    if (!are_masks) made.outlined = document.mesh;
+    return made;
   }
   document.style.format = Format::ply_little;
   clean_in_place(document, progress);
-  if (are_masks && options.meaning == SilhouetteMeaning::exact && options.clips_by_hull) {
+  const bool is_closed = check_manifold(document.mesh).is_closed();
+  if (are_masks && options.meaning == SilhouetteMeaning::exact && options.clips_by_hull &&
+      !(is_closed && is_within_masks(document.mesh, views))) {
     InitialMeshOptions all = options;
     all.keep = 0;
+    if (is_closed) made.unclipped = document;
     clip(document, hull_of(views, all, edge, progress), options.name, progress);
   }
-  if (are_masks || !options.threshold) return std::nullopt;
-  return hull_of(views, options, edge, progress);
+  if (!are_masks && options.threshold) made.outlined = hull_of(views, options, edge, progress);
+  return made;
 }
 
 void crop_views(std::vector<View>& views, const Mesh& mesh) {

@@ -17,13 +17,20 @@
 
 namespace transformesh {
 
+struct InitialMesh {
+  std::optional<Mesh> outlined;       ///< hull whose outlines replace masks
+  std::optional<Document> unclipped;  ///< the given mesh, cleaned, if it is closed and was clipped
+};
+
 /// Replaces the document's mesh by the initial mesh, cleaned and rounded as written to a file.
 /// Views without masks get silhouettes if there is a threshold; in this case returns the hull of
-/// the silhouettes, whose outlines then replace masks. Edges of a hull are 3 `pixel` long. Throws
-/// as visual_hull() and clean() do. Throws GoalError if the given mesh does not intersect the hull.
-std::optional<Mesh> make_initial_mesh(Document& document, std::vector<View>& views,
-                                      const InitialMeshOptions& options, double pixel,
-                                      const Progress& progress = Progress());
+/// the silhouettes. Edges of a hull are 3 `pixel` long. A given mesh is clipped only if a vertex is
+/// more than a pixel outside of a mask, or if it has holes, which the hull closes: the hull would
+/// shave an accurate mesh, because its edges are longer. Throws as visual_hull() and clean() do.
+/// Throws GoalError if the given mesh does not intersect the hull.
+InitialMesh make_initial_mesh(Document& document, std::vector<View>& views,
+                              const InitialMeshOptions& options, double pixel,
+                              const Progress& progress = Progress());
 
 /// Returns the hull of the views' masks. Views without masks first get silhouettes by the
 /// threshold, which must agree (check_views). `edge` is HullOptions::edge.

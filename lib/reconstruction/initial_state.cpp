@@ -14,6 +14,8 @@ namespace {
 constexpr const char* initial_mesh_file = "start.ply";
 constexpr const char* hull_name = "hull.ply";
 constexpr const char* coarsest_name = "coarsest";
+constexpr const char* unclipped_name = "unclipped.ply";
+constexpr const char* first_scale_name = "first_scale";
 
 void open_hollows(InitialState& begun, const std::vector<View>& views,
                   const InitialStateOptions& options, const Progress& progress) {
@@ -31,24 +33,37 @@ void open_hollows(InitialState& begun, const std::vector<View>& views,
 InitialState make_initial_state(const Document& document, std::vector<View>& views,
                                 const InitialStateOptions& options, Record& record,
                                 const Progress& progress) {
-  InitialState begun{document, std::nullopt, std::nullopt};
-  begun.outlined =
+  InitialState begun;
+  begun.document = document;
+  InitialMesh made =
       make_initial_mesh(begun.document, views, options.initial, pixel_size(views), progress);
+  begun.outlined = std::move(made.outlined);
+  begun.unclipped = std::move(made.unclipped);
   if (!options.initial.is_given && options.initial.opens_hollows)
     open_hollows(begun, views, options, progress);
   record.add(initial_mesh_file, write_mesh(begun.document).bytes);
   if (begun.outlined) record.add(hull_name, write_mesh({*begun.outlined, {}, {}}).bytes);
+  if (begun.unclipped) record.add(unclipped_name, write_mesh(*begun.unclipped).bytes);
   if (begun.coarsest) record.add(coarsest_name, fixed(*begun.coarsest, 4));
   return begun;
+}
+
+void set_first_scale(InitialState& initial_state, double scale, Record& record) {
+  initial_state.first_scale = scale;
+  record.add(first_scale_name, fixed(scale, 4));
 }
 
 InitialState read_initial_state(const Record& record) {
   const auto start = record.find(initial_mesh_file);
   const auto hull = record.find(hull_name);
   if (!start) throw InputError("the state of the run is not that of a reconstruction");
-  InitialState found{read_mesh(*start, initial_mesh_file).document, std::nullopt, std::nullopt};
+  InitialState found;
+  found.document = read_mesh(*start, initial_mesh_file).document;
   if (hull) found.outlined = read_mesh(*hull, hull_name).document.mesh;
   if (const auto coarsest = record.find(coarsest_name)) found.coarsest = read_back(*coarsest);
+  if (const auto whole = record.find(unclipped_name))
+    found.unclipped = read_mesh(*whole, unclipped_name).document;
+  if (const auto scale = record.find(first_scale_name)) found.first_scale = read_back(*scale);
   return found;
 }
 

@@ -18,6 +18,9 @@ struct InitialState {
   /// Scale of the photographs that opened the hull, if it was opened. Longer edges, as at coarser
   /// scales, would close hollows.
   std::optional<double> coarsest;
+  /// The given mesh, cleaned, if the initial mesh is a part of it.
+  std::optional<Document> unclipped;
+  std::optional<double> first_scale;  ///< scale to begin with (first_scale.h), if it was chosen
 };
 
 struct InitialStateOptions {
@@ -30,6 +33,9 @@ struct InitialStateOptions {
 InitialState make_initial_state(const Document& document, std::vector<View>& views,
                                 const InitialStateOptions& options, Record& record,
                                 const Progress& progress = Progress());
+
+/// Sets InitialState::first_scale, also in the record.
+void set_first_scale(InitialState& initial_state, double scale, Record& record);
 
 /// Reads the initial state from the record of a resumed run. Throws InputError if the record has
 /// none.

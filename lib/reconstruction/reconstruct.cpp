@@ -10,12 +10,16 @@
 #include "evolution/loop/stages.h"
 #include "evolution/loop/stopwatch.h"
 #include "io/document/round_as_written.h"
+#include "reconstruction/better_parts.h"
 #include "reconstruction/convergence.h"
+#include "reconstruction/first_scale.h"
 #include "reconstruction/image_scales.h"
 #include "reconstruction/initial_mesh.h"
 #include "reconstruction/initial_state.h"
+#include "reconstruction/photographs.h"
 #include "reconstruction/recorded_reconstruction.h"
 #include "reconstruction/scale_rule.h"
+#include "reconstruction/start_comparison.h"
 #include "reconstruction/surface_doubt.h"
 #include "reconstruction/sweep_rules.h"
 #include "support/counted.h"
@@ -37,130 +41,33 @@ namespace {
 /// total factor.
 constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
-/// PairOptions::spread above scale 1.
-constexpr double near_spread = 1.5;
+/// Farthest distance in pixels from which the surface of a given start returns. Farther parts of
+/// the start are other parts of the object; steps at scale 1 hardly find errors of that size.
+constexpr double reach_px = 10;
 /// Least scale at which the loop starts again after an explosion; at finer scales too much work
 /// would be repeated. Slightly below 2, because scales are rounded.
 constexpr double stiffer_scale = 1.99;
 
-/// The photographs at the most recently requested scale, and steps towards them.
-class Photographs {
- public:
-  Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
-              const InitialState& initial_state);
-
-  /// Takes the steps of a sweep. The stiffness of the options is multiplied by `stiffness`.
-  PhotoStepsResult sweep(Mesh& mesh, double scale, double loss, double stiffness,
-                         const Progress& progress);
-  /// Measures the surface by a step without movement. Compares pairs of views in one order or in
-  /// both.
-  PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
-  SurfaceDoubt doubt(const Mesh& mesh, double scale, const Progress& progress);
-  /// Returns the agreement with exact masks, averaged over the views; 1 without such masks.
-  double agreement(const Mesh& mesh);
-  int width() const { return width_; }
-  double pixel() const { return pixel_size(views_); }
-
- private:
-  const PhotoScene& at(double scale);
-  /// Returns the options with the window radius of the scale and the silhouette weight for its
-  /// pairs.
-  PhotoStepsOptions steps_at(double scale);
-
-  std::vector<View>& views_;
-  int width_;
-  bool spends_views_;
-  PairOptions pairs_;
-  /// Pairs above scale 1, where the surface may be inaccurate. Views that are far apart would
-  /// compare places that the true surface occludes.
-  PairOptions near_pairs_;
-  PhotoStepsOptions steps_;
-  std::optional<double> pull_;
-  bool are_outlines_;  ///< true if silhouettes are outlines of the hull
-  WindowRadii windows_;
-  double scale_ = 0;  ///< scale of `scene_`; 0: none
-  PhotoScene scene_;
-};
-
-Photographs::Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
-                         const InitialState& initial_state)
-    : views_(views),
-      width_(width),
-      spends_views_(options.spends_views),
-      pairs_(options.pairs),
-      near_pairs_(options.pairs),
-      steps_{.step = options.step},
-      pull_(options.pull),
-      are_outlines_(initial_state.outlined.has_value()),
-      windows_(options.windows) {
-  near_pairs_.spread = near_spread;
-  steps_.iterations = options.iterations.value_or(initial_state.coarsest ? 8 : 5);
-  steps_.momentum = options.momentum;
-  steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.initial.meaning;
-}
-
-const PhotoScene& Photographs::at(double scale) {
-  if (scale == scale_) return scene_;
-  scene_ = PhotoScene();
-  // No other scale follows scale 1, so that the views are not needed any more.
-  const bool is_last = spends_views_ && scale == 1;
-  const PairOptions& pairs = scale > 1 ? near_pairs_ : pairs_;
-  scene_ = is_last ? take_photo_scene(views_, scale, pairs) : photo_scene(views_, scale, pairs);
-  scale_ = scale;
-  return scene_;
-}
-
-PhotoStepsOptions Photographs::steps_at(double scale) {
-  PhotoStepsOptions options = steps_;
-  const double pull = pull_.value_or(is_wide(at(scale).pairs) ? 1.5 : 0.5);
-  options.step.silhouettes = are_outlines_ ? read_back(significant(0.2 * pull, 9)) : pull;
-  options.step.photographs.correlation.radius = windows_.at(scale);
-  return options;
-}
-
-PhotoStepsResult Photographs::sweep(Mesh& mesh, double scale, double loss, double stiffness,
-                                    const Progress& progress) {
-  PhotoStepsOptions options = steps_at(scale);
-  options.alternate = true;
-  options.step.photographs.correlation.robust = loss;
-  options.step.stiffness *= stiffness;
-  return photo_steps(mesh, at(scale), options, progress);
-}
-
-PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
-                                  const Progress& progress) {
-  PhotoStepsOptions options = steps_at(scale);
-  options.iterations = 1;
-  options.alternate = in_one_order;
-  options.step.alpha = 0;
-  return photo_steps(mesh, at(scale), options, progress).first;
-}
-
-SurfaceDoubt Photographs::doubt(const Mesh& mesh, double scale, const Progress& progress) {
-  return surface_doubt(mesh, at(scale), steps_.step.least_cosine, steps_at(scale).step.photographs,
-                       progress);
-}
-
-// Uses distances from silhouettes at scale 1, because silhouettes may have been cleared.
-double Photographs::agreement(const Mesh& mesh) {
-  const PhotoScene& scene = at(1);
-  double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < scene.views.size(); ++v) {
-    if (scene.distances[v].empty()) continue;
-    GrayImage silhouette = scene.distances[v];
-    for (float& intensity : silhouette.pixels) intensity = intensity < 0 ? 255.0F : 0.0F;
-    sum += silhouette_agreement(mesh_silhouette(mesh, scene.views[v]), silhouette);
-    ++count;
-  }
-  const bool are_exact = steps_.step.meaning == SilhouetteMeaning::exact;
-  return are_exact && count > 0 ? sum / static_cast<double>(count) : 1;
-}
-
 ScaleOptions scales_of(const ReconstructionOptions& options, const InitialState& initial_state) {
   ScaleOptions scales = options.scales;
-  if (initial_state.coarsest) scales.largest = std::min(scales.largest, *initial_state.coarsest);
+  for (const auto& limit : {initial_state.coarsest, initial_state.first_scale})
+    if (limit) scales.largest = std::min(scales.largest, *limit);
   return scales;
+}
+
+void find_first_scale(InitialState& initial_state, Photographs& photographs,
+                      const ReconstructionOptions& options, Record& record,
+                      const Progress& progress) {
+  std::vector<double> scales;
+  for (const ScaleStep& step :
+       coarse_to_fine(options.scales, photographs.width(), photographs.pixel()))
+    if (scales.empty() || step.scale < scales.back()) scales.push_back(step.scale);
+  const double scale = first_scale(scales, [&](double at) {
+    return photographs.disagreement_at(initial_state.document.mesh, at, progress);
+  });
+  if (options.on_detail)
+    options.on_detail("the start is to be refined from scale " + fixed(scale, 4));
+  set_first_scale(initial_state, scale, record);
 }
 
 class ReconstructionLoop : public Loop {
@@ -169,6 +76,7 @@ class ReconstructionLoop : public Loop {
                      const ReconstructionOptions& options)
       : photographs_(photographs),
         initial_(initial_state.document),
+        given_(initial_state.unclipped.value_or(initial_state.document)),
         options_(options),
         scale_steps_(coarse_to_fine(scales_of(options, initial_state), photographs.width(),
                                     photographs.pixel())),
@@ -189,6 +97,9 @@ class ReconstructionLoop : public Loop {
 
  private:
   void judge(Document& document, const Progress& progress);
+  SurfaceMeasures best_of(const SurfaceMeasures& start, SurfaceMeasures end, Document& document,
+                          const Progress& progress);
+  void keep_start(Document& document, const std::string& reason);
   bool may_begin_finer() const;
   bool begins_stiffer(Document& document, const Progress& progress);
   bool drops_handles(Document& document, const Progress& progress);
@@ -204,6 +115,7 @@ class ReconstructionLoop : public Loop {
 
   Photographs& photographs_;
   const Document& initial_;
+  const Document given_;  ///< the given mesh, cleaned but not clipped
   const ReconstructionOptions& options_;
   std::vector<ScaleStep> scale_steps_;
 
@@ -357,24 +269,59 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   result_.handles = handles_;
   drop_crumbs(document);
   result_.pixel = photographs_.pixel();
-  result_.faces = document.mesh.faces.size();
-  result_.first = photographs_.look(initial_.mesh, 1, false, progress);
-  result_.last = photographs_.look(document.mesh, 1, false, progress);
   judge(document, progress);
+  result_.faces = document.mesh.faces.size();
 }
 
 void ReconstructionLoop::judge(Document& document, const Progress& progress) {
-  SurfaceEvidence evidence{photographs_.agreement(initial_.mesh),
-                           photographs_.agreement(document.mesh),
-                           photographs_.doubt(document.mesh, 1, progress)};
-  result_.fault = faults_.in_words(evidence);
-  set_doubt_column(document.mesh, evidence.doubt);
-  result_.first_agreement = evidence.first_agreement;
-  result_.agreement = evidence.agreement;
-  result_.disagreement = evidence.doubt.disagreement;
-  result_.noise_floor = evidence.doubt.floor;
-  result_.doubtful = evidence.doubt.share;
-  result_.doubtful_places = std::move(evidence.doubt.places);
+  const SurfaceMeasures start = photographs_.measures(given_.mesh, progress);
+  SurfaceMeasures end = photographs_.measures(document.mesh, progress);
+  if (options_.initial.is_given) end = best_of(start, std::move(end), document, progress);
+  result_.first = start.windows;
+  result_.last = end.windows;
+  result_.first_agreement = start.mean_outline();
+  result_.agreement = end.mean_outline();
+  result_.fault = faults_.in_words({result_.first_agreement, result_.agreement, end.doubt});
+  set_doubt_column(document.mesh, end.doubt);
+  result_.disagreement = end.doubt.disagreement;
+  result_.noise_floor = end.doubt.floor;
+  result_.doubtful = end.doubt.share;
+  result_.doubtful_places = std::move(end.doubt.places);
+}
+
+// Brings better parts of the start back, or the whole start. Returns the measures of the document.
+SurfaceMeasures ReconstructionLoop::best_of(const SurfaceMeasures& start, SurfaceMeasures end,
+                                            Document& document, const Progress& progress) {
+  Document restored = document;
+  const double share =
+      restore_better_parts(restored.mesh, end.doubt.sums, {given_.mesh, start.doubt.sums},
+                           reach_px * photographs_.pixel());
+  round_as_written(restored);
+  if (share > 0 && clean_in_place(restored, progress).topology == result_.topology) {
+    SurfaceMeasures measures = photographs_.measures(restored.mesh, progress);
+    if (!is_clearly_less(end.doubt.dissimilarity, measures.doubt.dissimilarity)) {
+      document = std::move(restored);
+      end = std::move(measures);
+      result_.restored = share;
+    }
+  }
+  const std::string reason = reason_to_keep(start, end);
+  if (reason.empty()) return end;
+  keep_start(document, reason);
+  return start;
+}
+
+// Makes the given mesh the result. Faults of the sweeps are not faults of that mesh.
+void ReconstructionLoop::keep_start(Document& document, const std::string& reason) {
+  document = given_;
+  document.mesh.vertex_columns.erase(doubt_column);
+  const Components parts = connected_components(document.mesh);
+  result_.topology = {parts.components.size(), parts.genus()};
+  result_.crumbs = result_.handles = 0;
+  result_.restored = 1;
+  result_.kept = reason;
+  faults_ = {.is_at_rest = true};
+  if (options_.on_note) options_.on_note("the start is kept: " + reason);
 }
 
 void ReconstructionLoop::remember(LoopState& loop_state) {
@@ -406,7 +353,7 @@ std::string ReconstructionLoop::message() const {
 ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress) {
-  const InitialState initial_state =
+  InitialState initial_state =
       record.resumed()
           ? read_initial_state(record)
           : make_initial_state(document, views, {options.initial, options.pairs}, record, progress);
@@ -416,6 +363,8 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
   const int width = views.front().image.width;
   if (options.spends_views) crop_views(views, initial_state.document.mesh);
   Photographs photographs(views, width, options, initial_state);
+  if (options.initial.is_given && !options.scales.coarsest && !initial_state.first_scale)
+    find_first_scale(initial_state, photographs, options, record, progress);
   ReconstructionLoop loop(photographs, initial_state, options);
   const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_sweep};
   run_loop(loop, document, unlimited, record, progress);
@@ -435,7 +384,8 @@ ReconstructionResult reconstruct(Document& document, Views& views,
 std::string summary_of(const ReconstructionResult& result) {
   return counted(result.sweeps, "pass") + ": " + in_short(result.faces, result.topology) +
          "; dissimilarity from " + fixed(result.first.dissimilarity, 4) + " to " +
-         fixed(result.last.dissimilarity, 4) + (result.fault.empty() ? "" : "; " + result.fault);
+         fixed(result.last.dissimilarity, 4) + (result.kept.empty() ? "" : "; the start is kept") +
+         (result.fault.empty() ? "" : "; " + result.fault);
 }
 
 }  // namespace transformesh

@@ -17,6 +17,11 @@ std::string texts_of(const std::vector<DoubtfulPlace>& places) {
   return text;
 }
 
+std::string stop_of(const ReconstructionResult& result) {
+  if (!result.kept.empty()) return "start kept";
+  return result.fault.empty() ? "converged" : "not converged";
+}
+
 }  // namespace
 
 Entries entries_of(const ReconstructionResult& result) {
@@ -24,6 +29,9 @@ Entries entries_of(const ReconstructionResult& result) {
           {"passes", result.sweeps},
           {"converged", result.fault.empty()},
           {"fault", result.fault},
+          {"stop", stop_of(result)},
+          {"kept", result.kept},
+          {"restored", result.restored},
           {"crumbs", result.crumbs},
           {"handles", result.handles},
           {"components", result.topology.components},

@@ -15,17 +15,7 @@ namespace {
 constexpr double doubtful = 0.5;
 constexpr double least_area_px = 25;
 constexpr double thin_px = 6;
-/// Number of times that sums of windows spread to neighbors, so that no single window decides.
-constexpr int rings = 2;
-
-std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian) {
-  for (int ring = 0; ring < rings; ++ring) {
-    const std::vector<WindowSums> before = sums;
-    for (Index v = 0; v < sums.size(); ++v)
-      for (const Index neighbor : laplacian.neighbors(v)) sums[v] += before[neighbor];
-  }
-  return sums;
-}
+constexpr int doubt_rings = 2;  ///< rings of vertices whose windows count
 
 std::vector<double> vertex_areas(const Mesh& mesh) {
   std::vector<double> areas(mesh.positions.size(), 0);
@@ -104,15 +94,26 @@ void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vecto
 
 }  // namespace
 
+std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian,
+                               int rings) {
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<WindowSums> before = sums;
+    for (Index v = 0; v < sums.size(); ++v)
+      for (const Index neighbor : laplacian.neighbors(v)) sums[v] += before[neighbor];
+  }
+  return sums;
+}
+
 SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                            const PhotoconsistencyOptions& options, const Progress& progress) {
   const Disagreement found = disagreement(mesh, scene, least_cosine, options, progress);
   SurfaceDoubt doubt;
   doubt.disagreement = found.all.excess();
+  doubt.dissimilarity = found.all.dissimilarity();
   doubt.floor = found.all.mean_floor();
 
   const UniformLaplacian laplacian(mesh);
-  const std::vector<WindowSums> around = spread(found.of_vertex, laplacian);
+  const std::vector<WindowSums> around = spread(found.of_vertex, laplacian, doubt_rings);
   std::vector<bool> is_doubtful(around.size());
   for (std::size_t v = 0; v < around.size(); ++v) {
     const bool is_seen = around[v].weight > 0;
@@ -126,6 +127,7 @@ SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double lea
   for (std::size_t v = 0; v < areas.size(); ++v) seen += around[v].weight > 0 ? areas[v] : 0;
   for (const DoubtfulPlace& place : doubt.places)
     doubt.share += place.area * scene.pixel * scene.pixel / seen;
+  doubt.sums = found.of_vertex;
   return doubt;
 }
 

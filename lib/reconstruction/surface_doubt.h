@@ -14,16 +14,24 @@
 #include "transformesh/reconstruct.h"
 #include "views/photo/disagreement.h"
 #include "views/photo/photo_scene.h"
+#include "views/photo/thin_plate.h"
 
 namespace transformesh {
 
 struct SurfaceDoubt {
+  std::vector<WindowSums> sums;       ///< Disagreement::of_vertex
   std::vector<double> of_vertex;      ///< rounded to six digits
   std::vector<DoubtfulPlace> places;  ///< areas of at least 25 squared pixels, the largest first
   double share = 0;                   ///< area of the places, as a fraction of the visible area
   double disagreement = 0;            ///< WindowSums::excess of all windows
+  double dissimilarity = 0;           ///< of all windows, with their second best comparisons
   double floor = 0;                   ///< mean dissimilarity that noise explains
 };
+
+/// Adds to the sums of each vertex those of its neighbors, `rings` times, so that no single window
+/// decides.
+std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian,
+                               int rings);
 
 /// Measures a surface by a scene at scale 1. Throws and costs as disagreement(), and as
 /// local_thickness() if there are places. The result does not depend on the number of threads.

@@ -276,6 +276,26 @@ take_pocket() {
   tm-intersect --check out.ply
 }
 
+@test "a start that is better than what photographs can add to it is written, with the reason" {
+  tm-remesh --faces 3000 "$scene/truth.ply" -o start.ply
+  run --separate-stderr "${reconstruct[@]}" --start start.ply -o out.ply --report report.json
+  assert_status 0
+  [[ $stderr == *"tm-reconstruct: the start is kept: "* ]] || fail "$stderr"
+  [ "$(value stop report.json)" = start ]
+  [ "$(value restored report.json)" = 1 ]
+  [ "$(value dissimilarity report.json)" = "$(value first_dissimilarity report.json)" ]
+  [ "$(tm-info --get faces out.ply)" -eq "$(tm-info --get faces start.ply)" ]
+  [ "$(compared accuracy out.ply)" = "$(compared accuracy start.ply)" ]
+  # A rough start is refined.
+  tm-shape sphere --radius 45 --faces 2000 -o rough.ply
+  run --separate-stderr "${reconstruct[@]}" --start rough.ply -o refined.ply --report refined.json
+  assert_status 0
+  [[ $stderr != *"the start is kept"* ]] || fail "$stderr"
+  [ "$(value stop refined.json)" != start ]
+  below "$(value dissimilarity refined.json)" "$(value first_dissimilarity refined.json)"
+  below "$(compared accuracy refined.ply)" "$(compared accuracy rough.ply)"
+}
+
 @test "a start is clipped by the hull of exact masks, and only by that" {
   tm-shape ellipsoid 80 65 65 --faces 3000 -o start.ply
   few=(--start start.ply --coarsest 4 --passes 1 -q -o out.ply --csv log.csv)

@@ -61,3 +61,18 @@ TEST_CASE("only the part of a given mesh inside the hull stays") {
   document.mesh = test::moved(ball, {30, 0, 0});
   CHECK_THROWS_AS(make_initial_mesh(document, views, options, pixel_size(views)), GoalError);
 }
+
+TEST_CASE("a given mesh that fits the masks to a pixel is not shaved by their hull") {
+  const Mesh ball = test::icosphere(4);
+  std::vector<View> views = test::photographed(ball);
+  InitialMeshOptions options;
+  options.is_given = true;
+  for (const double size : {1.0, 1.1}) {
+    Document document;
+    document.mesh = test::scaled(ball, size);
+    const InitialMesh made = make_initial_mesh(document, views, options, pixel_size(views));
+    CHECK((document.mesh.faces.size() == ball.faces.size()) == (size == 1));
+    CHECK(made.unclipped.has_value() == (size > 1));
+    if (made.unclipped) CHECK(made.unclipped->mesh.faces.size() == ball.faces.size());
+  }
+}

@@ -184,7 +184,7 @@ TEST_CASE("with a start, outlines come from a threshold that is given, and from 
     std::vector<View> views = test::without_masks(dented_views());
     Document document = ball_of(1.1);
     if (is_given) options.initial.threshold = ThresholdOptions();
-    const auto outlined = make_initial_mesh(document, views, options.initial, 0.03);
+    const auto outlined = make_initial_mesh(document, views, options.initial, 0.03).outlined;
     CHECK(outlined.has_value() == is_given);
     CHECK(views[0].silhouette.empty() != is_given);
     if (outlined) outline(views, *outlined);
@@ -281,4 +281,48 @@ TEST_CASE("the result says where photographs disagree, and does not converge whe
   CHECK(stiff.result.doubtful > good.result.doubtful);
   CHECK(stiff.result.disagreement > good.result.disagreement);
   CHECK_FALSE(stiff.result.fault.empty());
+}
+
+TEST_CASE("an accurate start is returned as it is, a rough one is not") {
+  Document start;
+  start.mesh = dented_ball();
+  std::vector<std::string> notes;
+  ReconstructionOptions options = from_given({});
+  options.sweeps = 2;
+  options.iterations = 3;
+  options.on_note = [&](const std::string& text) { notes.push_back(text); };
+  const Run accurate = run_of(options, start);
+  CHECK_FALSE(accurate.result.kept.empty());
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0] == "the start is kept: " + accurate.result.kept);
+  CHECK(accurate.result.restored == 1);
+  CHECK(accurate.result.last.dissimilarity == accurate.result.first.dissimilarity);
+  CHECK(largest_distance(accurate.document.mesh) < 1e-12);
+  CHECK(accurate.result.faces == start.mesh.faces.size());
+  CHECK(summary_of(accurate.result).find("; the start is kept") != std::string::npos);
+
+  const Document ball = ball_of(1.1);
+  options.initial.clips_by_hull = false;
+  const Run rough = run_of(options, ball);
+  CHECK(rough.result.kept.empty());
+  CHECK(rough.result.last.dissimilarity < rough.result.first.dissimilarity);
+  CHECK(rough.result.restored < 0.9);
+  CHECK(largest_distance(rough.document.mesh) < 0.5 * largest_distance(ball.mesh));
+}
+
+TEST_CASE("a run from a start that was ended continues to the same bytes") {
+  // Larger than the masks, so that the start is clipped.
+  const Document ball = ball_of(1.1);
+  ReconstructionOptions options = from_given({});
+  options.sweeps = 1;
+  options.iterations = 2;
+  const std::string whole = write_mesh(run_of(options, ball).document).bytes;
+  const TemporaryFolder folder;
+  RecordOptions kept;
+  kept.state = folder / "state";
+  kept.resume = true;
+  options.on_sweep = [](const std::string&) { throw CancelledError("the power fails"); };
+  CHECK_THROWS_AS(run_of(options, ball, dented_views(), kept), CancelledError);
+  options.on_sweep = {};
+  CHECK(write_mesh(run_of(options, ball, dented_views(), kept).document).bytes == whole);
 }

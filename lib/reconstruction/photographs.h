@@ -1,0 +1,61 @@
+/// Photographs of a reconstruction at one scale after the other, and steps towards them
+/// (paper 5.3).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reconstruction/initial_state.h"
+#include "reconstruction/start_comparison.h"
+#include "transformesh/reconstruction_options.h"
+#include "views/cameras/view.h"
+#include "views/photo/disagreement.h"
+#include "views/photo/photo_scene.h"
+#include "views/photo/photo_steps.h"
+
+namespace transformesh {
+
+/// The photographs at the most recently requested scale, and steps towards them.
+class Photographs {
+ public:
+  Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
+              const InitialState& initial_state);
+
+  /// Takes the steps of a sweep. The stiffness of the options is multiplied by `stiffness`.
+  PhotoStepsResult sweep(Mesh& mesh, double scale, double loss, double stiffness,
+                         const Progress& progress);
+  /// Measures the surface by a step without movement. Compares pairs of views in one order or in
+  /// both.
+  PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
+  /// Measures the surface at scale 1.
+  SurfaceMeasures measures(const Mesh& mesh, const Progress& progress);
+  /// Returns Disagreement::of_vertex of a surface at a scale. Keeps the views, and the scene of the
+  /// last scale.
+  std::vector<WindowSums> disagreement_at(const Mesh& mesh, double scale, const Progress& progress);
+  int width() const { return width_; }
+  double pixel() const { return pixel_size(views_); }
+
+ private:
+  const PhotoScene& at(double scale);
+  /// Returns SurfaceMeasures::outlines.
+  std::vector<double> outlines(const Mesh& mesh);
+  /// Returns the options with the window radius of the scale and the silhouette weight for its
+  /// pairs.
+  PhotoStepsOptions steps_at(double scale);
+
+  std::vector<View>& views_;
+  int width_;
+  bool spends_views_;
+  PairOptions pairs_;
+  /// Pairs above scale 1, where the surface may be inaccurate. Views that are far apart would
+  /// compare places that the true surface occludes.
+  PairOptions near_pairs_;
+  PhotoStepsOptions steps_;
+  std::optional<double> pull_;
+  bool are_outlines_;  ///< true if silhouettes are outlines of the hull
+  WindowRadii windows_;
+  double scale_ = 0;  ///< scale of `scene_`; 0: none
+  PhotoScene scene_;
+};
+
+}  // namespace transformesh

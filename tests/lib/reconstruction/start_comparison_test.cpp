@@ -1,0 +1,41 @@
+#include "reconstruction/start_comparison.h"
+
+#include <doctest/doctest.h>
+
+using namespace transformesh;
+
+namespace {
+
+SurfaceMeasures measures(double dissimilarity, double second_best,
+                         std::vector<double> outlines = {}) {
+  SurfaceMeasures result;
+  result.windows.dissimilarity = dissimilarity;
+  result.doubt.dissimilarity = second_best;
+  result.outlines = std::move(outlines);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a start stays unless photographs or outlines agree clearly better") {
+  const SurfaceMeasures start = measures(0.2, 0.1, {0.99, 0.98});
+  CHECK(reason_to_keep(start, measures(0.19, 0.096, {0.99, 0.98})).empty());
+  CHECK(reason_to_keep(start, measures(0.19, 0.098, {0.99, 0.98})) ==
+        "photographs agree hardly better on the result");
+  CHECK(reason_to_keep(start, measures(0.19, 0.098, {0.995, 0.981})).empty());
+  CHECK(reason_to_keep(measures(0.2, 0.1), measures(0.2, 0.09)).empty());
+}
+
+TEST_CASE("a result that loses photographs or one outline is not taken, however good the rest") {
+  const SurfaceMeasures start = measures(0.2, 0.1, {0.99, 0.98});
+  CHECK(reason_to_keep(start, measures(0.201, 0.05, {1, 1})) ==
+        "the dissimilarity of the result is 0.2010, that of the start 0.2000");
+  CHECK(reason_to_keep(start, measures(0.1, 0.05, {1, 0.9781})).empty());
+  CHECK(reason_to_keep(start, measures(0.1, 0.05, {1, 0.9779})) ==
+        "the outline of the result agrees with a silhouette by 0.9779, that of the start 0.9800");
+}
+
+TEST_CASE("the mean agreement of outlines is 1 without masks") {
+  CHECK(measures(0, 0).mean_outline() == 1);
+  CHECK(measures(0, 0, {0.5, 1}).mean_outline() == 0.75);
+}
