@@ -23,7 +23,7 @@ string special_text(double value) {
   return string(signbit(value) ? "-" : "") + (isnan(value) ? "nan" : isinf(value) ? "inf" : "0");
 }
 
-/// Of a whole number all digits, also those past the shortest ones.
+/// All digits of a whole number, also those past the shortest ones.
 string whole_text(double magnitude) {
   array<char, 400> text;
   return {text.data(), static_cast<size_t>(snprintf(text.data(), text.size(), "%.0f", magnitude))};

@@ -148,6 +148,8 @@ std::string limit_memory(const std::string& program, std::optional<std::uint64_t
   getrlimit(RLIMIT_DATA, &data);
   data.rlim_cur = std::min<rlim_t>(most, data.rlim_cur);
   if (!has_shadow_memory) setrlimit(RLIMIT_DATA, &data);
+  if (limit && !has_shadow_memory && soft_limit(RLIMIT_DATA) > most)
+    throw UsageError("--max-memory: this system cannot limit the memory of a program");
   const std::string source = inherited < wanted ? "ulimit allows"
                              : limit            ? "--max-memory allows"
                                                 : "there are";

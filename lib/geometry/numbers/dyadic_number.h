@@ -24,6 +24,7 @@ class DyadicNumber {
   }
 
   int sign() const { return digits_.sign(); }
+  friend int sign(const DyadicNumber& number) { return number.sign(); }
 
   friend DyadicNumber operator-(const DyadicNumber& a) { return {-a.digits_, a.exponent_}; }
   friend DyadicNumber operator+(const DyadicNumber& a, const DyadicNumber& b) {

@@ -10,13 +10,14 @@
 
 namespace transformesh {
 
+using ExactNumber =
 #ifdef TM_WITHOUT_GMP
-using ExactNumber = DyadicNumber;
-inline int sign_of(const ExactNumber& number) { return number.sign(); }
+    DyadicNumber;
 #else
-using ExactNumber = CGAL::Mpzf;
-inline int sign_of(const ExactNumber& number) { return static_cast<int>(CGAL::sign(number)); }
+    CGAL::Mpzf;
 #endif
+
+inline int sign_of(const ExactNumber& number) { return static_cast<int>(sign(number)); }
 
 /// Returns the quotient, rounded towards 0.
 double quotient(const ExactNumber& numerator, const ExactNumber& positive_denominator);

@@ -14,7 +14,7 @@ namespace {
 
 using test::Rational;
 
-/// Of magnitudes from denormal to huge, with few or many digits.
+/// A number from denormal to huge, with few or many digits.
 double some_double(test::Random& random) {
   const auto digits = static_cast<double>(random.below(std::uint64_t{1} << (1 + random.below(53))));
   const double size = std::ldexp(digits, static_cast<int>(random.below(1000)) - 560);
@@ -23,7 +23,7 @@ double some_double(test::Random& random) {
 
 int sign_of(const Rational& number) { return number > 0 ? 1 : number < 0 ? -1 : 0; }
 
-/// Of a sum of products, in numbers of any kind.
+/// A sum of products, in numbers of any kind.
 template <class Number>
 Number determinant(double a, double b, double c, double d) {
   return Number(a) * Number(b) - Number(c) * Number(d) + Number(a) * Number(c) * Number(d);
