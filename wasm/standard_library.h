@@ -1,5 +1,5 @@
-/// What the core uses of C++20 and the standard library of Emscripten 3.1.6, libc++ 13, does not
-/// have: included before every source of the WebAssembly build, and nowhere else.
+/// Adds the parts of C++20 that the core uses and that Emscripten 3.1.6 (libc++ 13) lacks. It is
+/// included before every source of the WebAssembly build, and nowhere else.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,8 @@
 #include <thread>
 #include <type_traits>
 #include <utility>
+
+#include "order_of_equals.h"
 
 #if _LIBCPP_VERSION >= 14000
 #error "This libc++ has some of what standard_library.h adds: remove that there."
@@ -58,7 +60,7 @@ struct jthread : thread {
   }
 };
 
-/// As of libstdc++: the shorter notation, the fixed one of equally short ones.
+/// Writes the shorter notation, or the fixed one of equally short ones, as libstdc++ does.
 to_chars_result to_chars(char* first, char* last, double value);
 to_chars_result to_chars(char* first, char* last, float value);
 to_chars_result to_chars(char* first, char* last, double value, chars_format, int precision);
