@@ -120,17 +120,23 @@ template <class Range, class Test>
 bool none_of(Range&& range, Test test) {
   return std::none_of(std::begin(range), std::end(range), test);
 }
-template <class Range, class T>
-auto lower_bound(Range&& range, const T& value) {
-  return std::lower_bound(std::begin(range), std::end(range), value);
+template <class Range, class T, class Compare = std::less<void>, class Projection = as_it_is>
+auto lower_bound(Range&& range, const T& value, Compare compare = {}, Projection projection = {}) {
+  return std::lower_bound(
+      std::begin(range), std::end(range), value,
+      [&](const auto& a, const T& b) { return invoke(compare, invoke(projection, a), b); });
 }
-template <class Range, class T>
-auto upper_bound(Range&& range, const T& value) {
-  return std::upper_bound(std::begin(range), std::end(range), value);
+template <class Range, class T, class Compare = std::less<void>, class Projection = as_it_is>
+auto upper_bound(Range&& range, const T& value, Compare compare = {}, Projection projection = {}) {
+  return std::upper_bound(
+      std::begin(range), std::end(range), value,
+      [&](const T& a, const auto& b) { return invoke(compare, a, invoke(projection, b)); });
 }
-template <class Range, class T>
-bool binary_search(Range&& range, const T& value) {
-  return std::binary_search(std::begin(range), std::end(range), value);
+template <class Range, class T, class Compare = std::less<void>, class Projection = as_it_is>
+bool binary_search(Range&& range, const T& value, Compare compare = {},
+                   Projection projection = {}) {
+  const auto found = ranges::lower_bound(range, value, compare, projection);
+  return found != std::end(range) && !invoke(compare, value, invoke(projection, *found));
 }
 template <class Range>
 auto min_element(Range&& range) {
@@ -143,6 +149,10 @@ auto max_element(Range&& range) {
 template <class Range>
 auto min(Range&& range) {
   return *std::min_element(std::begin(range), std::end(range));
+}
+template <class Range>
+auto max(Range&& range) {
+  return *std::max_element(std::begin(range), std::end(range));
 }
 template <class Range, class Other>
 bool equal(Range&& range, Other&& other) {
