@@ -52,7 +52,7 @@ function writeSome(fd, bytes, offset, length, position) {
   }
 }
 
-function streamFunctions(FS) {
+function streamFunctions(module, FS) {
   const isKnownPosition = (stream, position) => position !== undefined || stream.seekable;
   const at = (stream, position) =>
     isKnownPosition(stream, position) ? position ?? stream.position : null;
@@ -93,6 +93,14 @@ function streamFunctions(FS) {
       if (position === undefined) stream.position += count;
       return count;
     },
+    // A copy: memory of the module cannot be that of a file. Programs map files to read them alone.
+    mmap(stream, address, length, position) {
+      const ptr = module.mmapAlloc(length);
+      readSome(stream.nfd, bytesOf(module.HEAP8), ptr, length, position);
+      return { ptr, allocated: true };
+    },
+    munmap: () => 0,
+    msync: () => 0,
     ftruncate(fd, length) {
       fs.ftruncateSync(FS.streams[fd].nfd, length);
     },
@@ -142,7 +150,8 @@ function pathFunctions(FS) {
 }
 
 /** Replaces the functions of Emscripten's file system, and the three open streams. */
-export function useFilesOfNode(FS) {
+export function useFilesOfNode(module) {
+  const { FS } = module;
   const wrapped = (call) => (...words) => {
     try {
       return call(...words);
@@ -151,7 +160,7 @@ export function useFilesOfNode(FS) {
       throw new FS.ErrnoError(errorNumbers[error.code]);
     }
   };
-  for (const [name, call] of Object.entries({ ...streamFunctions(FS), ...pathFunctions(FS) }))
+  for (const [name, call] of Object.entries({ ...streamFunctions(module, FS), ...pathFunctions(FS) }))
     FS[name] = wrapped(call);
   ['/dev/stdin', '/dev/stdout', '/dev/stderr'].forEach((name, fd) => {
     const isTerminal = tty.isatty(fd);

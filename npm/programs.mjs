@@ -8,7 +8,7 @@ export async function runProgram(name) {
   const module = await instantiate({
     preRun: [({ ENV }) => ENV && Object.assign(ENV, process.env)],
   });
-  useFilesOfNode(module.FS);
+  useFilesOfNode(module);
   try {
     process.exitCode = module.callMain([name, ...process.argv.slice(2)]);
   } catch (error) {
