@@ -42,7 +42,8 @@ class DyadicNumber {
   friend double truncated_quotient(const DyadicNumber& numerator,
                                    const DyadicNumber& positive_denominator) {
     if (numerator.sign() == 0) return 0;
-    Integer above = abs(numerator.digits_), below = positive_denominator.digits_;
+    Integer above = numerator.sign() < 0 ? Integer(-numerator.digits_) : numerator.digits_;
+    Integer below = positive_denominator.digits_;
     const std::int64_t bits =
         static_cast<std::int64_t>(msb(above)) - static_cast<std::int64_t>(msb(below));
     // The quotient of the shifted digits has 64 or 65 bits, which the double is cut from.

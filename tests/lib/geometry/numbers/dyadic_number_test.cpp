@@ -29,6 +29,8 @@ Number determinant(double a, double b, double c, double d) {
   return Number(a) * Number(b) - Number(c) * Number(d) + Number(a) * Number(c) * Number(d);
 }
 
+double third(double number) { return truncated_quotient(DyadicNumber(number), DyadicNumber(3)); }
+
 }  // namespace
 
 TEST_CASE("signs of sums of products are those of rationals") {
@@ -56,14 +58,14 @@ TEST_CASE("quotients are those of GMP to the last bit") {
   }
 }
 
-TEST_CASE("quotients are rounded towards 0, denormal ones too") {
-  const auto third = [](double number) {
-    return truncated_quotient(DyadicNumber(number), DyadicNumber(3));
-  };
+TEST_CASE("quotients are rounded towards 0") {
   CHECK(third(0) == 0);
   CHECK(third(6) == 2);
   CHECK(third(5) == std::nextafter(5.0 / 3, 0));
   CHECK(third(-5) == -std::nextafter(5.0 / 3, 0));
+}
+
+TEST_CASE("denormal quotients are rounded towards 0") {
   CHECK(third(0x1p-1073) == 0);
   CHECK(third(0x1p-1072) == 0x1p-1074);
   CHECK(third(0x5p-1074) == 0x1p-1074);
