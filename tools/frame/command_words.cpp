@@ -1,98 +1,55 @@
 #include "frame/command_words.h"
 
-#include <algorithm>
-#include <cstddef>
+#include <boost/program_options.hpp>
 
 #include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {
 
-[[noreturn]] void throw_missing(const std::string& name) {
-  throw UsageError("--" + name + " needs a value");
+namespace po = boost::program_options;
+
+// Boost's own messages name the option in several ways; ours is always `--name`.
+[[noreturn]] void rethrow_in_words(const po::error_with_option_name& error) {
+  std::string name = error.get_option_name();
+  name.erase(0, name.find_first_not_of('-'));
+  const auto* syntax = dynamic_cast<const po::invalid_syntax*>(&error);
+  if (syntax != nullptr && syntax->kind() == po::invalid_syntax::extra_parameter)
+    throw UsageError("--" + name + " takes no value");
+  throw UsageError((name.size() == 1 ? "-" : "--") + name + " needs a value");
 }
 
-class Splitter {
- public:
-  Splitter(const std::vector<std::string>& arguments, const OptionSet& options)
-      : arguments_(arguments), options_(options) {}
-
-  std::vector<CommandWord> split() {
-    while (next_ < arguments_.size()) take(arguments_[next_++]);
-    return std::move(words_);
+std::vector<po::option> split(const std::vector<std::string>& arguments, const OptionSet& options) {
+  const int style = po::command_line_style::unix_style ^ po::command_line_style::allow_guessing;
+  po::options_description known;
+  for (const Option& option : options)
+    known.add_options()(option.names.c_str(), new po::untyped_value(option.is_flag()));
+  try {
+    po::command_line_parser parser(arguments);
+    return parser.options(known).style(style).allow_unregistered().run().options;
+  } catch (const po::error_with_option_name& error) {
+    rethrow_in_words(error);
+  } catch (const po::error& error) {
+    throw UsageError(error.what());
   }
-
- private:
-  void take(const std::string& word) {
-    if (word == "--") return take_rest();
-    if (word.starts_with("--")) return take_long(word);
-    if (word.size() > 1 && word[0] == '-') return take_short(word);
-    words_.push_back({nullptr, word});
-  }
-
-  void take_rest() {
-    for (; next_ < arguments_.size(); ++next_) words_.push_back({nullptr, arguments_[next_]});
-  }
-
-  void take_long(const std::string& word) {
-    const std::size_t end = word.find('=');
-    const std::string name = word.substr(2, end == std::string::npos ? end : end - 2);
-    if (end + 1 == word.size()) throw_missing(name);
-    const Option* option = with_name(name);
-    if (option == nullptr) return words_.push_back({nullptr, word, true});
-    if (end == std::string::npos) return take_value(*option);
-    if (option->is_flag()) throw UsageError("--" + name + " takes no value");
-    words_.push_back({option, word.substr(end + 1)});
-  }
-
-  // Letters of flags, then perhaps an option whose value is the rest of the word.
-  void take_short(const std::string& word) {
-    for (std::size_t i = 1; i < word.size(); ++i) {
-      const Option* option = with_letter(word[i]);
-      if (option == nullptr) return words_.push_back({nullptr, word, true});
-      if (!option->is_flag() && i + 1 < word.size())
-        return words_.push_back({option, word.substr(i + 1)});
-      take_value(*option);
-    }
-  }
-
-  void take_value(const Option& option) {
-    if (option.is_flag()) return words_.push_back({&option, ""});
-    if (next_ == arguments_.size() || is_known(arguments_[next_])) throw_missing(option.name());
-    words_.push_back({&option, arguments_[next_++]});
-  }
-
-  // `--output --quiet` and `--output -q`: the value was forgotten.
-  bool is_known(const std::string& word) const {
-    if (word.starts_with("--")) return with_name(word.substr(2)) != nullptr;
-    return word.size() == 2 && word[0] == '-' && with_letter(word[1]) != nullptr;
-  }
-
-  const Option* with_name(const std::string& name) const {
-    const auto at = std::find_if(options_.begin(), options_.end(),
-                                 [&](const Option& option) { return option.name() == name; });
-    return at == options_.end() ? nullptr : &*at;
-  }
-
-  const Option* with_letter(char letter) const {
-    const std::string ending{',', letter};
-    const auto at = std::find_if(options_.begin(), options_.end(), [&](const Option& option) {
-      return option.names.ends_with(ending);
-    });
-    return at == options_.end() ? nullptr : &*at;
-  }
-
-  const std::vector<std::string>& arguments_;
-  const OptionSet& options_;
-  std::size_t next_ = 0;
-  std::vector<CommandWord> words_;
-};
+}
 
 }  // namespace
 
 std::vector<CommandWord> split_command(const std::vector<std::string>& arguments,
                                        const OptionSet& options) {
-  return Splitter(arguments, options).split();
+  std::vector<CommandWord> words;
+  for (const po::option& parsed : split(arguments, options)) {
+    if (parsed.unregistered) {
+      words.push_back({nullptr, parsed.original_tokens.at(0), true});
+    } else if (parsed.string_key.empty()) {
+      for (const std::string& word : parsed.value) words.push_back({nullptr, word});
+    } else {
+      words.push_back({options.find(parsed.string_key),
+                       parsed.value.empty() ? std::string() : parsed.value[0]});
+    }
+  }
+  return words;
 }
 
 }  // namespace transformesh::tool

@@ -1,7 +1,8 @@
-/// Splits the words of a command line into options with their values, and other words.
+/// Splits the words of a command line into options with their values, and other words. Boost's
+/// library does so in native builds, and wasm/command_words.cpp does likewise without an archive of
+/// Boost.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -186,6 +186,9 @@ std::vector<std::string> OptionSet::parse(const std::vector<std::string>& argume
       continue;
     }
     Option& option = *find(word.option->name());
+    // `--output --quiet`: the value was forgotten.
+    if (word.text.starts_with("--") && find(word.text) != nullptr)
+      throw UsageError("--" + option.name() + " needs a value");
     try {
       option.assign(word.text);
     } catch (const UsageError&) {
