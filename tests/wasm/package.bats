@@ -31,6 +31,13 @@ setup() {
   [ "$(tm-info --get faces union.ply)" = "$(cat union.faces)" ]
 }
 
+@test "TypeScript accepts all functions, and refuses mistakes" {
+  needs_command tsc
+  npm install --offline --no-audit --no-fund --silent "$built"/transformesh-*.tgz
+  cp "$BATS_TEST_DIRNAME/types.mts" .
+  tsc --noEmit --strict --target es2022 --module nodenext --lib es2022,dom types.mts
+}
+
 @test "the compressed package is smaller than 3 MB" {
   [ "$(stat -c %s "$built"/transformesh-*.tgz)" -lt 3000000 ]
 }
