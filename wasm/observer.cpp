@@ -3,9 +3,8 @@
 
 #include <emscripten.h>
 
-EM_JS(int, call_observer, (const char* phase, int size, double fraction), {
-  return !Module.observe || Module.observe(UTF8ToString(phase, size), fraction);
-});
+EM_JS(int, call_observer, (const char* phase, int size, double fraction),
+      { return !Module.observe || Module.observe(UTF8ToString(phase, size), fraction); });
 
 namespace transformesh::tool {
 

@@ -6,7 +6,8 @@
 
 namespace transformesh::tool {
 
-/// Tells the caller the phase of the run and its fraction. Returns false if the caller ends the run.
+/// Tells the caller the phase of the run and its fraction. Returns false if the caller ends the
+/// run.
 bool may_continue(std::string_view phase, double fraction);
 
 }  // namespace transformesh::tool
