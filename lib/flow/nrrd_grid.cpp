@@ -82,7 +82,7 @@ class NrrdReader {
     for (;;) {
       while (first != last && blanks.find(*first) != std::string_view::npos) ++first;
       if (first == last) break;
-      if (std::string_view(first, last).starts_with("none")) {
+      if (std::string_view(first, static_cast<std::size_t>(last - first)).starts_with("none")) {
         first += 4;
         continue;
       }

@@ -1,6 +1,8 @@
 #include "frame/limits.h"
 
+#ifndef TM_WITHOUT_GMP
 #include <gmp.h>
+#endif
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -36,6 +38,9 @@ const std::string* memory_message = nullptr;
 
 [[noreturn]] void end_without_memory() { end_process_with(*memory_message, exit_memory); }
 
+#ifdef TM_WITHOUT_GMP
+void let_gmp_end_without_memory() {}
+#else
 // Allocates memory for GMP, which would abort at a failure.
 void* allocate(std::size_t size) {
   void* memory = std::malloc(size);
@@ -48,6 +53,9 @@ void* reallocate(void* old, std::size_t /*old_size*/, std::size_t size) {
   return memory;
 }
 void release(void* memory, std::size_t /*size*/) { std::free(memory); }
+
+void let_gmp_end_without_memory() { mp_set_memory_functions(allocate, reallocate, release); }
+#endif
 
 // Handler for exceptions that leave a noexcept function. Only std::bad_alloc is known to do so.
 [[noreturn]] void end_by_exception() {
@@ -141,13 +149,15 @@ std::string limit_memory(const std::string& program, std::optional<std::uint64_t
   getrlimit(RLIMIT_DATA, &data);
   data.rlim_cur = std::min<rlim_t>(most, data.rlim_cur);
   if (!has_shadow_memory) setrlimit(RLIMIT_DATA, &data);
+  if (limit && !has_shadow_memory && soft_limit(RLIMIT_DATA) > most)
+    throw UsageError("--max-memory: this system cannot limit the memory of a program");
   const std::string source = inherited < wanted ? "ulimit allows"
                              : limit            ? "--max-memory allows"
                                                 : "there are";
   std::string reason =
       "out of memory: more is needed than the " + size_text(most) + " that " + source;
   memory_message = new std::string(program + ": " + reason + '\n');
-  mp_set_memory_functions(allocate, reallocate, release);
+  let_gmp_end_without_memory();
   std::set_terminate(end_by_exception);
   return reason;
 }

@@ -1,12 +1,12 @@
 #include "frame/option_set.h"
 
 #include <algorithm>
-#include <boost/program_options.hpp>
 #include <cctype>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
+#include "frame/command_words.h"
 #include "frame/other_programs.h"
 #include "frame/report.h"
 #include "support/error_prefix.h"
@@ -72,8 +72,6 @@ Option& add(std::deque<Option>& options, const std::string& names, const std::st
   return option;
 }
 
-namespace po = boost::program_options;
-
 [[noreturn]] void throw_unknown(const std::string& token, const std::deque<Option>& options) {
   if (token.size() > 1 && (std::isdigit(static_cast<unsigned char>(token[1])) || token[1] == '.')) {
     throw UsageError("unknown option '" + token + "'; if it is no option, write -- before it");
@@ -89,36 +87,6 @@ namespace po = boost::program_options;
                    (is_near(word, nearest) ? "did you mean '--" + nearest + "'?"
                     : other.empty()        ? "--help lists those that there are"
                                            : "see " + other));
-}
-
-[[noreturn]] void throw_missing(const std::string& name) {
-  throw UsageError((name.size() == 1 ? "-" : "--") + name + " needs a value");
-}
-
-// Replaces messages of Boost, which name options in several ways, by messages with `--name`.
-[[noreturn]] void rethrow_in_words(const po::error_with_option_name& error) {
-  std::string name = error.get_option_name();
-  name.erase(0, name.find_first_not_of('-'));
-  const auto* syntax = dynamic_cast<const po::invalid_syntax*>(&error);
-  if (syntax != nullptr && syntax->kind() == po::invalid_syntax::extra_parameter)
-    throw UsageError("--" + name + " takes no value");
-  throw_missing(name);
-}
-
-std::vector<po::option> split(const std::vector<std::string>& arguments,
-                              const std::deque<Option>& options) {
-  const int style = po::command_line_style::unix_style ^ po::command_line_style::allow_guessing;
-  po::options_description known;
-  for (const Option& option : options)
-    known.add_options()(option.names.c_str(), new po::untyped_value(option.is_flag()));
-  try {
-    po::command_line_parser parser(arguments);
-    return parser.options(known).style(style).allow_unregistered().run().options;
-  } catch (const po::error_with_option_name& error) {
-    rethrow_in_words(error);
-  } catch (const po::error& error) {
-    throw UsageError(error.what());
-  }
 }
 
 }  // namespace
@@ -211,18 +179,18 @@ Option* OptionSet::find(const std::string& option) { return found_in(options_, o
 
 std::vector<std::string> OptionSet::parse(const std::vector<std::string>& arguments) {
   std::vector<std::string> others;
-  for (const po::option& parsed : split(arguments, options_)) {
-    if (parsed.unregistered) throw_unknown(parsed.original_tokens.at(0), options_);
-    if (parsed.string_key.empty()) {
-      others.insert(others.end(), parsed.value.begin(), parsed.value.end());
+  for (const CommandWord& word : split_command(arguments, *this)) {
+    if (word.is_unknown) throw_unknown(word.text, options_);
+    if (word.option == nullptr) {
+      others.push_back(word.text);
       continue;
     }
-    Option& option = *find(parsed.string_key);
-    const std::string text = parsed.value.empty() ? "" : parsed.value[0];
+    Option& option = *find(word.option->name());
     // In `--output --quiet` the value is missing.
-    if (text.starts_with("--") && find(text) != nullptr) throw_missing(option.name());
+    if (word.text.starts_with("--") && find(word.text) != nullptr)
+      throw UsageError("--" + option.name() + " needs a value");
     try {
-      option.assign(text);
+      option.assign(word.text);
     } catch (const UsageError&) {
       rethrow_with_prefix("--" + option.name() + ": ");
     }

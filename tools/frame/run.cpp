@@ -1,5 +1,6 @@
 #include "frame/run.h"
 
+#include "frame/observer.h"
 #include "io/streams/output_target.h"
 #include "transformesh/errors.h"
 
@@ -15,7 +16,7 @@ Run::Run(Program& program, Terminal& terminal)
         report_.show_settings();
         phases_.begin(phase);
         if (!program_.is_evolution()) terminal.progress(phase, fraction);
-        return true;
+        return may_continue(phase, fraction);
       }) {}
 
 std::string Run::version() { return TM_VERSION; }

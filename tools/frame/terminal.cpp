@@ -16,6 +16,7 @@
 #include "io/streams/atomic_file.h"
 #include "io/streams/streams.h"
 #include "support/number.h"
+#include "transformesh/errors.h"
 
 namespace transformesh::tool {
 namespace {
@@ -113,7 +114,8 @@ void limit_time(const std::string& program, double seconds) {
   // A timer of 0 would mean no limit.
   timer.it_value.tv_usec =
       std::max<suseconds_t>(1, static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))));
-  setitimer(ITIMER_REAL, &timer, nullptr);
+  if (setitimer(ITIMER_REAL, &timer, nullptr) != 0)
+    throw UsageError("--max-time: this system cannot end a program after a time");
 }
 
 void release_time() {

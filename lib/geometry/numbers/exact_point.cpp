@@ -1,8 +1,6 @@
 #include "geometry/numbers/exact_point.h"
 
-#include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/Mpzf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <type_traits>
 
 #include "geometry/numbers/double_double_ball.h"
+#include "geometry/numbers/exact_number.h"
 #include "geometry/numbers/homogeneous.h"
 #include "geometry/numbers/multiprecision_ball.h"
 #include "geometry/numbers/number_vector.h"
@@ -19,7 +18,7 @@
 namespace transformesh {
 
 /// Exact coordinates; the weight is positive.
-struct ExactCoordinates : HomogeneousPoint<CGAL::Mpzf> {};
+struct ExactCoordinates : HomogeneousPoint<ExactNumber> {};
 
 /// Coordinates with twice the precision of a double, if these can be computed. If magnitudes in the
 /// definition differ strongly, numbers become long and digits are lost. Then balls of homogeneous
@@ -34,11 +33,11 @@ struct PreciseCoordinates {
 struct PreciseNormal {
   NumberVector<DoubleDoubleBall> normal;
 };
-struct ExactPlaneCoordinates : HomogeneousPlane<CGAL::Mpzf> {};
+struct ExactPlaneCoordinates : HomogeneousPlane<ExactNumber> {};
 
 namespace {
 
-using Exact = CGAL::Mpzf;
+using Exact = ExactNumber;
 using Interval = CGAL::Interval_nt<false>;
 template <class Number>
 using Vector = NumberVector<Number>;
@@ -101,7 +100,7 @@ Fraction<Number> three_planes_fraction(const Triangle& f, const Triangle& g, con
 }
 
 ExactCoordinates exact_coordinates(const Fraction<Exact>& fraction) {
-  const bool negative = CGAL::sign(fraction.denominator) == CGAL::NEGATIVE;
+  const bool negative = sign_of(fraction.denominator) < 0;
   ExactCoordinates result;
   result.w = negative ? -fraction.denominator : fraction.denominator;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -194,8 +193,6 @@ int wide_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
   const auto u = static_cast<std::size_t>(p.u), v = static_cast<std::size_t>(p.v);
   return (ab[u] * ac[v] - ab[v] * ac[u]).sign();
 }
-
-int exact_sign(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
 
 bool is_exact(const ExactPoint& point) { return point.radius == Vec3::Zero(); }
 
@@ -446,7 +443,7 @@ int ExactGeometry::homogeneous_sign(const Compute& compute, const Point&... poin
     if (sign == 0) sign = compute(spread<MultiprecisionBall>(points)...).sign();
     if (sign != 0) return sign;
   }
-  return exact_sign(compute(exact(points)...));
+  return sign_of(compute(exact(points)...));
 }
 
 namespace {
@@ -648,22 +645,6 @@ int ExactGeometry::compare(const ExactPoint& a, const ExactPoint& b) const {
   }
   return 0;
 }
-
-namespace {
-
-// Returns the quotient rounded towards 0. The fraction is not reduced, because this would take most
-// of the time.
-double quotient(const Exact& numerator, const Exact& positive_denominator) {
-  const CGAL::Gmpq p(numerator), q(positive_denominator);
-  const CGAL::Gmpz above = p.numerator() * q.denominator();
-  const CGAL::Gmpz below = p.denominator() * q.numerator();
-  mpq_t fraction;
-  *mpq_numref(fraction) = *above.mpz();
-  *mpq_denref(fraction) = *below.mpz();
-  return mpq_get_d(fraction);
-}
-
-}  // namespace
 
 Vec3 ExactGeometry::position(const ExactPoint& point) const {
   if ((point.radius.array() <= epsilon / 2 * point.center.array().abs()).all()) return point.center;

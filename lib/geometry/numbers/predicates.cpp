@@ -1,12 +1,11 @@
 #include "geometry/numbers/predicates.h"
 
-#include <CGAL/Mpzf.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "geometry/numbers/double_double_ball.h"
+#include "geometry/numbers/exact_number.h"
 #include "geometry/numbers/fixed_integer.h"
 #include "geometry/numbers/homogeneous.h"
 #include "geometry/numbers/monomial_sum.h"
@@ -20,7 +19,7 @@
 namespace transformesh {
 namespace {
 
-using Exact = CGAL::Mpzf;
+using Exact = ExactNumber;
 
 // This is twice Shewchuk's machine epsilon, so the bounds hold in any rounding mode.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -35,8 +34,6 @@ int filtered_sign(double determinant, double bound) {
   if (determinant < -bound) return -1;
   return 0;
 }
-
-int sign_of(const Exact& value) { return static_cast<int>(CGAL::sign(value)); }
 
 /// True if determinants of such numbers neither overflow nor underflow as expansions.
 bool is_moderate(const Vec3& p) {

@@ -179,7 +179,7 @@ class VtkReader {
     return false;
   }
 
-  void read_array(const std::string& role, std::uint64_t components) {
+  void read_array(const std::string& role, std::size_t components) {
     VtkArray array{std::string(stream_.raw_word()), role, {}, components, {}};
     stream_.numbers(stream_.word(), rows_ * components, array);
     arrays_->push_back(std::move(array));

@@ -1,0 +1,18 @@
+// A worker that runs one program for run_in_worker.mjs.
+import { load } from './module.mjs';
+import { runHere } from './run.mjs';
+
+const isNode = typeof process === 'object' && typeof process.versions?.node === 'string';
+const port = isNode ? (await import('node:worker_threads')).parentPort : globalThis;
+
+async function answer({ module, job, hasProgress }) {
+  await load(module);
+  const progress = hasProgress ? (...words) => port.postMessage({ progress: words }) : undefined;
+  const result = await runHere(job, progress);
+  port.postMessage({ result }, Object.values(result.files).map((bytes) => bytes.buffer));
+}
+
+port.addEventListener('message', ({ data }) => {
+  answer(data).catch((error) => port.postMessage({ failure: String(error?.message ?? error) }));
+});
+port.postMessage({ isReady: true });
