@@ -19,7 +19,7 @@ struct Extent {
 Extent extent_of(std::span<const Vec3> points);
 
 struct ComponentState {
-  std::set<long> labels;  ///< of its faces
+  std::set<long> labels;  ///< of its faces; new ones, as of caps, have none
   long label = 0;
   long genus = 0;
   double volume = 0;
@@ -27,7 +27,7 @@ struct ComponentState {
   Extent extent;
 };
 
-/// Returns the states in order of the components. `label` is the least label of the faces.
+/// Returns the states in order of the components. `label` is the least label of the faces, or 0.
 std::vector<ComponentState> component_states(const Mesh& mesh, const Components& components);
 
 /// Returns the label of each face; 0 for all if the mesh has no such column.

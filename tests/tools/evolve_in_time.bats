@@ -112,15 +112,15 @@ END
   [[ $stderr != *"volume that could not be restored"* ]]
 }
 
-@test "a body of few faces is remeshed, as the page advises, and keeps its edges with --curved" {
+@test "a body of few faces is remeshed, as the page advises, and keeps its edges" {
   tm-shape box 2 1 0.4 --faces 12 -o base.ply
   tm-shape cylinder 0.3 1 --faces 200 | tm-transform --translate 0.05,0.03,0 -o drill.ply
   tm-boolean difference base.ply drill.ply | tm-remesh --edge 0.1 -o part.ply
-  tm-evolve part.ply -o turned.ply -q --time 1 --time-step 0.02 --integrator rk4 --curved \
+  tm-evolve part.ply -o turned.ply -q --time 1 --time-step 0.02 --integrator rk4 \
     --flow rotation --center 0,0,0
   tm-checkmanifold --closed --intersections turned.ply
   tm-compare --reference part.ply turned.ply >distances
-  # A twentieth of the longest edge, as collapses on curves may move the surface; without --curved .06.
+  # A twentieth of the longest edge, as collapses on curves may move the surface; with --smooth tangential .06.
   awk '/^hausdorff:/ { exit !($2 < 0.0085) }' distances
 }
 

@@ -37,13 +37,14 @@ void check_step(const EvolveChoices& choices, const Program& program) {
 }
 
 /// In time and on curves, vertices that the motion carried stay where they are unless --smooth is
-/// given.
+/// given. In time the surface is remeshed on curves unless it is smoothed.
 RemeshOptions remeshing_of(const EvolveChoices& choices, Run& run) {
   RemeshOptions options;
-  options.curved = choices.curved;
-  if (choices.curved) options.flip = FlipRule::angle;
   const std::string usual = choices.is_in_time() || choices.curved ? "none" : "0.1";
   read_smoothing(choices.smooth.empty() ? usual : choices.smooth, options);
+  const bool is_smoothed = options.smoothing != Smoothing::none;
+  options.curved = choices.curved || (choices.is_in_time() && !is_smoothed);
+  if (options.curved) options.flip = FlipRule::angle;
   if (choices.min_film) options.min_film = run.length(*choices.min_film);
   if (choices.pinch) options.pinch = run.length(*choices.pinch);
   return options;
@@ -70,7 +71,8 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
   program.options.flag("keep-cavities", &choices.keep_cavities,
                        "keep cavities and what is inside of them, which are filled otherwise");
   program.options.flag("curved", &choices.curved,
-                       "remesh on curves, as tm-remesh --curved: keeps smooth shapes and creases");
+                       "remesh on curves, as tm-remesh --curved: keeps smooth shapes and creases "
+                       "(with --time the default unless --smooth is given)");
   program.options.length("min-film", &choices.min_film, "keep films thicker than this");
   program.options.length("pinch", &choices.pinch,
                          "cut and cap necks and handles that a loop up to this long goes around");

@@ -11,7 +11,8 @@ namespace transformesh {
 /// Returns the options with the reference edge of the mesh if they have none.
 IterationOptions completed(IterationOptions options, const Mesh& mesh);
 
-/// Runs remesh() and rounds as written. `opposites` are those of the halfedges, or empty.
+/// Runs remesh() without pinching and rounds as written. `opposites` are those of the halfedges, or
+/// empty.
 RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
                              const Progress& progress = Progress(),
                              std::vector<Index> opposites = {});
