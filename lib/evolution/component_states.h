@@ -19,7 +19,7 @@ struct Extent {
 Extent extent_of(std::span<const Vec3> points);
 
 struct ComponentState {
-  std::set<long> labels;  ///< of its faces; new ones, as of caps, have none
+  std::set<long> labels;  ///< labels of its faces; new faces, as in caps, have none
   long label = 0;
   long genus = 0;
   double volume = 0;
