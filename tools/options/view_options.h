@@ -19,7 +19,7 @@ struct SilhouetteOptions {
   std::string threshold = "auto";
   double blur = ThresholdOptions().blur;
   double close = ThresholdOptions().close;
-  std::string masks;  ///< folder to write to
+  std::string masks;  ///< output folder for masks
 };
 
 struct ViewCheckChoices {
