@@ -109,8 +109,8 @@ void OperandParts::find_components() {
     if (component_of_[f] == no_index) collect_component(f);
 }
 
-// Collects faces with the same three points. Meetings list only the first of them, and never a pair
-// of them.
+// Collects groups of faces with the same three points. Meetings contain only the first face of each
+// group, so that two faces of a group are never listed as a pair.
 void OperandParts::find_copies() {
   for (Index f = 0; f < welded_.faces.size(); ++f) {
     const Index first = welded_.first_copy[f];

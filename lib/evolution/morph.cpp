@@ -84,7 +84,7 @@ class MorphingLoop : public Loop {
   const MorphGoal goal_;
   MorphResult result_;
 
-  // The last iteration.
+  // Data of the last iteration.
   int scale_ = 0;
   MorphStepResult step_;
   IterationResult last_;

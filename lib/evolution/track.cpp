@@ -59,7 +59,7 @@ class TrackingLoop : public Loop {
   std::size_t iterations_;
   TrackResult result_;
 
-  // The last frame.
+  // Data of the last frame.
   std::string name_;
   MorphResult morphed_;
   bool was_tried_again_ = false;

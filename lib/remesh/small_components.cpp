@@ -44,7 +44,8 @@ class ComponentWalk {
   }
 
  private:
-  /// Returns false if a neighbor was reached by an earlier walk, which then found a long edge.
+  /// Measures the face and adds its unvisited neighbors to faces_. Returns false if a neighbor was
+  /// reached by an earlier walk, which then found a long edge.
   bool visit(Index face, const Vec3& origin) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       const Index opposite = mesh_.opposite(h);

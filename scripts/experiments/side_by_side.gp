@@ -1,4 +1,5 @@
-# Photographs above, the surface from the same cameras below: those that pairs.txt names, every other.
+# Draws photographs, and below them the surface from the same cameras, for every other pair of files in
+# pairs.txt.
 photographs = system("awk 'NR % 2 == 1 { printf \"%s \", $1 }' pairs.txt")
 renders = system("awk 'NR % 2 == 1 { printf \"%s \", $2 }' pairs.txt")
 columns = words(photographs) / 2

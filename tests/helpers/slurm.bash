@@ -1,7 +1,8 @@
 # Runs Slurm on one node for a test: munged, slurmctld and slurmd as root, with all their files in
 # one folder. stop_slurm stops exactly these processes.
 
-# start_slurm FOLDER: starts them. Skips the test, with the reason, if that is not possible.
+# start_slurm FOLDER: starts Slurm with its files in the folder. Skips the test, with the reason, if
+# Slurm cannot be started.
 start_slurm() {
   local command
   for command in sbatch slurmctld slurmd munged; do

@@ -21,7 +21,7 @@ inline void note_dropped_lists(const std::vector<std::string>& names, Run& run) 
 inline constexpr const char* source_of_step = "; --source writes those of this step";
 inline constexpr const char* closest_places = "; tm-carry --closest finds the closest places";
 
-/// `remedy` ends the sentence.
+/// Notes, if `are_dropped`, that the source columns were removed. `remedy` ends the sentence.
 inline void note_dropped_sources(bool are_dropped, const std::string& remedy, Run& run) {
   if (are_dropped)
     run.note(

@@ -60,7 +60,7 @@ class Outputs {
   void stage_all();
   /// Writes another file under a temporary name.
   void stage(const std::string& path, std::string bytes);
-  /// Gives all files their names.
+  /// Renames all temporary files to their final names.
   void commit();
   /// Returns the numbers of vertices and faces of the written mesh; empty if there is none.
   const Entries& counts() const { return counts_; }

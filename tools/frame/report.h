@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 /// separators.
 std::string text_of(const Value& value, const std::string& separator = " ");
 
-/// Returns a value as JSON. Lengths become text.
+/// Returns a value as JSON. Lengths become text such as "0.7x", with their unit.
 Json json_of(const Value& value);
 Json object_of(const Entries& entries);
 

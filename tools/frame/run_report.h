@@ -18,7 +18,8 @@ class RunReport {
   void show_settings();
   /// Prints the entries with -v, unless they are the output.
   void show_entries() const;
-  /// True if entries are shown anywhere although the program's output is not a report.
+  /// True if the entries of a program whose output is a mesh are shown: with -v or --report.
+  /// Programs may skip the computation of further entries otherwise.
   bool is_shown() const { return messages_.are_detailed() || !program_.common.report.empty(); }
 
   /// Returns the report as the main output: lines, JSON with --json, or a single entry.

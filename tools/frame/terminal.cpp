@@ -70,7 +70,8 @@ void draw_bar(const std::string& text) {
 }  // namespace
 
 void prepare_streams_and_signals() {
-  // Reading from stdin and writing to stdout and stderr must still fail.
+  // Opens closed standard descriptors, so that no other file gets their numbers. Their mode is the
+  // wrong one, so that reading from stdin and writing to stdout and stderr still fail.
   const std::array<int, 3> useless_mode = {O_WRONLY, O_RDONLY, O_RDONLY};
   for (int descriptor = 0; descriptor < 3; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) != -1) continue;

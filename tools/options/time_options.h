@@ -35,7 +35,7 @@ void check_time(const TimeChoices& choices);
 /// Returns the factor in --time-step for an evolution without --time. Throws UsageError for `auto`.
 double time_factor(const TimeChoices& choices);
 
-/// Resolves lengths for the mesh of the run. Throws UsageError for a span that is no number.
+/// Resolves lengths for the mesh of the run. Throws UsageError if a span is not a number.
 TimeOptions time_options_of(const TimeChoices& choices, Run& run);
 
 /// Returns the named motion. Flow::counts is set only for flows. `iteration` returns the number of

@@ -16,7 +16,8 @@ Matrix4 matrix_of(const std::vector<double>& numbers) {
   return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
 }
 
-/// Every time that the option is given, its value becomes a step.
+/// Makes the option add a step each time it is given: the matrix that `make` returns after the
+/// value is assigned.
 void in_order(Option& option, TransformChoices& choices, const std::function<Matrix4()>& make) {
   option.affects_result = false;
   option.assign = [&choices, make, assign = option.assign](const std::string& text) {
@@ -35,7 +36,7 @@ void in_order_of_box(Option& option, TransformChoices& choices, Matrix4 (*make)(
   };
 }
 
-/// x, y or z is the plane across that axis through the origin.
+/// Lets --mirror accept x, y or z for the plane through the origin perpendicular to that axis.
 void take_axes(Option& mirror) {
   mirror.placeholder = "x|y|z|A,B,C,D";
   mirror.assign = [numbers = mirror.assign](const std::string& text) {
@@ -47,7 +48,8 @@ void take_axes(Option& mirror) {
   };
 }
 
-/// What is no list of numbers is the name of a file, which is read when its turn comes.
+/// Lets --matrix accept a file name if the value is not a list of numbers. The file is read when
+/// the step is executed.
 void take_files(Option& matrix, TransformChoices& choices) {
   matrix.placeholder = "A11,...,A44|FILE";
   matrix.assign = [&choices, numbers = matrix.assign](const std::string& text) {
@@ -60,7 +62,8 @@ void take_files(Option& matrix, TransformChoices& choices) {
   };
 }
 
-/// The matrix that a change of units is. Throws InputError if the unit is not known.
+/// Returns the scaling from the mesh's unit, or that of --from, to the unit of --to. Throws
+/// InputError if the mesh states no unit and --from is not given.
 Matrix4 change_of_unit(const TransformChoices& c, const Document& document) {
   const Unit* from = c.from.empty() ? unit_of(document) : find_unit(c.from);
   if (from == nullptr) throw InputError("the mesh states no unit: name it with --from");

@@ -14,11 +14,12 @@ struct TransformChoices {
   std::vector<double> translate, rotate, scale, scales, mirror, matrix;
   std::string from, to;  ///< units; empty: that of the mesh, and none
   bool center = false, unit_box = false;
-  /// In the order of the command line: the next matrix, given the product of those before.
+  /// Steps in the order of the command line. Each returns its matrix, given the product of the
+  /// matrices before.
   std::vector<std::function<Matrix4(Run&, const Matrix4&)>> steps;
 };
 
-/// The program keeps references to the choices.
+/// Declares the options. The program keeps references to the choices.
 void declare_transforms(Program& program, TransformChoices& choices);
 
 }  // namespace transformesh::tool

@@ -1,4 +1,4 @@
-/// The options by which programs name silhouettes, and how silhouettes come out of photographs.
+/// Options for views and their silhouettes, which are read from masks or computed from photographs.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct SilhouetteOptions {
   std::string threshold = "auto";
   double blur = ThresholdOptions().blur;
   double close = ThresholdOptions().close;
-  std::string masks;  ///< folder to write to
+  std::string masks;  ///< output folder for masks
 };
 
 struct ViewCheckChoices {
@@ -27,25 +27,28 @@ struct ViewCheckChoices {
   bool drops_bad_views = false;
 };
 
-/// --least-agreement, --drop-bad-views and, for the cameras, --mirror.
+/// Declares --least-agreement, --drop-bad-views and --mirror.
 void declare_view_check(Program& program, ViewCheckChoices& choices, ViewSources& sources);
 
-/// Looks whether the views agree, and tells which are left out.
-/// Throws what check_views throws.
+/// Checks whether the views agree, removes bad views if the choices say so, and notes each of them.
+/// Throws the errors of check_views() of view_check.h.
 ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices, Run& run);
 
-/// --cameras, --silhouettes, --images, --threshold, --blur, --close and --write-silhouettes.
+/// Declares --cameras, --silhouettes, --images, --threshold, --blur, --close and
+/// --write-silhouettes.
 void declare_silhouettes(Program& program, SilhouetteOptions& options);
 
-/// The views with silhouettes: those of the masks, else those of the photographs. Writes them where
-/// that was asked for. Throws UsageError unless there is either, and what views_from throws.
+/// Returns the views with silhouettes, from masks or from photographs. Writes the silhouettes if a
+/// folder is given. Throws UsageError unless exactly one of the two sources is given, and the
+/// errors of views_from().
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run);
 
-/// The value of --threshold, none for auto, and of --keep. Throw UsageError for anything else.
+/// Parse --threshold (empty for `auto`) and --keep (1 for `largest`, 0 for `all`). Throw UsageError
+/// for other texts.
 std::optional<double> threshold_intensity(const std::string& threshold);
 double hull_share(const std::string& keep);
 
-/// Writes what the mesh covers in each view, which has a silhouette, to NAME.png in the folder.
+/// Writes the silhouette of the mesh in each view to NAME.png in the folder.
 void write_outlines(const Mesh& mesh, const std::vector<View>& views, const std::string& folder,
                     Run& run);
 

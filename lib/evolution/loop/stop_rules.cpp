@@ -11,10 +11,10 @@ constexpr double improvement = 0.99;
 /// are wasted at the end of every stalled morph.
 constexpr std::size_t patience = 20;
 
-/// The same limit if no vertex moves any more, so that further iterations change little.
+/// Patience if no vertex moves any more, so that further iterations change little.
 constexpr std::size_t patience_at_rest = 3;
 
-/// The same limit at coarse scales, where stalling only means that finer edges are needed.
+/// Patience at coarse scales, where stalling only means that finer edges are needed.
 constexpr std::size_t coarse_patience = 5;
 
 /// Least number of iterations from one comparison with the target to the next. A comparison takes

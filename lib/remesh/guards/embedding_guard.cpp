@@ -263,8 +263,8 @@ bool EmbeddingGuard::meets_box(const Triangle& triangle) const {
          (highest(triangle).array() >= low_.array()).all();
 }
 
-/// Fills near_ with the faces whose bounding boxes meet that of both patches, without the replaced
-/// faces.
+/// Fills near_ with the faces that are not replaced and whose bounding boxes meet the box of
+/// enclose().
 void EmbeddingGuard::find_faces_near(const Patch& patch) {
   near_.clear();
   ++stamp_now_;

@@ -16,7 +16,7 @@ namespace transformesh {
 /// A set of directions, with one bit for each direction from the center of a cube to a side, an
 /// edge or a corner.
 using NormalCone = std::uint32_t;
-/// The cone of an empty part.
+/// The set of all directions: the cone of a part of the surface without faces.
 inline constexpr NormalCone all_directions = 0x1fff1fff;
 
 /// Returns the normal of a triangle (normal_of), or zero if rounding errors may rotate it by more

@@ -101,7 +101,7 @@ class VertexCells {
   double cell_size_;
   Vec3 origin_ = Vec3::Zero();
   std::vector<Cell> cells_;
-  std::vector<CellsAround> around_;  ///< per cell
+  std::vector<CellsAround> around_;  ///< per cell: the cell and its existing neighbors
   std::vector<Index> table_;         ///< hash table with open addressing; no_index if empty
   std::vector<Vertex> vertices_;     ///< per vertex
 };
