@@ -39,8 +39,7 @@ std::vector<double> returning(const std::vector<WindowSums>& of_result,
   std::vector<double> shares;
   for (std::size_t v = 0; v < of_result.size(); ++v) {
     const bool is_comparable = of_result[v].weight > 0 && of_start[v].weight > 0;
-    const bool is_better =
-        is_clearly_less(of_result[v].dissimilarity(), of_start[v].dissimilarity());
+    const bool is_better = is_clearly_less(of_result[v].excess(), of_start[v].excess());
     shares.push_back(is_comparable && !is_better ? 1 : 0);
   }
   return shares;

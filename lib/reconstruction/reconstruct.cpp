@@ -299,7 +299,7 @@ SurfaceMeasures ReconstructionLoop::best_of(const SurfaceMeasures& start, Surfac
   round_as_written(restored);
   if (share > 0 && clean_in_place(restored, progress).topology == result_.topology) {
     SurfaceMeasures measures = photographs_.measures(restored.mesh, progress);
-    if (!is_clearly_less(end.doubt.dissimilarity, measures.doubt.dissimilarity)) {
+    if (!is_clearly_less(end.doubt.disagreement, measures.doubt.disagreement)) {
       document = std::move(restored);
       end = std::move(measures);
       result_.restored = share;

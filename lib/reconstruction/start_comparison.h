@@ -25,14 +25,14 @@ struct SurfaceMeasures {
   double mean_outline() const;
 };
 
-/// True if the dissimilarity of second best comparisons is lower by at least 3 %.
+/// True if a disagreement beyond noise (WindowSums::excess) is lower by at least a fifth.
 bool is_clearly_less(double of_result, double of_start);
 
 /// Returns the reason why the start is kept, as a sentence, or "" if the result replaces the start.
 /// The start is kept if the result has a larger dissimilarity, or if the outline of the result
 /// agrees by more than 0.002 less with a mask. The start is also kept if neither evidence improves
-/// clearly: the dissimilarity of second best comparisons (disagreement.h), by is_clearly_less(),
-/// and the mean agreement of outlines, by more than 0.002.
+/// clearly: the disagreement beyond noise, by is_clearly_less(), and the mean agreement of
+/// outlines, by more than 0.002.
 std::string reason_to_keep(const SurfaceMeasures& start, const SurfaceMeasures& result);
 
 }  // namespace transformesh

@@ -109,7 +109,6 @@ SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double lea
   const Disagreement found = disagreement(mesh, scene, least_cosine, options, progress);
   SurfaceDoubt doubt;
   doubt.disagreement = found.all.excess();
-  doubt.dissimilarity = found.all.dissimilarity();
   doubt.floor = found.all.mean_floor();
 
   const UniformLaplacian laplacian(mesh);

@@ -24,7 +24,6 @@ struct SurfaceDoubt {
   std::vector<DoubtfulPlace> places;  ///< areas of at least 25 squared pixels, the largest first
   double share = 0;                   ///< area of the places, as a fraction of the visible area
   double disagreement = 0;            ///< WindowSums::excess of all windows
-  double dissimilarity = 0;           ///< of all windows, with their second best comparisons
   double floor = 0;                   ///< mean dissimilarity that noise explains
 };
 

@@ -40,8 +40,8 @@ TEST_CASE("the result stays where it is clearly better, unobserved, or far from 
     return restore_better_parts(mesh, halves(mesh, of_result, of_result),
                                 {start, halves(start, of_start, of_start)}, reach);
   };
-  CHECK(restored(0.096, 0.1, 0.1) == 0);
-  CHECK(restored(0.098, 0.1, 0.1) == 1);
+  CHECK(restored(0.079, 0.1, 0.1) == 0);
+  CHECK(restored(0.081, 0.1, 0.1) == 1);
   CHECK(restored(0.2, 0.1, 0.01) == 0);
   Mesh mesh = result;
   const std::vector<WindowSums> unseen(mesh.positions.size());

@@ -6,11 +6,11 @@ using namespace transformesh;
 
 namespace {
 
-SurfaceMeasures measures(double dissimilarity, double second_best,
+SurfaceMeasures measures(double dissimilarity, double disagreement,
                          std::vector<double> outlines = {}) {
   SurfaceMeasures result;
   result.windows.dissimilarity = dissimilarity;
-  result.doubt.dissimilarity = second_best;
+  result.doubt.disagreement = disagreement;
   result.outlines = std::move(outlines);
   return result;
 }
@@ -19,11 +19,11 @@ SurfaceMeasures measures(double dissimilarity, double second_best,
 
 TEST_CASE("a start stays unless photographs or outlines agree clearly better") {
   const SurfaceMeasures start = measures(0.2, 0.1, {0.99, 0.98});
-  CHECK(reason_to_keep(start, measures(0.19, 0.096, {0.99, 0.98})).empty());
-  CHECK(reason_to_keep(start, measures(0.19, 0.098, {0.99, 0.98})) ==
+  CHECK(reason_to_keep(start, measures(0.19, 0.079, {0.99, 0.98})).empty());
+  CHECK(reason_to_keep(start, measures(0.19, 0.081, {0.99, 0.98})) ==
         "photographs agree hardly better on the result");
-  CHECK(reason_to_keep(start, measures(0.19, 0.098, {0.995, 0.981})).empty());
-  CHECK(reason_to_keep(measures(0.2, 0.1), measures(0.2, 0.09)).empty());
+  CHECK(reason_to_keep(start, measures(0.19, 0.081, {0.995, 0.981})).empty());
+  CHECK(reason_to_keep(measures(0.2, 0.1), measures(0.2, 0.07)).empty());
 }
 
 TEST_CASE("a result that loses photographs or one outline is not taken, however good the rest") {
