@@ -33,7 +33,7 @@ struct IterationOptions {
   RemeshOptions remesh = smoothed_by(0.1);  ///< lengths and type of coordinates are not used
   bool outermost = true;                    ///< CleanOptions::outermost
   bool expects_changes = false;  ///< clean() probably changes the mesh; affects only the speed
-  /// Called if clean() changed the mesh, before `outermost` drops components; may change columns.
+  /// Called if clean() changed the mesh, before `outermost` drops components, and after pinching.
   std::function<void(const Mesh& before, Mesh& cleaned)> on_cleaned = {};
 };
 

@@ -25,13 +25,13 @@ std::vector<ComponentState> component_states(const Mesh& mesh, const Components&
   std::vector<char> is_counted(mesh.positions.size(), 0);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const Index component = components.of_face[f];
-    states[component].labels.insert(labels[f]);
+    if (labels[f] != 0) states[component].labels.insert(labels[f]);
     for (const Index v : mesh.faces[f])
       if (!std::exchange(is_counted[v], 1)) points[component].push_back(mesh.positions[v]);
   }
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Component& component = components.components[i];
-    states[i].label = *states[i].labels.begin();
+    if (!states[i].labels.empty()) states[i].label = *states[i].labels.begin();
     states[i].genus = component.genus();
     states[i].volume = component.volume;
     states[i].is_cavity = component.boundary_loops == 0 && component.volume < 0;

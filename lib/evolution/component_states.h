@@ -19,7 +19,7 @@ struct Extent {
 Extent extent_of(std::span<const Vec3> points);
 
 struct ComponentState {
-  std::set<long> labels;  ///< labels of its faces, from before the last change
+  std::set<long> labels;  ///< labels of its faces from before the last change; new faces have none
   long label = 0;         ///< label of the component
   long genus = 0;
   double volume = 0;
@@ -27,7 +27,8 @@ struct ComponentState {
   Extent extent;
 };
 
-/// Returns the states in order of the components. `label` is the least label of the faces.
+/// Returns the states in order of the components. `label` is the least label of the faces, or 0 if
+/// no face has one.
 std::vector<ComponentState> component_states(const Mesh& mesh, const Components& components);
 
 /// Returns the label of each face; 0 for all if the mesh has no such column.

@@ -9,6 +9,7 @@
 #include "evolution/loop/stopwatch.h"
 #include "io/document/round_as_written.h"
 #include "io/length_basis.h"
+#include "remesh/pinch.h"
 #include "remesh/remesh_connected.h"
 #include "support/counted.h"
 #include "support/parallel.h"
@@ -35,6 +36,7 @@ RemeshOptions remesh_options(const Document& document, const IterationOptions& o
   RemeshOptions result = options.remesh;
   result.min_edge = resolved({options.edge_factor * options.min_edge.value, options.min_edge.unit});
   result.max_edge = resolved({options.edge_factor * options.max_edge.value, options.max_edge.unit});
+  result.pinch = 0;
   result.coordinate = document.style.coordinate;
   return result;
 }
@@ -91,8 +93,9 @@ class CleanAndRemesh {
 
   void run() {
     RemeshResult remeshed;
-    if (allowed_thread_count() == 1 || options_.expects_changes) {
+    if (allowed_thread_count() == 1 || options_.expects_changes || options_.remesh.pinch > 0) {
       clean();
+      pinch();
       remeshed = remesh();
     } else {
       remeshed = run_both();
@@ -100,7 +103,6 @@ class CleanAndRemesh {
     result_.seconds_remesh = watch_.lap();
     result_.topology = {cleaned_.topology.components - remeshed.components_removed.count,
                         cleaned_.topology.genus};
-    if (remeshed.pinched > 0) result_.topology = topology_of(connected_components(document_.mesh));
     result_.faces = document_.mesh.faces.size();
   }
 
@@ -110,6 +112,19 @@ class CleanAndRemesh {
     result_.pairs = cleaned_.pairs;
     result_.was_cleaned = cleaned_.changed;
     result_.seconds_clean = watch_.lap();
+  }
+  /// Cuts thin parts. This is separate from remeshing, so that `on_cleaned` is called for the
+  /// change.
+  void pinch() {
+    if (options_.remesh.pinch == 0) return;
+    Mesh before;
+    if (options_.on_cleaned) before = document_.mesh;
+    const PinchResult pinched = transformesh::pinch(document_.mesh, options_.remesh.pinch,
+                                                    document_.style.coordinate, progress_);
+    if (pinched.cut == 0) return;
+    cleaned_.opposites.clear();
+    if (options_.on_cleaned) options_.on_cleaned(before, document_.mesh);
+    cleaned_.topology = topology_of(connected_components(document_.mesh));
   }
   RemeshResult remesh() {
     return remesh_in_place(document_, options_, progress_, std::move(cleaned_.opposites));

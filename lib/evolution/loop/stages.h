@@ -11,8 +11,8 @@ namespace transformesh {
 /// Returns the options. If their reference edge is 0, it is set to that of the mesh.
 IterationOptions completed(IterationOptions options, const Mesh& mesh);
 
-/// Runs remesh() and rounds as written. `opposites` are the opposite halfedges, or empty if
-/// unknown.
+/// Runs remesh() without pinching, and rounds as written. `opposites` are the opposite halfedges,
+/// or empty if unknown.
 RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
                              const Progress& progress = Progress(),
                              std::vector<Index> opposites = {});

@@ -6,11 +6,14 @@
 #include <set>
 
 #include "evolution/loop/event_row.h"
+#include "helpers/revolution_flow.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "transformesh/boolean.h"
 #include "transformesh/evolve_in_time.h"
+#include "transformesh/flow.h"
 #include "transformesh/measure.h"
+#include "transformesh/shapes.h"
 #include "transformesh/velocity.h"
 
 using namespace transformesh;
@@ -34,6 +37,26 @@ std::vector<Event> events_of(Mesh& mesh, const VectorField& velocity, double end
   TimeOptions time = steps;
   time.end = end;
   return evolve_in_time(mesh, {velocity}, time, options).evolution.events;
+}
+
+/// Events of mean-curvature flow, in which loops of up to `pinch` are cut.
+std::vector<Event> curvature_events(Mesh& mesh, double end, double pinch) {
+  EvolveOptions options;
+  options.iteration.remesh = RemeshOptions();
+  options.iteration.remesh.smoothing = Smoothing::none;
+  options.iteration.remesh.curved = true;
+  options.iteration.remesh.pinch = pinch;
+  options.finds_events = true;
+  TimeOptions time;
+  time.end = end;
+  return evolve_in_time(mesh, make_flow("mean-curvature").motion, time, options).evolution.events;
+}
+
+/// Time that a neck lasts whose radius is 1.4 edges: r(t)^2 = r(0)^2 - 2 t. Fewer edges than about
+/// ten around a neck do not resolve its flow.
+double neck_time(const Mesh& mesh) {
+  const double edge = edge_lengths(mesh).mean;
+  return edge * edge;
 }
 
 std::string kinds(const std::vector<Event>& events) {
@@ -124,6 +147,37 @@ TEST_CASE("a dumbbell whose neck is pinched splits once, at the neck") {
   CHECK(event.after[1].label == 2);
   CHECK(event.after[0].volume > event.after[1].volume);
   CHECK(labels_of(mesh) == std::set<long>{1, 2});
+}
+
+TEST_CASE("by curvature a dumbbell pinches when the one-dimensional solver says, once") {
+  ShapeOptions shape;
+  shape.kind = "dumbbell";
+  shape.neck = 0.15;
+  shape.faces = 4000;
+  Mesh mesh = make_shape(shape);
+  const double expected = test::pinch_time(test::dumbbell_profile(0.15, 401));
+  const auto events = curvature_events(mesh, 1.3 * expected, 0.2);
+  REQUIRE(kinds(events) == "split");
+  MESSAGE("pinched at ", events.front().time, ", expected at ", expected);
+  CHECK(std::abs(events.front().time - expected) < neck_time(mesh));
+  CHECK(events.front().place.norm() < edge_lengths(mesh).mean);
+  CHECK(events.front().after.size() == 2);
+  CHECK(labels_of(mesh) == std::set<long>{1, 2});
+}
+
+TEST_CASE("by curvature the hole of a thick torus closes when the one-dimensional solver says") {
+  ShapeOptions shape;
+  shape.kind = "torus";
+  shape.radius = 1;
+  shape.tube = 0.75;
+  shape.faces = 4000;
+  Mesh mesh = make_shape(shape);
+  const double expected = test::pinch_time(test::torus_profile(1, 0.75, 400));
+  const auto events = curvature_events(mesh, 1.3 * expected, 0.2);
+  REQUIRE(kinds(events) == "handle closed");
+  MESSAGE("closed at ", events.front().time, ", expected at ", expected);
+  CHECK(std::abs(events.front().time - expected) < neck_time(mesh));
+  CHECK(events.front().place.norm() < edge_lengths(mesh).mean);
 }
 
 TEST_CASE("the hole of a torus closes once, in its middle") {

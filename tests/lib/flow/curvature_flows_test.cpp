@@ -67,17 +67,40 @@ double shortest_edge(const Mesh& mesh) { return edge_lengths(mesh).minimum; }
 }  // namespace
 
 TEST_CASE("under mean-curvature flow a sphere has r^2 = r0^2 - 4 t, and the error converges") {
-  const double coarse = sphere_error(1250, 250), fine = sphere_error(5000, 1000);
+  const double coarse = sphere_error(1250, 40), fine = sphere_error(5000, 80);
   MESSAGE("errors of r^2: ", coarse, " ", fine);
-  CHECK(fine < 0.01);
-  CHECK(fine < 0.4 * coarse);
+  CHECK(fine < 0.001);
+  CHECK(fine < 0.3 * coarse);
+}
+
+TEST_CASE("steps of flows by curvature are of second order in their span") {
+  const auto end = [](const char* name, double duration, int steps) {
+    Mesh mesh = ellipsoid(0.7, 1, 2);
+    advance(mesh, name, duration, steps);
+    return mesh.positions;
+  };
+  const auto difference = [](const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double sum = 0;
+    for (std::size_t v = 0; v < a.size(); ++v) sum += (a[v] - b[v]).squaredNorm();
+    return std::sqrt(sum);
+  };
+  const auto check = [&](const char* name, double duration) {
+    const auto coarse = end(name, duration, 64), middle = end(name, duration, 128),
+               fine = end(name, duration, 256);
+    const double order = std::log2(difference(coarse, middle) / difference(middle, fine));
+    MESSAGE(std::string(name), ": order ", order);
+    CHECK(order > 1.8);
+  };
+  check("mean-curvature", 0.05);
+  check("volume-preserving-curvature", 0.05);
+  check("surface-diffusion", 0.002);
 }
 
 TEST_CASE("the axes of an ellipsoid agree with the one-dimensional solver at all times") {
   Mesh mesh = ellipsoid(0.5, 1, 4);
   test::RevolutionFlow profile(test::ellipsoid_profile(0.5, 1, 201));
   for (int i = 1; i <= 3; ++i) {
-    advance(mesh, "mean-curvature", 0.02, 200);
+    advance(mesh, "mean-curvature", 0.02, 20);
     profile.advance_to(0.02 * i);
     const Box box = bounding_box(mesh);
     MESSAGE("axes ", box.max().x(), " ", box.max().z(), " and ",
@@ -91,7 +114,7 @@ TEST_CASE("volumes and necks of a ring and a dumbbell agree with the one-dimensi
   Mesh ring = test::torus(1, 0.4, 80, 40);
   test::RevolutionFlow profile(test::torus_profile(1, 0.4, 200));
   for (int i = 1; i <= 3; ++i) {
-    advance(ring, "mean-curvature", 0.02, 200);
+    advance(ring, "mean-curvature", 0.02, 20);
     profile.advance_to(0.02 * i);
     MESSAGE("volumes ", volume_of(ring), " and ", profile.volume());
     CHECK(volume_of(ring) == Approx(profile.volume()).epsilon(0.01));
@@ -103,7 +126,7 @@ TEST_CASE("volumes and necks of a ring and a dumbbell agree with the one-dimensi
   options.faces = 5000;
   Mesh dumbbell = make_shape(options);
   test::RevolutionFlow neck(test::dumbbell_profile(0.25, 401));
-  advance(dumbbell, "mean-curvature", 0.03, 300);
+  advance(dumbbell, "mean-curvature", 0.03, 30);
   neck.advance_to(0.03);
   double narrowest = 1;
   for (const Vec3& p : dumbbell.positions)
@@ -128,14 +151,15 @@ TEST_CASE("steps a thousand times longer than explicit ones are stable") {
     advance(mesh, name, 3 * 1000 * limit, 3);
     for (const Vec3& p : mesh.positions) REQUIRE(p.allFinite());
     CHECK(bounding_box(mesh).diagonal().norm() < 1.05 * before.diagonal().norm());
-    CHECK(volume_of(mesh) > 0);
+    // By mean curvature the sphere has vanished by then, and what is left may be inside out.
+    CHECK(volume_of(mesh) > -1e-12);
   }
 }
 
 TEST_CASE("at constant volume an ellipsoid becomes the sphere of its volume") {
   Mesh mesh = ellipsoid(0.7, 1, 4);
   const double before = volume_of(mesh);
-  advance(mesh, "volume-preserving-curvature", 1, 200);
+  advance(mesh, "volume-preserving-curvature", 1, 100);
   CHECK(volume_of(mesh) == Approx(before).epsilon(1e-12));
   MESSAGE("spread of the radius: ", radius_spread(mesh));
   CHECK(radius_spread(mesh) < 0.005);

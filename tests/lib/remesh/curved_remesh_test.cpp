@@ -137,6 +137,7 @@ TEST_CASE("films thicker than min_film stay, thinner ones may go") {
   Mesh plate = cuboid(Vec3(0, 0, 0), Vec3(1, 1, 0.02));
   RemeshOptions finer = edges_around(0.1, curved_remeshing());
   finer.min_edge = 0.01;
+  finer.min_film = 0.001;
   remesh(plate, finer);
   CHECK(volume(plate) == doctest::Approx(0.02).epsilon(1e-9));
 
