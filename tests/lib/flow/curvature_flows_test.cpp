@@ -151,7 +151,7 @@ TEST_CASE("steps a thousand times longer than explicit ones are stable") {
     advance(mesh, name, 3 * 1000 * limit, 3);
     for (const Vec3& p : mesh.positions) REQUIRE(p.allFinite());
     CHECK(bounding_box(mesh).diagonal().norm() < 1.05 * before.diagonal().norm());
-    // By mean curvature the sphere has vanished by then, and what is left may be inside out.
+    // Mean curvature flow makes the sphere vanish earlier. The remaining surface may be inside out.
     CHECK(volume_of(mesh) > -1e-12);
   }
 }
