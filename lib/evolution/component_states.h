@@ -27,7 +27,8 @@ struct ComponentState {
   Extent extent;
 };
 
-/// Returns the states in order of the components. `label` is the least label of the faces, or 0.
+/// Returns the states in order of the components. `label` is the least label of the faces, or 0 if
+/// no face has one.
 std::vector<ComponentState> component_states(const Mesh& mesh, const Components& components);
 
 /// Returns the label of each face; 0 for all if the mesh has no such column.

@@ -56,8 +56,8 @@ Mesh moved_by(Mesh mesh, const std::vector<Vec3>& displacements) {
   return mesh;
 }
 
-/// Twice the result of two steps over half of the span, minus that of one step over the whole span:
-/// of second order, as the errors of first order cancel.
+/// Returns twice the displacements of two steps over half of the span, minus those of one step over
+/// the whole span (Richardson extrapolation). The errors of first order cancel.
 std::vector<Vec3> extrapolated(const Mesh& mesh, const DiffusionStep& step,
                                const CurvatureFlow& flow, double span) {
   const std::vector<Vec3> whole = flow.vectors(mesh, step, span);

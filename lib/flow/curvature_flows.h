@@ -1,13 +1,13 @@
 /// Flows whose velocity follows from the curvature of the surface. Steps are semi-implicit, stable
-/// for any span, and by Richardson's extrapolation of second order in the span. H is the sum of the
-/// principal curvatures, N the normal.
+/// for any span, and of second order in the span by Richardson extrapolation. H is the sum of the
+/// principal curvatures, and N is the normal.
 ///
 ///     mean-curvature              -H N; a sphere has r(t)^2 = r(0)^2 - 4 t
 ///     volume-preserving-curvature (mean of H - H) N, for each component
 ///     surface-diffusion           (Laplacian of H) N, which keeps the volume of each component
 ///
-/// Borders stay where they are. A component that would vanish within the span becomes a tiny one,
-/// which may be inside out.
+/// Borders do not move. A component that would vanish within the span becomes tiny, and its
+/// orientation may be reversed.
 /// Reference for the step of mean-curvature flow: Desbrun, Meyer, Schroeder & Barr, "Implicit
 /// fairing of irregular meshes using diffusion and curvature flow", SIGGRAPH 1999. For the
 /// extrapolation: Hairer, Norsett & Wanner, "Solving ordinary differential equations I", 1993,

@@ -113,7 +113,8 @@ class CleanAndRemesh {
     result_.was_cleaned = cleaned_.changed;
     result_.seconds_clean = watch_.lap();
   }
-  /// A stage of its own, so that `on_cleaned` finds what it changes.
+  /// Cuts thin parts. This is separate from remeshing, so that `on_cleaned` is called for the
+  /// change.
   void pinch() {
     if (options_.remesh.pinch == 0) return;
     Mesh before;
