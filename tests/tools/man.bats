@@ -46,3 +46,24 @@ options_of_page() {
     grep -q "$program" "$tm_root/man/tm.7.md" || fail "man/tm.7.md does not name $program"
   done
 }
+
+# Pages that are being rewritten.
+to_do='tm-cameras tm-wrap'
+
+@test "the description of every page says what goes in and out first, and then when to use the program" {
+  for program in $(programs); do
+    if [[ " $to_do " == *" $program "* ]]; then continue; fi
+    sed -n '/^# DESCRIPTION/,/^# OPTIONS/p' "$tm_root/man/$program.1.md" | awk -v RS= '
+      NR == 2 { is_first = /^(\*\*split\*\* reads|Reads|Makes|Prints) / }
+      NR <= 5 && /^(Use it|To choose)/ { is_used = 1 }
+      END { exit !(is_first && is_used) }' || fail "$program.1"
+  done
+}
+
+@test "no parenthesis of a page is longer than ten words" {
+  for page in "$tm_root"/man/*.md "$tm_root"/man/fragments/*.md; do
+    if [[ " $to_do " == *" $(basename "$page" .1.md) "* ]]; then continue; fi
+    long=$(grep -v '^    ' "$page" | grep -oE '\([^()]*\)' | awk 'NF > 11')
+    [ -z "$long" ] || fail "$page: $long"
+  done
+}
