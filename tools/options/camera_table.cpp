@@ -113,9 +113,10 @@ std::string json_of(const CameraTable& table) {
 CameraTable table_of(CameraList list, const std::vector<double>& center, std::size_t neighbors) {
   std::vector<PinholeCamera> cameras;
   for (const CameraRecord& record : list.cameras) {
-    if (record.is_relative)
+    if (record.unit != IntrinsicsUnit::pixel)
       throw InputError("the focal length of '" + record.name +
-                       "' is a share of the image's side (" + record.place + "): name the images");
+                       "' is a fraction of the image's side (" + record.place +
+                       "): name the images");
     cameras.push_back(record.camera);
   }
   CameraTable table;
