@@ -10,6 +10,7 @@
 #include "helpers/camera_texts.h"
 #include "helpers/random.h"
 #include "helpers/random_cameras.h"
+#include "raster/camera.h"
 #include "views/cameras/camera_output.h"
 
 using namespace transformesh;

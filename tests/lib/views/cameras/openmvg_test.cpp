@@ -10,8 +10,10 @@ const std::string wrapped = R"("value":{"polymorphic_id":1,"ptr_wrapper":{"id":2
 std::string file(const std::string& lens) {
   const test::TruePose pose;
   std::string rotation;
-  for (int i = 0; i < 3; ++i)
-    rotation += (i == 0 ? "[[" : ",[") + test::joined(pose.rotation.row(i), ",") + "]";
+  for (int i = 0; i < 3; ++i) {
+    rotation += i == 0 ? "[[" : ",[";
+    rotation += test::joined(pose.rotation.row(i), ",") + "]";
+  }
   const auto view = [](int id, const std::string& name) {
     const std::string number = std::to_string(id);
     return R"({"key":)" + number + "," + wrapped + R"({"local_path":"left","filename":")" + name +

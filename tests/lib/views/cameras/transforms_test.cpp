@@ -13,7 +13,10 @@ std::string matrix() {
       -pose.rotation.row(2).transpose();
   m.topRightCorner<3, 1>() = pose.center;
   std::string text;
-  for (int i = 0; i < 4; ++i) text += (i == 0 ? "[[" : ",[") + test::joined(m.row(i), ", ") + "]";
+  for (int i = 0; i < 4; ++i) {
+    text += i == 0 ? "[[" : ",[";
+    text += test::joined(m.row(i), ", ") + "]";
+  }
   return text + "]";
 }
 
