@@ -9,7 +9,7 @@ setup() {
   files="$BATS_TEST_DIRNAME/../helpers/camera_files.py"
 }
 
-@test "tm-cameras reads the files of ten programs: the pixels of 20 points agree to 1e-6" {
+@test "tm-cameras reads the files of nine programs: the pixels of 20 points agree to 1e-6" {
   for format in transforms meshroom openmvg mvsnet llff neus nvm openmvs; do
     python3 "$files" write $format $format
     tm-cameras --format opencv --folder out-$format --images $format-images $format
@@ -26,7 +26,7 @@ setup() {
     tm-cameras --format $format --folder out-$format in
     python3 "$files" check $format out-$format transforms
     cmp <(tm-cameras --format $format in) out-$format/*
-    # What was written is read again.
+    # The written files are read again.
     tm-cameras --format opencv --folder again-$format out-$format
     python3 "$files" check opencv again-$format transforms
   done

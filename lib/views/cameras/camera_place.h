@@ -1,4 +1,4 @@
-/// Where the camera files of a folder are.
+/// Finds the camera files of a folder.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // The poses_bounds.npy of LLFF: for each image a 3x5 matrix and two depths. Reference: Mildenhall,
 // Srinivasan, Ortiz-Cayon, Khademi Kalantari, Ramamoorthi, Ng & Kar, "Local light field fusion:
-// practical view synthesis with prescriptive sampling guidelines", TOG 38(4), 2019, and the manual
-// of its program, "Using your own poses".
+// practical view synthesis with prescriptive sampling guidelines", TOG 38(4), 2019. The manual of
+// the program describes the file under "Using your own poses".
 #include "views/cameras/camera_formats.h"
 #include "views/cameras/camera_pose.h"
 #include "views/cameras/npy_array.h"

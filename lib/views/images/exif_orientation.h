@@ -6,8 +6,8 @@
 
 namespace transformesh {
 
-/// Returns the orientation of a JPEG or TIFF file: 1 if pixels are stored as they are shown, 5 to 8
-/// if width and height are exchanged, else 2 to 4. Returns 1 if the file states none.
+/// Returns the orientation of a JPEG or TIFF file, 1 to 8; 1 if it states none. Pixels are stored
+/// as they are shown if it is 1. Width and height are exchanged if it is 5 or more.
 int exif_orientation(std::string_view bytes);
 
 }  // namespace transformesh

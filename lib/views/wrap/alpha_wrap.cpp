@@ -25,9 +25,9 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t points_per_task = 512;
-/// The default of AlphaWrapOptions::offset is the smaller of both. Half of the fraction of the
-/// spacing changes the Hausdorff distance from noisy spheres by a few percent; with twice the
-/// fraction, a sphere of 50,000 points is 4 % farther away.
+/// The default of AlphaWrapOptions::offset is the smaller of both. A wrap of 50,000 points on a
+/// sphere with noise of .5 % has a Hausdorff distance of .047 with an eighth of the spacing. It is
+/// .049 with a fourth, and .056 with the fraction of the diagonal.
 constexpr double offset_by_diagonal = 1.0 / 300;
 constexpr double offset_by_spacing = 1.0 / 8;
 

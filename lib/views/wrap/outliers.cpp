@@ -22,7 +22,7 @@ constexpr double least_body = 1.0 / 20;
 constexpr std::size_t least_points = 100;
 
 struct Neighborhoods {
-  std::vector<std::vector<Index>> nearest;  ///< of each point: itself and six neighbors
+  std::vector<std::vector<Index>> nearest;  ///< each point itself and its six neighbors
   std::vector<double> spacing;              ///< distance of the sixth neighbor
 };
 

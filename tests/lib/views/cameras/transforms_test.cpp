@@ -58,7 +58,7 @@ TEST_CASE("transforms.json: an angle of view is that of the image's width") {
     return Eigen::Vector2d(focal * x + 319.5, focal * y + 239.5);
   };
   test::check_pixels(read(R"("camera_angle_x":0.8,"w":640,"h":480,)"), expected);
-  // As in NeRF's files, the image itself states its size.
+  // NeRF's files leave the size to the images.
   CameraRecord record = read(R"("camera_angle_x":0.8,)");
   record.set_size(640, 480, "a.png");
   test::check_pixels(record, expected);

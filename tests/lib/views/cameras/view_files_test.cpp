@@ -3,77 +3,28 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 
-#include "helpers/encoded_images.h"
+#include "helpers/view_folder.h"
 #include "transformesh/errors.h"
 #include "views/cameras/view.h"
 
 using namespace transformesh;
+using test::Folder;
+using test::image;
+using test::middlebury;
+using test::refusal;
+using test::says;
 
 namespace {
 
-/// A folder of files that goes with its object.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "view_files_XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string at(const std::string& name) const { return (path_ / name).string(); }
-  void write(const std::string& name, const std::string& bytes) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
-    std::ofstream(at(name), std::ios::binary) << bytes;
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
 std::string numbered(const std::string& start, int number, const std::string& end) {
   return start + std::to_string(number) + end;
-}
-
-// A gray image whose pixels all have one intensity.
-std::string image(int width, int height, int intensity) {
-  return "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n" +
-         std::string(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
-                     static_cast<char>(intensity));
 }
 
 // A 3x4 matrix whose camera has this focal length.
 std::string matrix(int focal) {
   const std::string f = std::to_string(focal);
   return f + " 0 2 0\n0 " + f + " 1 0\n0 0 1 5\n";
-}
-
-std::string middlebury(const std::vector<std::string>& names) {
-  std::string text = std::to_string(names.size()) + "\n";
-  int focal = 100;
-  for (const std::string& name : names) {
-    const std::string f = std::to_string(focal++);
-    text += name + " " + f + " 0 2 0 " + f + " 1 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5\n";
-  }
-  return text;
-}
-
-std::string refusal(const ViewSources& sources) {
-  try {
-    views_from(sources);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool says(const std::string& message, const std::string& what) {
-  INFO(message);
-  return message.find(what) != std::string::npos;
 }
 
 }  // namespace
@@ -278,103 +229,4 @@ TEST_CASE("Bundler's principal point is the center of the image") {
   const auto views = views_from({folder.at("bundle.out"), folder.at("a.pgm"), ""});
   CHECK(views[0].camera.intrinsics(0, 2) == 2);
   CHECK(views[0].camera.intrinsics(1, 2) == 1.5);
-}
-
-TEST_CASE("cameras without an image, and images without a camera, are left out with a note") {
-  const Folder folder;
-  folder.write("par.txt", middlebury({"a.png", "b.png", "c.png", "d.png", "e.png"}));
-  for (const char* name : {"a", "b", "d"})
-    folder.write("images/" + std::string(name) + ".pgm", image(5, 3, name[0]));
-  std::string notes;
-  ViewSources sources{folder.at("par.txt"), folder.at("images"), ""};
-  sources.on_note = [&](const std::string& note) { notes += note + "\n"; };
-  const auto views = views_from(sources);
-  REQUIRE(views.size() == 3);
-  CHECK(views[2].name == "d");
-  CHECK(views[2].image.at(0, 0) == 'd');
-  CHECK(views[2].camera.intrinsics(0, 0) == 103);
-  CHECK(says(notes, "2 cameras without image in "));
-  CHECK(says(notes, "c.png ("));
-  CHECK(picture_views_from(sources).size() == 3);
-  CHECK(cameras_of_images(cameras_from(sources.cameras), sources).cameras.size() == 3);
-  sources.needs_all_images = true;
-  CHECK(says(refusal(sources), "c.png"));
-  sources.needs_all_images = false;
-  // Fewer than three are most likely a mistake.
-  std::filesystem::remove(folder.at("images/a.pgm"));
-  CHECK(says(refusal(sources), "a.png"));
-
-  notes.clear();
-  for (const char* name : {"a", "c", "e", "f"})
-    folder.write("images/" + std::string(name) + ".pgm", image(5, 3, name[0]));
-  CHECK(views_from(sources).size() == 5);
-  CHECK(says(notes, "1 image in "));
-  CHECK(says(notes, "f.pgm"));
-  // Names shifted by one are not left out.
-  std::filesystem::remove(folder.at("images/a.pgm"));
-  CHECK(says(refusal(sources), "a.png"));
-}
-
-TEST_CASE("masks of photographs that are left out are left out, too") {
-  const Folder folder;
-  folder.write("par.txt", middlebury({"a.png", "b.png", "c.png", "d.png"}));
-  for (const char* name : {"a", "b", "c", "d"}) {
-    folder.write("masks/" + std::string(name) + "_mask.pgm", image(5, 3, 255));
-    if (name[0] != 'b') folder.write("images/" + std::string(name) + ".pgm", image(5, 3, name[0]));
-  }
-  const auto views = views_from({folder.at("par.txt"), folder.at("images"), folder.at("masks")});
-  REQUIRE(views.size() == 3);
-  CHECK(views[1].name == "c");
-  CHECK(views[1].silhouette.at(0, 0) == 255);
-}
-
-TEST_CASE("a mask of another size and the same shape is scaled to its photograph") {
-  const Folder folder;
-  folder.write("par.txt", middlebury({"a.png"}));
-  folder.write("images/a.pgm", image(8, 6, 9));
-  std::string notes;
-  ViewSources sources{folder.at("par.txt"), folder.at("images"), folder.at("masks")};
-  sources.on_note = [&](const std::string& note) { notes += note + "\n"; };
-  // The left half of the object, at half and at twice the size.
-  for (const int width : {4, 16}) {
-    std::string mask = image(width, width * 3 / 4, 0);
-    const std::size_t first = mask.size() - static_cast<std::size_t>(width * width * 3 / 4);
-    for (std::size_t i = 0; first + i < mask.size(); ++i)
-      if (static_cast<int>(i) % width < width / 2) mask[first + i] = '\xff';
-    folder.write("masks/a.pgm", mask);
-    notes.clear();
-    const auto views = views_from(sources);
-    CHECK(views[0].silhouette.width == 8);
-    for (int y = 0; y < 6; ++y)
-      for (int x = 0; x < 8; ++x) CHECK(views[0].silhouette.at(x, y) == (x < 4 ? 255 : 0));
-    CHECK(says(notes, "scaled"));
-  }
-  for (const int width : {7, 9, 16}) {
-    folder.write("masks/a.pgm", image(width, 6, 255));
-    CHECK(says(refusal(sources), "8 x 6"));
-  }
-}
-
-TEST_CASE("an Exif orientation is noted, or refused if cameras are for the turned pictures") {
-  const Folder folder;
-  // A TIFF directory as Exif data, with orientation 6, before the pixels of a JPEG.
-  const std::string exif("Exif\0\0II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0", 28);
-  const std::string jpeg = test::jpeg_of({}, 8, 6, test::noise(8 * 6 * 3));
-  const std::string turned =
-      jpeg.substr(0, 2) + std::string("\xff\xe1\0\x1e", 4) + exif + jpeg.substr(2);
-  folder.write("images/a.jpg", turned);
-  const std::string pose = "\n1 1 0 0 0 0 0 5 1 a.jpg\n\n";
-  std::string notes;
-  ViewSources sources{folder.at("model.txt"), folder.at("images"), ""};
-  sources.on_note = [&](const std::string& note) { notes += note + "\n"; };
-  folder.write("model.txt", "1 PINHOLE 8 6 9 9 4 3" + pose);
-  CHECK(views_from(sources)[0].image.width == 8);
-  CHECK(says(notes, "as their cameras were calibrated"));
-  folder.write("model.txt", "1 PINHOLE 6 8 9 9 3 4" + pose);
-  CHECK(says(refusal(sources), "mogrify -auto-orient"));
-  notes.clear();
-  folder.write("par.txt", middlebury({"a.jpg"}));
-  sources.cameras = folder.at("par.txt");
-  CHECK(views_from(sources).size() == 1);
-  CHECK(says(notes, "mogrify -auto-orient"));
 }
