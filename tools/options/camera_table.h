@@ -1,6 +1,7 @@
 /// What tm-cameras --list prints: a line, or an object of JSON, for each camera.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace transformesh::tool {
 struct CameraTable {
   CameraList list;
   Vec3 scene_center = Vec3::Zero();
-  double pixel_size = 0;  ///< the median at the scene's center
+  /// The median at the scene's center; nothing if no camera has the center in front of it.
+  std::optional<double> pixel_size;
   std::vector<ViewPair> pairs;
   bool is_center_assumed = false;  ///< one unit in front of a single camera
 };

@@ -57,7 +57,8 @@ std::string table(CameraList list, const Options& options, tool::Run& run) {
         "it; set it with --center");
   const Vec3& center = table.scene_center;
   run.report("scene_center", std::vector<double>{center.x(), center.y(), center.z()});
-  run.report("pixel_size", table.pixel_size);
+  if (table.pixel_size) run.report("pixel_size", *table.pixel_size);
+  if (!table.pixel_size) run.note("the scene's center is behind all cameras: set it with --center");
   run.report("pairs", table.pairs.size());
   return options.json ? json_of(table) : text_of(table);
 }
