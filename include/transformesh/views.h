@@ -42,12 +42,13 @@ class Views {
 
 /// Paths of input files. Each is a file, a folder or a pattern.
 struct ViewSources {
-  std::string cameras;      ///< Middlebury, COLMAP, Bundler, OpenCV, Metashape, RealityCapture, 3x4
+  std::string cameras;      ///< any format that tm-cameras(1) lists
   std::string images;       ///< empty: no photographs
   std::string silhouettes;  ///< empty: no silhouettes
   bool mirror = false;      ///< the cameras' world is left-handed
-  std::function<void(const std::string& note)> on_note = {};  ///< called with notes on how masks
-                                                              ///< were read
+  /// Called with notes on how masks were read, and on images and cameras that were left out.
+  std::function<void(const std::string& note)> on_note = {};
+  bool needs_all_images = false;  ///< throws if a named image is missing, instead of leaving it out
 };
 
 /// Reads views in the order of the cameras. If the camera file names images, images are paired with

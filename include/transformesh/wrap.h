@@ -19,19 +19,22 @@ namespace transformesh {
 
 struct AlphaWrapOptions {
   double alpha = 0;   ///< > 0: radius of the smallest ball that stays outside; 0: see alpha_wrap
-  double offset = 0;  ///< > 0: distance of vertices from the points; 0: 1/300 of the box's diagonal
+  double offset = 0;  ///< > 0: distance of vertices from the points; 0: an eighth of the points'
+                      ///< spacing, at most 1/300 of the box's diagonal
 };
 
 struct AlphaWrap {
   Mesh mesh;
   double alpha = 0;           ///< alpha that was used
   double least_distance = 0;  ///< least distance of a point from the surface; > 0
+  double offset = 0;          ///< offset that was used
 };
 
 /// Returns a closed, oriented 2-manifold that contains all points; one component if the points are
 /// dense compared with alpha. With alpha 0, alpha decreases from 1/5 of the box's diagonal in steps
 /// of 2^(1/4), at most to 1/100, while the wrap is not hollow. A wrap is hollow if the ball got in
-/// between the points: more than 1/20 of its area is thinner than four offsets. Throws InputError
+/// between the points: more than 1/20 of its area is thinner than four offsets. With the default
+/// offset, the limit is 1/75 of the diagonal. Throws InputError
 /// if there are no points, and UsageError for options out of range and for an alpha that would give
 /// more than two million faces. Deterministic, one thread. Cost grows with the area over alpha^2:
 /// seconds for alpha = diagonal / 300, or to find alpha among 10 000 points.

@@ -22,11 +22,12 @@ void CameraRecord::set_size(int columns, int rows, const std::string& image) {
   }
   width = columns;
   height = rows;
-  if (is_relative) camera.intrinsics.topRows<2>() *= std::max(columns, rows);
-  if (is_centered) camera.intrinsics.col(2).head<2>().setZero();
-  if (is_centered || is_relative)
-    camera.intrinsics.col(2).head<2>() += Eigen::Vector2d(columns - 1, rows - 1) / 2;
-  is_centered = is_relative = false;
+  if (unit == IntrinsicsUnit::width) camera.intrinsics.topRows<2>() *= columns;
+  if (unit == IntrinsicsUnit::larger_side)
+    camera.intrinsics.topRows<2>() *= std::max(columns, rows);
+  if (is_centered) camera.intrinsics.col(2).head<2>() += Eigen::Vector2d(columns - 1, rows - 1) / 2;
+  is_centered = false;
+  unit = IntrinsicsUnit::pixel;
 }
 
 }  // namespace transformesh

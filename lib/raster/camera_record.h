@@ -9,6 +9,9 @@
 
 namespace transformesh {
 
+/// The unit of intrinsics in a camera file: pixels, or a side of the image.
+enum class IntrinsicsUnit { pixel, width, larger_side };
+
 /// A camera and the data of its photograph in a camera file.
 struct CameraRecord {
   std::string name;   ///< name of the image as written in the file; else the stem of the file
@@ -18,14 +21,13 @@ struct CameraRecord {
   int height = 0;
   /// Distortion of the photograph; `camera` is the pinhole camera without it.
   LensDistortion distortion;
-  /// If true, the principal point is the center of the image, whose size is unknown.
+  /// If true, the principal point is relative to the center of the image, whose size is unknown.
   bool is_centered = false;
-  /// If true, intrinsics are in units of the larger side of the image, whose size is unknown. The
-  /// principal point is then relative to the center of the image.
-  bool is_relative = false;
+  /// Other units than pixels are those of an image of unknown size.
+  IntrinsicsUnit unit = IntrinsicsUnit::pixel;
 
-  /// Sets the size of the image, and converts centered or relative intrinsics to pixels. Throws
-  /// InputError if the file contains another size; `image` is the name of the image in the message.
+  /// Sets the size of the image, and converts intrinsics to pixels. Throws InputError if the file
+  /// contains another size; `image` is the name of the image in the message.
   void set_size(int columns, int rows, const std::string& image);
 };
 

@@ -4,6 +4,7 @@
 
 #include "transformesh/image.h"
 #include "views/cameras/camera_file.h"
+#include "views/cameras/camera_output.h"
 #include "views/cameras/view.h"
 #include "views/images/image_file.h"
 

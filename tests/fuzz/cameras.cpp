@@ -4,6 +4,7 @@
 #include "fuzz/fuzz.h"
 #include "transformesh/errors.h"
 #include "views/cameras/camera_file.h"
+#include "views/cameras/camera_output.h"
 
 using namespace transformesh;
 using namespace transformesh::fuzz;

@@ -10,6 +10,7 @@
 #include "helpers/encoded_images.h"
 #include "transformesh/mesh_io.h"
 #include "transformesh/shapes.h"
+#include "views/cameras/camera_output.h"
 #include "views/cameras/camera_ring.h"
 
 using namespace transformesh;

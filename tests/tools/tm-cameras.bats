@@ -149,6 +149,20 @@ agree() {
   [[ $(sed -n 2p table | tr -s ' ') = "a.png - 300 0 0 -5 "*" -" ]] || fail "$(cat table)"
 }
 
+@test "tm-cameras: a table of cameras that look away from each other, and what it says" {
+  # Back to back on the x axis: the axes meet between them, behind both.
+  printf '2\na 300 0 80 0 300 60 0 0 1 0 0 1 0 1 0 -1 0 0 0 0 -1\nb 300 0 80 0 300 60 0 0 1 0 0 -1 0 1 0 1 0 0 0 0 -1\n' >in.txt
+  run --separate-stderr tm-cameras --list --center 0,0,0 in.txt
+  assert_status 0
+  one_line "$stderr"
+  [[ $stderr == *"behind all cameras"*"--center"* ]]
+  [ "$(tm-cameras -q --json --center 0,0,0 in.txt | jq .pixel_size)" = null ]
+  # The option that the message names helps.
+  run --separate-stderr tm-cameras --list --center 5,0,0 in.txt
+  assert_status 0
+  [ -z "$stderr" ]
+}
+
 @test "tm-cameras: JSON and the report hold the same numbers" {
   needs_command python3
   two_cameras >in.txt

@@ -184,7 +184,8 @@ setup() {
   awk '{ print $0, $1, $2, $3 }' spoiled.xyz | tm-wrap -q | cmp - <(tm-wrap oriented.xyz)
   # What the message names keeps them.
   run --separate-stderr tm-wrap --keep-outliers --alpha 1 --offset 0.1 spoiled.xyz -o all.ply
-  [ -z "$stderr" ]
+  assert_status 0
+  [[ $stderr != *"left out"* ]]
   tm-info --get bbox_max all.ply | awk '{ exit !($1 > 39 && $2 > 49) }'
 }
 
@@ -196,4 +197,64 @@ setup() {
   [ -z "$stderr" ]
   jq -e '.result.outliers == 0' r.json
   tm-info --get bbox_max wrap.ply | awk '{ exit !($1 > 20 && $2 > 20) }'
+}
+
+# 500 points on a sphere as COLMAP writes them: 1 % with large errors, 2 % in two photographs.
+colmap_points() {
+  echo '# 3D point list with one line of data per point:'
+  awk 'BEGIN {
+    for (i = 0; i < 500; ++i) {
+      z = (2 * i + 1) / 500 - 1
+      r = sqrt(1 - z * z)
+      error = i % 100 == 50 ? 5 : 0.5 + i % 7 / 10
+      print i, r * cos(2.4 * i), r * sin(2.4 * i), z, 10, 20, 30, error, "1 1 2 2" (i % 50 == 7 ? "" : " 3 3")
+    }
+  }'
+}
+
+@test "COLMAP's points are read, those of large errors and short tracks left out and said" {
+  colmap_points >points3D.txt
+  run --separate-stderr tm-wrap points3D.txt -o wrap.ply --report r.json
+  assert_status 0
+  [ "$(wc -l <<<"$stderr")" -eq 2 ]
+  [[ $stderr == *"5 points with a large reprojection error left out"* ]]
+  [[ $stderr == *"10 points in fewer than three photographs left out"* ]]
+  jq -e '.result | .points == 500 and .large_errors == 5 and .short_tracks == 10 and
+    .outliers == 0 and .components == 1' r.json
+  # The points that are left, as text, and all of them.
+  awk '!/^#/ && $9 != "" && $8 < 5 && NF == 14 { print $2, $3, $4 }' points3D.txt >left.xyz
+  [ "$(wc -l <left.xyz)" -eq 485 ]
+  tm-wrap left.xyz | cmp - wrap.ply
+  tm-wrap <points3D.txt 2>/dev/null | cmp - wrap.ply
+  awk '!/^#/ { print $2, $3, $4 }' points3D.txt | tm-wrap >all.ply
+  tm-wrap --keep-outliers points3D.txt | cmp - all.ply
+}
+
+@test "5 % of outliers at 2 to 1000 times the size change nothing" {
+  for shape in sphere torus box; do
+    tm-shape $shape --faces 6000 | tm-sample --distance 4% --format xyz |
+      awk '!/^#/ { print $1, $2, $3 }' >clean.xyz
+    tm-wrap clean.xyz -o clean.ply
+    for size in 2 30 1000; do
+      awk -v size="$size" '{ print } NR % 20 == 0 {
+        a = 2.4 * NR; z = (NR * 37) % 199 / 100 - 0.99; r = sqrt(1 - z * z); s = 3 * size
+        print s * r * cos(a), s * r * sin(a), s * z }' clean.xyz >spoiled.xyz
+      tm-wrap -q spoiled.xyz --report r.json | cmp - clean.ply
+      jq -e --argjson all "$(wc -l <clean.xyz)" '.result.outliers == ($all / 20 | floor)' r.json
+    done
+  done
+}
+
+@test "a wrap that follows stray points is said to do so" {
+  awk 'BEGIN { for (i = 0; i < 3000; ++i) { z = (2 * i + 1) / 3000 - 1; r = sqrt(1 - z * z)
+    print r * cos(2.4 * i), r * sin(2.4 * i), z } print "300 0 0\n0 300 0\n-300 0 0" }' >points.xyz
+  run --separate-stderr tm-wrap --keep-outliers points.xyz -o wrap.ply --report r.json
+  assert_status 0
+  [[ $stderr == *"the wrap has 4 components"* ]]
+  jq -e '.result.components == 4' r.json
+  run --separate-stderr tm-wrap --keep-outliers --offset 1 points.xyz -o wrap.ply
+  [[ $stderr == *"the wrap of 3003 points has only "*" faces"* ]]
+  run --separate-stderr tm-wrap points.xyz -o wrap.ply
+  one_line "$stderr"
+  [[ $stderr == *"3 outliers left out"* ]]
 }

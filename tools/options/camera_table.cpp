@@ -72,6 +72,10 @@ nlohmann::ordered_json json_of(const Vec3& point) {
   return {point.x() + 0.0, point.y() + 0.0, point.z() + 0.0};
 }
 
+nlohmann::ordered_json number_or_null(const std::optional<double>& number) {
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+}
+
 nlohmann::ordered_json json_of(const CameraTable& table, std::size_t camera) {
   const CameraRecord& record = table.list.cameras[camera];
   const auto size = pixel_size_of(record.camera, table.scene_center);
@@ -81,7 +85,7 @@ nlohmann::ordered_json json_of(const CameraTable& table, std::size_t camera) {
   json["height"] = record.height;
   json["focal_length"] = record.camera.focal_length();
   json["center"] = json_of(record.camera.center());
-  json["pixel_size"] = size ? nlohmann::ordered_json(*size) : nlohmann::ordered_json(nullptr);
+  json["pixel_size"] = number_or_null(size);
   json["pairs"] = nlohmann::ordered_json::array();
   for (const ViewPair& pair : table.pairs) {
     if (pair.first != camera) continue;
@@ -102,7 +106,7 @@ std::string text_of(const CameraTable& table) {
 std::string json_of(const CameraTable& table) {
   nlohmann::ordered_json json;
   json["scene_center"] = json_of(table.scene_center);
-  json["pixel_size"] = table.pixel_size;
+  json["pixel_size"] = number_or_null(table.pixel_size);
   json["cameras"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < table.list.cameras.size(); ++i) {
     json["cameras"].push_back(json_of(table, i));
@@ -113,9 +117,10 @@ std::string json_of(const CameraTable& table) {
 CameraTable table_of(CameraList list, const std::vector<double>& center, std::size_t neighbors) {
   std::vector<PinholeCamera> cameras;
   for (const CameraRecord& record : list.cameras) {
-    if (record.is_relative)
+    if (record.unit != IntrinsicsUnit::pixel)
       throw InputError("the focal length of '" + record.name +
-                       "' is a share of the image's side (" + record.place + "): name the images");
+                       "' is a fraction of the image's side (" + record.place +
+                       "): name the images");
     cameras.push_back(record.camera);
   }
   CameraTable table;
@@ -127,7 +132,10 @@ CameraTable table_of(CameraList list, const std::vector<double>& center, std::si
     table.scene_center = cameras[0].center() + cameras[0].rotation.row(2).normalized().transpose();
   else
     table.scene_center = viewed_point(cameras);
-  table.pixel_size = pixel_size(cameras, table.scene_center);
+  const bool is_seen = std::any_of(cameras.begin(), cameras.end(), [&](const auto& camera) {
+    return pixel_size_of(camera, table.scene_center).has_value();
+  });
+  if (is_seen) table.pixel_size = pixel_size(cameras, table.scene_center);
   PairOptions pairs;
   pairs.neighbors = neighbors;
   table.pairs = choose_pairs(cameras, table.scene_center, pairs);

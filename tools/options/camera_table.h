@@ -1,6 +1,7 @@
 /// The table of tm-cameras --list: a line, or a JSON object, per camera.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace transformesh::tool {
 struct CameraTable {
   CameraList list;
   Vec3 scene_center = Vec3::Zero();
-  double pixel_size = 0;  ///< median pixel size at the scene's center
+  /// Median pixel size at the scene's center; nothing if no camera has the center in front of it.
+  std::optional<double> pixel_size;
   std::vector<ViewPair> pairs;
   bool is_center_assumed = false;  ///< the center is one unit in front of a single camera
 };

@@ -7,6 +7,7 @@
 #include "support/number.h"
 #include "transformesh/errors.h"
 #include "transformesh/image.h"
+#include "views/cameras/camera_output.h"
 #include "views/cameras/name_pairs.h"
 #include "views/cameras/view.h"
 #include "views/cameras/view_files.h"
@@ -19,11 +20,16 @@ namespace {
 CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
   if (files.cameras.empty()) return camera_ring(ring);
   CameraList list = cameras_from(files.cameras);
-  if (!files.masks.empty()) list = cameras_of_images(std::move(list), files.cameras, files.masks);
+  if (!files.masks.empty()) {
+    ViewSources sources{files.cameras, files.masks, ""};
+    sources.needs_all_images = true;
+    list = cameras_of_images(std::move(list), sources);
+  }
   const bool needs_size = !files.images.empty() || !files.silhouettes.empty();
   for (CameraRecord& record : list.cameras) {
     if (record.width != 0) continue;
-    if (!files.size_is_given && (needs_size || record.is_centered))
+    const bool is_partial = record.is_centered || record.unit != IntrinsicsUnit::pixel;
+    if (!files.size_is_given && (needs_size || is_partial))
       throw UsageError("the camera file does not state the size of the image of " + record.name +
                        " (" + record.place + "): give --size WxH");
     record.set_size(ring.width, ring.height, "--size");

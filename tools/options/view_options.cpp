@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "options/source_options.h"
 #include "transformesh/errors.h"
 #include "transformesh/hull.h"
 #include "transformesh/image.h"
@@ -37,9 +38,7 @@ void declare_view_check(Program& program, ViewCheckChoices& choices, ViewSources
       "share of every silhouette that the hull must cover; 0: believe the views");
   program.options.flag("drop-bad-views", &choices.drops_bad_views,
                        "leave out views that disagree with the rest, instead of refusing them");
-  program.options.flag(
-      "mirror", &sources.mirror,
-      "take the mirror image of the cameras' world, z for -z: for left-handed ones");
+  declare_reading(program, sources);
 }
 
 ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices, Run& run) {

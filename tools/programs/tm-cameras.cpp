@@ -4,8 +4,10 @@
 
 #include "frame/run.h"
 #include "options/camera_table.h"
+#include "options/source_options.h"
 #include "transformesh/errors.h"
 #include "transformesh/pinhole_camera.h"
+#include "views/cameras/camera_output.h"
 #include "views/cameras/view_files.h"
 
 namespace {
@@ -15,19 +17,18 @@ using namespace transformesh;
 struct Options {
   std::string format = "middlebury";
   std::string folder;
-  std::string images;
-  bool mirror = false;
+  ViewSources sources;  ///< images, and how they are read
   bool list = false;
   bool json = false;
   long neighbors = static_cast<long>(PairOptions().neighbors);
   std::vector<double> center;
 };
 
-const std::map<std::string, CameraFormat> formats{{"middlebury", CameraFormat::middlebury},
-                                                  {"colmap", CameraFormat::colmap},
-                                                  {"colmap-binary", CameraFormat::colmap_binary},
-                                                  {"opencv", CameraFormat::opencv},
-                                                  {"matrices", CameraFormat::matrices}};
+const std::map<std::string, CameraFormat> formats{
+    {"middlebury", CameraFormat::middlebury},       {"colmap", CameraFormat::colmap},
+    {"colmap-binary", CameraFormat::colmap_binary}, {"opencv", CameraFormat::opencv},
+    {"matrices", CameraFormat::matrices},           {"transforms", CameraFormat::transforms},
+    {"meshroom", CameraFormat::meshroom},           {"openmvs", CameraFormat::openmvs}};
 
 CameraList read(const std::string& where, const Options& options, tool::Run& run) {
   run.progress()("reading cameras");
@@ -36,10 +37,15 @@ CameraList read(const std::string& where, const Options& options, tool::Run& run
                         : cameras_from(where);
   run.report("cameras", list.cameras.size());
   for (CameraRecord& record : list.cameras)
-    if (options.mirror) record.camera = record.camera.mirrored();
-  if (options.images.empty()) return list;
+    if (options.sources.mirror) record.camera = record.camera.mirrored();
+  if (options.sources.images.empty()) return list;
   run.progress()("reading images");
-  return cameras_of_images(std::move(list), where, options.images);
+  ViewSources sources = options.sources;
+  sources.cameras = where;
+  sources.on_note = [&run](const std::string& text) { run.note(text); };
+  list = cameras_of_images(std::move(list), sources);
+  run.report("images", list.cameras.size());
+  return list;
 }
 
 std::string table(CameraList list, const Options& options, tool::Run& run) {
@@ -51,7 +57,8 @@ std::string table(CameraList list, const Options& options, tool::Run& run) {
         "it; set it with --center");
   const Vec3& center = table.scene_center;
   run.report("scene_center", std::vector<double>{center.x(), center.y(), center.z()});
-  run.report("pixel_size", table.pixel_size);
+  if (table.pixel_size) run.report("pixel_size", *table.pixel_size);
+  if (!table.pixel_size) run.note("the scene's center is behind all cameras: set it with --center");
   run.report("pairs", table.pairs.size());
   return options.json ? json_of(table) : text_of(table);
 }
@@ -76,14 +83,14 @@ int main(int argc, char** argv) {
                         {tool::Writes::text}};
   program.input.are_cameras = true;
   program.options.choice("format", &options.format,
-                         {"middlebury", "colmap", "colmap-binary", "opencv", "matrices"},
+                         {"middlebury", "colmap", "colmap-binary", "opencv", "matrices",
+                          "transforms", "meshroom", "openmvs"},
                          "format of the output; the input's is detected by its content");
   program.options.text("folder", &options.folder, "FOLDER",
                        "write the format's own files there instead of one text to the output");
-  program.options.text("images", &options.images, "WHERE", "the images, for their names and sizes");
-  program.options.flag(
-      "mirror", &options.mirror,
-      "take the mirror image of the cameras' world, z for -z: for left-handed ones");
+  program.options.text("images", &options.sources.images, "WHERE",
+                       "the images, for their names and sizes");
+  tool::declare_reading(program, options.sources);
   program.options.flag("list", &options.list,
                        "print a table of the cameras and their pairs instead");
   program.options.flag("json", &options.json, "print that table as JSON");

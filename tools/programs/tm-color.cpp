@@ -1,5 +1,6 @@
 /// tm-color: colors a surface from calibrated photographs.
 #include "options/color_options.h"
+#include "options/source_options.h"
 #include "views/cameras/view_files.h"
 
 namespace {
@@ -17,9 +18,7 @@ void declare(tool::Program& program, Options& options) {
       .is_needed = true;
   program.options.text("images", &options.sources.images, "WHERE", "the photographs").is_needed =
       true;
-  program.options.flag(
-      "mirror", &options.sources.mirror,
-      "take the mirror image of the cameras' world, z for -z: for left-handed ones");
+  tool::declare_reading(program, options.sources);
   tool::declare_texture(program, options.choices);
 }
 
@@ -36,6 +35,7 @@ int main(int argc, char** argv) {
   program.example = "tm-color --cameras par.txt --images photos hull.ply > colored.ply";
   return program.run(argc, argv, [&](tool::Run& run) {
     tool::check_texture(options.choices, run);
+    options.sources.on_note = [&run](const std::string& text) { run.note(text); };
     const std::vector<PictureView> views = picture_views_from(options.sources);
     run.report("views", views.size());
     tool::color(run.document(), views, options.choices, run);

@@ -1,12 +1,16 @@
 /// Readers and writers of single camera formats, with one source file per format. Internal to
-/// camera_file.
+/// camera_file and camera_output.
 #pragma once
 
 #include "io/formats/text_rows.h"
+#include "io/streams/source.h"
 #include "io/streams/text_buffer.h"
+#include "raster/camera.h"
 #include "raster/camera_checks.h"
+#include "raster/camera_record.h"
 #include "raster/middlebury.h"
-#include "views/cameras/camera_file.h"
+#include "views/cameras/camera_format.h"
+#include "views/cameras/npy_array.h"
 
 namespace transformesh {
 
@@ -26,6 +30,24 @@ CameraList read_colmap(const Source& cameras, const Source& images);
 /// Reads cameras.bin and images.bin.
 CameraList read_colmap_binary(const Source& cameras, const Source& images);
 
+CameraList read_transforms(const Source& source);
+CameraList read_meshroom(const Source& source);
+CameraList read_openmvg(const Source& source);
+/// Names the camera after `stem`.
+CameraList read_mvsnet(const Source& source, const std::string& stem);
+/// Names cameras after `stem`.
+CameraList read_llff(const Source& source, const std::string& stem);
+CameraList read_neus(const Source& source, const std::string& stem);
+CameraList read_nvm(const Source& source);
+/// Reads the file of one view, named after the folder of `source`. Returns nothing if it has no
+/// pose.
+CameraList read_mve(const Source& source);
+CameraList read_openmvs(const Source& source);
+
+/// Decomposes a projection into a camera. Returns what is wrong with `who`, as a sentence; "" if
+/// nothing is.
+std::string decompose(const Projection& projection, const std::string& who, PinholeCamera& camera);
+
 /// The COLMAP text file to which a row belongs.
 enum class ColmapSection { none, cameras, images };
 ColmapSection colmap_section(TextRows rows);
@@ -37,5 +59,15 @@ std::string write_colmap_images(const CameraList& list);
 std::string binary_colmap_cameras(const std::string& text);
 std::string binary_colmap_images(const std::string& text);
 std::string write_opencv(const CameraRecord& record);
+std::string write_transforms(const CameraList& list);
+std::string write_meshroom(const CameraList& list);
+std::string write_openmvs(const CameraList& list);
+
+/// Throws InputError unless the record is a pinhole without skew for an image of known size, which
+/// is read back after half a pixel was added. `program` names the format in messages.
+void check_sized_pinhole(const CameraRecord& record, const std::string& program);
+
+/// Returns the index of the first camera in the list with the same lens as `record`.
+std::size_t lens_of(const CameraList& list, const CameraRecord& record);
 
 }  // namespace transformesh

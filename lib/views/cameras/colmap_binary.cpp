@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 
 #include "support/number.h"
 #include "views/cameras/camera_formats.h"
+#include "views/cameras/little_endian.h"
 
 namespace transformesh {
 namespace {
@@ -27,48 +26,7 @@ constexpr std::array models{Model{"SIMPLE_PINHOLE", 3},
                             Model{"RADIAL_FISHEYE", 5},
                             Model{"THIN_PRISM_FISHEYE", 12}};
 
-/// Reads consecutive little-endian numbers.
-class Numbers {
- public:
-  explicit Numbers(const Source& source) : source_(source), rest_(source.bytes) {}
-
-  template <class Number>
-  Number take() {
-    std::array<char, sizeof(Number)> bytes{};
-    const std::string_view taken = take_bytes(sizeof(Number));
-    std::memcpy(bytes.data(), taken.data(), sizeof(Number));
-    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-    return std::bit_cast<Number>(bytes);
-  }
-
-  std::string_view take_name() {
-    const std::size_t size = rest_.find('\0');
-    if (size == std::string_view::npos) fail();
-    return take_bytes(size + 1).substr(0, size);
-  }
-
-  void skip(std::uint64_t count, std::uint64_t size) {
-    if (count > rest_.size() / size) fail();
-    rest_.remove_prefix(count * size);
-  }
-
- private:
-  std::string_view take_bytes(std::size_t size) {
-    if (rest_.size() < size) fail();
-    const std::string_view taken = rest_.substr(0, size);
-    rest_.remove_prefix(size);
-    return taken;
-  }
-  [[noreturn]] void fail() const {
-    source_.fail("COLMAP's binary file ends too early, after " +
-                 std::to_string(source_.bytes.size()) + " bytes");
-  }
-
-  const Source& source_;
-  std::string_view rest_;
-};
-
-void copy_numbers(Numbers& numbers, int count, TextBuffer& text) {
+void copy_numbers(LittleEndianReader& numbers, int count, TextBuffer& text) {
   for (int i = 0; i < count; ++i) {
     text.add(' ');
     text.add_number(numbers.take<double>());
@@ -77,7 +35,7 @@ void copy_numbers(Numbers& numbers, int count, TextBuffer& text) {
 
 /// Converts cameras.bin to the text of cameras.txt.
 std::string cameras_text(const Source& source) {
-  Numbers numbers(source);
+  LittleEndianReader numbers(source, "COLMAP's binary file");
   TextBuffer text;
   for (auto count = numbers.take<std::uint64_t>(); count > 0; --count) {
     text.add_number(numbers.take<std::int32_t>());
@@ -98,7 +56,7 @@ std::string cameras_text(const Source& source) {
 
 /// Converts images.bin to the text of images.txt, with an empty line instead of points.
 std::string images_text(const Source& source) {
-  Numbers numbers(source);
+  LittleEndianReader numbers(source, "COLMAP's binary file");
   TextBuffer text;
   for (auto count = numbers.take<std::uint64_t>(); count > 0; --count) {
     text.add_number(numbers.take<std::uint32_t>());
@@ -116,22 +74,6 @@ std::string images_text(const Source& source) {
   }
   return text.take();
 }
-
-/// Writes consecutive little-endian numbers.
-class Bytes {
- public:
-  template <class Number>
-  void add(Number number) {
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-    if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-    bytes_.append(bytes.data(), bytes.size());
-  }
-  void add(std::string_view text) { bytes_ += text; }
-  std::string take() { return std::move(bytes_); }
-
- private:
-  std::string bytes_;
-};
 
 /// Splits a row of text into words. rest() is the remaining text, for names with blanks.
 class Words {
@@ -174,7 +116,7 @@ std::int32_t number_of_model(std::string_view name) {
 template <class Add>
 std::string binary_rows(const std::string& text, const Add& add) {
   const std::vector<std::string_view> rows = rows_of(text);
-  Bytes bytes;
+  LittleEndianWriter bytes;
   bytes.add(static_cast<std::uint64_t>(rows.size()));
   for (const std::string_view row : rows) {
     Words words(row);
@@ -186,7 +128,7 @@ std::string binary_rows(const std::string& text, const Add& add) {
 }  // namespace
 
 std::string binary_colmap_cameras(const std::string& text) {
-  return binary_rows(text, [](Words& words, Bytes& bytes) {
+  return binary_rows(text, [](Words& words, LittleEndianWriter& bytes) {
     bytes.add(words.number<std::int32_t>());
     bytes.add(number_of_model(words.word()));
     for (int side = 0; side < 2; ++side) bytes.add(words.number<std::uint64_t>());
@@ -195,7 +137,7 @@ std::string binary_colmap_cameras(const std::string& text) {
 }
 
 std::string binary_colmap_images(const std::string& text) {
-  return binary_rows(text, [](Words& words, Bytes& bytes) {
+  return binary_rows(text, [](Words& words, LittleEndianWriter& bytes) {
     bytes.add(words.number<std::uint32_t>());
     for (int i = 0; i < 7; ++i) bytes.add(words.number<double>());
     bytes.add(words.number<std::uint32_t>());

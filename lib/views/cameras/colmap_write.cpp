@@ -15,14 +15,6 @@ bool is_same_lens(const CameraRecord& a, const CameraRecord& b) {
          a.width == b.width && a.height == b.height;
 }
 
-/// Returns the index of the first camera in the list with the same lens as `record`.
-std::size_t lens_of(const CameraList& list, const CameraRecord& record) {
-  const auto first =
-      std::find_if(list.cameras.begin(), list.cameras.end(),
-                   [&](const CameraRecord& other) { return is_same_lens(other, record); });
-  return static_cast<std::size_t>(first - list.cameras.begin());
-}
-
 /// Adds coefficients in the order of FULL_OPENCV.
 void add(const LensDistortion& distortion, TextBuffer& text) {
   const auto& [k1, k2, k3, k4, k5, k6] = distortion.radial;
@@ -33,13 +25,22 @@ void add(const LensDistortion& distortion, TextBuffer& text) {
   }
 }
 
-void check(const CameraRecord& record) {
+}  // namespace
+
+std::size_t lens_of(const CameraList& list, const CameraRecord& record) {
+  const auto first =
+      std::find_if(list.cameras.begin(), list.cameras.end(),
+                   [&](const CameraRecord& other) { return is_same_lens(other, record); });
+  return static_cast<std::size_t>(first - list.cameras.begin());
+}
+
+void check_sized_pinhole(const CameraRecord& record, const std::string& program) {
   if (record.width == 0) {
-    throw InputError("COLMAP needs the sizes of the images, which are not known for " +
+    throw InputError(program + " needs the sizes of the images, which are not known for " +
                      quoted(record.name) + " (" + record.place + "): name the images");
   }
   if (record.camera.intrinsics(0, 1) != 0) {
-    throw InputError("COLMAP's pinhole has no skew, but the camera of " + quoted(record.name) +
+    throw InputError(program + "'s pinhole has no skew, but the camera of " + quoted(record.name) +
                      " has (" + record.place + ")");
   }
   PinholeCamera again = record.camera;
@@ -48,14 +49,12 @@ void check(const CameraRecord& record) {
   check_read_again(record, again);
 }
 
-}  // namespace
-
 std::string write_colmap_cameras(const CameraList& list) {
   TextBuffer text;
   text.add("# CAMERA_ID MODEL WIDTH HEIGHT FX FY CX CY\n");
   for (std::size_t i = 0; i < list.cameras.size(); ++i) {
     const CameraRecord& record = list.cameras[i];
-    check(record);
+    check_sized_pinhole(record, "COLMAP");
     if (lens_of(list, record) != i) continue;
     const Eigen::Matrix3d& k = record.camera.intrinsics;
     text.add_number(i + 1);

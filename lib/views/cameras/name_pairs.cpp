@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "io/streams/file_list.h"
 #include "io/streams/source.h"
@@ -113,6 +114,28 @@ std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Ste
   return partners;
 }
 
+/// Returns the stems of both, with folders if both have repeated stems.
+std::pair<Stems, Stems> comparable_stems(const NamedFiles& first, const NamedFiles& second) {
+  const bool have_folders = has_repeats(plain_stems(first)) && has_repeats(plain_stems(second));
+  return have_folders ? std::pair(stems_with_folders(first), stems_with_folders(second))
+                      : std::pair(plain_stems(first), plain_stems(second));
+}
+
+/// Returns the indices of stems that are not in `others`, ascending.
+std::vector<std::size_t> lonely_stems(const Stems& stems, const Stems& others) {
+  const std::set<std::string> partners(others.begin(), others.end());
+  std::vector<std::size_t> lonely;
+  for (std::size_t i = 0; i < stems.size(); ++i)
+    if (!partners.contains(stems[i])) lonely.push_back(i);
+  return lonely;
+}
+
+Unpaired unpaired_of(const Stems& stems, const Stems& second_stems) {
+  Unpaired unpaired{lonely_stems(stems, second_stems), lonely_stems(second_stems, stems)};
+  unpaired.has_pairs = unpaired.first.size() < stems.size();
+  return unpaired;
+}
+
 }  // namespace
 
 std::vector<std::string> distinct_stems(const NamedFiles& files) {
@@ -120,11 +143,17 @@ std::vector<std::string> distinct_stems(const NamedFiles& files) {
   return has_repeats(stems) ? stems_with_folders(files) : stems;
 }
 
+Unpaired find_unpaired(const NamedFiles& first, const NamedFiles& second) {
+  auto [stems, second_stems] = comparable_stems(first, second);
+  if (stems.empty() || second_stems.empty()) return {};
+  Unpaired unpaired = unpaired_of(stems, second_stems);
+  if (unpaired.has_pairs) return unpaired;
+  return unpaired_of(without_shared_suffix(stems), without_shared_suffix(second_stems));
+}
+
 std::vector<std::size_t> pair_by_name(const NamedFiles& first, const NamedFiles& second,
                                       bool names_must_agree) {
-  const bool have_folders = has_repeats(plain_stems(first)) && has_repeats(plain_stems(second));
-  const Stems stems = have_folders ? stems_with_folders(first) : plain_stems(first);
-  const Stems second_stems = have_folders ? stems_with_folders(second) : plain_stems(second);
+  const auto [stems, second_stems] = comparable_stems(first, second);
   if (stems.empty() || second_stems.empty()) throw InputError(counts_text(first, second));
   if (const auto pairs = pair_equal(stems, second_stems, first, second)) return *pairs;
   const auto short_pairs =

@@ -20,6 +20,16 @@ struct NamedFiles {
 /// returns all stems with their folders below the root.
 std::vector<std::string> distinct_stems(const NamedFiles& files);
 
+/// Indices of files without a partner, ascending.
+struct Unpaired {
+  std::vector<std::size_t> first;
+  std::vector<std::size_t> second;
+  bool has_pairs = false;  ///< true if at least one file has a partner
+};
+
+/// Finds files without a partner by the first two rules of pair_by_name().
+Unpaired find_unpaired(const NamedFiles& first, const NamedFiles& second);
+
 /// Returns for each of `first` the index of its partner in `second`. The rules, in this order:
 /// 1. Files with the same stem are partners. If both sides have repeated stems, distinct_stems()
 ///    are compared.

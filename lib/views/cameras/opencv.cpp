@@ -1,104 +1,19 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <initializer_list>
-#include <optional>
 
 #include "support/elementary/trigonometric.h"
 #include "transformesh/errors.h"
 #include "views/cameras/camera_formats.h"
+#include "views/cameras/opencv_storage.h"
 
 namespace transformesh {
 namespace {
 
-using Entries = std::vector<double>;
-using Keys = std::initializer_list<const char*>;
-
-constexpr std::string_view blanks = " \t\r\n";
-
-/// Entries of a file that OpenCV's FileStorage wrote as YAML or XML.
-class Storage {
- public:
-  explicit Storage(const Source& source)
-      : source_(source), is_xml_(source.bytes.find("<opencv_storage") != std::string_view::npos) {}
-
-  /// Returns the numbers of the first key that exists, or nothing if none exists.
-  std::optional<Entries> find(Keys keys) const {
-    for (const char* key : keys)
-      if (const auto text = text_of(key)) return numbers_in(*text, key);
-    return {};
-  }
-
-  Entries get(Keys keys) const {
-    if (auto entries = find(keys)) return *entries;
-    source_.fail("OpenCV's file has no " + std::string(*keys.begin()));
-  }
-
-  int side(const char* key) const {
-    const auto entries = find({key});
-    return entries && entries->size() == 1 && entries->front() >= 1 && entries->front() <= 1e9
-               ? static_cast<int>(entries->front())
-               : 0;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const { source_.fail(what); }
-
- private:
-  /// Returns the position of the value of the key, or npos if there is no such key.
-  std::size_t value_of(const std::string& key) const {
-    const std::string_view text = source_.bytes;
-    const std::string start = is_xml_ ? "<" + key : key + ":";
-    for (std::size_t at = text.find(start); at != std::string_view::npos;
-         at = text.find(start, at + 1)) {
-      const std::size_t end = at + start.size();
-      const bool is_whole = is_xml_ ? end < text.size() && (text[end] == '>' || text[end] == ' ')
-                                    : at == 0 || blanks.find(text[at - 1]) < blanks.size();
-      if (is_whole) return is_xml_ ? text.find('>', end) + 1 : end;
-    }
-    return std::string_view::npos;
-  }
-
-  std::optional<std::string_view> text_of(const std::string& key) const {
-    const std::size_t value = value_of(key);
-    if (value == std::string_view::npos) return {};
-    std::string_view rest = source_.bytes.substr(std::min(value, source_.bytes.size()));
-    if (is_xml_) {
-      rest = rest.substr(0, rest.find("</" + key));
-      const std::size_t data = rest.find("<data>");
-      return data == std::string_view::npos ? rest
-                                            : rest.substr(data + 6, rest.find("</data") - data - 6);
-    }
-    const std::size_t first = std::min(rest.find_first_not_of(" \t"), rest.size());
-    const std::string_view line = rest.substr(first, rest.find_first_of("\r\n", first) - first);
-    if (!line.starts_with('!') && !line.empty() && !line.starts_with('[')) return line;
-    const std::size_t open = rest.find('[');
-    const std::size_t close = rest.find(']');
-    if (open == std::string_view::npos || close == std::string_view::npos || close < open)
-      return {};
-    return rest.substr(open + 1, close - open - 1);
-  }
-
-  Entries numbers_in(std::string_view text, const std::string& key) const {
-    const std::string separators = std::string(blanks) + ',';
-    Entries entries;
-    for (;;) {
-      text.remove_prefix(std::min(text.find_first_not_of(separators), text.size()));
-      if (text.empty()) return entries;
-      const std::string_view word = text.substr(0, text.find_first_of(separators));
-      const char* first = word.data();
-      double value = 0;
-      const bool is_read = parse_number(first, word.data() + word.size(), value) == Parsed::ok &&
-                           std::isfinite(value);
-      if (!is_read || first != word.data() + word.size())
-        source_.fail(key + " of OpenCV's file has " + quoted(word) + ", which is no finite number");
-      entries.push_back(value);
-      text.remove_prefix(word.size());
-    }
-  }
-
-  const Source& source_;
-  bool is_xml_;
-};
+constexpr std::initializer_list<const char*> intrinsics_keys{"camera_matrix", "cameraMatrix", "K",
+                                                             "M"};
 
 Eigen::Matrix3d rotation_of(const Vec3& vector) {
   const double angle = vector.norm();
@@ -111,7 +26,7 @@ Eigen::Matrix3d rotation_of(const Vec3& vector) {
          (1 - elementary::cos(angle)) * cross * cross;
 }
 
-LensDistortion distortion_of(const Storage& storage) {
+LensDistortion distortion_of(const OpencvStorage& storage) {
   LensDistortion distortion;
   const auto found = storage.find({"distortion_coefficients", "distCoeffs", "dist_coeffs", "D"});
   if (!found) return distortion;
@@ -128,8 +43,8 @@ LensDistortion distortion_of(const Storage& storage) {
   return distortion;
 }
 
-Eigen::Matrix3d intrinsics_of(const Storage& storage) {
-  const Entries entries = storage.get({"camera_matrix", "cameraMatrix", "K", "M"});
+Eigen::Matrix3d intrinsics_of(const OpencvStorage& storage) {
+  const std::vector<double> entries = storage.get(intrinsics_keys);
   if (entries.size() != 9) storage.fail("camera_matrix of OpenCV's file has no 9 numbers");
   Eigen::Matrix3d k;
   for (int i = 0; i < 9; ++i) k(i / 3, i % 3) = entries[static_cast<std::size_t>(i)];
@@ -142,7 +57,7 @@ Eigen::Matrix3d intrinsics_of(const Storage& storage) {
 }
 
 /// Reads rows of a rotation vector and t, or R and t of a single camera.
-std::vector<PinholeCamera> poses_of(const Storage& storage) {
+std::vector<PinholeCamera> poses_of(const OpencvStorage& storage) {
   std::vector<PinholeCamera> poses;
   if (const auto rows = storage.find({"extrinsic_parameters", "extrinsics"})) {
     if (rows->empty() || rows->size() % 6 != 0)
@@ -155,8 +70,8 @@ std::vector<PinholeCamera> poses_of(const Storage& storage) {
     }
     return poses;
   }
-  const Entries r = storage.get({"R", "rotation", "rvec"});
-  const Entries t = storage.get({"T", "t", "translation", "tvec"});
+  const std::vector<double> r = storage.get({"R", "rotation", "rvec"});
+  const std::vector<double> t = storage.get({"T", "t", "translation", "tvec"});
   if ((r.size() != 9 && r.size() != 3) || t.size() != 3)
     storage.fail("R of OpenCV's file must have 9 numbers or 3, and T 3");
   PinholeCamera pose;
@@ -199,6 +114,64 @@ std::vector<double> numbers_of(const LensDistortion& distortion) {
   return numbers;
 }
 
+/// Adds the cameras of one lens: a pose, or rows of poses.
+void add_cameras(const OpencvStorage& storage, const Source& source, const std::string& name,
+                 CameraList& list) {
+  CameraRecord record;
+  record.camera.intrinsics = intrinsics_of(storage);
+  record.distortion = distortion_of(storage);
+  record.width = storage.side("image_width");
+  record.height = storage.side("image_height");
+  if (record.width == 0 || record.height == 0) record.width = record.height = 0;
+  record.place = source.name;
+  const std::vector<PinholeCamera> poses = poses_of(storage);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Eigen::Matrix3d& r = poses[i].rotation;
+    const bool is_rotation = (r * r.transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-4);
+    if (!is_rotation || r.determinant() < 0) storage.fail("R of OpenCV's file is no rotation");
+    const std::string problem = translation_problem(poses[i].translation, "OpenCV's file");
+    if (!problem.empty()) storage.fail(problem);
+    record.camera.rotation = r;
+    record.camera.translation = poses[i].translation;
+    record.name = poses.size() == 1 ? name : name + '-' + std::to_string(i + 1);
+    list.cameras.push_back(record);
+  }
+}
+
+/// Returns the suffixes of the cameras' entries in a file of several cameras: `_0`, `_1` and so on,
+/// or without the line, or from 1 on.
+std::vector<std::string> camera_suffixes(const Source& source) {
+  for (const char* separator : {"", "_"}) {
+    for (const int first : {0, 1}) {
+      std::vector<std::string> suffixes;
+      for (int i = first; suffixes.size() < OpencvStorage::most_cameras; ++i) {
+        const std::string suffix = separator + std::to_string(i);
+        if (!OpencvStorage(source, suffix).find(intrinsics_keys)) break;
+        suffixes.push_back(suffix);
+      }
+      if (!suffixes.empty()) return suffixes;
+    }
+  }
+  return {};
+}
+
+/// Adds a camera for each matrix of 3x4 numbers, which is named by its key.
+void add_projections(const Source& source, CameraList& list) {
+  const OpencvStorage storage(source);
+  for (const std::string& key : storage.matrix_keys()) {
+    const auto numbers = storage.find({key.c_str()});
+    if (!numbers || numbers->size() != 12) continue;
+    CameraRecord record;
+    record.name = key;
+    record.place = source.name + ' ' + key;
+    const Projection projection =
+        Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(numbers->data());
+    const std::string problem = decompose(projection, key, record.camera);
+    if (!problem.empty()) storage.fail(problem);
+    list.cameras.push_back(std::move(record));
+  }
+}
+
 }  // namespace
 
 std::string write_opencv(const CameraRecord& record) {
@@ -226,28 +199,15 @@ std::string write_opencv(const CameraRecord& record) {
 }
 
 CameraList read_opencv(const Source& source, const std::string& stem) {
-  const Storage storage(source);
-  CameraRecord record;
-  record.camera.intrinsics = intrinsics_of(storage);
-  record.distortion = distortion_of(storage);
-  record.width = storage.side("image_width");
-  record.height = storage.side("image_height");
-  if (record.width == 0 || record.height == 0) record.width = record.height = 0;
-  record.place = source.name;
-
   CameraList list;
-  for (const PinholeCamera& pose : poses_of(storage)) {
-    const Eigen::Matrix3d& r = pose.rotation;
-    const bool is_rotation = (r * r.transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-4);
-    if (!is_rotation || r.determinant() < 0) storage.fail("R of OpenCV's file is no rotation");
-    const std::string problem = translation_problem(pose.translation, "OpenCV's file");
-    if (!problem.empty()) storage.fail(problem);
-    record.camera.rotation = r;
-    record.camera.translation = pose.translation;
-    record.name = std::string(stem).append("-").append(std::to_string(list.cameras.size() + 1));
-    list.cameras.push_back(record);
+  const OpencvStorage storage(source);
+  if (!storage.find(intrinsics_keys)) {
+    for (const std::string& suffix : camera_suffixes(source))
+      add_cameras(OpencvStorage(source, suffix), source,
+                  stem + '-' + suffix.substr(suffix.find_first_not_of('_')), list);
+    if (list.cameras.empty()) add_projections(source, list);
   }
-  if (list.cameras.size() == 1) list.cameras[0].name = stem;
+  if (list.cameras.empty()) add_cameras(storage, source, stem, list);
   return list;
 }
 

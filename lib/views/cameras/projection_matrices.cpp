@@ -43,16 +43,6 @@ bool is_singular(const Projection& projection) {
   return !(std::abs(left.determinant()) > 1e-12 * size);
 }
 
-/// Decomposes a projection into a camera. Returns the reason if this is not possible, else "".
-std::string decompose(const Projection& projection, const std::string& who, PinholeCamera& camera) {
-  if (!projection.allFinite() || is_singular(projection)) {
-    return who + " is singular: no camera has it";
-  }
-  camera = decomposed(projection);
-  const std::string problem = intrinsics_problem(camera.intrinsics, who);
-  return problem.empty() ? translation_problem(camera.translation, who) : problem;
-}
-
 /// Returns the name in a comment before a matrix, without surrounding blanks.
 std::string name_in(std::string_view comment) {
   constexpr std::string_view blanks = " \t\r\v\f";
@@ -79,6 +69,15 @@ Projection read_projection(TextRows& rows, const std::string& who) {
 }
 
 }  // namespace
+
+std::string decompose(const Projection& projection, const std::string& who, PinholeCamera& camera) {
+  if (!projection.allFinite() || is_singular(projection)) {
+    return who + " is singular: no camera has it";
+  }
+  camera = decomposed(projection);
+  const std::string problem = intrinsics_problem(camera.intrinsics, who);
+  return problem.empty() ? translation_problem(camera.translation, who) : problem;
+}
 
 CameraList read_matrices(const Source& source, const std::string& stem) {
   TextRows rows(source, 0, rules);

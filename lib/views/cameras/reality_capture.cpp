@@ -42,7 +42,8 @@ CameraRecord record_of(const Lens& lens, const std::string& who, const Source& s
                 "such as Brown3, or undistorted images");
   record.distortion.radial = {lens.k[0], lens.k[1], lens.k[2], 0, 0, 0};
   record.distortion.tangential = lens.t;
-  record.is_relative = true;
+  record.unit = IntrinsicsUnit::larger_side;
+  record.is_centered = true;
   return record;
 }
 

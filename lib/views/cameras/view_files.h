@@ -16,12 +16,13 @@ namespace transformesh {
 ///
 /// If the camera file names images (Middlebury, COLMAP), images and silhouettes belong to the
 /// camera of the same name. Otherwise see name_pairs.h. Names of cameras may begin with folders,
-/// such as COLMAP's `left/0001.jpg`. Then images are searched in these subfolders.
+/// such as COLMAP's `left/0001.jpg`. Then images are searched in these subfolders. Images and
+/// cameras without a partner may be left out (image_files.h).
 ///
 /// Throws InputError, naming the file, if a file cannot be read or paired, and if a silhouette has
-/// no pixel inside. Also throws if an image has another size than its silhouette or its camera, and
-/// if images of different sizes have the same intrinsics. Files are decoded in parallel; result and
-/// error do not depend on the number of threads.
+/// no pixel inside. Also throws if an image has another size than its camera or another aspect
+/// ratio than its silhouette, and if images of different sizes have the same intrinsics. Files are
+/// decoded in parallel; result and error do not depend on the number of threads.
 std::vector<View> views_from(const ViewSources& sources);
 
 /// A color photograph, which is decoded on request.
@@ -38,9 +39,8 @@ struct PictureView {
 /// errors that only occur while decoding pixels.
 std::vector<PictureView> picture_views_from(const ViewSources& sources);
 
-/// Returns the cameras with the sizes and file names of their images, for conversion. `where` is
-/// the name of the camera file in messages. Throws as views_from() does.
-CameraList cameras_of_images(CameraList cameras, const std::string& where,
-                             const std::string& images);
+/// Returns the cameras with the sizes and file names of their images, for conversion. `cameras`
+/// were read from `sources.cameras`. Throws as views_from() does.
+CameraList cameras_of_images(CameraList cameras, const ViewSources& sources);
 
 }  // namespace transformesh

@@ -18,13 +18,18 @@
 #include "transformesh/length.h"
 #include "transformesh/measure.h"
 #include "transformesh/wrap.h"
+#include "views/wrap/point_spacing.h"
 #include "views/wrap/scale_normalization.h"
 
 namespace transformesh {
 namespace {
 
 constexpr std::size_t points_per_task = 512;
-constexpr double offset_by_diagonal = 1.0 / 300;  ///< default of AlphaWrapOptions::offset
+/// The default of AlphaWrapOptions::offset is the smaller of both. A wrap of 50,000 points on a
+/// sphere with noise of .5 % has a Hausdorff distance of .047 with an eighth of the spacing. It is
+/// .049 with a fourth, and .056 with the fraction of the diagonal.
+constexpr double offset_by_diagonal = 1.0 / 300;
+constexpr double offset_by_spacing = 1.0 / 8;
 
 /// Search range of alpha, as fractions of the diagonal, and the ratio of consecutive candidates:
 /// 2^(-1/4).
@@ -41,9 +46,11 @@ constexpr double most_faces = 2e6;
 /// Alpha of the coarse wrap that estimates the area.
 constexpr double coarse_alpha_by_size = 1.0 / 50;
 
-/// A wrap counts as hollow where it is thinner than this many offsets. If a ball passes between the
-/// points, it leaves a thickness of hardly more than two offsets.
+/// A wrap counts as hollow where it is thinner than this many offsets, or than this fraction of the
+/// diagonal if the offset is the default. If a ball passes between the points, it leaves a
+/// thickness of hardly more than two offsets and the noise of the points.
 constexpr double hollow_by_offset = 4;
+constexpr double hollow_by_diagonal = hollow_by_offset * offset_by_diagonal;
 constexpr double most_hollow = 0.05;  ///< limit of the hollow fraction of the area
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -69,15 +76,30 @@ Mesh mesh_of(const Surface& surface) {
 AlphaWrap wrap(const Cloud& cloud, double alpha, double offset) {
   Surface surface;
   CGAL::alpha_wrap_3(cloud, alpha, offset, surface);
-  return {mesh_of(surface), alpha, 0};
+  return {mesh_of(surface), alpha, 0, offset};
+}
+
+std::vector<Vec3> distinct_points(const std::vector<Vec3>& points) {
+  const std::vector<std::size_t> first = first_equals(points);
+  std::vector<Vec3> distinct;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (first[i] == i) distinct.push_back(points[i]);
+  return distinct;
 }
 
 Cloud cloud_of(const std::vector<Vec3>& points) {
-  const std::vector<std::size_t> first = first_equals(points);
   Cloud cloud;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (first[i] == i) cloud.emplace_back(points[i].x(), points[i].y(), points[i].z());
+  for (const Vec3& point : points) cloud.emplace_back(point.x(), point.y(), point.z());
   return cloud;
+}
+
+/// Returns the default offset in units of `diagonal`.
+double default_offset(const std::vector<Vec3>& points, double diagonal) {
+  const double offset = offset_by_diagonal * diagonal;
+  if (!(diagonal > 0)) return offset;
+  const ScaleNormalization scale(diagonal);
+  const double spacing = scale.from_unit(point_spacing(scale.to_unit(points)));
+  return spacing > 0 ? std::min(offset, offset_by_spacing * spacing) : offset;
 }
 
 double expected_faces(const Cloud& cloud, double alpha, double offset, double diagonal) {
@@ -118,8 +140,8 @@ double least_distance(const Mesh& mesh, const Cloud& cloud) {
   return *std::ranges::min_element(distances);
 }
 
-/// Returns the fraction of the area behind which the wrap is thin (`hollow_by_offset`).
-double hollow_share(const Mesh& mesh, double offset) {
+/// Returns the fraction of the area behind which the wrap is thinner than `thickness`.
+double hollow_share(const Mesh& mesh, double thickness) {
   const RayCastWinding winding(mesh);
   double hollow = 0;
   double all = 0;
@@ -128,19 +150,18 @@ double hollow_share(const Mesh& mesh, double offset) {
     const Vec3 center = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
     const double area = face_area(mesh, f);
     all += area;
-    if (winding(center - hollow_by_offset * offset * face_normal(mesh, f).normalized()) == 0)
-      hollow += area;
+    if (winding(center - thickness * face_normal(mesh, f).normalized()) == 0) hollow += area;
   }
   return all > 0 ? hollow / all : 0;
 }
 
 /// Decreases alpha, and returns the last wrap before the first hollow one.
-AlphaWrap tightest_wrap(const Cloud& cloud, double diagonal, double offset) {
+AlphaWrap tightest_wrap(const Cloud& cloud, double diagonal, double offset, double thickness) {
   double alpha = largest_alpha_by_diagonal * diagonal;
   AlphaWrap best = wrap(cloud, alpha, offset);
   while ((alpha *= alpha_ratio) >= least_alpha_by_diagonal * diagonal) {
     AlphaWrap next = wrap(cloud, alpha, offset);
-    if (hollow_share(next.mesh, offset) > most_hollow) break;
+    if (hollow_share(next.mesh, thickness) > most_hollow) break;
     best = std::move(next);
   }
   return best;
@@ -153,7 +174,9 @@ AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& optio
     throw UsageError("alpha and the offset of a wrap must not be negative");
   if (points.empty()) throw InputError("there are no points to wrap");
   const double diagonal = diagonal_of(points);
-  const double offset = options.offset > 0 ? options.offset : offset_by_diagonal * diagonal;
+  const std::vector<Vec3> distinct = distinct_points({points.begin(), points.end()});
+  const bool is_default = options.offset == 0;
+  const double offset = is_default ? default_offset(distinct, diagonal) : options.offset;
   if (!(offset > 0 && (options.alpha > 0 || diagonal > 0)))
     throw InputError("the points are all in one place: give alpha and the offset as lengths");
   const double finest = options.alpha > 0 ? std::min(options.alpha, offset) : offset;
@@ -161,16 +184,21 @@ AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& optio
   const ScaleNormalization scale(largest);
   check_detail(points, finest, largest);
 
-  const Cloud cloud = cloud_of(scale.to_unit(points));
+  const Cloud cloud = cloud_of(scale.to_unit(distinct));
   const double unit_offset = scale.to_unit(offset);
   if (options.alpha > 0)
     check_cost(cloud, scale.to_unit(options.alpha), unit_offset, scale.to_unit(diagonal), scale);
-  AlphaWrap result = options.alpha > 0 ? wrap(cloud, scale.to_unit(options.alpha), unit_offset)
-                                       : tightest_wrap(cloud, scale.to_unit(diagonal), unit_offset);
+  const double unit_diagonal = scale.to_unit(diagonal);
+  const double thickness =
+      is_default ? hollow_by_diagonal * unit_diagonal : hollow_by_offset * unit_offset;
+  AlphaWrap result = options.alpha > 0
+                         ? wrap(cloud, scale.to_unit(options.alpha), unit_offset)
+                         : tightest_wrap(cloud, unit_diagonal, unit_offset, thickness);
   check_wrap(result.mesh);
   result.least_distance = scale.from_unit(least_distance(result.mesh, cloud));
   scale.from_unit(result.mesh);
   result.alpha = scale.from_unit(result.alpha);
+  result.offset = offset;
   return result;
 }
 

@@ -1,7 +1,7 @@
 #include "views/wrap/outliers.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 #include "geometry/search/kd_tree.h"
 #include "support/parallel.h"
@@ -12,31 +12,92 @@ namespace {
 
 constexpr std::size_t points_per_task = 512;
 constexpr std::size_t neighbors = 6;
-constexpr double jump = 4;  ///< see the table in the header
-constexpr double most_outliers = 1.0 / 20;
-/// Smaller clouds have no outliers. For comparison, one in seven scans of 40 points on a plane
-/// would lose some.
+/// See the table in the header for both.
+constexpr double reach = 2;
+constexpr double jump = 4;
+/// Groups of fewer points than this fraction may be outliers. Sparse reconstructions have few
+/// percent; with twice as many, a second body that is sampled sparsely would be lost more often.
+constexpr double least_body = 1.0 / 20;
+/// Smaller clouds have no outliers: five points could be a body.
 constexpr std::size_t least_points = 100;
 
-std::vector<double> distances_to_neighbors(const std::vector<Vec3>& points) {
+struct Neighborhoods {
+  std::vector<std::vector<Index>> nearest;  ///< each point itself and its six neighbors
+  std::vector<double> spacing;              ///< distance of the sixth neighbor
+};
+
+Neighborhoods neighborhoods_of(const std::vector<Vec3>& points) {
   const KdTree tree(points);
-  std::vector<double> distances(points.size());
+  Neighborhoods result{std::vector<std::vector<Index>>(points.size()),
+                       std::vector<double>(points.size())};
   parallel_for(points.size(), points_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const Index farthest = tree.nearest(points[i], neighbors + 1).back();
-      distances[i] = (points[farthest] - points[i]).norm();
+      result.nearest[i] = tree.nearest(points[i], neighbors + 1);
+      result.spacing[i] = (points[result.nearest[i].back()] - points[i]).norm();
     }
   });
-  return distances;
+  return result;
 }
 
-/// Returns the least neighbor distance of an outlier; infinite if there is none.
-double least_distance(std::vector<double> distances) {
-  const auto most = static_cast<std::size_t>(most_outliers * static_cast<double>(distances.size()));
-  std::ranges::sort(distances, std::ranges::greater());
-  for (std::size_t i = most; i > 0; --i)
-    if (distances[i - 1] > 0 && distances[i - 1] >= jump * distances[i]) return distances[i - 1];
-  return HUGE_VAL;
+/// Groups of points that are connected by steps between neighbors.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count), size_(count, 1) {
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+  }
+  void join(Index a, Index b) {
+    a = root(a);
+    b = root(b);
+    if (a == b) return;
+    parent_[b] = a;
+    size_[a] += size_[b];
+  }
+  std::size_t size_at(Index point) { return size_[root(point)]; }
+
+ private:
+  Index root(Index point) {
+    while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
+    return point;
+  }
+
+  std::vector<Index> parent_;
+  std::vector<std::size_t> size_;
+};
+
+/// Joins neighbors whose distance is small compared with the spacing at both of them.
+Groups groups_of(const std::vector<Vec3>& points, const Neighborhoods& around) {
+  Groups groups(points.size());
+  for (Index i = 0; i < points.size(); ++i) {
+    for (const Index j : around.nearest[i]) {
+      const double limit = reach * std::min(around.spacing[i], around.spacing[j]);
+      if ((points[i] - points[j]).norm() <= limit) groups.join(i, j);
+    }
+  }
+  return groups;
+}
+
+/// Returns for each point whether it is an outlier.
+std::vector<char> outliers_among(const std::vector<Vec3>& points) {
+  const Neighborhoods around = neighborhoods_of(points);
+  Groups groups = groups_of(points, around);
+  const double least = least_body * static_cast<double>(points.size());
+  std::vector<Vec3> body;
+  std::vector<double> spacing;
+  std::vector<Index> rest;
+  for (Index i = 0; i < points.size(); ++i) {
+    if (static_cast<double>(groups.size_at(i)) < least) {
+      rest.push_back(i);
+      continue;
+    }
+    body.push_back(points[i]);
+    spacing.push_back(around.spacing[i]);
+  }
+  std::vector<char> are_outliers(points.size(), 0);
+  if (body.empty() || rest.empty()) return are_outliers;
+  const KdTree tree(body);
+  for (const Index i : rest)
+    are_outliers[i] = around.spacing[i] >= jump * spacing[tree.nearest(points[i], 1)[0]] ? 1 : 0;
+  return are_outliers;
 }
 
 }  // namespace
@@ -52,11 +113,10 @@ std::vector<Index> find_outliers(std::span<const Vec3> points) {
     distinct.push_back(points[i]);
   }
   if (distinct.size() < least_points) return outliers;
-  const std::vector<double> distances =
-      distances_to_neighbors(ScaleNormalization(diagonal_of(points)).to_unit(distinct));
-  const double least = least_distance(distances);
+  const std::vector<char> are_outliers =
+      outliers_among(ScaleNormalization(diagonal_of(points)).to_unit(distinct));
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (distances[place[first[i]]] >= least) outliers.push_back(static_cast<Index>(i));
+    if (are_outliers[place[first[i]]] != 0) outliers.push_back(static_cast<Index>(i));
   return outliers;
 }
 

@@ -9,51 +9,17 @@
 
 #include "helpers/camera_texts.h"
 #include "helpers/random.h"
+#include "helpers/random_cameras.h"
+#include "raster/camera.h"
+#include "views/cameras/camera_output.h"
 
 using namespace transformesh;
 using test::is_refused;
+using test::random_camera;
+using test::random_cameras;
 using test::refusal;
 
 namespace {
-
-PinholeCamera random_camera(test::Random& random) {
-  PinholeCamera camera;
-  camera.intrinsics << random.uniform(200, 4000), 0, random.uniform(100, 900), 0,
-      random.uniform(200, 4000), random.uniform(100, 900), 0, 0, 1;
-  const double angle = random.uniform(0, 3);
-  camera.rotation = Eigen::AngleAxisd(angle, random.point(-1, 1).normalized()).toRotationMatrix();
-  camera.translation = random.point(-3, 3);
-  return camera;
-}
-
-CameraList random_cameras(std::size_t count, std::uint64_t seed) {
-  test::Random random(seed);
-  CameraList list;
-  list.names_images = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    CameraRecord record;
-    record.name = "view" + std::to_string(i) + ".png";
-    record.camera = random_camera(random);
-    record.width = 640;
-    record.height = 480;
-    list.cameras.push_back(record);
-  }
-  return list;
-}
-
-// The largest difference between the pixels of some points.
-double pixel_difference(const PinholeCamera& first, const PinholeCamera& second) {
-  test::Random random(7);
-  double largest = 0;
-  for (int i = 0; i < 20; ++i) {
-    const Vec3 in_camera = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(2, 9)};
-    const Vec3 point = first.rotation.transpose() * (in_camera - first.translation);
-    const Eigen::Vector2d a = (first.projection() * point.homogeneous()).hnormalized();
-    const Eigen::Vector2d b = (second.projection() * point.homogeneous()).hnormalized();
-    largest = std::max(largest, (a - b).norm());
-  }
-  return largest;
-}
 
 std::string exact(double value) {
   std::array<char, 32> text{};
@@ -177,48 +143,6 @@ TEST_CASE("cameras whose products or inverses overflow are refused") {
   CHECK(is_refused(bundle + "9 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1e200\n", "out of range", 7));
 }
 
-TEST_CASE("cameras at the limits of the reader are written readably, or not at all") {
-  test::Random random(9);
-  std::array<int, 2> counts{};
-  for (int round = 0; round < 2000; ++round) {
-    CameraList list = random_cameras(2, static_cast<std::uint64_t>(round));
-    Eigen::Matrix3d& k = list.cameras[0].camera.intrinsics;
-    k(1, 2) = 0;
-    k(0, 2) = k(0, 0) * 1e12 * (1 + random.uniform(-1e-3, 1e-3));
-    for (const CameraFormat format :
-         {CameraFormat::middlebury, CameraFormat::colmap, CameraFormat::matrices}) {
-      std::string text;
-      try {
-        text = write_cameras(list, format);
-      } catch (const InputError&) {
-        ++counts[0];
-        continue;
-      }
-      ++counts[1];
-      CHECK(parse_cameras(text, "back.txt").cameras.size() == 2);
-    }
-  }
-  CHECK(counts[0] > 500);
-  CHECK(counts[1] > 500);
-}
-
-TEST_CASE("formats are distinguished by their content") {
-  CHECK(camera_format("16\na.png 1") == CameraFormat::middlebury);
-  CHECK(camera_format("# Camera list\n1 PINHOLE 3 4 5") == CameraFormat::colmap);
-  CHECK(camera_format("1 1 0 0 0 0 0 5 1 a.png") == CameraFormat::colmap);
-  CHECK(camera_format("# Bundle file v0.3\n") == CameraFormat::bundler);
-  CHECK(camera_format("1 2 3 4\n") == CameraFormat::matrices);
-  CHECK(camera_format("CONTOUR\n") == CameraFormat::matrices);
-  for (const char* other : {"", "OFF\n3 1 0\n", "hello", "ply\nformat", "12 34 name.png\n",
-                            "The OBJECT is 3", "1 2 3\n", "name.png\n"}) {
-    CAPTURE(other);
-    CHECK_FALSE(camera_format(other).has_value());
-  }
-  CHECK_FALSE(camera_format(std::string_view("1\n\0", 3)).has_value());
-  CHECK(refusal("").find("empty") != std::string::npos);
-  CHECK(refusal("OFF\n3 1 0\n").find("'OFF") != std::string::npos);
-}
-
 TEST_CASE("damaged files are refused with their name, or read as valid cameras") {
   const CameraList list = random_cameras(2, 8);
   const std::string pose = "1 0 0\n0 1 0\n0 0 1\n0 0 -5\n";
@@ -244,73 +168,5 @@ TEST_CASE("damaged files are refused with their name, or read as valid cameras")
         CHECK(std::string(error.what()).find("some.txt") != std::string::npos);
       }
     }
-  }
-}
-
-TEST_CASE("written cameras are read back") {
-  const CameraList list = random_cameras(9, 5);
-  const auto check_back = [&](CameraFormat format, double tolerance) {
-    const CameraList back = parse_cameras(write_cameras(list, format), "back.txt");
-    REQUIRE(back.cameras.size() == list.cameras.size());
-    for (std::size_t i = 0; i < back.cameras.size(); ++i) {
-      CHECK(back.cameras[i].name == list.cameras[i].name);
-      CHECK(pixel_difference(list.cameras[i].camera, back.cameras[i].camera) <= tolerance);
-    }
-    return back;
-  };
-  check_back(CameraFormat::middlebury, 0);
-  check_back(CameraFormat::matrices, 1e-9);
-  const CameraList colmap = check_back(CameraFormat::colmap, 1e-9);
-  CHECK(colmap.cameras[3].width == 640);
-  CHECK(colmap.cameras[3].height == 480);
-}
-
-TEST_CASE("cameras that a format cannot hold are refused") {
-  const auto refused = [](CameraList list, CameraFormat format, const char* what) {
-    try {
-      write_cameras(list, format);
-    } catch (const InputError& error) {
-      return std::string(error.what()).find(what) != std::string::npos;
-    }
-    return false;
-  };
-  CameraList list = random_cameras(2, 5);
-  CHECK(refused(list, CameraFormat::bundler, "not written"));
-  list.cameras[1].camera.intrinsics(0, 1) = 0.5;
-  CHECK(refused(list, CameraFormat::colmap, "skew"));
-  list.cameras[0].width = 0;
-  CHECK(refused(list, CameraFormat::colmap, "sizes"));
-  list.cameras[0].name = "a b.png";
-  CHECK(refused(list, CameraFormat::middlebury, "'a b.png'"));
-  list = random_cameras(2, 5);
-  for (const std::string& name : {std::string(), std::string(" a"), std::string("a "),
-                                  std::string("a\tb"), std::string("a\rb"), std::string(1, '\0')}) {
-    list.cameras[1].name = name;
-    for (const CameraFormat format :
-         {CameraFormat::middlebury, CameraFormat::colmap, CameraFormat::matrices})
-      CHECK(refused(list, format, "can hold the name"));
-  }
-  list.cameras[0].is_centered = true;
-  CHECK(refused(list, CameraFormat::matrices, "principal point"));
-}
-
-TEST_CASE("files of a folder have the names that the format's programs expect") {
-  const CameraList list = random_cameras(2, 5);
-  const auto names = [&](CameraFormat format) {
-    std::string found;
-    for (const CameraText& file : write_camera_files(list, format)) found += file.name + ' ';
-    return found;
-  };
-  CHECK(names(CameraFormat::middlebury) == "cameras_par.txt ");
-  CHECK(names(CameraFormat::colmap) == "cameras.txt images.txt points3D.txt ");
-  CHECK(names(CameraFormat::matrices) == "view0.txt view1.txt ");
-}
-
-TEST_CASE("matrices of a folder are each in a file of its own that is found there") {
-  for (const char* name : {"left/view0.png", "view0.jpg", ".view1.png"}) {
-    CameraList list = random_cameras(2, 5);
-    list.cameras[1].name = name;
-    CHECK_THROWS_AS(write_camera_files(list, CameraFormat::matrices), InputError);
-    CHECK_NOTHROW(write_camera_files(list, CameraFormat::colmap));
   }
 }

@@ -58,3 +58,37 @@ TEST_CASE("OpenCV: invalid cameras are refused") {
   for (std::size_t size = 5; size < whole.size() - 3; ++size)
     CHECK_THROWS_AS(parse_cameras(whole.substr(0, size), "cut.yml"), InputError);
 }
+
+TEST_CASE("OpenCV: several cameras in a file, by numbered entries or by 3x4 matrices") {
+  const auto matrix = [](const std::string& name, const std::string& numbers) {
+    return "<" + name + " type_id=\"opencv-matrix\"><rows>3</rows><cols>3</cols><dt>d</dt><data>" +
+           numbers + "</data></" + name + ">\n";
+  };
+  const std::string start = "<?xml version=\"1.0\"?>\n<opencv_storage>\n";
+  const std::string end = "</opencv_storage>\n";
+  std::string text = start + "<image_width>320</image_width><image_height>240</image_height>\n";
+  for (const std::string i : {"_1", "_2"})
+    text += matrix("K" + i, "30" + i.substr(1) + " 0 160 0 310 120 0 0 1") +
+            matrix("R" + i, "1 0 0 0 1 0 0 0 1") + matrix("T" + i, "0 0 " + i.substr(1));
+  const CameraList numbered = parse_cameras(text + end, "rig.xml");
+  REQUIRE(numbered.cameras.size() == 2);
+  CHECK(numbered.cameras[1].name == "rig-2");
+  CHECK(numbered.cameras[1].width == 320);
+  CHECK(numbered.cameras[1].camera.intrinsics(0, 0) == 302);
+  CHECK(numbered.cameras[1].camera.translation == Vec3(0, 0, 2));
+
+  const std::string projections = matrix("left", "300 0 160 0 0 310 120 0 0 0 1 5") +
+                                  matrix("Q", "1 2 3 4") +
+                                  matrix("right", "300 0 160 -30 0 310 120 0 0 0 1 5");
+  const CameraList list = parse_cameras(start + projections + end, "rig.xml");
+  REQUIRE(list.cameras.size() == 2);
+  CHECK(list.cameras[1].name == "right");
+  CHECK(list.cameras[1].camera.intrinsics(1, 1) == doctest::Approx(310));
+  CHECK(list.cameras[1].camera.translation.x() == doctest::Approx(-160 * 5 / 300.0 - 0.1));
+
+  CHECK(says(start + matrix("P", "0 0 0 0 0 0 0 0 0 0 0 0") + end, "P is singular"));
+  CHECK(says(start + matrix("K0", "300 0 160 0 310 120 0 0 1") + end, "no R0"));
+  std::string many = start;
+  for (int i = 0; i < 1001; ++i) many += matrix("m" + std::to_string(i), "1");
+  CHECK(says(many + end, "more than 1000 matrices"));
+}

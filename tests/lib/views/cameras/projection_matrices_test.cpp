@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <sstream>
 
+#include "raster/camera.h"
 #include "transformesh/errors.h"
 #include "transformesh/pinhole_camera.h"
 #include "views/cameras/camera_file.h"

@@ -3,76 +3,28 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 
+#include "helpers/view_folder.h"
 #include "transformesh/errors.h"
 #include "views/cameras/view.h"
 
 using namespace transformesh;
+using test::Folder;
+using test::image;
+using test::middlebury;
+using test::refusal;
+using test::says;
 
 namespace {
 
-/// A folder of files that goes with its object.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "view_files_XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string at(const std::string& name) const { return (path_ / name).string(); }
-  void write(const std::string& name, const std::string& bytes) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
-    std::ofstream(at(name), std::ios::binary) << bytes;
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
 std::string numbered(const std::string& start, int number, const std::string& end) {
   return start + std::to_string(number) + end;
-}
-
-// A gray image whose pixels all have one intensity.
-std::string image(int width, int height, int intensity) {
-  return "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n" +
-         std::string(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
-                     static_cast<char>(intensity));
 }
 
 // A 3x4 matrix whose camera has this focal length.
 std::string matrix(int focal) {
   const std::string f = std::to_string(focal);
   return f + " 0 2 0\n0 " + f + " 1 0\n0 0 1 5\n";
-}
-
-std::string middlebury(const std::vector<std::string>& names) {
-  std::string text = std::to_string(names.size()) + "\n";
-  int focal = 100;
-  for (const std::string& name : names) {
-    const std::string f = std::to_string(focal++);
-    text += name + " " + f + " 0 2 0 " + f + " 1 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5\n";
-  }
-  return text;
-}
-
-std::string refusal(const ViewSources& sources) {
-  try {
-    views_from(sources);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool says(const std::string& message, const std::string& what) {
-  INFO(message);
-  return message.find(what) != std::string::npos;
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+/// Decodes many image files.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "io/streams/file_list.h"
+#include "support/parallel.h"
+#include "transformesh/errors.h"
+#include "views/images/packable_image.h"
+
+namespace transformesh {
+
+/// Decodes all files; `decode` gets the index of each. If several files are bad, always reports the
+/// first one.
+template <typename Decode>
+void decode_all(const std::vector<std::string>& paths, const Decode& decode) {
+  std::vector<std::exception_ptr> failures(paths.size());
+  parallel_for(paths.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      try {
+        decode(i, file_bytes(paths[i]));
+      } catch (const InputError&) {
+        failures[i] = std::current_exception();
+      }
+    }
+  });
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
+
+/// Packs the image if `count` such images would be large. Unpacked images are faster to read.
+inline void pack_one_of(std::size_t count, PackableImage& image) {
+  constexpr double most_pixels = 8e6;  ///< 32 MB of floats
+  if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();
+}
+
+}  // namespace transformesh

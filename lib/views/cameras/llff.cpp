@@ -1,0 +1,57 @@
+// The poses_bounds.npy of LLFF: for each image a 3x5 matrix and two depths. Reference: Mildenhall,
+// Srinivasan, Ortiz-Cayon, Khademi Kalantari, Ramamoorthi, Ng & Kar, "Local light field fusion:
+// practical view synthesis with prescriptive sampling guidelines", TOG 38(4), 2019. The manual of
+// the program describes the file under "Using your own poses".
+#include "views/cameras/camera_formats.h"
+#include "views/cameras/camera_pose.h"
+#include "views/cameras/npy_array.h"
+
+namespace transformesh {
+namespace {
+
+constexpr std::size_t row_size = 17;
+
+int side(double value, const char* what, const std::string& who, const Source& source) {
+  if (!(value >= 1 && value <= 1e9))
+    source.fail("the " + std::string(what) + " of " + who + " is no size of an image");
+  return static_cast<int>(value);
+}
+
+/// Columns of the matrix are the axes down, right and backwards, the center, and the height, width
+/// and focal length.
+CameraRecord read_row(const double* row, const std::string& who, const Source& source) {
+  CameraRecord record;
+  record.place = source.name + ' ' + who;
+  const Eigen::Map<const Eigen::Matrix<double, 3, 5, Eigen::RowMajor>> matrix(row);
+  record.height = side(matrix(0, 4), "height", who, source);
+  record.width = side(matrix(1, 4), "width", who, source);
+  const double focal = matrix(2, 4);
+  record.camera.intrinsics << focal, 0, (record.width - 1) / 2.0, 0, focal,
+      (record.height - 1) / 2.0, 0, 0, 1;
+  std::string problem = intrinsics_problem(record.camera.intrinsics, who);
+  if (!problem.empty()) source.fail(problem);
+  Eigen::Matrix3d rotation;
+  rotation << matrix.col(1).transpose(), matrix.col(0).transpose(), -matrix.col(2).transpose();
+  problem = set_pose_at(rotation, matrix.col(3), who, record.camera);
+  if (!problem.empty()) source.fail(problem);
+  return record;
+}
+
+}  // namespace
+
+CameraList read_llff(const Source& source, const std::string& stem) {
+  const NpyArray array = read_npy(source);
+  if (array.shape.size() != 2 || array.shape[1] != row_size)
+    source.fail("NumPy's array has not 17 numbers for each image, as poses_bounds.npy has");
+  CameraList list;
+  for (std::size_t i = 0; i < array.shape[0]; ++i) {
+    const std::string number = std::to_string(i + 1);
+    CameraRecord record = read_row(array.values.data() + i * row_size, "row " + number, source);
+    record.name = std::string(stem).append("-").append(number);
+    list.cameras.push_back(std::move(record));
+  }
+  if (list.cameras.empty()) source.fail("there is no camera in the file");
+  return list;
+}
+
+}  // namespace transformesh

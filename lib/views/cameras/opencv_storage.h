@@ -1,0 +1,50 @@
+/// Entries of a file that OpenCV's FileStorage wrote as YAML or XML. Reference: OpenCV's manual,
+/// "File input and output using XML / YAML / JSON files".
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/streams/source.h"
+
+namespace transformesh {
+
+class OpencvStorage {
+ public:
+  /// Each entry costs a search of the file. Rigs have hundreds of cameras at most; without a limit,
+  /// a file of a megabyte could take hours.
+  static constexpr std::size_t most_cameras = 1000;
+
+  using Entries = std::vector<double>;
+  using Keys = std::initializer_list<const char*>;
+
+  /// Entries with a suffix, such as `_1`, are those of one of several cameras.
+  explicit OpencvStorage(const Source& source, std::string suffix = {});
+
+  /// Returns the numbers of the first key that exists, or nothing if none exists. Throws InputError
+  /// if an entry is not a finite number.
+  std::optional<Entries> find(Keys keys) const;
+  /// Does the same, and throws InputError, naming the first key, if none exists.
+  Entries get(Keys keys) const;
+  /// Returns a number of 1 to 1e9, or 0 if there is no such entry, with or without the suffix.
+  int side(const char* key) const;
+  /// Returns the keys of all matrices, in the order of the file. Throws InputError for more than
+  /// `most_cameras`.
+  std::vector<std::string> matrix_keys() const;
+
+  [[noreturn]] void fail(const std::string& what) const { source_.fail(what); }
+
+ private:
+  std::size_t value_of(const std::string& key) const;
+  std::optional<std::string_view> text_of(const std::string& key) const;
+  Entries numbers_in(std::string_view text, const std::string& key) const;
+
+  const Source& source_;
+  std::string suffix_;
+  bool is_xml_;
+};
+
+}  // namespace transformesh

@@ -1,0 +1,28 @@
+#include "views/wrap/point_spacing.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "geometry/search/kd_tree.h"
+#include "support/parallel.h"
+
+namespace transformesh {
+
+double point_spacing(std::span<const Vec3> points) {
+  constexpr std::size_t neighbors = 6;
+  constexpr std::size_t points_per_task = 512;
+  constexpr double side_by_radius = 0.7236;  ///< sqrt(pi / 6)
+  if (points.size() <= neighbors) return 0;
+  const std::vector<Vec3> places(points.begin(), points.end());
+  const KdTree tree(places);
+  std::vector<double> distances(places.size());
+  parallel_for(places.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      distances[i] = (places[tree.nearest(places[i], neighbors + 1).back()] - places[i]).norm();
+  });
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return side_by_radius * *middle;
+}
+
+}  // namespace transformesh
