@@ -77,7 +77,8 @@ def build_module(config_settings):
     if folder is None:
         folder = ROOT / 'build-wheel'
         configure(folder)
-    run('cmake', '--build', folder, '--target', TARGET)
+    # Ninja itself does not lock the folder, in which tests that run side by side may build.
+    run('flock', folder, 'cmake', '--build', folder, '--target', TARGET)
     return Path(folder)
 
 

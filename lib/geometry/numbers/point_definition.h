@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 #include "transformesh/mesh.h"
@@ -41,8 +41,10 @@ struct PointDefinition {
 
   bool is_known() const { return kind != Kind::free && kind != Kind::mean; }
   bool operator==(const PointDefinition&) const = default;
-  // the check takes the comparison with 0 for a pointer
-  auto operator<=>(const PointDefinition&) const = default;
+  /// Orders by kind, then by indices. The libc++ of clang 14 has no `operator<=>` of std::array.
+  bool operator<(const PointDefinition& other) const {
+    return std::tie(kind, indices) < std::tie(other.kind, other.indices);
+  }
 };
 
 struct PointDefinitionHash {
