@@ -8,9 +8,10 @@ namespace {
 /// Dissimilarity from which on windows are more different than alike.
 constexpr double different = 0.5;
 /// Tolerated share of different windows. On four generated scenes the share at scale 1 was 0.001 to
-/// 0.035 on the true surface and on decimated ones, and 0.038 to 0.57 on smoothed and noisy
-/// surfaces, spheres and hulls. Half of the limit sends accurate starts through coarse scales. At
-/// twice the limit, a hull with deep hollows begins at a scale at which the hollows are not found.
+/// 0.035 on the true surface and on decimated ones. The share was 0.038 to 0.57 on smoothed and
+/// noisy surfaces, spheres and hulls. Half of the limit sends accurate starts through coarse
+/// scales. At twice the limit, a hull with deep hollows begins at a scale at which they are not
+/// found.
 constexpr double most_different = 0.03;
 /// Ratio within which shares count as equal. The coarsest of equal scales finds the largest errors.
 constexpr double equal_ratio = 1.05;

@@ -24,10 +24,10 @@ struct InitialMesh {
 
 /// Replaces the document's mesh by the initial mesh, cleaned and rounded as written to a file.
 /// Views without masks get silhouettes if there is a threshold; in this case returns the hull of
-/// the silhouettes. Edges of a hull are 3 `pixel` long. A given mesh is clipped only if a vertex is
-/// more than a pixel outside of a mask, or if it has holes, which the hull closes: the hull would
-/// shave an accurate mesh, because its edges are longer. Throws as visual_hull() and clean() do.
-/// Throws GoalError if the given mesh does not intersect the hull.
+/// the silhouettes. Edges of a hull are 3 `pixel` long, so that the hull would shave an accurate
+/// mesh. A given mesh is only clipped if a vertex is more than a pixel outside of a mask, or if the
+/// mesh has holes, which the hull closes. Throws as visual_hull() and clean() do. Throws GoalError
+/// if the given mesh does not intersect the hull.
 InitialMesh make_initial_mesh(Document& document, std::vector<View>& views,
                               const InitialMeshOptions& options, double pixel,
                               const Progress& progress = Progress());
