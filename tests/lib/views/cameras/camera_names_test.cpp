@@ -8,7 +8,7 @@ namespace {
 
 std::vector<std::string> shortened(const std::vector<std::string>& names) {
   CameraList list;
-  for (const std::string& name : names) list.cameras.push_back({name, "", {}});
+  for (const std::string& name : names) list.cameras.emplace_back().name = name;
   remove_common_folder(list);
   std::vector<std::string> result;
   for (const CameraRecord& record : list.cameras) result.push_back(record.name);

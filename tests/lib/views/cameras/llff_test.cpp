@@ -21,7 +21,8 @@ std::vector<double> row(double focal) {
 }
 
 std::string file(std::vector<double> numbers) {
-  return test::npy("<f8", "(" + std::to_string(numbers.size() / 17) + ", 17)",
+  const std::string rows = std::to_string(numbers.size() / 17);
+  return test::npy("<f8", std::string("(").append(rows).append(", 17)"),
                    test::bytes_of<double>(numbers));
 }
 

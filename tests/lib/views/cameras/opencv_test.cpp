@@ -89,6 +89,6 @@ TEST_CASE("OpenCV: several cameras in a file, by numbered entries or by 3x4 matr
   CHECK(says(start + matrix("P", "0 0 0 0 0 0 0 0 0 0 0 0") + end, "P is singular"));
   CHECK(says(start + matrix("K0", "300 0 160 0 310 120 0 0 1") + end, "no R0"));
   std::string many = start;
-  for (int i = 0; i < 1001; ++i) many += matrix("m" + std::to_string(i), "1");
+  for (int i = 0; i < 1001; ++i) many += matrix(std::string("m").append(std::to_string(i)), "1");
   CHECK(says(many + end, "more than 1000 matrices"));
 }
