@@ -43,4 +43,5 @@ export function offset(mesh: Mesh, distance: number | string, options?: Options)
 export function info(mesh: Mesh, options?: Options): Promise<Record<string, unknown>>;
 export function countIntersections(mesh: Mesh): Promise<number>;
 export function run(
-  program: string, words: string[], files?: Record<string, Uint8Array>): Promise<RunResult>;
+  program: string, words: string[], files?: Record<string, Uint8Array>,
+  onMessage?: (line: string) => void): Promise<RunResult>;

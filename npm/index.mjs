@@ -51,16 +51,21 @@ function wordsOf(options) {
 }
 
 /**
- * Runs a program on files in memory and returns its exit code, files and messages.
+ * Runs a program on files in memory and returns its exit code, files and messages. Files that it writes
+ * into a folder are named by their path.
  * @param {string} program such as 'tm-clean'
  * @param {string[]} words of the command line
  * @param {Record<string, Uint8Array>} [files] by name, for the program to read
+ * @param {(line: string) => void} [onMessage] called for each message while the program runs
  */
-export async function run(program, words, files = {}) {
+export async function run(program, words, files = {}, onMessage = undefined) {
   const messages = [], printed = [];
   const module = await instantiate({
     print: (line) => printed.push(line),
-    printErr: (line) => messages.push(line),
+    printErr: (line) => {
+      messages.push(line);
+      onMessage?.(line);
+    },
     stdin: () => null,
   });
   const { FS } = module;
@@ -68,9 +73,16 @@ export async function run(program, words, files = {}) {
   FS.chdir('/work');
   for (const [name, bytes] of Object.entries(files)) FS.writeFile(name, bytes);
   const code = module.callMain([program, ...words]);
-  const written = FS.readdir('/work').filter((name) => !name.startsWith('.') && !(name in files));
+  const written = filesIn(FS, '').filter((name) => !(name in files));
   const results = Object.fromEntries(written.map((name) => [name, FS.readFile(name)]));
   return { code, printed: printed.join('\n'), messages, files: results };
+}
+
+/** Paths of the files in a folder below /work, and in those within it; names with a dot are temporary. */
+function filesIn(FS, folder) {
+  const names = FS.readdir(`/work/${folder}`).filter((name) => !name.startsWith('.'));
+  return names.map((name) => folder + name).flatMap((path) =>
+    FS.isDir(FS.stat(`/work/${path}`).mode) ? filesIn(FS, `${path}/`) : [path]);
 }
 
 async function runOrThrow(program, words, files, most = 0) {

@@ -1,0 +1,73 @@
+// The table of what is wrong with a mesh: a number and a sentence for each kind, before and after.
+
+import {short} from '../../tools/viewer/numbers.js';
+import {button, make} from './elements.js';
+
+const plural = (count, one, many) => `${short(count)} ${count === 1 ? one : many}`;
+
+// Title, color in the view, unit, and a sentence that says why it matters.
+const kinds = [
+  ['intersections', 'Self-intersections', ['pair of faces', 'pairs of faces'],
+    'Faces run through each other, so inside and outside are not clear there.'],
+  ['holes', 'Holes', ['hole', 'holes'], 'The surface has borders: it encloses no volume.'],
+  ['turned', 'Flipped parts', ['face', 'faces'], 'These faces look the wrong way: their outside is inside.'],
+  ['branching', 'Branching edges', ['edge', 'edges'], 'More than two faces meet at an edge.'],
+  ['oneSided', 'One-sided surface', ['part', 'parts'], 'The surface has one side only, like a Moebius strip.'],
+  ['flat', 'Faces without area', ['face', 'faces'], 'Their corners lie on one line. They do no harm to a solid.'],
+];
+// Kinds that a mesh may have and be a solid all the same.
+const harmless = ['flat'];
+// Kinds that have a row only where there are any.
+const rare = ['oneSided', 'flat', 'branching'];
+
+export const isSolid = ({counts}) =>
+  Object.entries(counts).every(([kind, count]) => count === 0 || harmless.includes(kind));
+
+export function verdictOf(findings) {
+  if (isSolid(findings)) return 'A solid: closed, oriented, and free of self-intersections.';
+  const count = kinds.filter(([kind]) => findings.counts[kind] > 0 && !harmless.includes(kind)).length;
+  return `Not a solid yet: ${count === 1 ? 'one kind' : `${count} kinds`} of fault.`;
+}
+
+function cellOf(findings, kind, [one, many]) {
+  if (!findings) return make('td', {class: 'waiting'}, '…');
+  const count = findings.counts[kind];
+  if (count === 0) return make('td', {class: 'good'}, 'none');
+  return make('td', {class: harmless.includes(kind) ? '' : 'bad'}, plural(count, one, many));
+}
+
+// `show` gets the name of a kind, and turns the view to the next place of it.
+function rowOf([kind, title, unit, sentence], all, show) {
+  const counts = all.map((findings) => findings?.counts[kind]);
+  const isThere = counts.some((count) => count > 0);
+  const isShown = counts[0] > 0 && all[0].segments[kind]?.length > 0;
+  const head = make('th', {scope: 'row'}, make('span', {class: `swatch ${kind}`, 'aria-hidden': 'true'}), title);
+  if (isThere) head.append(make('small', {}, sentence));
+  if (isShown) head.append(button('Show', {class: 'link', 'aria-label': `Show ${title.toLowerCase()}`}, () => show(kind)));
+  return make('tr', {}, head, ...all.map((findings) => cellOf(findings, kind, unit)));
+}
+
+const factRows = [
+  ['Faces', ({faces}) => short(faces)],
+  ['Parts', ({parts}) => short(parts)],
+  ['Size', ({size}) => size.map(short).join(' × ')],
+  ['Area', ({area}) => short(area)],
+  ['Volume', ({volume}) => short(volume)],
+];
+
+function factRow([title, textOf], all) {
+  const cells = all.map((findings) => make('td', {}, findings ? textOf(findings.facts) : '…'));
+  return make('tr', {}, make('th', {scope: 'row'}, title), ...cells);
+}
+
+// `columns` are titles with findings, which are undefined while they are measured.
+export function findingsTable(columns, show) {
+  const all = columns.map(({findings}) => findings);
+  const titles = make('tr', {}, make('th', {scope: 'col'}, 'What is wrong'),
+    ...columns.map(({title}) => make('th', {scope: 'col'}, title)));
+  const isWanted = ([kind]) => !rare.includes(kind) || all.some((findings) => findings?.counts[kind] > 0);
+  return make('table', {class: 'findings'},
+    make('thead', {}, titles),
+    make('tbody', {}, ...kinds.filter(isWanted).map((kind) => rowOf(kind, all, show))),
+    make('tbody', {class: 'facts'}, ...factRows.map((row) => factRow(row, all))));
+}
