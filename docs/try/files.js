@@ -18,8 +18,8 @@ export function showFiles(entries, selected, on) {
     const radio = make('input', {type: 'radio', name: 'shown', value: entry.id});
     radio.checked = entry === selected;
     radio.addEventListener('change', () => on.select(entry));
-    const label = make('label', {}, radio,
-      make('span', {class: 'name'}, entry.name), make('span', {class: 'detail'}, detailOf(entry)));
+    const label = make('label', {}, radio, make('span', {class: 'name', title: entry.name}, entry.name),
+      make('span', {class: 'detail'}, detailOf(entry)));
     const remove = button('×', {class: 'remove', 'aria-label': `Remove ${entry.name}`}, () => on.remove(entry));
     return make('div', {class: 'file'}, label, remove);
   });

@@ -3,17 +3,15 @@
 import {short} from '../../tools/viewer/numbers.js';
 import {button, make} from './elements.js';
 
-const plural = (count, one, many) => `${short(count)} ${count === 1 ? one : many}`;
-
-// Title, color in the view, unit, and a sentence that says why it matters.
+// Kind, title, and a sentence that says what is counted, and why it matters.
 const kinds = [
-  ['intersections', 'Self-intersections', ['pair of faces', 'pairs of faces'],
-    'Faces run through each other, so inside and outside are not clear there.'],
-  ['holes', 'Holes', ['hole', 'holes'], 'The surface has borders: it encloses no volume.'],
-  ['turned', 'Flipped parts', ['face', 'faces'], 'These faces look the wrong way: their outside is inside.'],
-  ['branching', 'Branching edges', ['edge', 'edges'], 'More than two faces meet at an edge.'],
-  ['oneSided', 'One-sided surface', ['part', 'parts'], 'The surface has one side only, like a Moebius strip.'],
-  ['flat', 'Faces without area', ['face', 'faces'], 'Their corners lie on one line. They do no harm to a solid.'],
+  ['intersections', 'Self-intersections',
+    'Pairs of faces that run through each other: inside and outside are not clear there.'],
+  ['holes', 'Holes', 'Borders of the surface. A solid has none.'],
+  ['turned', 'Flipped parts', 'Faces that look the wrong way: their outside is inside.'],
+  ['branching', 'Branching edges', 'Edges at which more than two faces meet.'],
+  ['oneSided', 'One-sided surface', 'The surface has one side only, like a Moebius strip.'],
+  ['flat', 'Faces without area', 'Their corners lie on one line. They do no harm to a solid.'],
 ];
 // Kinds that a mesh may have and be a solid all the same.
 const harmless = ['flat'];
@@ -29,22 +27,22 @@ export function verdictOf(findings) {
   return `Not a solid yet: ${count === 1 ? 'one kind' : `${count} kinds`} of fault.`;
 }
 
-function cellOf(findings, kind, [one, many]) {
+function cellOf(findings, kind) {
   if (!findings) return make('td', {class: 'waiting'}, '…');
   const count = findings.counts[kind];
   if (count === 0) return make('td', {class: 'good'}, 'none');
-  return make('td', {class: harmless.includes(kind) ? '' : 'bad'}, plural(count, one, many));
+  return make('td', {class: harmless.includes(kind) ? '' : 'bad'}, short(count));
 }
 
 // `show` gets the name of a kind, and turns the view to the next place of it.
-function rowOf([kind, title, unit, sentence], all, show) {
+function rowsOf([kind, title, sentence], all, show) {
   const counts = all.map((findings) => findings?.counts[kind]);
   const isThere = counts.some((count) => count > 0);
   const isShown = counts[0] > 0 && all[0].segments[kind]?.length > 0;
   const head = make('th', {scope: 'row'}, make('span', {class: `swatch ${kind}`, 'aria-hidden': 'true'}), title);
-  if (isThere) head.append(make('small', {}, sentence));
-  if (isShown) head.append(button('Show', {class: 'link', 'aria-label': `Show ${title.toLowerCase()}`}, () => show(kind)));
-  return make('tr', {}, head, ...all.map((findings) => cellOf(findings, kind, unit)));
+  const showing = button('Show', {class: 'link', 'aria-label': `Show ${title.toLowerCase()}`}, () => show(kind));
+  const why = make('tr', {class: 'why'}, make('td', {colspan: 1 + all.length}, sentence, ...(isShown ? [showing] : [])));
+  return [make('tr', {}, head, ...all.map((findings) => cellOf(findings, kind))), ...(isThere ? [why] : [])];
 }
 
 const factRows = [
@@ -67,7 +65,8 @@ export function findingsTable(columns, show) {
     ...columns.map(({title}) => make('th', {scope: 'col'}, title)));
   const isWanted = ([kind]) => !rare.includes(kind) || all.some((findings) => findings?.counts[kind] > 0);
   return make('table', {class: 'findings'},
+    make('colgroup', {}, make('col', {class: 'kind'}), ...all.map(() => make('col'))),
     make('thead', {}, titles),
-    make('tbody', {}, ...kinds.filter(isWanted).map((kind) => rowOf(kind, all, show))),
+    make('tbody', {}, ...kinds.filter(isWanted).flatMap((kind) => rowsOf(kind, all, show))),
     make('tbody', {class: 'facts'}, ...factRows.map((row) => factRow(row, all))));
 }

@@ -144,8 +144,8 @@ class App {
     byId('verdict').textContent = entry.problem ?? (isMeasured ? verdictOf(entry.findings) : 'Checking …');
     if (isMeasured) byId('verdict').className = verdictOf(entry.findings).startsWith('A solid') ? 'good' : 'bad';
     if (entry.problem) byId('verdict').className = 'bad';
-    const columns = source ? [{title: 'before', findings: source.findings}, {title: 'after', findings: entry.findings}]
-      : [{title: 'count', findings: entry.findings}];
+    const columns = source ? [{title: 'Before', findings: source.findings}, {title: 'After', findings: entry.findings}]
+      : [{title: 'Count', findings: entry.findings}];
     const table = findingsTable(columns, (kind) => this.#lookAt(kind, (source ?? entry).findings.segments[kind]));
     byId('findings').replaceChildren(...(entry.problem ? [] : [table]));
     byId('remarks').replaceChildren(...(entry.mesh?.notes ?? []).map((note) => make('li', {}, note)));
@@ -168,7 +168,10 @@ class App {
       ...options, other: sources[1]?.name, format: formatOf(sources[0].name),
     }, (name) => this.#isTaken(name));
     const made = await this.#run(command, {kind, sources, options});
-    if (made) this.select(this.#add(command.output, made.bytes, made));
+    if (!made) return;
+    this.select(this.#add(command.output, made.bytes, made));
+    document.querySelector('.panel').scrollTop = 0;
+    document.querySelector('.player').scrollIntoView({block: 'nearest'});
   }
 
   // Runs the task of the selected result again, for another format.

@@ -17,7 +17,7 @@ const secondsOfFilm = 6;
 
 const cssColor = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-// Middle and radius of the box of several meshes.
+// The middle of the box of several meshes, and the radius of the ball around it that contains them.
 function ballOf(meshes) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (const {positions} of meshes) {
@@ -27,7 +27,14 @@ function ballOf(meshes) {
     }
   }
   const middle = low.map((x, axis) => (x <= high[axis] ? x / 2 + high[axis] / 2 : 0));
-  const radius = Math.hypot(...middle.map((x, axis) => high[axis] - x));
+  let square = 0;
+  for (const {positions} of meshes) {
+    for (let i = 0; i < positions.length; i += 3) {
+      const x = positions[i] - middle[0], y = positions[i + 1] - middle[1], z = positions[i + 2] - middle[2];
+      square = Math.max(square, x * x + y * y + z * z);
+    }
+  }
+  const radius = Math.sqrt(square);
   return {middle, radius: radius > 0 && Number.isFinite(radius) ? radius : 1};
 }
 
@@ -101,6 +108,25 @@ export class Stage {
     byId('wipe').setAttribute('aria-valuetext', `${Math.round(100 * share)} % before, the rest after`);
   }
 
+  #chooseWipe(share) {
+    this.chosenWipe = Math.min(Math.max(share, 0), 1);
+    this.#setWipe(this.chosenWipe);
+  }
+
+  // The line is dragged on the mesh itself, too.
+  #listenToHandle() {
+    const handle = byId('handle');
+    handle.addEventListener('pointerdown', (event) => {
+      event.stopPropagation();
+      handle.setPointerCapture(event.pointerId);
+    });
+    handle.addEventListener('pointermove', (event) => {
+      if (!handle.hasPointerCapture(event.pointerId)) return;
+      const {left, width} = byId('stage').getBoundingClientRect();
+      this.#chooseWipe(Math.min(Math.max((event.clientX - left) / width, 0.01), 0.99));
+    });
+  }
+
   #startFilm() {
     const last = this.shown.film.length - 1;
     byId('frame').max = last;
@@ -149,10 +175,8 @@ export class Stage {
   }
 
   #listen() {
-    byId('wipe').addEventListener('input', () => {
-      this.chosenWipe = Number(byId('wipe').value) / 100;
-      this.#setWipe(this.chosenWipe);
-    });
+    byId('wipe').addEventListener('input', () => this.#chooseWipe(Number(byId('wipe').value) / 100));
+    this.#listenToHandle();
     byId('frame').addEventListener('input', () => {
       this.#play(false);
       this.#goTo(Number(byId('frame').value));

@@ -23,7 +23,17 @@ export function freeName(name, isTaken) {
 export const quoted = (word) =>
   (/^[\w%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-export const shellOf = ({program, words}) => [program, ...words].map(quoted).join(' ');
+// Lines of a command are no longer than this where words allow it, as narrow boxes show them.
+const mostLetters = 44;
+
+export function shellOf({program, words}) {
+  const lines = [program];
+  for (const word of words.map(quoted)) {
+    const longer = `${lines.at(-1)} ${word}`;
+    if (longer.length <= mostLetters) lines[lines.length - 1] = longer; else lines.push(`  ${word}`);
+  }
+  return lines.join(' \\\n');
+}
 
 // A length as the programs read it: a number, in % of the diagonal if it ends with that sign.
 export const isLength = (text) => /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?%?$/i.test(text.trim());

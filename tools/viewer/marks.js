@@ -1,19 +1,24 @@
 // Edges that are pointed out: lines of a few pixels, faint where the surface hides them.
 
-import {Color, Group} from 'three';
+import {BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments} from 'three';
 import {LineMaterial} from 'three/examples/jsm/lines/LineMaterial.js';
 import {LineSegments2} from 'three/examples/jsm/lines/LineSegments2.js';
 import {LineSegmentsGeometry} from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 
 const widthInPixels = 3;
 // Low enough that lines on the far side are not taken for lines on the near side.
-const opacityOfHidden = 0.3;
+const opacityOfHidden = 0.5;
 
-function materialOf(color, isHidden) {
-  return new LineMaterial({
-    color: new Color(color), linewidth: widthInPixels, transparent: true, depthWrite: false,
-    depthTest: !isHidden, opacity: isHidden ? opacityOfHidden : 1,
-  });
+// As thin as can be, also because ends of wide lines overlap, which shows where they are faint.
+function faintLines(segments, color) {
+  const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(segments, 3));
+  const material = new LineBasicMaterial({color, transparent: true, opacity: opacityOfHidden, depthTest: false, depthWrite: false});
+  return new LineSegments(geometry, material);
+}
+
+function wideLines(segments, color) {
+  return new LineSegments2(new LineSegmentsGeometry().setPositions(segments),
+    new LineMaterial({color, linewidth: widthInPixels, transparent: true, depthWrite: false}));
 }
 
 export class Marks {
@@ -30,15 +35,14 @@ export class Marks {
     this.group.clear();
     for (const {color, segments} of kinds) {
       if (segments.length === 0) continue;
-      const geometry = new LineSegmentsGeometry().setPositions(segments);
-      for (const isHidden of [true, false]) this.#add(geometry, materialOf(color, isHidden), isHidden ? 2 : 3);
+      this.#add(faintLines(segments, new Color(color)), 2);
+      this.#add(wideLines(segments, new Color(color)), 3);
     }
   }
 
-  #add(geometry, material, order) {
-    const line = new LineSegments2(geometry, material);
-    line.frustumCulled = false;
-    line.renderOrder = order;
-    this.group.add(line);
+  #add(lines, order) {
+    lines.frustumCulled = false;
+    lines.renderOrder = order;
+    this.group.add(lines);
   }
 }
