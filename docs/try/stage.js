@@ -161,7 +161,7 @@ export class Stage {
 
   // Turns the camera to a place of the first mesh.
   lookAt(place) {
-    this.view.lookAt(0, Array.from(place, (x, axis) => (x - this.ball.middle[axis]) / this.ball.radius));
+    this.view.lookAt(0, Array.from(place, (x, axis) => (x - this.ball.middle[axis]) / this.ball.radius), true);
   }
 
   #redraw() {

@@ -8,7 +8,9 @@ import {download, drop, dropBytes, measured, start, withSite} from './site.mjs';
 
 const [site, name, ...words] = process.argv.slice(2);
 
-const sizes = [{width: 390, height: 844, touch: true}, {width: 1440, height: 900}, {width: 2560, height: 1440}];
+const sizes = {
+  phone: {width: 390, height: 844, touch: true}, laptop: {width: 1440, height: 900}, large: {width: 2560, height: 1440},
+};
 const textOf = (page, id) => page.$eval(`#${id}`, (element) => element.textContent.trim());
 
 async function findNothing(page) {
@@ -213,24 +215,22 @@ const checks = {
     });
   },
 
-  // SOLID OTHER: axe-core finds nothing, and nothing is cut off, at any size, light or dark.
-  async accessible(solid, other) {
-    for (const size of sizes) {
-      for (const dark of [false, true]) {
-        await withSite(site, {...size, dark}, async (page) => {
-          await findNothing(page);
-          await drop(page, solid, other);
-          await measured(page, 2);
-          await findNothing(page);
-          await start(page, 'repair');
-          await measured(page, 3);
-          await page.$$eval('details', (all) => all.forEach((one) => { one.open = true; }));
-          await findNothing(page);
-          await start(page, 'morph', {every: '10'});
-          await measured(page, 4);
-          await findNothing(page);
-        });
-      }
+  // SIZE SOLID OTHER: axe-core finds nothing, and nothing is cut off, light or dark.
+  async accessible(size, solid, other) {
+    for (const dark of [false, true]) {
+      await withSite(site, {...sizes[size], dark}, async (page) => {
+        await findNothing(page);
+        await drop(page, solid, other);
+        await measured(page, 2);
+        await findNothing(page);
+        await start(page, 'repair');
+        await measured(page, 3);
+        await page.$$eval('details', (all) => all.forEach((one) => { one.open = true; }));
+        await findNothing(page);
+        await start(page, 'morph', {every: '10'});
+        await measured(page, 4);
+        await findNothing(page);
+      });
     }
   },
 

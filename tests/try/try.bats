@@ -10,6 +10,7 @@ setup_file() {
   "$tm_root/scripts/try" site 2>/dev/null
   tm-shape folded torus --faces 3000 -o folded.stl
   tm-shape sphere --faces 2000 -o ball.ply
+  tm-shape sphere --faces 500 -o small.ply
   tm-shape torus --faces 2000 | tm-convert -o ring.obj
   tm-shape boxes --count 4 -o boxes.off
   tm-select -q --plane=0,-1,0,-0.8 ball.ply -o open.ply
@@ -98,11 +99,11 @@ same_as_pasted() { # KIND FIELDS FILE...
 @test "a task on a result, in another format, has the command lines of both" {
   cd "$BATS_TEST_TMPDIR"
   mkdir page shell
-  try_page chain page ../../folded.stl '["repair"]' '["decimate", {"error": "1%"}]' off
-  cp ../../folded.stl shell
+  try_page chain page "$BATS_FILE_TMPDIR/folded.stl" '["repair"]' '["decimate", {"error": "1%"}]' off
+  cp "$BATS_FILE_TMPDIR/folded.stl" shell
   (cd shell && sh -e ../page/command.sh 2>/dev/null)
   cmp page/folded-repaired-decimated.off shell/folded-repaired-decimated.off
-  tm-repair -q ../../folded.stl -o one.stl
+  tm-repair -q shell/folded.stl -o one.stl
   tm-remesh -q --error=1% one.stl -o expected.off
   cmp expected.off page/folded-repaired-decimated.off
 }
@@ -139,8 +140,16 @@ same_as_pasted() { # KIND FIELDS FILE...
   try_page keyboard folded.stl
 }
 
-@test "axe-core finds nothing, on phones and large screens, light or dark" {
-  try_page accessible ball.ply ring.obj
+@test "axe-core finds nothing and nothing is cut off on a phone, light or dark" {
+  try_page accessible phone small.ply ring.obj
+}
+
+@test "axe-core finds nothing and nothing is cut off on a laptop, light or dark" {
+  try_page accessible laptop small.ply ring.obj
+}
+
+@test "axe-core finds nothing and nothing is cut off on a large screen, light or dark" {
+  try_page accessible large small.ply ring.obj
 }
 
 @test "what cannot be done is said" {

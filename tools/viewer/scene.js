@@ -151,14 +151,21 @@ export class View {
     this.draw();
   }
 
-  // Turns about a place of the run's mesh, in its coordinates, from half as far as reset() does.
-  lookAt(run, place) {
+  // Turns about a place of the run's mesh, in its coordinates, from half as far as reset() does: from
+  // where that looks from, or nearly straight from outside.
+  lookAt(run, place, isFromOutside = false) {
     this.lookFrom();
     const {group, extent} = this.cells[run];
     group.updateMatrixWorld();
     const target = group.localToWorld(new Vector3(...place.map((x, axis) => (x - extent.middle[axis]) / extent.radius)));
+    const offset = new Vector3().setFromSpherical(home).multiplyScalar(0.5);
+    if (isFromOutside) {
+      const distance = offset.length();
+      // A place in the middle has no outside; a little from the side, the surface has some relief.
+      offset.setLength(0.3).add(target.clone().normalize()).setLength(distance);
+    }
     this.controls.target.copy(target);
-    this.camera.position.setFromSpherical(home).multiplyScalar(0.5).add(target);
+    this.camera.position.copy(offset).add(target);
     this.controls.update();
     this.draw();
   }
