@@ -6,6 +6,9 @@ import {LineSegments2} from 'three/examples/jsm/lines/LineSegments2.js';
 import {LineSegmentsGeometry} from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 
 const widthInPixels = 3;
+// Without a graphics card 2000 wide lines take 0.4 s of a processor, at each picture. Thousands of edges
+// are seen as thin lines, too.
+const mostWide = 2000;
 // Low enough that lines on the far side are not taken for lines on the near side.
 const opacityOfHidden = 0.5;
 
@@ -36,7 +39,7 @@ export class Marks {
     for (const {color, segments} of kinds) {
       if (segments.length === 0) continue;
       this.#add(faintLines(segments, new Color(color)), 2);
-      this.#add(wideLines(segments, new Color(color)), 3);
+      if (segments.length <= 6 * mostWide) this.#add(wideLines(segments, new Color(color)), 3);
     }
   }
 
