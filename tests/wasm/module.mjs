@@ -34,3 +34,13 @@ assert.ok(coarse.faces.length / 3 < 600);
 const isUsageError = (error) => error instanceof tm.TransforMeshError && error.code === 2;
 await assert.rejects(tm.clean(ball, { colour: true }), isUsageError);
 await assert.rejects(tm.read(new Uint8Array(0), 'empty.ply'), (error) => error.code === 3);
+
+// Files in folders have their paths, and messages come while the program runs.
+const heard = [];
+const morph = await tm.run('tm-morph', ['ball.ply', '--target', 'ring.ply', '--iterations=3', '--every=1', '--frames=film', '--progress', '-o', 'end.ply'],
+  { 'ball.ply': ball.ply, 'ring.ply': clean.ply }, (line) => heard.push(line));
+assert.equal(morph.code, 0);
+const film = Object.keys(morph.files).filter((name) => name.startsWith('film/')).sort();
+assert.deepEqual(film, [0, 1, 2, 3].map((i) => `film/frame-0000${i}.ply`));
+assert.deepEqual(heard, morph.messages);
+assert.ok(heard.some((line) => line.includes('iteration 1:')));
