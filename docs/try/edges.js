@@ -1,5 +1,6 @@
-// Edges of a triangle soup by position: those with one face, with more than two, and those along which two
-// faces run the same way.
+// Edges of a triangle soup by position: those with one face, those with more whose faces do not pair up, and
+// those along which two faces run the same way. Sheets may touch at an edge: as many faces run along it
+// one way as the other.
 
 const bitsOf = (positions) => new Uint32Array(positions.buffer, positions.byteOffset, 2 * positions.length);
 
@@ -76,6 +77,13 @@ function segmentsOf(positions, edges) {
   return segments;
 }
 
+// True if as many of the halfedges run one way as the other.
+function areBalanced(keys) {
+  let forward = 0;
+  for (const key of keys) forward += key % 2 === 0 ? 1 : -1;
+  return forward === 0;
+}
+
 // Returns the segments of each kind of edge, and the number of holes: connected sets of border edges.
 export function edgesOf({positions, faces}) {
   const count = positions.length / 3;
@@ -89,9 +97,9 @@ export function edgesOf({positions, faces}) {
     if (end - i === 1) {
       borders.push(ends);
       holes.join(...ends);
-    } else if (end - i > 2) {
+    } else if (end - i > 2 && !areBalanced(keys.subarray(i, end))) {
       branching.push(ends);
-    } else if (keys[i] === keys[i + 1]) {
+    } else if (end - i === 2 && keys[i] === keys[i + 1]) {
       disagreeing.push(ends);
     }
   }

@@ -9,7 +9,7 @@ const kinds = [
     'Pairs of faces that run through each other: inside and outside are not clear there.'],
   ['holes', 'Holes', 'Borders of the surface. A solid has none.'],
   ['turned', 'Flipped parts', 'Faces that look the wrong way: their outside is inside.'],
-  ['branching', 'Branching edges', 'Edges at which more than two faces meet.'],
+  ['branching', 'Branching edges', 'Edges at which three faces or more meet, and do not pair up.'],
   ['oneSided', 'One-sided surface', 'The surface has one side only, like a Moebius strip.'],
   ['flat', 'Faces without area', 'Their corners lie on one line. They do no harm to a solid.'],
 ];
@@ -53,8 +53,11 @@ const factRows = [
   ['Volume', ({volume}) => short(volume)],
 ];
 
+// Long texts that are the same before and after are written once.
 function factRow([title, textOf], all) {
-  const cells = all.map((findings) => make('td', {}, findings ? textOf(findings.facts) : '…'));
+  const texts = all.map((findings) => (findings ? textOf(findings.facts) : '…'));
+  const isOnce = texts.every((text) => text === texts[0] && text.includes('×'));
+  const cells = isOnce ? [make('td', {colspan: all.length}, texts[0])] : texts.map((text) => make('td', {}, text));
   return make('tr', {}, make('th', {scope: 'row'}, title), ...cells);
 }
 

@@ -27,7 +27,7 @@ export class Result {
     if (!entry.made) return;
     this.address = URL.createObjectURL(new Blob([entry.bytes], {type: 'application/octet-stream'}));
     const {seconds, commands, messages} = entry.made;
-    byId('summary').textContent = `${entry.name}, made in ${seconds.toFixed(seconds < 10 ? 1 : 0)} s.`;
+    byId('summary').textContent = `${entry.name}, made in ${seconds.toFixed(seconds < 10 ? 1 : 0)}\u00a0s.`;
     byId('download').href = this.address;
     byId('download').download = entry.name;
     byId('format').value = formatOf(entry.name);

@@ -23,14 +23,24 @@ export function freeName(name, isTaken) {
 export const quoted = (word) =>
   (/^[\w%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-// Lines of a command are no longer than this where words allow it, as narrow boxes show them.
-const mostLetters = 44;
+// Lines of a command are no longer than this where words allow it, as a phone shows them.
+const mostLetters = 34;
+
+// Words of a command; an option is followed by its value.
+function groupsOf(words) {
+  const groups = [];
+  for (const [i, word] of words.entries()) {
+    if (/^(-o|--target|--frames)$/.test(words[i - 1])) groups.push(`${groups.pop()} ${quoted(word)}`);
+    else groups.push(quoted(word));
+  }
+  return groups;
+}
 
 export function shellOf({program, words}) {
   const lines = [program];
-  for (const word of words.map(quoted)) {
-    const longer = `${lines.at(-1)} ${word}`;
-    if (longer.length <= mostLetters) lines[lines.length - 1] = longer; else lines.push(`  ${word}`);
+  for (const group of groupsOf(words)) {
+    const longer = `${lines.at(-1)} ${group}`;
+    if (longer.length <= mostLetters) lines[lines.length - 1] = longer; else lines.push(`  ${group}`);
   }
   return lines.join(' \\\n');
 }

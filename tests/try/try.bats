@@ -159,3 +159,15 @@ same_as_pasted() { # KIND FIELDS FILE...
 @test "each example opens" {
   try_page examples
 }
+
+@test "sheets that touch at an edge are no fault, and a wing at an edge is one" {
+  # Two cubes share one edge, at which four faces meet, in pairs.
+  tm-shape box 1 1 1 --faces 12 -o one.ply
+  tm-shape box 1 1 1 --faces 12 --center 1,1,0 | tm-cat -q one.ply - | tm-stitch -q -o touching.ply
+  tm-checkmanifold --closed touching.ply
+  try_page counts touching.ply | jq -e '.branching == 0 and .holes == 0 and .intersections == 0'
+  # A tetrahedron with one more face at an edge.
+  tetrahedron | sed -e 's/vertex 4/vertex 5/' -e 's/face 4/face 5/' -e 's/^0 1 1$/&\n3 3 0/' >wing.ply
+  echo '3 0 1 4' >>wing.ply
+  try_page counts wing.ply | jq -e '.branching == 1 and .holes == 1 and .turned == 0'
+}
