@@ -30,9 +30,11 @@ const notesOf = (messages) => messages.map((line) => line.replace(/^tm-[a-z-]+: 
 
 // A file of any format as binary PLY, its positions and faces, and what its reader remarks.
 export async function read(name, bytes) {
-  const words = [argumentOf(name), '-o', 'shown.ply', '--format=ply'];
+  // Longer than the name of the input, hence another one.
+  const output = `x-${name}.ply`;
+  const words = [argumentOf(name), '-o', output, '--format=ply'];
   const {files, messages} = await runOrRefuse('tm-convert', words, {[argumentOf(name)]: bytes});
-  const ply = files['shown.ply'];
+  const ply = files[output];
   return {ply, ...arraysOf(ply), notes: notesOf(messages)};
 }
 

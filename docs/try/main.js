@@ -112,7 +112,7 @@ class App {
     this.#showTexts();
     const entry = this.selected;
     if (!entry?.mesh) return;
-    this.stage ??= new Stage();
+    if (!this.#canDraw()) return;
     const {made, mesh, name} = entry;
     const isCompared = made?.sources.every((source) => source.mesh);
     if (this.shownEntry !== entry) byId('up').value = extensionOf((made?.sources[0] ?? entry).name) === 'stl' ? 'z' : 'y';
@@ -125,13 +125,31 @@ class App {
     }, wasThere);
   }
 
+  // Without WebGL all works but the view.
+  #canDraw() {
+    if (this.stage !== undefined) return this.stage !== null;
+    try {
+      this.stage = new Stage();
+    } catch (error) {
+      this.stage = null;
+      problem(`This browser cannot draw meshes, which takes WebGL: ${error.message}`);
+    }
+    return this.stage !== null;
+  }
+
   #showTexts() {
     const entry = this.selected;
     document.body.classList.toggle('empty', this.entries.length === 0);
     byId('welcome').hidden = this.entries.length > 0;
     byId('work').hidden = this.entries.length === 0;
     if (!entry) return;
-    showFiles(this.entries, entry, {select: (one) => this.select(one), remove: (one) => this.#remove(one)});
+    showFiles(this.entries, entry, {
+      select: (one) => {
+        byId('progress').textContent = '';
+        this.select(one);
+      },
+      remove: (one) => this.#remove(one),
+    });
     this.form.setOthers(this.entries.filter((one) => one !== entry && one.mesh?.faces.length > 0));
     this.result.show(entry);
     this.#showFindings(entry);
@@ -157,7 +175,7 @@ class App {
     const count = segments.length / 6;
     // Neighbors in the list are neighbors in space: a prime as the stride visits all places.
     const at = 6 * ((this.looks * 7919) % count);
-    this.stage.lookAt(segments.subarray(at, at + 3));
+    this.stage?.lookAt(segments.subarray(at, at + 3));
   }
 
   async #start({problem: missing, kind, other, options}) {

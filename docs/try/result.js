@@ -23,8 +23,10 @@ function showNotes(messages) {
 export class Result {
   show(entry) {
     byId('result').hidden = !entry.made;
+    // Shown again, nothing has changed: an open list stays open.
+    if (!entry.made || entry.bytes === this.bytes) return;
+    this.bytes = entry.bytes;
     URL.revokeObjectURL(this.address);
-    if (!entry.made) return;
     this.address = URL.createObjectURL(new Blob([entry.bytes], {type: 'application/octet-stream'}));
     const {seconds, commands, messages} = entry.made;
     byId('summary').textContent = `${entry.name}, made in ${seconds.toFixed(seconds < 10 ? 1 : 0)}\u00a0s.`;

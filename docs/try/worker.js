@@ -3,7 +3,8 @@
 import {load, run} from 'transformesh';
 import {Refusal, inspect, read, sentenceOf} from './inspect.js';
 
-const noneLeft = /memory|allocation/i;
+// What browsers and Emscripten say where memory ends.
+const noneLeft = /out of memory|\bOOM\b|allocation failed|enlarge memory/i;
 
 const buffersOf = (value) => {
   if (ArrayBuffer.isView(value)) return [value.buffer];
@@ -49,7 +50,7 @@ const jobs = {
 
 function sentenceOfError(error) {
   if (error instanceof Refusal) return error.message;
-  if (error instanceof RangeError || noneLeft.test(error.message))
+  if (noneLeft.test(error.message))
     return 'The browser has no memory left for this: close other pages, or use the programs on the command line.';
   return `Internal error: ${error.message}`;
 }

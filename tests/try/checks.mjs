@@ -255,6 +255,19 @@ const checks = {
     });
   },
 
+  // FILE: without WebGL all works but the view.
+  async plain(folder, file) {
+    await withSite(site, {mayEnd: true}, async (page) => {
+      await page.evaluate('HTMLCanvasElement.prototype.getContext = () => null');
+      await drop(page, file);
+      await measured(page, 1);
+      assert.match(await textOf(page, 'problem'), /WebGL/);
+      await start(page, 'repair');
+      await measured(page, 2);
+      await download(page, folder);
+    });
+  },
+
   // Each example opens and is measured.
   async examples() {
     await withSite(site, {}, async (page) => {

@@ -156,6 +156,12 @@ same_as_pasted() { # KIND FIELDS FILE...
   try_page refusals ring.obj
 }
 
+@test "without WebGL all works but the view" {
+  try_page plain "$BATS_TEST_TMPDIR" folded.stl
+  tm-repair -q folded.stl -o expected.stl
+  cmp expected.stl "$BATS_TEST_TMPDIR/folded-repaired.stl"
+}
+
 @test "each example opens" {
   try_page examples
 }
