@@ -1,6 +1,6 @@
-// Edges of a triangle soup by position: those with one face, those with more whose faces do not pair up, and
-// those along which two faces run the same way. Sheets may touch at an edge: as many faces run along it
-// one way as the other.
+// Finds edges of a triangle soup by position. A border edge has one face; the faces of a branching edge do
+// not pair up; the two faces of a disagreeing edge run along it in the same direction. Sheets may touch
+// at an edge: as many faces run along it in one direction as in the other.
 
 const bitsOf = (positions) => new Uint32Array(positions.buffer, positions.byteOffset, 2 * positions.length);
 
@@ -14,10 +14,10 @@ function hashOf(bits, v) {
 const isSamePoint = (positions, a, b) => positions[3 * a] === positions[3 * b] &&
   positions[3 * a + 1] === positions[3 * b + 1] && positions[3 * a + 2] === positions[3 * b + 2];
 
-// The first vertex at the place of each vertex.
+// Returns for each vertex the first vertex at the same position.
 export function firstAtPlace(positions) {
   const count = positions.length / 3;
-  // Zeros of both signs are one place.
+  // Zeros of both signs are one position: adding 0 makes them equal.
   const plain = positions.map((x) => x + 0);
   const bits = bitsOf(plain);
   let size = 16;
@@ -33,8 +33,8 @@ export function firstAtPlace(positions) {
   return first;
 }
 
-// A number for each halfedge: the smaller end, the larger end, and the direction in the lowest bit. It is
-// exact in a double for up to 2^26 vertices, more than a file of 100 MB has.
+// Returns a number per halfedge: the smaller end, the larger end, and the direction in the lowest bit.
+// A double holds it exactly for up to 2^26 vertices, more than a file of 100 MB has.
 function sortedHalfedges(faces, first, count) {
   const keys = new Float64Array(faces.length);
   let used = 0;
@@ -46,7 +46,7 @@ function sortedHalfedges(faces, first, count) {
   return keys.subarray(0, used).sort();
 }
 
-// A union of vertices that border edges connect has one root.
+// Disjoint sets: vertices that border edges connect have one root.
 class Sets {
   constructor() {
     this.parents = new Map();
@@ -77,7 +77,7 @@ function segmentsOf(positions, edges) {
   return segments;
 }
 
-// True if as many of the halfedges run one way as the other.
+// True if as many of the halfedges run in one direction as in the other.
 function areBalanced(keys) {
   let forward = 0;
   for (const key of keys) forward += key % 2 === 0 ? 1 : -1;

@@ -1,9 +1,9 @@
-// The table of what is wrong with a mesh: a number and a sentence for each kind, before and after.
+// The table of defects of a mesh: a number and a sentence for each kind, before and after.
 
 import {short} from '../../tools/viewer/numbers.js';
 import {button, make} from './elements.js';
 
-// Kind, title, and a sentence that says what is counted, and why it matters.
+// Kind, title, and a sentence on what is counted and why it matters.
 const kinds = [
   ['intersections', 'Self-intersections',
     'Pairs of faces that run through each other: inside and outside are not clear there.'],
@@ -13,9 +13,9 @@ const kinds = [
   ['oneSided', 'One-sided surface', 'The surface has one side only, like a Moebius strip.'],
   ['flat', 'Faces without area', 'Their corners lie on one line. They do no harm to a solid.'],
 ];
-// Kinds that a mesh may have and be a solid all the same.
+// Kinds that a solid may have.
 const harmless = ['flat'];
-// Kinds that have a row only where there are any.
+// Kinds that have a row only if there are any.
 const rare = ['oneSided', 'flat', 'branching'];
 
 export const isSolid = ({counts}) =>
@@ -34,7 +34,7 @@ function cellOf(findings, kind) {
   return make('td', {class: harmless.includes(kind) ? '' : 'bad'}, short(count));
 }
 
-// `show` gets the name of a kind, and turns the view to the next place of it.
+// `show` takes the name of a kind, and moves the view to its next place.
 function rowsOf([kind, title, sentence], all, show) {
   const counts = all.map((findings) => findings?.counts[kind]);
   const isThere = counts.some((count) => count > 0);
@@ -53,7 +53,7 @@ const factRows = [
   ['Volume', ({volume}) => short(volume)],
 ];
 
-// Long texts that are the same before and after are written once.
+// Long texts that are equal before and after are written once.
 function factRow([title, textOf], all) {
   const texts = all.map((findings) => (findings ? textOf(findings.facts) : '…'));
   const isOnce = texts.every((text) => text === texts[0] && text.includes('×'));

@@ -1,4 +1,4 @@
-// The form of tasks: what is asked for each of them, and what is missing.
+// The form of tasks: the inputs of each one, and a sentence if one of them is missing.
 
 import {byId, make} from './elements.js';
 import {isLength, takesTwo} from './tasks.js';
@@ -38,7 +38,7 @@ export class Form {
     };
   }
 
-  // A sentence, or undefined where everything is there.
+  // Returns a sentence, or undefined if all inputs are valid.
   problem() {
     const {distance, error} = this.form.elements;
     const field = {offset: distance, decimate: error}[this.kind];
@@ -69,7 +69,7 @@ export class Form {
     this.#arrange();
   }
 
-  // The files that the selected one can be combined with.
+  // Sets the files with which the selected one can be combined.
   setOthers(entries) {
     const select = byId('other');
     const chosen = select.value;

@@ -1,4 +1,4 @@
-// Measures by the suite's programs what is wrong with a file, and where.
+// Finds defects of a file, and where they are, by programs of the suite.
 
 import {Mesh, run} from 'transformesh';
 import {edgesOf, firstAtPlace} from './edges.js';
@@ -9,7 +9,7 @@ const decoder = new TextDecoder();
 
 export class Refusal extends Error {}
 
-// A program's last line without its name.
+// Returns the last line of a program without the name of the program.
 export const sentenceOf = (program, {code, messages}) =>
   (messages.at(-1) ?? `ended with exit code ${code}`).replace(`${program}: `, '');
 
@@ -28,9 +28,9 @@ const notesOf = (messages) => messages.map((line) => line.replace(/^tm-[a-z-]+: 
   // Every STL file is a soup, which the page joins itself.
   (line) => !/read as a soup of separate triangles/.test(line));
 
-// A file of any format as binary PLY, its positions and faces, and what its reader remarks.
+// Reads a file of any format. Returns it as binary PLY, positions and faces, and remarks of the reader.
 export async function read(name, bytes) {
-  // Longer than the name of the input, hence another one.
+  // The name is longer than that of the input, hence different.
   const output = `x-${name}.ply`;
   const words = [argumentOf(name), '-o', output, '--format=ply'];
   const {files, messages} = await runOrRefuse('tm-convert', words, {[argumentOf(name)]: bytes});
@@ -38,7 +38,7 @@ export async function read(name, bytes) {
   return {ply, ...arraysOf(ply), notes: notesOf(messages)};
 }
 
-// The pairs as text, and the segments in which the faces of pairs meet.
+// Returns the number of pairs and the segments in which their faces meet, and marks these faces.
 async function intersectionsOf(ply, marks) {
   const words = ['in.ply', '--check', '--quiet', '--pairs=pairs.txt', '--segments=segments.ply'];
   const {files} = await runOrRefuse('tm-intersect', words, {'in.ply': ply}, 1);
@@ -48,7 +48,7 @@ async function intersectionsOf(ply, marks) {
   return {pairs: numbers.length / 2, segments: Mesh.fromPly(files['segments.ply']).positions};
 }
 
-// 1 if two triangles have the same corners, in the same order up to rotation, -1 if reversed, else 0.
+// Returns 1 if two triangles have the same corners in the same cyclic order, -1 if reversed, else 0.
 function turnBetween(one, face, other, otherFace) {
   const at = (mesh, f, k) => 3 * mesh.faces[3 * f + k];
   const isSame = (i, j) => [0, 1, 2].every((axis) =>
@@ -60,7 +60,7 @@ function turnBetween(one, face, other, otherFace) {
   return isSame(1, last) && isSame(2, next) ? -1 : 0;
 }
 
-// Faces keep their order when tm-stitch turns them; those that lose a corner are dropped.
+// Marks faces that tm-stitch has turned. It keeps the order of faces, and drops faces that lose a corner.
 function markTurned(mesh, turned, marks) {
   const first = firstAtPlace(mesh.positions);
   for (let face = 0, other = 0; face < marks.length && other < turned.faces.length / 3; ++face) {
@@ -71,7 +71,7 @@ function markTurned(mesh, turned, marks) {
   }
 }
 
-// The mesh with joined places and faces that agree, or undefined if its surface has one side only.
+// Returns the mesh with joined vertices and consistent faces, or as it is if its surface is one-sided.
 async function orientedOf(mesh, marks) {
   const words = ['in.ply', '--orient', '--outwards', '-o', 'out.ply', '--report=report.json'];
   const {code, files} = await run('tm-stitch', words, {'in.ply': mesh.ply});
@@ -89,7 +89,7 @@ async function reportOf(program, ply) {
 
 const roomOf = (low, high) => low.map((x, axis) => high[axis] - x);
 
-// Counts, facts, a mark for each face, and segments to draw, of a mesh that read() has returned.
+// Returns counts, facts, a mark per face, and segments to draw, for a mesh that read() has returned.
 export async function inspect(mesh) {
   const marks = new Uint8Array(mesh.faces.length / 3);
   const {holes, borders, branching, disagreeing} = edgesOf(mesh);

@@ -1,4 +1,4 @@
-// Puts the page together: files, what is measured of them, tasks and their results.
+// The state of the page: files, findings in them, tasks and results.
 
 import {byId, button, make} from './elements.js';
 import {examples} from './examples.js';
@@ -32,7 +32,7 @@ class App {
     this.workers.catch((error) => problem(`The programs cannot be loaded: ${error.message}`));
   }
 
-  // Reads and measures files; the first of them is shown.
+  // Reads and measures files, and shows the first one.
   async open(files) {
     problem('');
     const added = [];
@@ -67,7 +67,7 @@ class App {
     return entry;
   }
 
-  // Fills in mesh and findings as they come; what is shown follows.
+  // Sets mesh and findings of a file when they arrive, and updates the page.
   async #measure(entry) {
     const {name, bytes} = entry;
     const isCurrent = () => entry.bytes === bytes && this.entries.includes(entry);
@@ -125,7 +125,7 @@ class App {
     }, wasThere);
   }
 
-  // Without WebGL all works but the view.
+  // False without WebGL; all but the view works then.
   #canDraw() {
     if (this.stage !== undefined) return this.stage !== null;
     try {
@@ -169,11 +169,12 @@ class App {
     byId('remarks').replaceChildren(...(entry.mesh?.notes ?? []).map((note) => make('li', {}, note)));
   }
 
-  // The next place of a kind at each call.
+  // Moves the view to the next place of a kind at each call.
   #lookAt(kind, segments) {
     this.looks = (this.looks ?? -1) + 1;
     const count = segments.length / 6;
-    // Neighbors in the list are neighbors in space: a prime as the stride visits all places.
+    // Neighbors in the list are neighbors in space. A stride that is a prime visits all places, unless
+    // their number is a multiple of it.
     const at = 6 * ((this.looks * 7919) % count);
     this.stage?.lookAt(segments.subarray(at, at + 3));
   }
@@ -205,7 +206,7 @@ class App {
     this.#showTexts();
   }
 
-  // A promise of how a result was made, with its bytes; undefined if there is none.
+  // Returns a promise of a result and how it was made, or of undefined if there is no result.
   async #run(command, {kind, sources, options}) {
     const began = performance.now();
     this.form.setBusy(true);

@@ -1,10 +1,10 @@
-// What is said of a result: how it was made, the command line that makes the same, and the download.
+// Shows a result: how it was made, the command line that makes the same file, and the download.
 
 import {copyButton} from '../../tools/viewer/tables.js';
 import {byId, make} from './elements.js';
 import {formatOf} from './tasks.js';
 
-// Commands end the chain where one of them fails.
+// The chain ends at the first command that fails.
 export const textOfCommands = (commands) => commands.join(' &&\n');
 
 function showCommands(commands) {
@@ -23,7 +23,7 @@ function showNotes(messages) {
 export class Result {
   show(entry) {
     byId('result').hidden = !entry.made;
-    // Shown again, nothing has changed: an open list stays open.
+    // An open list stays open if the same result is shown again.
     if (!entry.made || entry.bytes === this.bytes) return;
     this.bytes = entry.bytes;
     URL.revokeObjectURL(this.address);
@@ -34,7 +34,7 @@ export class Result {
     byId('download').download = entry.name;
     byId('format').value = formatOf(entry.name);
     showCommands(commands);
-    // Lines of progress are many, and say nothing once all is done.
+    // Lines of progress are many, and are useless after the run.
     showNotes(messages.filter((line) => !/^(iteration \d+:|\s*\d+ ?%)/.test(line)));
   }
 }

@@ -1,4 +1,4 @@
-// Several measured meshes as one, to be drawn as what was there before.
+// Joins several measured meshes into one, which is drawn as the state before a task.
 
 function joinedArrays(arrays) {
   const result = new arrays[0].constructor(arrays.reduce((sum, one) => sum + one.length, 0));
@@ -10,7 +10,7 @@ function joinedArrays(arrays) {
   return result;
 }
 
-// Meshes that are not measured yet have neither marks nor segments.
+// Meshes that are not yet measured have neither marks nor segments.
 export function joined(meshes) {
   if (meshes.length === 1) return meshes[0];
   let vertices = 0;

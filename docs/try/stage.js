@@ -16,7 +16,7 @@ const secondsOfFilm = 6;
 
 const cssColor = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-// The middle of the box of several meshes, and the radius of the ball around it that contains them.
+// Returns the center of the box of several meshes, and the radius of a ball around it that contains them.
 function ballOf(meshes) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (const {positions} of meshes) {
@@ -37,19 +37,19 @@ function ballOf(meshes) {
   return {middle, radius: radius > 0 && Number.isFinite(radius) ? radius : 1};
 }
 
-// A loop, which takes a tenth of the time of Float32Array.from with a function.
+// A loop takes a tenth of the time of Float32Array.from with a function.
 function scaled(positions, {middle, radius}) {
   const result = new Float32Array(positions.length);
   for (let i = 0; i < result.length; ++i) result[i] = (positions[i] - middle[i % 3]) / radius;
   return result;
 }
 
-// Colors of faces as a column of the viewer; none where no face has a mark.
+// Returns the colors of faces as a column of the viewer, or no column if no face has a mark.
 function columnsOf(marks) {
   if (!marks?.some((mark) => mark !== 0)) return [];
   const [plain, crossing, turned] = ['--surface', '--crossing', '--turned'].map((name) => bytesOfColor(cssColor(name)));
   const channels = [0, 1, 2].map((c) => {
-    // By mark: none, intersecting, turned, both.
+    // The index is the mark: none, intersecting, turned, both.
     const bytes = [plain[c], crossing[c], turned[c], crossing[c]];
     return marks.map((mark) => bytes[mark]);
   });
@@ -100,7 +100,7 @@ export class Stage {
     this.view.setMarks(i, kinds);
   }
 
-  // Both cells fill the stage; the first one is drawn to the left of the line.
+  // Draws the first cell to the left of the line and the second one to the right; both fill the stage.
   #setWipe(share) {
     this.view.setWipe(share);
     const isSplit = share > 0 && share < 1 && !byId('compare').hidden;
@@ -119,7 +119,7 @@ export class Stage {
     this.#setWipe(this.chosenWipe);
   }
 
-  // The line is dragged on the mesh itself, too.
+  // Lets the user drag the line on the mesh itself.
   #listenToHandle() {
     const handle = byId('handle');
     handle.addEventListener('pointerdown', (event) => {
@@ -165,7 +165,7 @@ export class Stage {
     }, Math.min(Math.max(1000 * secondsOfFilm / film.length, 50), 400));
   }
 
-  // Turns the camera to a place of the first mesh.
+  // Moves the camera to a point of the first mesh.
   lookAt(place) {
     this.view.lookAt(0, Array.from(place, (x, axis) => (x - this.ball.middle[axis]) / this.ball.radius), true);
   }

@@ -1,5 +1,5 @@
-// What each task runs: a program, its words, and the name of the result. The page shows the same words as a
-// command line.
+// Tasks: the program of each one, its words, and the name of the result. The page shows the same words as
+// a command line.
 
 const formats = ['stl', 'ply', 'obj', 'off'];
 
@@ -7,10 +7,10 @@ export const extensionOf = (name) => /\.([^.]+)$/.exec(name)?.[1].toLowerCase() 
 export const formatOf = (name) => (formats.includes(extensionOf(name)) ? extensionOf(name) : 'ply');
 export const stemOf = (name) => name.replace(/\.[^.]*$/, '').replace(/^\.+/, '') || 'mesh';
 
-// A name as a word of a command line: programs take what begins with a dash for an option.
+// Returns a name as a word of a command line, where a word with a dash in front is an option.
 export const argumentOf = (name) => (name.startsWith('-') ? `./${name}` : name);
 
-// A name that is not taken yet, with a number before its extension where it needs one.
+// Returns the name, with a number before the extension if the name is taken.
 export function freeName(name, isTaken) {
   if (!isTaken(name)) return name;
   const dot = name.lastIndexOf('.');
@@ -19,14 +19,14 @@ export function freeName(name, isTaken) {
     if (!isTaken(`${stem}-${number}${end}`)) return `${stem}-${number}${end}`;
 }
 
-// One word in single quotes, where a POSIX shell would change it otherwise.
+// Returns the word, in single quotes if a POSIX shell would change it otherwise.
 export const quoted = (word) =>
   (/^[\w%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-// Lines of a command are no longer than this where words allow it, as a phone shows them.
+// Most letters of a line of a command, as a phone shows them. A longer word has a line of its own.
 const mostLetters = 34;
 
-// Words of a command; an option is followed by its value.
+// Returns the words of a command, with options and their values as one.
 function groupsOf(words) {
   const groups = [];
   for (const [i, word] of words.entries()) {
@@ -45,14 +45,14 @@ export function shellOf({program, words}) {
   return lines.join(' \\\n');
 }
 
-// A length as the programs read it: a number, in % of the diagonal if it ends with that sign.
+// True for a length as the programs read it: a number, in % of the box's diagonal if it ends with %.
 export const isLength = (text) => /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?%?$/i.test(text.trim());
 
 const lengthOf = (text) => text.trim();
 
 const operations = {union: 'with', difference: 'without', intersection: 'in'};
 
-// Each task: its program, what is added to the name of the first file, and its words before the file names.
+// Each task has a program, a suffix for the name of the first file, and words before the file names.
 const tasks = {
   repair: {
     program: 'tm-repair', suffix: () => 'repaired',

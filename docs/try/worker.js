@@ -1,9 +1,9 @@
-// Runs programs apart from the page, which stays responsive. Messages of the page name a job.
+// Runs programs beside the page, which stays responsive. Messages of the page name a job.
 
 import {load, run} from 'transformesh';
 import {Refusal, inspect, read, sentenceOf} from './inspect.js';
 
-// What browsers and Emscripten say where memory ends.
+// Messages of browsers and of Emscripten when memory ends.
 const noneLeft = /out of memory|\bOOM\b|allocation failed|enlarge memory/i;
 
 const buffersOf = (value) => {
@@ -12,7 +12,7 @@ const buffersOf = (value) => {
 };
 
 const jobs = {
-  // Sends the shape first, so that it can be seen while the rest is measured.
+  // Sends the shape first: the page shows it while the rest is measured.
   async inspect({name, bytes}, send) {
     const mesh = await read(name, bytes);
     send('shape', {positions: mesh.positions.slice(), faces: mesh.faces.slice(), notes: mesh.notes});
@@ -36,7 +36,7 @@ const jobs = {
     };
   },
 
-  // Makes the files of an example; each step may read those before.
+  // Makes the files of an example. A step may read files of earlier steps.
   async make({steps}) {
     const files = {};
     for (const {program, words, reads} of steps) {

@@ -1,4 +1,4 @@
-// Two workers: what is measured in one does not wait for what is computed in the other.
+// Two workers: a measurement in one does not wait for a task in the other.
 
 export class Canceled extends Error {}
 
@@ -56,7 +56,8 @@ export class Workers {
     this.jobs = 0;
   }
 
-  // A promise of the result; `on` has functions for what a job sends before. Adds `job`, for cancel().
+  // Returns a promise of the result, with the number `job` for cancel(). Functions of `on` get what a job
+  // sends before its result.
   run(kind, data, on = {}) {
     const job = ++this.jobs;
     const line = this.lines.reduce((one, other) => (other.queue.length < one.queue.length ? other : one));
@@ -70,7 +71,7 @@ export class Workers {
   }
 }
 
-// Loads what the page needs; afterwards it asks for nothing. A worker from a blob keeps the page's policy.
+// Loads all that the page needs; later it requests nothing. A worker from a blob has the page's policy.
 export async function startWorkers() {
   const [script, module] = await Promise.all([
     fetch('worker.js').then((answer) => answer.blob()),

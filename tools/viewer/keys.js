@@ -1,4 +1,4 @@
-// Keys that turn and zoom a view: the functions that they call.
+// Keys that turn and zoom a view, with the functions that they call.
 
 export function keysOfView(view) {
   return {

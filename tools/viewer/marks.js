@@ -1,4 +1,4 @@
-// Edges that are pointed out: lines of a few pixels, faint where the surface hides them.
+// Marked edges: lines of a few pixels, which are faint where the surface hides them.
 
 import {BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments} from 'three';
 import {LineMaterial} from 'three/examples/jsm/lines/LineMaterial.js';
@@ -6,13 +6,13 @@ import {LineSegments2} from 'three/examples/jsm/lines/LineSegments2.js';
 import {LineSegmentsGeometry} from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 
 const widthInPixels = 3;
-// Without a graphics card 2000 wide lines take 0.4 s of a processor, at each picture. Thousands of edges
-// are seen as thin lines, too.
+// More edges are thin lines only, which are visible enough in such a number. Without a graphics card 2000
+// wide lines take 0.4 s of a processor per picture.
 const mostWide = 2000;
-// Low enough that lines on the far side are not taken for lines on the near side.
+// At a higher opacity, lines on the far side look like lines on the near side.
 const opacityOfHidden = 0.5;
 
-// As thin as can be, also because ends of wide lines overlap, which shows where they are faint.
+// Returns lines of one pixel: the ends of wider lines overlap, which is visible in faint lines.
 function faintLines(segments, color) {
   const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(segments, 3));
   const material = new LineBasicMaterial({color, transparent: true, opacity: opacityOfHidden, depthTest: false, depthWrite: false});
@@ -29,7 +29,7 @@ export class Marks {
     this.group = new Group();
   }
 
-  // `kinds` have a CSS color and `segments`: six numbers for each line.
+  // Sets the lines. Each kind has a CSS color and `segments`, six numbers per line.
   set(kinds) {
     for (const line of this.group.children) {
       line.geometry.dispose();
