@@ -2,7 +2,8 @@
 
 const step = (program, words, reads = []) => ({program, words, reads});
 
-const patch = '--box=0.2,-0.6,-0.6,2,0.6,0.6';
+// The hole and the flipped part are in front, to the left, where the page shows what was before.
+const patch = '--box=-2,-2,0.3,0.2,0.2,0.9';
 
 export const examples = [
   {
@@ -13,7 +14,7 @@ export const examples = [
     title: 'A broken ball', text: 'has a hole and a flipped part', opens: ['broken-ball.stl'],
     steps: [
       step('tm-shape', ['sphere', '--faces=6000', '-o', 'ball.ply']),
-      step('tm-select', ['--plane=0,-1,0,-0.8', 'ball.ply', '-o', 'open.ply'], ['ball.ply']),
+      step('tm-select', ['--plane=0,1,0,-0.9', 'ball.ply', '-o', 'open.ply'], ['ball.ply']),
       step('tm-select', [patch, 'open.ply', '-o', 'patch.ply'], ['open.ply']),
       step('tm-select', [patch, '--invert', 'open.ply', '-o', 'rest.ply'], ['open.ply']),
       step('tm-stitch', ['--flip', 'patch.ply', '-o', 'turned.ply'], ['patch.ply']),
