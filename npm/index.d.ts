@@ -16,6 +16,8 @@ export interface Control {
    * An exception ends the run, and the call is rejected with it.
    */
   progress?: (phase: string, fraction: number) => void;
+  /** Called with each line of stderr while the program runs; an exception acts as one of `progress`. */
+  message?: (line: string) => void;
   /** The run takes place in a worker, which ends when the signal is aborted. */
   signal?: AbortSignal;
 }
@@ -47,6 +49,7 @@ export interface RunResult {
   /** Standard output, which is text: meshes are files. */
   printed: string;
   messages: string[];
+  /** Written files, also those in folders, by path. */
   files: Record<string, Uint8Array>;
 }
 
@@ -96,6 +99,6 @@ export function morph(mesh: Mesh, target: Mesh, options?: MorphOptions): Promise
 export function info(mesh: Mesh, options?: InfoOptions): Promise<Info>;
 export function checkmanifold(mesh: Mesh, options?: CheckmanifoldOptions): Promise<ManifoldReport>;
 export function countIntersections(mesh: Mesh, control?: Control): Promise<number>;
-/** Runs any program of the package on files in memory, given and returned by name. */
+/** Runs any program on files in memory, given by name and returned by path. */
 export function run(
   program: string, words: string[], files?: Record<string, Uint8Array>, control?: Control): Promise<RunResult>;

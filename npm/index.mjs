@@ -48,16 +48,18 @@ function wordsOf(options, files) {
 }
 
 /**
- * Runs a program on files in memory and returns its exit code, files and messages.
+ * Runs a program on files in memory and returns its exit code, files and messages. Files that it writes
+ * into a folder are named by their path.
  * @param {string} program such as 'tm-clean'
  * @param {string[]} words of the command line
  * @param {Record<string, Uint8Array>} [files] by name, for the program to read
- * @param {{ progress?: (phase: string, fraction: number) => void, signal?: AbortSignal }} [control]
- *   with a signal the program runs in a worker, else in this thread
+ * @param {{ progress?: (phase: string, fraction: number) => void, message?: (line: string) => void,
+ *   signal?: AbortSignal }} [control] with a signal the program runs in a worker, else in this thread
  */
-export async function run(program, words, files = {}, { progress, signal } = {}) {
+export async function run(program, words, files = {}, { progress, message, signal } = {}) {
   const job = { program, words, files };
-  return signal ? runInWorker(job, progress, signal) : runHere(job, progress);
+  const control = { progress, message };
+  return signal ? runInWorker(job, control, signal) : runHere(job, control);
 }
 
 async function runOrThrow(program, words, files, control, most = 0) {
@@ -70,12 +72,12 @@ async function runOrThrow(program, words, files, control, most = 0) {
 }
 
 /** Runs a program that makes one mesh of meshes. The report, if there is one, is a property of it. */
-async function filter(program, meshes, { progress, signal, ...options } = {}, first = []) {
+async function filter(program, meshes, { progress, message, signal, ...options } = {}, first = []) {
   const files = Object.fromEntries(meshes.map((mesh, i) => [`${i}.ply`, mesh.ply]));
   const words = [...first, ...Object.keys(files), ...wordsOf(options, files)];
   const result = await runOrThrow(
     program, [...words, '-o', 'result.ply', '--report', 'report.json', '--format=ply'], files,
-    { progress, signal });
+    { progress, message, signal });
   const ply = result.files['result.ply'];
   if (!ply) throw new TransforMeshError('no mesh was written', result.code, result.messages);
   const mesh = Mesh.fromPly(ply);
@@ -85,10 +87,11 @@ async function filter(program, meshes, { progress, signal, ...options } = {}, fi
 }
 
 /** Runs a program that measures a mesh. */
-async function measure(program, mesh, { progress, signal, ...options } = {}, most = 0) {
+async function measure(program, mesh, { progress, message, signal, ...options } = {}, most = 0) {
   const files = { '0.ply': mesh.ply };
   const words = ['0.ply', '--json', ...wordsOf(options, files)];
-  return JSON.parse((await runOrThrow(program, words, files, { progress, signal }, most)).printed);
+  const control = { progress, message, signal };
+  return JSON.parse((await runOrThrow(program, words, files, control, most)).printed);
 }
 
 /** Reads any format of the suite; the name's ending says which one, where the bytes do not. */

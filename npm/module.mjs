@@ -17,9 +17,10 @@ async function bytesOf(location) {
  * Compiles the module; later calls return the first result.
  * @param {URL | BufferSource | WebAssembly.Module} [source] default: transformesh.wasm beside this file
  */
-export function load(source = new URL('./transformesh.wasm', import.meta.url)) {
+export function load(source) {
   compiled ??= (async () => {
     if (source instanceof WebAssembly.Module) return source;
+    source ??= new URL('./transformesh.wasm', import.meta.url);
     return WebAssembly.compile(source instanceof URL ? await bytesOf(source) : source);
   })();
   return compiled;

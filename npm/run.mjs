@@ -15,37 +15,54 @@ export class TransforMeshError extends Error {
   }
 }
 
-/** An observer that calls `progress`, and ends the run at its first exception, which is kept. */
-function observerOf(progress) {
+/** Calls the caller's functions during a run. The first exception of them ends the run, and is kept. */
+function observerOf({ progress, message }) {
   let next = 0;
+  const callOrKeep = (call) => {
+    if (observer.thrown) return;
+    try {
+      call();
+    } catch (error) {
+      observer.thrown = { error };
+    }
+  };
   const observer = {
     observe(phase, fraction) {
       const now = performance.now();
-      if (now < next) return true;
-      next = now + progressInterval;
-      try {
-        progress(phase, fraction);
-        return true;
-      } catch (error) {
-        observer.thrown = { error };
-        return false;
+      if (progress && now >= next) {
+        next = now + progressInterval;
+        callOrKeep(() => progress(phase, fraction));
       }
+      return !observer.thrown;
+    },
+    hear(line) {
+      if (message) callOrKeep(() => message(line));
     },
   };
   return observer;
 }
 
+/** Paths of the files below a folder. Temporary files and the folder of a loop's state are left out. */
+function filesIn(FS, program, folder = '') {
+  const isResult = (name) => !name.startsWith('.') && !name.endsWith(`.${program}`);
+  const paths = FS.readdir(`./${folder}`).filter(isResult).map((name) => folder + name);
+  return paths.flatMap((path) => (FS.isDir(FS.stat(path).mode) ? filesIn(FS, program, `${path}/`) : [path]));
+}
+
 /**
  * Runs a program on files in memory and returns its exit code, files and messages.
  * @param {{ program: string, words: string[], files: Record<string, Uint8Array> }} job
- * @param {(phase: string, fraction: number) => void} [progress]
+ * @param {{ progress?: (phase: string, fraction: number) => void, message?: (line: string) => void }} [control]
  */
-export async function runHere({ program, words, files }, progress) {
+export async function runHere({ program, words, files }, control = {}) {
   const messages = [], printed = [];
-  const observer = progress ? observerOf(progress) : {};
+  const observer = observerOf(control);
   const module = await instantiate({
     print: (line) => printed.push(line),
-    printErr: (line) => messages.push(line),
+    printErr(line) {
+      messages.push(line);
+      observer.hear(line);
+    },
     stdin: () => null,
     observe: observer.observe,
   });
@@ -55,9 +72,7 @@ export async function runHere({ program, words, files }, progress) {
   for (const [name, bytes] of Object.entries(files)) FS.writeFile(name, bytes);
   const code = module.callMain([program, ...words]);
   if (observer.thrown) throw observer.thrown.error;
-  // Of a loop also the folder with its state is there.
-  const isResult = (name) => FS.isFile(FS.stat(name).mode) && !name.startsWith('.') && !(name in files);
-  const written = FS.readdir('/work').filter(isResult);
-  const results = Object.fromEntries(written.map((name) => [name, FS.readFile(name)]));
+  const written = filesIn(FS, program).filter((path) => !(path in files));
+  const results = Object.fromEntries(written.map((path) => [path, FS.readFile(path)]));
   return { code, printed: printed.join('\n'), messages, files: results };
 }

@@ -15,7 +15,7 @@ function listen(worker, event, call) {
 }
 
 /** As `runHere`, until `signal` is aborted; then the promise is rejected with the signal's reason. */
-export async function runInWorker(job, progress, signal) {
+export async function runInWorker(job, { progress, message }, signal) {
   signal.throwIfAborted();
   const module = await load();
   signal.throwIfAborted();
@@ -26,11 +26,12 @@ export async function runInWorker(job, progress, signal) {
       stop = () => reject(signal.reason);
       signal.addEventListener('abort', stop);
       listen(worker, 'error', (error) => reject(new Error(`the worker failed: ${error.message}`)));
-      listen(worker, 'message', (message) => {
-        if (message.isReady) worker.postMessage({ module, job, hasProgress: progress !== undefined });
-        else if (message.result) resolve(message.result);
-        else if (message.failure) reject(new Error(message.failure));
-        else callOrReject(() => progress(...message.progress), reject);
+      listen(worker, 'message', (sent) => {
+        if (sent.isReady) worker.postMessage({ module, job, hasProgress: !!progress, hasMessage: !!message });
+        else if (sent.result) resolve(sent.result);
+        else if (sent.failure) reject(new Error(sent.failure));
+        else if (sent.progress) callOrReject(() => progress(...sent.progress), reject);
+        else callOrReject(() => message(sent.message), reject);
       });
     });
   } finally {

@@ -5,10 +5,12 @@ import { runHere } from './run.mjs';
 const isNode = typeof process === 'object' && typeof process.versions?.node === 'string';
 const port = isNode ? (await import('node:worker_threads')).parentPort : globalThis;
 
-async function answer({ module, job, hasProgress }) {
+async function answer({ module, job, hasProgress, hasMessage }) {
   await load(module);
-  const progress = hasProgress ? (...words) => port.postMessage({ progress: words }) : undefined;
-  const result = await runHere(job, progress);
+  const result = await runHere(job, {
+    progress: hasProgress ? (...words) => port.postMessage({ progress: words }) : undefined,
+    message: hasMessage ? (line) => port.postMessage({ message: line }) : undefined,
+  });
   port.postMessage({ result }, Object.values(result.files).map((bytes) => bytes.buffer));
 }
 

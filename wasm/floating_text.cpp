@@ -54,7 +54,7 @@ to_chars_result shortest(char* first, char* last, Number number, Converter::Dtoa
   Converter::DoubleToAscii(number, mode, 0, buffer.data(), static_cast<int>(buffer.size()),
                            &is_negative, &count, &point);
   const string digits(buffer.data(), static_cast<size_t>(count));
-  const int exponent = point - count;  // power of ten of the last digit
+  const int exponent = point - count;  // exponent of the last digit
   const bool has_point = count > 1;
   const bool is_fixed =
       exponent <= (has_point ? 5 : 4) && exponent >= -(count + 3) + (has_point ? 0 : 1);

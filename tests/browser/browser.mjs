@@ -26,7 +26,7 @@ export async function withPage(address, {width = 800, height = 1000, dark = fals
     page.on('pageerror', (error) => faults.push(`error: ${error.message}`));
     page.on('request', (request) => {
       const asked = request.url();
-      if (asked !== address && !(address.startsWith('http') && asked.startsWith(address)) && !asked.startsWith('data:') &&
+      if (asked !== address && !asked.startsWith('blob:') && !(address.startsWith('http') && asked.startsWith(address)) && !asked.startsWith('data:') &&
           !(isText && asked.startsWith('file:')))
         faults.push(`request: ${asked}`);
     });

@@ -14,7 +14,7 @@ spans() {
 
 # every_path: files and folders, with their extensions and without.
 every_path() {
-  find lib include tools tests scripts docs man cmake python -path tools/viewer/node_modules -prune -o -print |
+  find lib include tools tests scripts docs man cmake python npm wasm -path tools/viewer/node_modules -prune -o -print |
     sed -E 'p; s|\.[a-z0-9]+$||'
 }
 
@@ -32,7 +32,7 @@ every_path() {
 @test "every function, type and key that a design page names is in the sources" {
   for page in docs/design/*.md; do
     while IFS= read -r name; do
-      grep -rqwF -- "$name" lib include tools tests scripts python || fail "$page names $name"
+      grep -rqwF -- "$name" lib include tools tests scripts python wasm || fail "$page names $name"
     done < <(spans "$page" | grep -E '^[A-Za-z_][A-Za-z0-9_:]*(\(\))?$' | grep -E '_|\(\)|[a-z][A-Z]' |
       sed -E 's/\(\)$//; s/.*:://')
   done

@@ -73,3 +73,16 @@ const refused = await tm.clean(folded, { refuse: true }).catch((error) => error)
 assert.equal(refused.code, 4);
 assert.deepEqual(refused.messages.at(-1), `tm-clean: ${refused.message}`);
 await assert.rejects(tm.repair(folded, { dryRun: true }), /no mesh/);
+
+// Files in folders have their paths, without the state of the loop. Messages come while the program runs.
+for (const control of [{}, { signal }]) {
+  const heard = [];
+  const words = ['ball.ply', '--target', 'ring.ply', '--iterations=3', '--every=1', '--frames=film', '--progress'];
+  const result = await tm.run('tm-morph', [...words, '-o', 'end.ply'],
+    { 'ball.ply': ball.ply, 'ring.ply': clean.ply }, { ...control, message: (line) => heard.push(line) });
+  assert.equal(result.code, 0);
+  assert.deepEqual(Object.keys(result.files).sort(), ['end.ply', ...[0, 1, 2, 3].map((i) => `film/frame-0000${i}.ply`)]);
+  assert.deepEqual(heard, result.messages);
+  assert.ok(heard.some((line) => line.includes('iteration 1:')));
+  await assert.rejects(tm.clean(folded, { ...control, colour: true, message: stop }), RangeError);
+}

@@ -19,7 +19,7 @@ export async function everyFunction(bytes: Uint8Array, signal: AbortSignal): Pro
   const info: tm.Info = await tm.info(mesh);
   const report: tm.ManifoldReport = await tm.checkmanifold(mesh, { closed: true, certify: mesh });
   const file: Uint8Array = await tm.write(results[0], '3mf');
-  const run: tm.RunResult = await tm.run('tm-sample', ['a.ply', '--count=10'], { 'a.ply': mesh.ply }, { signal });
+  const run: tm.RunResult = await tm.run('tm-sample', ['a.ply', '--count=10'], { 'a.ply': mesh.ply }, { signal, message: (line) => line.length });
   return info.volume + file.length + run.code + (report.problem ?? '').length + (await tm.countIntersections(mesh));
 }
 
@@ -32,6 +32,8 @@ export async function mistakes(mesh: tm.Mesh): Promise<void> {
   await tm.boolean('unite', [mesh]);
   // @ts-expect-error no format
   await tm.write(mesh, 'dae');
+  // @ts-expect-error lines are text
+  await tm.fill(mesh, { message: (line: number) => line });
   // @ts-expect-error a result is a promise
   tm.clean(mesh).faces.length;
 }

@@ -4,6 +4,7 @@ import {Charts} from './charts.js';
 import {Colors, scaleOf} from './colors.js';
 import {eventTable} from './events.js';
 import {dispose} from './geometry.js';
+import {keysOfView} from './keys.js';
 import {watch} from './live.js';
 import {parseEvents, parseLog} from './log.js';
 import {lastNotAbove, nearest, short, shownWith} from './numbers.js';
@@ -226,10 +227,7 @@ class Viewer {
   #onKey(event) {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const keys = {
-      ArrowLeft: () => this.view.turn(-10, 0), ArrowRight: () => this.view.turn(10, 0),
-      ArrowUp: () => this.view.turn(0, 10), ArrowDown: () => this.view.turn(0, -10),
-      '+': () => this.view.turn(0, 0, 1.2), '=': () => this.view.turn(0, 0, 1.2), '-': () => this.view.turn(0, 0, 1 / 1.2),
-      0: () => this.view.reset(), ' ': () => this.play(!this.isPlaying),
+      ...keysOfView(this.view), ' ': () => this.play(!this.isPlaying),
       ',': () => this.step(-1), '.': () => this.step(1),
     };
     if (!keys[event.key]) return;

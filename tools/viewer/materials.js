@@ -58,6 +58,12 @@ export function squareOf(css) {
   return color.multiply(color);
 }
 
+// The red, green and blue of a CSS color, 0 to 255.
+export function bytesOfColor(css) {
+  const {r, g, b} = new Color(css).convertLinearToSRGB();
+  return [r, g, b].map((share) => Math.round(255 * share));
+}
+
 export function setTint(material, css) {
   material.uniforms.tint.value = squareOf(css);
 }

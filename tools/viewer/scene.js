@@ -1,11 +1,11 @@
 // The 3D view: a cell per run; all cells have the same camera.
 
 import {
-  BufferAttribute, BufferGeometry, Color, FrontSide, Group, LineBasicMaterial, LineSegments, MathUtils, Mesh,
-  MeshBasicMaterial, PerspectiveCamera, Points, PointsMaterial, Scene, Spherical, Vector3,
-  WebGLRenderer,
+  Color, FrontSide, LineBasicMaterial, MathUtils, MeshBasicMaterial, PerspectiveCamera, PointsMaterial, Scene,
+  Spherical, Vector3, WebGLRenderer,
 } from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
+import {Cell, extentOf} from './cell.js';
 import {coloredGeometry, geometryOf} from './geometry.js';
 import {aspectOf, cameraOf, placesIn} from './photographs.js';
 import {setFlat, setTint, setVertexColors, surfaceMaterial} from './materials.js';
@@ -13,22 +13,6 @@ import {setFlat, setTint, setVertexColors, surfaceMaterial} from './materials.js
 const halfFieldOfView = MathUtils.degToRad(15);
 const mostPixels = 5e5;  // most pixels that software rendering draws while something moves
 const home = new Spherical(1.02 / Math.sin(halfFieldOfView), MathUtils.degToRad(70), MathUtils.degToRad(30));
-
-// Returns center and radius of a ball around all meshes and targets of a run.
-export function extentOf(run) {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  const meshes = [...run.meshes, ...run.targets];
-  for (const mesh of meshes) {
-    for (let axis = 0; axis < 3; ++axis) {
-      low[axis] = Math.min(low[axis], mesh.low[axis]);
-      high[axis] = Math.max(high[axis], mesh.high[axis]);
-    }
-  }
-  const middle = low.map((end, axis) => end / 2 + high[axis] / 2);
-  const radius = Math.max(...meshes.map((mesh) =>
-    mesh.radius + Math.hypot(...middle.map((x, axis) => mesh.low[axis] / 2 + mesh.high[axis] / 2 - x))));
-  return {middle, radius: radius > 0 ? radius : 1};
-}
 
 function materials() {
   return {
@@ -50,72 +34,6 @@ function isDrawnBySoftware() {
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
-// Returns a pyramid per camera, with the eye as apex and the image as base.
-function frustaOf(cameras, {middle, radius}) {
-  const points = [];
-  for (const {center, corners} of cameras) {
-    const eye = center.map((x, axis) => (x - middle[axis]) / radius);
-    const depth = 0.12 * Math.hypot(...eye);
-    const ends = corners.map((ray) => ray.map((x, axis) => eye[axis] + depth * x));
-    ends.forEach((end, i) => points.push(...eye, ...end, ...end, ...ends[(i + 1) % 4]));
-  }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(points), 3));
-  return geometry;
-}
-
-class Cell {
-  constructor(run, extent, radius, up, shared) {
-    this.extent = extent;
-    this.cameras = [];
-    this.photograph = document.createElement('img');
-    this.photograph.hidden = true;
-    this.element = document.createElement('div');
-    this.element.className = 'cell';
-    this.label = document.createElement('span');
-    this.element.append(this.photograph, this.label);
-    this.label.textContent = run.name;
-
-    this.group = new Group();
-    this.scale = extent.radius / radius;
-    this.group.scale.setScalar(this.scale);
-    const turns = {'x': [0, 1], '-x': [0, -1], '-y': [2, 0], 'z': [-1, 0], '-z': [1, 0]};
-    const [aboutX, aboutZ] = turns[up] ?? [0, 0];
-    this.group.rotation.set(aboutX * Math.PI / 2, 0, aboutZ * Math.PI / 2);
-    this.surface = new Mesh(new BufferGeometry(), surfaceMaterial());
-    this.wires = new Mesh(new BufferGeometry(), shared.wires);
-    this.points = new Points(new BufferGeometry(), shared.points.clone());
-    this.ghost = new Mesh(new BufferGeometry(), shared.ghost);
-    this.ghost.renderOrder = 1;
-    this.ghostPoints = new Points(new BufferGeometry(), shared.ghostPoints);
-    this.frusta = new LineSegments(new BufferGeometry(), shared.frusta);
-    for (const object of this.objects()) {
-      object.frustumCulled = false;
-      this.group.add(object);
-    }
-  }
-
-  // Scales the cell down if the run has grown beyond its initial extent.
-  fit(run) {
-    const {middle, radius} = extentOf(run);
-    const away = Math.hypot(...middle.map((x, axis) => x - this.extent.middle[axis]));
-    this.group.scale.setScalar(this.scale / Math.max(1, (away + radius) / this.extent.radius));
-  }
-
-  setCameras(cameras) {
-    this.cameras = cameras;
-    const {middle, radius} = this.extent;
-    this.frusta.geometry.dispose();
-    this.frusta.geometry = frustaOf(cameras, this.extent);
-    this.cameraDistance = Math.max(0, ...cameras.map(({center}) =>
-      Math.hypot(...center.map((x, axis) => (x - middle[axis]) / radius))));
-  }
-
-  objects() {
-    return [this.surface, this.wires, this.points, this.ghost, this.ghostPoints, this.frusta];
-  }
-}
-
 export class View {
   // `picture` returns a promise of the image source for the name of a photograph.
   constructor(stage, canvas, cells, page, colors, picture) {
@@ -123,7 +41,7 @@ export class View {
     this.picture = picture;
     this.canvas = canvas;
     this.colors = colors;
-    this.looks = {wireframe: false, flat: false, ghost: true, cameras: false};
+    this.looks = {wireframe: false, flat: false, ghost: true, cameras: false, marks: true};
     this.isSlow = isDrawnBySoftware();
     this.renderer = new WebGLRenderer({canvas, antialias: !this.isSlow, alpha: true});
     this.renderer.autoClear = false;
@@ -141,6 +59,7 @@ export class View {
       this.scene.add(cell.group);
       return cell;
     });
+    this.cellsElement = cells;
     cells.classList.toggle('single', page.runs.length === 1);
 
     this.controls = new OrbitControls(this.camera, stage);
@@ -163,6 +82,27 @@ export class View {
     setTint(this.shared.ghost, css('--ghost'));
     this.shared.ghostPoints.color = this.shared.frusta.color = new Color(css('--ghost'));
     for (const cell of this.cells) this.#setColor(cell);
+    this.draw();
+  }
+
+  // Sets the axis of all cells that points up.
+  setUp(up) {
+    for (const cell of this.cells) cell.setUp(up);
+    this.draw();
+  }
+
+  // Draws two cells in one place: the first one in this fraction of it from the left, the second one in
+  // the rest.
+  setWipe(share) {
+    this.cellsElement.classList.add('over');
+    this.cells[0].part = [0, share];
+    this.cells[1].part = [share, 1];
+    this.draw();
+  }
+
+  // Sets the lines that point out edges of a cell's mesh, in the coordinates in which it is drawn.
+  setMarks(i, kinds) {
+    this.cells[i].marks.set(kinds);
     this.draw();
   }
 
@@ -213,14 +153,21 @@ export class View {
   }
 
   // Moves the camera to a point of a run's mesh, at half the distance that reset() sets. The point is in
-  // coordinates of the mesh, and becomes the center of rotation.
-  lookAt(run, place) {
+  // coordinates of the mesh, and becomes the center of rotation. The direction is that of reset(), or
+  // points from outside at the mesh.
+  lookAt(run, place, isFromOutside = false) {
     this.lookFrom();
     const {group, extent} = this.cells[run];
     group.updateMatrixWorld();
     const target = group.localToWorld(new Vector3(...place.map((x, axis) => (x - extent.middle[axis]) / extent.radius)));
+    const offset = new Vector3().setFromSpherical(home).multiplyScalar(0.5);
+    if (isFromOutside) {
+      const distance = offset.length();
+      // A point in the middle has no outside. Seen a little from the side, the surface has some relief.
+      offset.setLength(0.3).add(target.clone().normalize()).setLength(distance);
+    }
     this.controls.target.copy(target);
-    this.camera.position.setFromSpherical(home).multiplyScalar(0.5).add(target);
+    this.camera.position.copy(offset).add(target);
     this.controls.update();
     this.draw();
   }
@@ -315,15 +262,16 @@ export class View {
 
   #renderCell(cell, stage) {
     const box = cell.element.getBoundingClientRect();
-    if (!(box.width > 0 && box.height > 0)) return;
+    if (!(box.width > 0 && box.height > 0) || cell.part[0] >= cell.part[1]) return;
     for (const other of this.cells) other.group.visible = other === cell;
-    const {wireframe, ghost, cameras} = this.looks;
+    const {wireframe, ghost, cameras, marks} = this.looks;
     cell.surface.visible = cell.isSurface === true;
     cell.wires.visible = cell.isSurface === true && wireframe;
     cell.points.visible = cell.isSurface === false;
     cell.ghost.visible = ghost && cell.hasTarget === cell.ghost;
     cell.ghostPoints.visible = ghost && cell.hasTarget === cell.ghostPoints;
     cell.frusta.visible = cameras;
+    cell.marks.group.visible = marks;
 
     const place = [box.left - stage.left, stage.bottom - box.bottom];
     if (cell.seenFrom) return this.#renderBeside(cell, box, place);
@@ -332,7 +280,7 @@ export class View {
     const half = aspect >= 1 ? halfFieldOfView : Math.atan(Math.tan(halfFieldOfView) / aspect);
     this.camera.fov = 2 * MathUtils.radToDeg(half);
     this.camera.updateProjectionMatrix();
-    this.#renderInto([...place, box.width, box.height], this.camera);
+    this.#renderInto([...place, box.width, box.height], this.camera, cell.part);
   }
 
   // Draws the mesh from the photograph's camera, beside the photograph.
@@ -343,9 +291,10 @@ export class View {
     this.#renderInto([left + render.left, bottom + box.height - render.top - render.height, render.width, render.height], cell.seenFrom);
   }
 
-  #renderInto(rectangle, camera) {
+  #renderInto(rectangle, camera, [from, to] = [0, 1]) {
+    const [left, bottom, width, height] = rectangle;
     this.renderer.setViewport(...rectangle);
-    this.renderer.setScissor(...rectangle);
+    this.renderer.setScissor(left + from * width, bottom, (to - from) * width, height);
     this.renderer.render(this.scene, camera);
   }
 }

@@ -30,7 +30,7 @@ function tableOf(title, entries) {
   return [table];
 }
 
-function copyButton(text) {
+export function copyButton(text) {
   const button = make('button', 'Copy');
   button.type = 'button';
   button.addEventListener('click', async () => {
