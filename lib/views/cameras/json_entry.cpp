@@ -23,9 +23,9 @@ Json parse_camera_json(const Source& source) {
     const auto* const parse_error = dynamic_cast<const Json::parse_error*>(&error);
     const std::size_t byte = parse_error == nullptr ? 0 : parse_error->byte;
     const std::size_t at = std::min(byte, source.bytes.size());
-    source.fail_at_byte(source.begin() + (at > 0 ? at - 1 : 0), at == source.bytes.size()
-                                                                    ? "the JSON ends too early"
-                                                                    : "the JSON is malformed");
+    const bool is_cut_off = byte > source.bytes.size();
+    source.fail_at_byte(source.begin() + (at > 0 ? at - 1 : 0),
+                        is_cut_off ? "the JSON ends too early" : "the JSON is malformed");
   }
 }
 

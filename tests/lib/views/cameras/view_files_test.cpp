@@ -153,16 +153,23 @@ TEST_CASE("different counts are refused, and missing files named") {
   CHECK(says(refusal({folder.at("cameras"), one, ""}), "2 cameras, but 1 image"));
   folder.write("images/v2.pgm", image(4, 4, 9));
   folder.write("images/v3.pgm", image(4, 4, 9));
-  CHECK(says(refusal({folder.at("par.txt"), folder.at("images"), ""}), "v3.pgm"));
+  // An image without a camera is left out, unless all are needed.
+  ViewSources sources{folder.at("par.txt"), folder.at("images"), ""};
+  std::string notes;
+  sources.on_note = [&](const std::string& note) { notes += note; };
+  CHECK(refusal(sources).empty());
+  CHECK(says(notes, "v3.pgm"));
+  sources.needs_all_images = true;
+  CHECK(says(refusal(sources), "v3.pgm"));
 }
 
 TEST_CASE("impossible sizes are refused") {
   const Folder folder;
   folder.write("a.txt", matrix(100));
   folder.write("a.pgm", image(5, 3, 10));
-  folder.write("small.pgm", image(4, 3, 10));
-  CHECK(says(refusal({folder.at("a.txt"), folder.at("a.pgm"), folder.at("small.pgm")}),
-             folder.at("small.pgm") + ": the silhouette has 4 x 3 pixels"));
+  folder.write("wide.pgm", image(10, 3, 10));
+  CHECK(says(refusal({folder.at("a.txt"), folder.at("a.pgm"), folder.at("wide.pgm")}),
+             folder.at("wide.pgm") + ": the silhouette has 10 x 3 pixels"));
   folder.write("colmap/cameras.txt", "1 SIMPLE_PINHOLE 5 4 9 2 2\n");
   folder.write("colmap/images.txt", "1 1 0 0 0 0 0 5 1 a.png\n\n");
   CHECK(says(refusal({folder.at("colmap"), folder.at("a.pgm"), ""}), "5 x 4"));
