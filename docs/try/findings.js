@@ -8,7 +8,7 @@ const kinds = [
   ['intersections', 'Self-intersections',
     'Pairs of faces that run through each other: inside and outside are not clear there.'],
   ['holes', 'Holes', 'Borders of the surface. A solid has none.'],
-  ['turned', 'Flipped parts', 'Faces that look the wrong way: their outside is inside.'],
+  ['turned', 'Flipped faces', 'Faces whose outside is inside.'],
   ['branching', 'Branching edges', 'Edges at which three faces or more meet, and do not pair up.'],
   ['oneSided', 'One-sided surface', 'The surface has one side only, like a Moebius strip.'],
   ['flat', 'Faces without area', 'Their corners lie on one line. They do no harm to a solid.'],

@@ -91,7 +91,7 @@ const checks = {
       const plain = await pixelsOf(page, browser, '#stage');
       assert.equal(statisticsOf(plain, isViolet).count + statisticsOf(plain, isOrange).count, 0);
       const rows = await page.$$eval('.findings tbody:first-of-type tr:not(.why)', (all) => all.map((row) => row.innerText.split('\t').map((cell) => cell.trim())));
-      assert.deepEqual(rows.map(([title]) => title), ['Self-intersections', 'Holes', 'Flipped parts']);
+      assert.deepEqual(rows.map(([title]) => title), ['Self-intersections', 'Holes', 'Flipped faces']);
       assert.deepEqual(rows[0][1], 'none');
       assert.equal(rows[1][1], '1');
       assert.match(await textOf(page, 'verdict'), /^Not a solid yet: 2 kinds of fault/);
