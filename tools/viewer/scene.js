@@ -69,7 +69,11 @@ export class View {
     this.controls.maxDistance = 250;
     this.reset();
     this.setTheme();
-    new ResizeObserver(() => this.resize()).observe(stage);
+    // draw() lets software rendering go to full resolution at rest.
+    new ResizeObserver(() => {
+      this.resize();
+      this.draw();
+    }).observe(stage);
   }
 
   // Takes default colors from the style sheet.
