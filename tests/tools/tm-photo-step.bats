@@ -88,10 +88,13 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
   assert_status 3
   one_line "$stderr"
   rm photos/"$(ls photos | head -n 1)"
-  run --separate-stderr tm-photo-step --cameras par.txt --images photos truth.ply
+  run --separate-stderr tm-photo-step --missing refuse --cameras par.txt --images photos truth.ply
   assert_status 3
   one_line "$stderr"
   [ -z "$output" ]
+  # By default the camera is left out, which a line says.
+  tm-photo-step --cameras par.txt --images photos truth.ply -o moved.ply 2>notes
+  grep -q 'left out' notes
   run tm-photo-step --images photos truth.ply
   assert_status 2
 }

@@ -282,7 +282,7 @@ take_pocket() {
   assert_status 0
   [[ $stderr == *"tm-reconstruct: the start is kept: "* ]] || fail "$stderr"
   [ "$(value stop report.json)" = start ]
-  [ "$(value restored report.json)" = 1 ]
+  [ "$(value restored report.json)" = 1.0 ]
   [ "$(value dissimilarity report.json)" = "$(value first_dissimilarity report.json)" ]
   [ "$(tm-info --get faces out.ply)" -eq "$(tm-info --get faces start.ply)" ]
   [ "$(compared accuracy out.ply)" = "$(compared accuracy start.ply)" ]
