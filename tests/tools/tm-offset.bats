@@ -1,5 +1,9 @@
 load ../helpers/common
 
+setup() {
+  cd "$BATS_TEST_TMPDIR" || return
+}
+
 @test "a ball grows and shrinks by pipes, and the report measures how well" {
   tm-shape sphere --faces 3000 -o "$BATS_TEST_TMPDIR/ball.ply"
   pipe "tm-offset --distance 0.5 --report $BATS_TEST_TMPDIR/r.json <$BATS_TEST_TMPDIR/ball.ply |

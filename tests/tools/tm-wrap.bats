@@ -226,7 +226,7 @@ colmap_points() {
   [ "$(wc -l <left.xyz)" -eq 485 ]
   tm-wrap left.xyz | cmp - wrap.ply
   tm-wrap <points3D.txt 2>/dev/null | cmp - wrap.ply
-  awk '!/^#/ { print $2, $3, $4 }' points3D.txt | tm-wrap >all.ply
+  awk '!/^#/ { print $2, $3, $4 }' points3D.txt | tm-wrap --keep-outliers >all.ply
   tm-wrap --keep-outliers points3D.txt | cmp - all.ply
 }
 

@@ -64,10 +64,17 @@ refused_by_all() { # READS WORD...
 @test "more images than cameras" {
   cameras=par.txt
   mask 2 6 200 >photos/d.pgm
-  refused_by_all images photos par.txt
+  run --separate-stderr tm-cameras --images photos par.txt
+  assert_status 0
+  [[ $stderr == *"1 image in photos without camera left out, the first is photos/d.pgm" ]]
+  run --separate-stderr tm-cameras --missing refuse --images photos par.txt
+  assert_status 3
+  [[ $stderr == *photos* ]]
   rm photos/d.pgm
   mask 2 6 >masks/d.pgm
-  refused_by_all masks masks d.pgm
+  run --separate-stderr tm-hull --cameras par.txt --silhouettes masks -o out.ply
+  assert_status 0
+  [[ $stderr == *"1 silhouette in masks without camera left out, the first is masks/d.pgm"* ]]
 }
 
 @test "fewer cameras than the file says" {
