@@ -43,7 +43,7 @@ std::vector<ScriptLine> parse_boolean_script(std::string_view text);
 
 struct ScriptResult {
   Mesh mesh;
-  std::vector<Problem> problems;     ///< problems_of() the results
+  std::vector<Problem> problems;     ///< problems of the results, as problems_of() returns
   std::size_t pairs = 0;             ///< intersecting pairs of faces, sum over the operations
   std::size_t rounding_repairs = 0;  ///< sum over the operations
   std::size_t in_place = 0;          ///< operations that changed only a part of a mesh

@@ -105,7 +105,7 @@ MeshPointer evolve_mesh_in_time(const PythonMesh& mesh, const py::function& velo
                                 const std::optional<PythonLength>& tolerance,
                                 const std::optional<double>& event_tolerance, bool keep_volume,
                                 const PythonLength& min_edge, const PythonLength& max_edge,
-                                const SmoothingChoice& smooth, bool outermost,
+                                const SmoothingChoice& smooth, bool curved, bool outermost,
                                 const py::object& on_iteration, const py::object& progress) {
   Document document = beginning(mesh);
   TimeOptions time_options{time, time_step.value_or(0)};
@@ -118,9 +118,8 @@ MeshPointer evolve_mesh_in_time(const PythonMesh& mesh, const py::function& velo
   time_options.keep_volume = keep_volume;
   EvolveOptions options{iteration_of(min_edge, max_edge, smooth, document), {}};
   options.iteration.outermost = outermost;
-  RemeshOptions& remeshing = options.iteration.remesh;
-  remeshing.curved = remeshing.smoothing == Smoothing::none;
-  if (remeshing.curved) remeshing.flip = FlipRule::angle;
+  options.iteration.remesh.curved = curved;
+  if (curved) options.iteration.remesh.flip = FlipRule::angle;
   const Motion motion = motion_of(velocity);
   const LoopOptions loop = loop_of(std::numeric_limits<std::size_t>::max(), on_iteration);
   const TimeResult result = without_lock(progress, [&](const Progress& to) {
@@ -198,13 +197,13 @@ void bind_evolutions(py::module_& module) {
       py::kw_only(), arg("time_step") = none, arg("integrator") = "midpoint",
       arg("max_move") = TimeOptions().max_move, arg("tolerance") = none,
       arg("event_tolerance") = none, arg("keep_volume") = false, arg("min_edge") = shortest,
-      arg("max_edge") = longest, arg("smooth") = "none", arg("outermost") = true,
-      arg("on_iteration") = none, arg("progress") = none,
+      arg("max_edge") = longest, arg("smooth") = "none", arg("curved") = false,
+      arg("outermost") = true, arg("on_iteration") = none, arg("progress") = none,
       "Evolves a surface from time 0 to `time` along `velocity(mesh, time)`, an array (n, 3). In a "
       "step all vertices move by the same span of time: `time_step`, or as long as no vertex moves "
       "farther than `max_move` of its own edges and, if `tolerance` is given, the local error is "
       "at "
-      "most that length. The surface is remeshed on curves unless `smooth` is given. See TIME in "
+      "most that length. `curved` remeshes on curves, which keeps smooth shapes. See TIME in "
       "tm-evolve(1).");
   module.def("morph", &morph_mesh, arg("source"), arg("target"), py::kw_only(),
              arg("iterations") = LoopOptions().iterations, arg("alpha") = DisplaceOptions().alpha,

@@ -292,6 +292,7 @@ def evolve_in_time(
     min_edge: Length = "0.7x",
     max_edge: Length = "1.5x",
     smooth: Smoothing = "none",
+    curved: bool = False,
     outermost: bool = True,
     on_iteration: Optional[Callable[[str], object]] = None,
     progress: Progress = None,

@@ -79,7 +79,7 @@ void add_wall_cases(Cases& cases) {
           cases, name, [=] { return cells(size, seed); }, volume);
       add(
           cases, name + "/turned", [=] { return turned(cells(size, seed)); }, volume);
-      // Another body takes the half of the first cell, and half a cell more.
+      // A second body covers half of the first cell and half a cell beside it.
       add(
           cases, name + "/crossed",
           [=] {

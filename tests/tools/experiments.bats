@@ -174,7 +174,7 @@ TABLE
 @test "balls that pulsate and drift merge and part in physical time" {
   /usr/bin/python3 -c 'import numpy' 2>/dev/null || skip "without NumPy"
   # Once every collapse that leaves an edge of 0.8 of the longest was refused on curves: faces multiplied.
-  for options in "" "--smooth tangential"; do
+  for options in "" --curved; do
     run --separate-stderr batch pulsating STEPS=160 OPTIONS="$options"
     assert_status 0
     [[ ${lines[0]} =~ ^"volume 0."[0-9]+", of the balls 0." ]]

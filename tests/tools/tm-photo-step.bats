@@ -92,7 +92,7 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
   assert_status 3
   one_line "$stderr"
   [ -z "$output" ]
-  # By default the camera is left out, which a line says.
+  # The default leaves the camera out, and a note says so.
   tm-photo-step --cameras par.txt --images photos truth.ply -o moved.ply 2>notes
   grep -q 'left out' notes
   run tm-photo-step --images photos truth.ply

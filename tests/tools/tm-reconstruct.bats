@@ -420,7 +420,7 @@ take_from() {
 }
 
 @test "a sequence: a surface that no view sees any more, or that all views see elsewhere, comes from the hull" {
-  # Cameras and ball moved on: no view sees where the ball was. Then they stay, and the ball jumps.
+  # First cameras and ball move, so that the old place of the ball is in no image. Then the cameras stay, and the ball jumps.
   take_from 1 0
   take_from 2 900
   cp -r film/2 film/3

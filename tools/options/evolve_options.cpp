@@ -37,14 +37,12 @@ void check_step(const EvolveChoices& choices, const Program& program) {
 }
 
 /// Returns the options of remeshing. With --time or --curved, smoothing is off unless --smooth is
-/// given, so that it does not displace vertices that the motion has moved. With --time, remeshing
-/// on curves is on if smoothing is off.
+/// given, so that it does not displace vertices that the motion has moved.
 RemeshOptions remeshing_of(const EvolveChoices& choices, Run& run) {
   RemeshOptions options;
   const std::string usual = choices.is_in_time() || choices.curved ? "none" : "0.1";
   read_smoothing(choices.smooth.empty() ? usual : choices.smooth, options);
-  const bool is_smoothed = options.smoothing != Smoothing::none;
-  options.curved = choices.curved || (choices.is_in_time() && !is_smoothed);
+  options.curved = choices.curved;
   if (options.curved) options.flip = FlipRule::angle;
   if (choices.min_film) options.min_film = run.length(*choices.min_film);
   if (choices.pinch) options.pinch = run.length(*choices.pinch);
@@ -72,8 +70,7 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
   program.options.flag("keep-cavities", &choices.keep_cavities,
                        "keep cavities and what is inside of them, which are filled otherwise");
   program.options.flag("curved", &choices.curved,
-                       "remesh on curves, as tm-remesh --curved: keeps smooth shapes and creases "
-                       "(with --time the default unless --smooth is given)");
+                       "remesh on curves, as tm-remesh --curved: keeps smooth shapes and creases");
   program.options.length("min-film", &choices.min_film, "keep films thicker than this");
   program.options.length("pinch", &choices.pinch,
                          "cut and cap necks and handles that a loop up to this long goes around");

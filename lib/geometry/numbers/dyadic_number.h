@@ -69,7 +69,7 @@ class DyadicNumber {
 
   static constexpr int digits_of_double = std::numeric_limits<double>::digits;
   static constexpr std::int64_t least_exponent =
-      std::numeric_limits<double>::min_exponent - digits_of_double;  // exponent of the smallest double
+      std::numeric_limits<double>::min_exponent - digits_of_double;  // exponent of the least double
 
   DyadicNumber(Integer digits, std::int64_t exponent)
       : digits_(std::move(digits)), exponent_(exponent) {}

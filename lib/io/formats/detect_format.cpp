@@ -77,7 +77,7 @@ bool is_obj_start(std::string_view bytes, std::string_view word) {
   return has_values && std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
-/// True if a line near the start is `v` with three numbers, after lines that are not OBJ.
+/// True if one of the first lines is a vertex of OBJ: `v` and three numbers.
 bool has_obj_vertex(std::string_view bytes) {
   constexpr std::size_t searched = 4096;
   const Source start{bytes.substr(0, searched), ""};

@@ -19,7 +19,7 @@ struct SafeSplits {
   std::unique_ptr<EmbeddingGuard> guard;  ///< for the mesh after the splits
   std::size_t done = 0;
   std::size_t refused = 0;  ///< edges that stay too long; vertices in contact because of rounding
-  std::vector<std::array<Index, 2>> ends = {};  ///< SplitCounts::ends
+  std::vector<std::array<Index, 2>> ends = {};  ///< ends of the split edges, as in SplitCounts
 };
 
 /// Splits all long edges and then checks the result. If a new vertex has added a self-intersection

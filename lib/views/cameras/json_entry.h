@@ -18,8 +18,8 @@ nlohmann::json parse_camera_json(const Source& source);
 /// Returns the JSON as one line. Throws InputError, naming `record`, if text in it is not UTF-8.
 std::string json_text(const nlohmann::ordered_json& json, const CameraRecord& record);
 
-/// A value that outlives neither its JSON nor its source. All members throw InputError, naming the
-/// file and the path, if the value is of another kind.
+/// A value in a JSON file. The parsed JSON and its source must outlive the object. All members
+/// throw InputError, naming the file and the path, if the value is of another kind.
 class JsonEntry {
  public:
   JsonEntry(const nlohmann::json& value, const Source& source, std::string path = {})

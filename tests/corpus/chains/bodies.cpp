@@ -65,7 +65,7 @@ void draw_polygon(Part& part, const Interval& u, const Interval& v, Random& rand
     return;
   }
   const double side = std::min(u.length(), v.length());
-  if (kind == 4) {  // half a square
+  if (kind == 4) {  // a right triangle, half of a square
     part.polygon = {{u.low, v.low}, {u.low + side, v.low}, {u.low, v.low + side}};
     return;
   }

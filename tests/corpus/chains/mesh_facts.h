@@ -29,7 +29,7 @@ struct MeshFacts {
   bool is_valid() const { return bad_indices + bad_coordinates == 0; }
   bool is_closed() const { return open_edges == 0; }
   bool is_manifold() const { return bad_edges + bad_vertices == 0; }
-  /// Nothing that later programs may pass on as "it was in the input".
+  /// True if the mesh has no fault that a later program could have inherited from its input.
   bool is_sound() const { return is_valid() && is_manifold() && no_area + intersections == 0; }
 };
 

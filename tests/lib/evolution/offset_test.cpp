@@ -93,7 +93,7 @@ TEST_CASE("the bar of a dumbbell vanishes, and its balls are left") {
 }
 
 TEST_CASE("a plate that loses its rim is reported with the place; finer edges keep it") {
-  // .2 is left of a thickness of 4, in a body 6 by 8.
+  // An inward offset of 1.9 leaves a box of 0.2 x 2.2 x 4.2 from one of 4 x 6 x 8.
   const Mesh box = test::cuboid(Vec3::Zero(), {4, 6, 8});
   const double left = 0.2 * 2.2 * 4.2;
   Document coarse;

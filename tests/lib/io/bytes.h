@@ -81,7 +81,7 @@ inline const Column& column(const Columns& columns, const std::string& name) {
   return *found;
 }
 
-/// A tetrahedron in every way that tests need it.
+/// Returns a tetrahedron with one corner at the origin and three on the axes.
 inline Mesh tetrahedron() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -14,7 +14,7 @@ namespace {
 
 struct Count {
   std::size_t cut = 0;      ///< planes cut along what bounds their exterior
-  std::size_t in_full = 0;  ///< that have to be cut in full
+  std::size_t in_full = 0;  ///< number of faces that have to be cut in full
   std::size_t facets = 0;
 };
 

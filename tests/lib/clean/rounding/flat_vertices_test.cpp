@@ -143,7 +143,7 @@ TEST_CASE("displacements of consecutive collapses add up") {
   const Vec3 up = face_normal(test::cube(), 0).normalized();
   for (const Vec3& p : assembly.mesh.positions)
     height = std::max(height, up.dot(p - test::cube().positions[test::cube().faces[0][0]]));
-  // The base has risen to the roof, from storey to storey.
+  // Each storey moved the top face up, so that the body has its full height and few faces.
   CHECK(assembly.mesh.faces.size() == 14);
   CHECK(height == doctest::Approx(storeys * storey));
   CHECK(moved.length >= height);

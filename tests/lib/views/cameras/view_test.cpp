@@ -13,7 +13,7 @@ using doctest::Approx;
 
 namespace {
 
-/// A wave with `length` pixels, by the place of a pixel.
+/// Returns an image of a sine wave with a wavelength of `length` pixels.
 GrayImage wave(int width, int height, double length) {
   GrayImage image(width, height);
   for (int y = 0; y < height; ++y) {
