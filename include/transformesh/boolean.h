@@ -51,9 +51,9 @@ BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& op
                       const BooleanOptions& options = {}, const Progress& progress = Progress());
 
 enum class SheetSide { outside, inside };
-/// Returns the part of a sheet outside or inside of a solid, cut along the surface of the solid.
-/// With `cap` the part and faces of the solid bound the region behind the sheet. Throws as
-/// boolean() does for the solid, and InputError if there is no such region.
+/// Returns the part of a sheet outside or inside of a solid, cut along the surface of the solid. If
+/// BooleanOptions::cap is set, faces of the solid are added that close this part to a solid. Throws
+/// like boolean() for the solid, and InputError if no faces close the part.
 BooleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,
                         const BooleanOptions& options = {}, const Progress& progress = Progress());
 

@@ -38,6 +38,8 @@ std::string intrinsics_problem(const Eigen::Matrix3d& intrinsics, const std::str
   if (!is_in_range(intrinsics) || std::min(x, y) < 1 / largest_number) {
     return "the calibration of " + who + " is out of range: focal lengths are 1e-100 to 1e100";
   }
+  if (intrinsics(1, 0) != 0 || intrinsics.row(2) != Eigen::RowVector3d(0, 0, 1))
+    return "the calibration of " + who + " must end with 0 0 1 and have 0 below its diagonal";
   const double obliqueness = intrinsics.row(0).norm() / x * (intrinsics.row(1).norm() / y);
   if (obliqueness <= most_oblique) return {};
   return "the calibration of " + who +

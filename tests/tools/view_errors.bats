@@ -67,9 +67,17 @@ refused_by_all() { # READS WORD...
   run --separate-stderr tm-cameras --images photos par.txt
   assert_status 0
   [[ $stderr == *"1 image in photos without camera left out, the first is photos/d.pgm" ]]
-  run --separate-stderr tm-cameras --missing refuse --images photos par.txt
-  assert_status 3
-  [[ $stderr == *photos* ]]
+  for program in "tm-cameras --images photos par.txt" \
+    "tm-hull --cameras par.txt --images photos" \
+    "tm-photo-step --cameras par.txt --images photos ball.ply" \
+    "tm-reconstruct --cameras par.txt --images photos --silhouettes masks"; do
+    read -ra words <<<"$program"
+    run --separate-stderr "${words[0]}" --missing refuse "${words[@]:1}" -o out.ply
+    assert_status 3
+    [[ $stderr == *"d.pgm"* ]] || fail "$program: $stderr"
+    one_line "$stderr"
+    [ ! -e out.ply ]
+  done
   rm photos/d.pgm
   mask 2 6 >masks/d.pgm
   run --separate-stderr tm-hull --cameras par.txt --silhouettes masks -o out.ply

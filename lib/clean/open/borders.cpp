@@ -44,8 +44,8 @@ Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
   return result;
 }
 
-// True if a set of connected borders coincides completely with other borders in the same direction.
-// Such borders bound a patch whose orientation is reversed.
+// True if a set of connected border edges coincides completely with other border edges that have
+// the same direction. The patch with this border then has the wrong orientation.
 bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   const std::vector<Index> border = check_manifold(mesh).border_halfedges;
   const auto ends_of = [&](Index h) {

@@ -9,6 +9,7 @@
 #include "evolution/loop/stopwatch.h"
 #include "io/document/round_as_written.h"
 #include "io/length_basis.h"
+#include "remesh/check_remesh_options.h"
 #include "remesh/pinch.h"
 #include "remesh/remesh_connected.h"
 #include "support/counted.h"
@@ -36,7 +37,6 @@ RemeshOptions remesh_options(const Document& document, const IterationOptions& o
   RemeshOptions result = options.remesh;
   result.min_edge = resolved({options.edge_factor * options.min_edge.value, options.min_edge.unit});
   result.max_edge = resolved({options.edge_factor * options.max_edge.value, options.max_edge.unit});
-  result.pinch = 0;
   result.coordinate = document.style.coordinate;
   return result;
 }
@@ -93,7 +93,9 @@ class CleanAndRemesh {
 
   void run() {
     RemeshResult remeshed;
-    if (allowed_thread_count() == 1 || options_.expects_changes || options_.remesh.pinch > 0) {
+    const bool pinches = options_.remesh.pinch != 0;
+    if (pinches) check_options(remesh_options(document_, options_));
+    if (allowed_thread_count() == 1 || options_.expects_changes || pinches) {
       clean();
       pinch();
       remeshed = remesh();
@@ -196,8 +198,9 @@ CleanedTopology clean_in_place(
 
 RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
                              const Progress& progress, std::vector<Index> opposites) {
-  RemeshResult result = remesh_connected(document.mesh, remesh_options(document, options), progress,
-                                         std::move(opposites));
+  RemeshOptions remeshing = remesh_options(document, options);
+  remeshing.pinch = 0;
+  RemeshResult result = remesh_connected(document.mesh, remeshing, progress, std::move(opposites));
   round_as_written(document);
   return result;
 }

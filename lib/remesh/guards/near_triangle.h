@@ -1,8 +1,9 @@
 /// Computes the distances of many points from a triangle.
 ///
-/// The result is the distance from a point of the triangle that is the closest one up to rounding.
-/// It may be too large if rounding selects another point, which happens in slivers. It is too small
-/// by at most the rounding error of a coordinate. Reference for the regions: Ericson, "Real-time
+/// Each result is the distance from one point of the triangle, which is the closest point except
+/// for rounding errors. The distance is too large if rounding selects another point of the
+/// triangle, which happens in slivers. The distance is too small by at most the rounding error of a
+/// coordinate. Reference for the regions: Ericson, "Real-time
 /// collision detection", 2005, section 5.1.5.
 #pragma once
 

@@ -46,8 +46,6 @@ CameraList read_mvsnet(const Source& source, const std::string& stem) {
   if (!problem.empty()) rows.fail(problem);
   read_title(rows, "intrinsic");
   Eigen::Matrix3d k = read_matrix(rows, 3, "intrinsic");
-  if (k(1, 0) != 0 || k.row(2) != Eigen::RowVector3d(0, 0, 1))
-    rows.fail("intrinsic must end with 0 0 1 and have 0 below its diagonal");
   k.col(2).head<2>().array() -= pixel_center;
   problem = intrinsics_problem(k, "intrinsic");
   if (!problem.empty()) rows.fail(problem);

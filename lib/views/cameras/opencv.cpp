@@ -48,9 +48,6 @@ Eigen::Matrix3d intrinsics_of(const OpencvStorage& storage) {
   if (entries.size() != 9) storage.fail("camera_matrix of OpenCV's file has no 9 numbers");
   Eigen::Matrix3d k;
   for (int i = 0; i < 9; ++i) k(i / 3, i % 3) = entries[static_cast<std::size_t>(i)];
-  if (k(1, 0) != 0 || k.row(2) != Eigen::RowVector3d(0, 0, 1))
-    storage.fail(
-        "camera_matrix of OpenCV's file must end with 0 0 1 and have 0 below its diagonal");
   const std::string problem = intrinsics_problem(k, "camera_matrix");
   if (!problem.empty()) storage.fail(problem);
   return k;

@@ -123,11 +123,7 @@ class Scene {
       record.unit = IntrinsicsUnit::larger_side;
     }
     record.camera.intrinsics = camera.intrinsics;
-    const bool is_upper =
-        camera.intrinsics(1, 0) == 0 && camera.intrinsics.row(2) == Eigen::RowVector3d(0, 0, 1);
-    std::string problem =
-        is_upper ? intrinsics_problem(camera.intrinsics, who)
-                 : "K of " + who + " must end with 0 0 1 and have 0 below its diagonal";
+    std::string problem = intrinsics_problem(camera.intrinsics, who);
     if (problem.empty())
       problem = set_pose_at(camera.pose.rotation * pose.rotation,
                             pose.rotation.transpose() * camera.pose.center + pose.center, who,

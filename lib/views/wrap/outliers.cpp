@@ -1,9 +1,9 @@
 #include "views/wrap/outliers.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "geometry/search/kd_tree.h"
+#include "mesh/disjoint_sets.h"
 #include "support/parallel.h"
 #include "views/wrap/scale_normalization.h"
 
@@ -39,34 +39,9 @@ Neighborhoods neighborhoods_of(const std::vector<Vec3>& points) {
   return result;
 }
 
-/// Groups of points that are connected by steps between neighbors.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count), size_(count, 1) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  void join(Index a, Index b) {
-    a = root(a);
-    b = root(b);
-    if (a == b) return;
-    parent_[b] = a;
-    size_[a] += size_[b];
-  }
-  std::size_t size_at(Index point) { return size_[root(point)]; }
-
- private:
-  Index root(Index point) {
-    while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
-    return point;
-  }
-
-  std::vector<Index> parent_;
-  std::vector<std::size_t> size_;
-};
-
 /// Joins neighbors whose distance is small compared with the spacing at both of them.
-Groups groups_of(const std::vector<Vec3>& points, const Neighborhoods& around) {
-  Groups groups(points.size());
+DisjointSets groups_of(const std::vector<Vec3>& points, const Neighborhoods& around) {
+  DisjointSets groups(points.size());
   for (Index i = 0; i < points.size(); ++i) {
     for (const Index j : around.nearest[i]) {
       const double limit = reach * std::min(around.spacing[i], around.spacing[j]);
@@ -79,13 +54,15 @@ Groups groups_of(const std::vector<Vec3>& points, const Neighborhoods& around) {
 /// Returns for each point whether it is an outlier.
 std::vector<char> outliers_among(const std::vector<Vec3>& points) {
   const Neighborhoods around = neighborhoods_of(points);
-  Groups groups = groups_of(points, around);
+  DisjointSets groups = groups_of(points, around);
+  std::vector<std::size_t> sizes(points.size(), 0);
+  for (Index i = 0; i < points.size(); ++i) ++sizes[groups.find(i)];
   const double least = least_body * static_cast<double>(points.size());
   std::vector<Vec3> body;
   std::vector<double> spacing;
   std::vector<Index> rest;
   for (Index i = 0; i < points.size(); ++i) {
-    if (static_cast<double>(groups.size_at(i)) < least) {
+    if (static_cast<double>(sizes[groups.find(i)]) < least) {
       rest.push_back(i);
       continue;
     }

@@ -152,7 +152,10 @@ TEST_CASE("steps a thousand times longer than explicit ones are stable") {
     for (const Vec3& p : mesh.positions) REQUIRE(p.allFinite());
     CHECK(bounding_box(mesh).diagonal().norm() < 1.05 * before.diagonal().norm());
     // Under mean curvature the sphere has vanished by then, and its remains may be inside out.
-    CHECK(volume_of(mesh) > -1e-12);
+    if (std::string(name) == "mean-curvature")
+      CHECK(volume_of(mesh) > -1e-12);
+    else
+      CHECK(volume_of(mesh) > 0);
   }
 }
 

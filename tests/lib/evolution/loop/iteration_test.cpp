@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <utility>
 
 #include "evolution/loop/iteration_text.h"
@@ -15,6 +16,7 @@
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 #include "transformesh/mesh_io.h"
+#include "transformesh/shapes.h"
 #include "transformesh/velocity.h"
 
 using namespace transformesh;
@@ -70,6 +72,31 @@ TEST_CASE("an iteration is displace, clean and remesh, each read back as it woul
     CHECK(result.pairs > 0);
     CHECK(result.faces == together.mesh.faces.size());
     CHECK(moved_share(result) == 1);
+  }
+}
+
+TEST_CASE("an iteration pinches as remesh() does, and refuses lengths that are none") {
+  ShapeOptions shape;
+  shape.kind = "dumbbell";
+  shape.neck = 0.1;
+  shape.faces = 3000;
+  Document document;
+  document.mesh = make_shape(shape);
+  IterationOptions options = completed({}, document.mesh);
+  RemeshOptions alone = options.remesh;
+  alone.min_edge = 0.7 * options.reference_edge;
+  alone.max_edge = 1.5 * options.reference_edge;
+  options.remesh.pinch = alone.pinch = 1;
+  Mesh expected = document.mesh;
+  CHECK(remesh(expected, alone).pinched > 0);
+  const Step still = [](Mesh&, const Progress&) { return DisplaceResult(); };
+  Document moved = document;
+  CHECK(iterate(moved, still, options).topology.components == 2);
+  CHECK(moved.mesh.positions == expected.positions);
+  CHECK(moved.mesh.faces == expected.faces);
+  for (const double length : {-1.0, std::nan(""), HUGE_VAL}) {
+    options.remesh.pinch = length;
+    CHECK_THROWS_AS(iterate(document, still, options), UsageError);
   }
 }
 
