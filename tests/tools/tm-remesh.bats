@@ -536,3 +536,24 @@ far_pairs() {
   run --separate-stderr tm-remesh --edge 0.1 --min-edge 0.05 ball.ply
   [ "$status" -eq 2 ]
 }
+
+@test "--faces merges flat faces where collapses alone get stuck, and says so" {
+  cd "$BATS_TEST_TMPDIR"
+  awk 'BEGIN {
+    slivers = 60; n = slivers + 2; u = 2 ^ -53
+    print "OFF"; print 4 * n, 8 * (n - 1) + 4, 0
+    for (z = 0; z < 2; ++z) for (x = 0; x < 2; ++x) for (i = 0; i < n; ++i)
+      printf "%d %.17g %d\n", x, i == 0 ? 0 : i == n - 1 ? 1 : .5 + (i - 1) * u, z
+    for (i = 0; i + 1 < n; ++i) {
+      quad(2 * n + i, 3 * n + i, 3 * n + i + 1, 2 * n + i + 1); quad(i, i + 1, n + i + 1, n + i)
+      quad(n + i, n + i + 1, 3 * n + i + 1, 3 * n + i); quad(i, 2 * n + i, 2 * n + i + 1, i + 1)
+    }
+    quad(0, n, 3 * n, 2 * n); quad(n - 1, 3 * n - 1, 4 * n - 1, 2 * n - 1)
+  }
+  function quad(a, b, c, d) { print 3, a, b, c; print 3, a, c, d }' >slivers.off
+  run tm-remesh --faces 20 slivers.off -o out.ply
+  assert_status 0
+  [[ $output == *"collapses alone left more than 20 faces, so flat faces were merged first"* ]]
+  [[ $output == *"12 faces left, fewer than the 20 wanted"* ]]
+  tm-checkmanifold --closed --intersections out.ply
+}

@@ -24,7 +24,7 @@ StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices,
              std::to_string(options.faces) + ": it stays as it is; --max-edge makes more");
   const DecimateResult result = decimate(document.mesh, options, run.progress());
   run.report(entries_of(result));
-  tool::note_error(result, options, run);
+  tool::note_decimation(result, options, run);
   choices.keep_out.note_near(result.near_keep_out, run);
   return result.columns;
 }
