@@ -167,7 +167,8 @@ is_whole() {
     assert_status 2
     one_line "$stderr"
   done
-  tm-transform --scale 2 tiles/tile-1.ply -o scaled.ply
+  sed 's/^comment tm:tile/comment held/' tiles/tile-1.ply | tm-transform --scale 2 |
+    sed 's/^comment held/comment tm:tile/' >scaled.ply
   run --separate-stderr tm-clean scaled.ply -o out.ply
   assert_status 3
   [[ $stderr == *"is not that tile"* ]]
@@ -178,6 +179,23 @@ is_whole() {
   assert_status 3
   run --separate-stderr tm-tile join missing -o out.ply
   assert_status 3
+}
+
+@test "only tm-clean changes tiles: other programs refuse them, or say what they show" {
+  tm-shape folded --faces 4000 -o in.ply
+  tm-tile split in.ply --tiles 3 -o tiles
+  tm-clean -q tiles/tile-1.ply -o tiles/clean-1.ply
+  for tile in tiles/tile-1.ply tiles/clean-1.ply; do
+    for program in tm-repair tm-remesh tm-transform tm-convert; do
+      run --separate-stderr "$program" "$tile" -o out.ply
+      assert_status 3
+      [[ $stderr == *"is a tile of a larger mesh"*"tm-tile join"* ]]
+      [ ! -e out.ply ]
+    done
+    run --separate-stderr tm-info "$tile"
+    assert_status 0
+    [[ $stderr == *"is a tile of a larger mesh, cut at its borders" ]]
+  done
 }
 
 @test "a tile that needs the whole mesh says so, with exit code 4" {
