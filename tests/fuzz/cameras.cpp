@@ -21,8 +21,8 @@ double rotation_error(const PinholeCamera& camera) {
 /// rotation of R.
 void compare(const CameraRecord& given, const CameraRecord& again) {
   demand_same(given.name, again.name, "another name");
-  const Projection a = given.camera.projection();
-  const Projection b = again.camera.projection();
+  const Eigen::Matrix<double, 3, 4> a = given.camera.projection();
+  const Eigen::Matrix<double, 3, 4> b = again.camera.projection();
   const Eigen::Matrix3d left = a.leftCols<3>().rowwise().normalized();
   if (!(std::abs(left.determinant()) > 0.01) || !a.allFinite()) return;
   const double tolerance = 1e-9 + 100 * rotation_error(given.camera);
