@@ -31,6 +31,7 @@ bool is_file(const std::string& path) {
 template <class What>
 std::vector<What> in_order(const std::map<std::string, std::pair<std::string, What>>& known) {
   std::vector<What> ordered;
+  ordered.reserve(known.size());
   for (const auto& [path, one] : known) ordered.push_back(one.second);
   std::ranges::stable_sort(ordered, {}, &What::number);
   return ordered;
