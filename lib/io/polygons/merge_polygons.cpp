@@ -67,6 +67,7 @@ class Merger {
 
 void Merger::add_polygon(std::vector<Index> faces) {
   std::vector<Face> triangles;
+  triangles.reserve(faces.size());
   for (const Index face : faces) triangles.push_back(mesh_.faces[face]);
   std::vector<Index> outline = outline_of(triangles);
   if (!outline.empty()) return rows_.push_back({std::move(faces), std::move(outline)});
