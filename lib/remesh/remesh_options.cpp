@@ -13,17 +13,21 @@ namespace {
 /// collapsed again.
 constexpr double least_ratio = 1.5;
 
+/// Lengths that messages advise differ from the limit by this share, and have four digits. Rounding
+/// to four digits moves them by at most half of that, so that following the advice is accepted.
+constexpr double margin = 1e-3;
+
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
     throw UsageError("edge lengths must be positive: the shortest is " + shortest_text(min_edge) +
                      ", the longest " + shortest_text(max_edge));
   }
   if (max_edge < least_ratio * min_edge) {
-    throw UsageError("the longest edge " + shortest_text(max_edge) + " is below 1.5 times the " +
-                     "shortest " + shortest_text(min_edge) +
-                     ": what is split would be collapsed again; use at most " +
-                     shortest_text(max_edge / least_ratio) + " for the shortest, or at least " +
-                     shortest_text(min_edge * least_ratio) + " for the longest");
+    throw UsageError(
+        "the longest edge " + shortest_text(max_edge) + " is below 1.5 times the " + "shortest " +
+        shortest_text(min_edge) + ": what is split would be collapsed again; use at most " +
+        significant(max_edge / least_ratio * (1 - margin), 4) + " for the shortest, or at least " +
+        significant(min_edge * least_ratio * (1 + margin), 4) + " for the longest");
   }
 }
 

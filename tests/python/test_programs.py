@@ -140,7 +140,7 @@ def test_keep_out(kernel, function, options, words, refused, tmp_path):
     assert len(tm.intersect(tm.cat(kept, kernel))) == 0
 
 
-def test_align(tmp_path):
+def test_remesh_aligned(tmp_path):
     box = shape("box", "--faces", 1500)
     (tmp_path / "box.ply").write_bytes(box)
     blunt = tm.remesh(tm.parse(box), iterations=5, smooth=0.5, feature_angle=180).to_bytes()

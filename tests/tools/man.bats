@@ -41,6 +41,15 @@ options_of_page() {
   done
 }
 
+@test "every page fits a terminal of 80 columns" {
+  needs_command pandoc
+  needs_command man
+  for page in "$tm_build"/share/man/man*/*.[17]; do
+    warnings=$(MANWIDTH=80 man -l --warnings=all "$page" 2>&1 >/dev/null)
+    [ -z "$warnings" ] || fail "$page: $warnings"
+  done
+}
+
 @test "the suite's page names every program" {
   for program in $(programs); do
     grep -q "$program" "$tm_root/man/tm.7.md" || fail "man/tm.7.md does not name $program"

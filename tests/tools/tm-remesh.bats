@@ -239,6 +239,27 @@ SHAPES
     tm-compare --reference sphere.ply --samples 0 $mesh.ply |
       awk '/^hausdorff_to_reference/ { print $2 }'
   done | paste -s | awk '{ exit !($1 < 1e-14 && $2 > 1e-4) }'
+  # Faces between such vertices lie inside, the more so the larger they are.
+  for line in "--project --iterations 5" "--iterations 5"; do
+    read -ra words <<<"$line"
+    tm-remesh "${words[@]}" sphere.ply -o mesh.ply
+    tm-info --get volume mesh.ply
+    tm-compare --reference sphere.ply --get mean mesh.ply
+  done | paste -s | awk '{ exit !($1 < 0.9995 * $3 && $2 > 1.5 * $4) }'
+}
+
+@test "the lengths that a refusal advises are accepted, and have four digits" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape sphere --faces 100 -o sphere.ply
+  for lengths in "0.075 0.07" "0.2 0.25" "0.333333333 0.3"; do
+    read -r shortest longest <<<"$lengths"
+    run tm-remesh --min-edge "$shortest" --max-edge "$longest" sphere.ply
+    assert_status 2
+    [[ $output =~ "use at most "([0-9.e-]{1,9})" for the shortest, or at least "([0-9.e-]{1,9})" for the longest" ]] ||
+      fail "$output"
+    tm-remesh --min-edge "${BASH_REMATCH[1]}" --max-edge "$longest" sphere.ply >/dev/null
+    tm-remesh --min-edge "$shortest" --max-edge "${BASH_REMATCH[2]}" sphere.ply >/dev/null
+  done
 }
 
 # A sphere without its cap above z = 0.5.

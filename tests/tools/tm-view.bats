@@ -97,7 +97,13 @@ code_of() {
     [ "$(code_of -X "$method" "$address")" = 405 ]
   done
   # A name of somebody else's that was made to lead here.
-  [ "$(code_of -H 'Host: example.org' "$address")" = 403 ]
+  for host in example.org localhost.example.org:80 127.0.0.1.example.org example.org:127.0.0.1; do
+    [ "$(code_of -H "Host: $host" "$address")" = 403 ] || fail "$host"
+  done
+  # A tunnel with another port at its other end.
+  for host in localhost:9000 LOCALHOST:80 127.0.0.1:1 localhost; do
+    [ "$(code_of -H "Host: $host" "$address")" = 200 ] || fail "$host"
+  done
   end_server
   run code_of "$address"
   [ "$status" -ne 0 ]

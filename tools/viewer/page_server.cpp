@@ -92,6 +92,12 @@ std::string header_of(const std::string& request, const std::string& name) {
   return request.substr(begin, request.find('\r', begin) - begin);
 }
 
+/// True if the value of a Host header names this machine. The port may be that of a tunnel.
+bool is_loopback(const std::string& host) {
+  const std::string name = lower(host.substr(0, host.rfind(':')));
+  return name == "127.0.0.1" || name == "localhost";
+}
+
 }  // namespace
 
 /// A connection that first receives a request and then sends the answer, without blocking.
@@ -141,8 +147,7 @@ std::string PageServer::answer(const std::string& request, const Site& site) con
   const std::string method = line.substr(0, first);
   if (method != "GET" && method != "HEAD") return refusal("405 Method Not Allowed");
   // Prevents DNS rebinding: a foreign page may have had its host name resolved to this machine.
-  const std::string host = header_of(request, "host"), port = ':' + std::to_string(port_);
-  if (host != "127.0.0.1" + port && host != "localhost" + port) return refusal("403 Forbidden");
+  if (!is_loopback(header_of(request, "host"))) return refusal("403 Forbidden");
   const std::string path = line.substr(first + 1, last - first - 1), prefix = '/' + token_ + '/';
   if (!path.starts_with(prefix)) return refusal("404 Not Found");
   const std::optional<Answer> found = site(path.substr(prefix.size()));
