@@ -109,7 +109,7 @@ WriteResult write_polygons(const Document& document) {
     WriteResult result = write_triangles(merged.document);
     if (merged.unmerged > 0)
       result.notes.push_back(counted(merged.unmerged, "polygon") +
-                             " written as triangles, as the outline is no single loop");
+                             " written as triangles, because the outline is not a single loop");
     return result;
   }
   Document triangles = document;

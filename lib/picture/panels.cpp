@@ -39,7 +39,7 @@ void check_size(const PictureOptions& options, int columns, int rows, int strip)
     throw UsageError("a picture of " + text + " pixels is too small for " +
                      std::to_string(columns) + "x" + std::to_string(rows) + " panels");
   if (rows > options.height - strip)
-    throw UsageError("the picture is too low for " + std::to_string(rows) +
+    throw UsageError("the picture is not high enough for " + std::to_string(rows) +
                      " rows of panels above the legend");
 }
 

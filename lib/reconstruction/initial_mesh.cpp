@@ -66,8 +66,7 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
     document.mesh = clean(document.mesh, {.winding_level = 2, .outermost = true}, progress).mesh;
   } catch (const GoalError&) {
     throw GoalError(ErrorKind::outside_hull,
-                    "nothing of '" + name + "' is within the hull of the silhouettes",
-                    {.name = name});
+                    "'" + name + "' lies outside the hull of the silhouettes", {.name = name});
   }
   round_as_written(document);
 }
@@ -150,7 +149,7 @@ void outline(std::vector<View>& views, const Mesh& mesh) {
     view.silhouette = mesh_silhouette(mesh, view);
     if (is_packed) view.silhouette.pack();
     if (inside_share(view.silhouette) == 0)
-      throw InputError(view.name + ": nothing of the visual hull is in this view");
+      throw InputError(view.name + ": the visual hull is outside this view");
   }
 }
 

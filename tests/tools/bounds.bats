@@ -31,7 +31,7 @@ tetrahedron_with() {
   run --separate-stderr cheap tm-info --json round.off
   assert_status 0
   [ "$(jq .faces <<<"$output")" -eq 10000 ]
-  [ "$(grep -c 'cut with folds, as the outline intersects itself; the first is face 0' <<<"$stderr")" -eq 1 ]
+  [ "$(grep -c 'cut into triangles that fold over, because the outline intersects itself; the first is face 0' <<<"$stderr")" -eq 1 ]
 }
 
 @test "100 000 elements, properties and comments in a header cost no more than their bytes" {

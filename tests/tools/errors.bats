@@ -59,18 +59,18 @@ takes() {
   tm-stitch -q --flip ball.ply -o inside_out.ply
   run --separate-stderr tm-clean inside_out.ply
   assert_status 4
-  [ "$stderr" = "tm-clean: no point has a winding number >= 1: a difference without a remainder is empty; a mesh that is inside out is reversed by tm-stitch --flip" ]
+  [ "$stderr" = "tm-clean: no point has a winding number >= 1: the mesh is inside out, or the difference of its parts is empty; reverse a mesh that is inside out with tm-stitch --flip" ]
   tm-stitch -q --flip inside_out.ply | tm-clean >/dev/null
 
   tm-convert -o soup.stl ball.ply
   run --separate-stderr tm-info soup.stl
-  [[ $stderr == *"read as a soup of separate triangles; tm-stitch joins them" ]] || fail "$stderr"
+  [[ $stderr == *"read as a soup of separate triangles; join them with tm-stitch" ]] || fail "$stderr"
   # tm-clean joins them itself.
   run --separate-stderr tm-clean soup.stl -o clean.ply
-  [[ $stderr != *"tm-stitch joins them"* ]] || fail "$stderr"
+  [[ $stderr != *"join them with tm-stitch"* ]] || fail "$stderr"
   run --separate-stderr tm-checkmanifold --closed soup.stl
   assert_status 1
-  [[ $output == *"as in a soup of triangles; tm-stitch joins them"* ]] || fail "$output"
+  [[ $output == *"as in a soup of triangles; join them with tm-stitch"* ]] || fail "$output"
 }
 
 @test "a loop offers remedies by its own options, also if an iteration fails" {

@@ -170,10 +170,10 @@ make_comma_locale() { # FOLDER
   [[ $output == *"1 face with fewer than three corners dropped"* ]]
   needs_shared meshes/trimesh/fuze_ascii.ply
   run bash -c "tm-convert --format off '$shared_file' 2>&1 >/dev/null"
-  [[ $output == *"more values than the header names, from line 523"* ]]
+  [[ $output == *"more values than the header announces, from line 523"* ]]
   needs_shared meshes/geometry-central/stl_box_ascii.stl
   run bash -c "tm-convert --format off '$shared_file' 2>&1 >/dev/null"
-  [[ $output == *"12 faces read as a soup of separate triangles; tm-stitch joins them"* ]]
+  [[ $output == *"12 faces read as a soup of separate triangles; join them with tm-stitch"* ]]
   needs_shared meshes/trimesh/nancolor.obj
   run tm-convert --strict "$shared_file"
   assert_status 3

@@ -61,7 +61,7 @@ bare() {
   tm-transform --translate 1,0,0 --mirror x --keep-polygons house.off -o moved.off
   awk 'NF > 3 && $1 > 2' moved.off | awk '{ print $1 }' | sort | uniq -c | tr -s ' ' >sizes
   printf ' 4 3\n 5 4\n 1 5\n' | cmp - sizes
-  # A mirrored polygon runs the other way from the same corner.
+  # A mirrored polygon runs in the opposite direction from the same corner.
   grep -qx '4 3 0 1 2' moved.off
   tm-select --largest 1 --keep-polygons house.off -o house-only.off
   cmp <(bare house.off | sed -n '17,25p') <(bare house-only.off | sed -n '12,$p')

@@ -30,7 +30,7 @@ setup() {
   printf '%s\n' '// mend it by tm-stitch --orient' 'int f(int i) { return --i; }' \
     'const char* page = "<!--tm:title-->";' 'const char* text = "not oriented";' >clean.cpp
   python3 "$checks/options.py" clean.cpp
-  echo 'const char* text = "mend it with tm-stitch --orient";' >option.cpp
+  echo 'const char* text = "orient it with tm-stitch --orient";' >option.cpp
   run ! python3 "$checks/options.py" option.cpp
   [[ $output == *'option.cpp:1: a string names tm-stitch'*'option.cpp:1: a string names --orient'* ]]
 }

@@ -75,7 +75,7 @@ TABLE
     run --separate-stderr tm-info $options large.off
     assert_status 3
     one_line "$stderr"
-    [[ $stderr == *"the volume of the mesh is beyond what a number can hold"* ]]
+    [[ $stderr == *"the volume of the mesh is beyond the range of double precision"* ]]
     [ -z "$output" ]
   done
 }

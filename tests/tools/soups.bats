@@ -39,7 +39,7 @@ joins() { # FILE PROGRAM OPTION...
   run --separate-stderr "$@" --no-provenance --format off --report "$work/report.json" -o "$work/joined.off" "$file"
   assert_status 0
   [[ $stderr == *" vertices joined with others in the same place, as tm-stitch does"* ]] || fail "$* $file: $stderr"
-  [[ $stderr != *"tm-stitch joins them"* ]]
+  [[ $stderr != *"join them with tm-stitch"* ]]
   cmp "$work/stitched.off" "$work/joined.off" || fail "$* $file"
   [ "$(jq .result.joined_vertices "$work/report.json")" -gt 0 ]
 }
@@ -80,7 +80,7 @@ joins() { # FILE PROGRAM OPTION...
   refuses() {
     run --separate-stderr "$@" -o "$work/out.ply"
     assert_status 3
-    [[ $stderr == *"border edges lie upon each other"*"tm-stitch joins them" ]] || fail "$stderr"
+    [[ $stderr == *"border edges coincide"*"join them with tm-stitch" ]] || fail "$stderr"
     [ ! -e "$work/out.ply" ]
   }
   for file in body.ply seam.off; do
@@ -107,11 +107,11 @@ joins() { # FILE PROGRAM OPTION...
 }
 
 @test "inconsistently oriented faces are refused with a remedy" {
-  # A strip of which one face looks the other way.
+  # A strip of which one face is reversed.
   printf 'OFF\n9 3 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n1 1 0\n3 0 1 2\n3 3 4 5\n3 6 8 7\n' >"$work/strip.off"
   run --separate-stderr tm-remesh "$work/strip.off" -o "$work/out.ply"
   assert_status 3
-  [[ $stderr == *"mend it with tm-stitch --orient" ]] || fail "$stderr"
+  [[ $stderr == *"orient it with tm-stitch --orient" ]] || fail "$stderr"
   tm-stitch -q --orient "$work/strip.off" | tm-remesh -q -o "$work/out.ply"
 }
 
@@ -119,7 +119,7 @@ joins() { # FILE PROGRAM OPTION...
   for program in "tm-info" "tm-select --largest 1"; do
     run --separate-stderr $program body.ply
     assert_status 0
-    [[ $stderr == *"body.ply: "*" border edges lie upon each other: the faces share no vertices there; tm-stitch joins them" ]] ||
+    [[ $stderr == *"body.ply: "*" border edges coincide: the faces share no vertices there; join them with tm-stitch" ]] ||
       fail "$stderr"
     # Of STL it is said when it is read.
     run --separate-stderr $program bowl.stl
@@ -130,12 +130,12 @@ joins() { # FILE PROGRAM OPTION...
 @test "tm-checkmanifold --closed names tm-stitch before tm-fill, and is right" {
   run tm-checkmanifold --closed body.ply
   assert_status 1
-  [[ $output == *"has no face across"*"border edges lie upon each other, as in a soup of triangles; tm-stitch joins them" ]] ||
+  [[ $output == *"has only one face"*"border edges coincide, as in a soup of triangles; join them with tm-stitch" ]] ||
     fail "$output"
   tm-stitch -q body.ply | tm-checkmanifold --closed
   run tm-checkmanifold --closed bowl.ply
-  [[ $output == *"tm-stitch joins them" ]]
+  [[ $output == *"join them with tm-stitch" ]]
   tm-stitch -q bowl.ply -o "$work/bowl.off"
   run tm-checkmanifold --closed "$work/bowl.off"
-  [[ $output == *"; tm-fill closes holes" ]]
+  [[ $output == *"; close holes with tm-fill" ]]
 }

@@ -38,7 +38,7 @@ setup() {
   tm-transform --translate 0.1,0,0 ball.ply -o moved.ply
   run --separate-stderr tm-align --reference ball.ply moved.ply -o placed.ply
   assert_status 0
-  [[ $stderr == *"slide on each other"* ]]
+  [[ $stderr == *"slide along each other"* ]]
   tm-compare --reference ball.ply --within 0.02 placed.ply
 }
 

@@ -105,7 +105,7 @@ volume_of() {
   cube 1 2 | tm-stitch --flip -o b.off
   run --separate-stderr tm-boolean difference a.off b.off -o result.ply
   [ "$status" -eq 0 ]
-  [ "$stderr" = "tm-boolean: b.off encloses nothing: its faces look inwards; reverse it with tm-stitch --flip" ]
+  [ "$stderr" = "tm-boolean: b.off encloses nothing: its faces are oriented inwards; reverse it with tm-stitch --flip" ]
   [ "$(tm-info --get volume result.ply)" = 27 ]
   echo "c = difference a.off b.off" >steps.txt
   run --separate-stderr tm-boolean --script steps.txt -o result.ply
@@ -118,12 +118,12 @@ volume_of() {
   tm-stitch --flip b.off | tm-cat b.off - -o both.off
   run --separate-stderr tm-boolean difference a.off both.off -o result.ply
   [ "$status" -eq 0 ]
-  [[ $stderr = "tm-boolean: both.off encloses nothing: its faces lie upon each other and cancel out; tm-stitch --one-side "* ]]
+  [[ $stderr = "tm-boolean: both.off encloses nothing: its faces coincide and cancel out; tm-stitch --one-side "* ]]
   [ "$(tm-info --get volume result.ply)" = 27 ]
   [ "$(tm-stitch --one-side both.off | tm-boolean difference a.off - | tm-info --get volume)" = 26 ]
   tm-stitch --flip b.off >flipped.off
   run --separate-stderr bash -c 'tm-boolean union - <flipped.off >result.ply'
-  [[ $stderr = "tm-boolean: standard input encloses nothing: its faces look inwards; "* ]]
+  [[ $stderr = "tm-boolean: standard input encloses nothing: its faces are oriented inwards; "* ]]
 }
 
 @test "a script keeps the unit, and the bound of how far flat faces moved" {
@@ -147,7 +147,7 @@ volume_of() {
   sed -e 's/^8 12 0$/8 11 0/' -e '$d' a.off >"open =1.off"
   run --separate-stderr tm-boolean union a.off "open =1.off"
   [ "$status" -eq 3 ]
-  [ "$stderr" = "tm-boolean: open =1.off has 1 border: it is not a solid; tm-fill closes holes" ]
+  [ "$stderr" = "tm-boolean: open =1.off has 1 border: it is not a solid; close holes with tm-fill" ]
   # Even where another operand closes it.
   printf '%s\n' OFF "8 1 0" "$(sed -n 3,10p a.off)" "$(tail -n 1 a.off)" >rest.off
   run --separate-stderr tm-boolean union "open =1.off" rest.off
@@ -204,7 +204,7 @@ volume_of() {
   printf '%s\n' OFF "3 1 0" ".5 .5 1" "1 .5 1" ".5 1 1" "3 0 1 2" >small.off
   run --separate-stderr tm-boolean cut --inside --cap small.off solid.off -o none.ply
   [ "$status" -eq 3 ]
-  [[ $stderr = "tm-boolean: the sheet ends inside the solid, at ("*"), so that no cap closes it there" ]]
+  [[ $stderr = "tm-boolean: the sheet ends inside the solid, at ("*"): a cap cannot close it there" ]]
   [ ! -e none.ply ]
   tm-stitch --flip other.off >inwards.off
   run --separate-stderr tm-boolean cut --cap inwards.off solid.off
@@ -215,7 +215,7 @@ volume_of() {
   for option in --cap --inside; do
     run --separate-stderr tm-boolean union "$option" other.off solid.off
     [ "$status" -eq 2 ]
-    [ "$stderr" = "tm-boolean: $option is of cut alone" ]
+    [ "$stderr" = "tm-boolean: $option can be used only with cut" ]
   done
 }
 

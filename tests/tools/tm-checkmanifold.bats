@@ -22,7 +22,7 @@ genus: 0" ]]
   [[ $output == *"closed: false"*"boundary_loops: 1"* ]]
   run tm-checkmanifold --closed open.off
   assert_status 1
-  [[ $output == *"problem: the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) of face 0 has no face across (the first of 3 such edges); tm-fill closes holes" ]]
+  [[ $output == *"problem: the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) of face 0 has only one face (the first of 3 such edges); close holes with tm-fill" ]]
 }
 
 @test "tm-checkmanifold: places of bad edges, vertices, faces and orientation are reported" {
@@ -45,7 +45,7 @@ genus: 0" ]]
   printf "OFF\n5 1 0\n${points}3 2 1 2\n" >twice.off
   run tm-checkmanifold twice.off
   assert_status 1
-  [[ $output == *"collapsed_faces: 1"*"face 0 names a vertex twice"* ]]
+  [[ $output == *"collapsed_faces: 1"*"face 0 uses a vertex twice"* ]]
 }
 
 @test "tm-checkmanifold: faces without area are counted exactly and decide nothing" {
@@ -64,7 +64,7 @@ genus: 0" ]]
   assert_status 1
   [ -z "$output" ]
   one_line "$stderr"
-  [[ $stderr == "tm-checkmanifold: "*"no face across"* ]]
+  [[ $stderr == "tm-checkmanifold: "*"only one face"* ]]
   pipe 'tm-checkmanifold --closed --pass open.off | cat'
   assert_status 1
 }
@@ -200,7 +200,7 @@ edit() {
   sed 's/^.5 .5 0/.5 .5 .1/' pieces.off >bent.off
   run tm-checkmanifold --certify open.off bent.off
   assert_status 1
-  [[ $output == *"problem: face 0, at (0, 0, 0), is no piece of a face of the input"* ]]
+  [[ $output == *"problem: face 0, at (0, 0, 0), is not part of an input face"* ]]
 }
 
 @test "tm-checkmanifold: --certify needs its input, and --level needs --certify" {
@@ -233,5 +233,5 @@ edit() {
   # A hole is none.
   tm-select --box -2,-2,-2,2,2,0.8 ball.ply -o bowl.ply
   run --separate-stderr tm-checkmanifold --closed --get problem bowl.ply
-  [[ $output == *"; tm-fill closes holes" ]]
+  [[ $output == *"; close holes with tm-fill" ]]
 }

@@ -94,7 +94,7 @@ facts() {
   printf 'f 1 3 2\nf 1 2 3 4\nf 1 2 3 4\n' >>bow.obj
   run --separate-stderr tm-convert bow.obj --format off
   assert_status 0
-  [[ $stderr == *'2 polygons cut with folds, as the outline intersects itself; the first is face 2'* ]]
+  [[ $stderr == *'2 polygons cut into triangles that fold over, because the outline intersects itself; the first is face 2'* ]]
 }
 
 @test "100,000 corners of one polygon are cut in little time" {

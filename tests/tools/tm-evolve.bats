@@ -117,7 +117,7 @@ AWK
   told 3 "ended with exit code 3" 'cat >/dev/null; exit 3'
   told 4 "was ended by signal 9" 'kill -9 $$'
   told 3 "the step's output" 'cat >/dev/null'
-  told 3 "a step moves vertices and nothing else" 'tm-remesh --max-edge 0.5x --min-edge 0.2x'
+  told 3 "a step may only move vertices" 'tm-remesh --max-edge 0.5x --min-edge 0.2x'
   told 4 "ended with exit code 127" 'no-such-program-here 2>/dev/null'
   # A filter that does not read its input fails for what it writes, not by a broken pipe.
   told 3 "the step's output" 'exec 0<&-; echo no mesh'

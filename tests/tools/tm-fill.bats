@@ -51,7 +51,7 @@ setup() {
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >face.off
   run --separate-stderr tm-fill face.off -o still.off
   assert_status 0
-  [[ $stderr == *"1 hole stays open, as every patch would intersect the mesh: "*"; close these holes with --allow-crossings, for tm-clean" ]]
+  [[ $stderr == *"1 hole stays open, because every patch would intersect the mesh: "*"; close these holes with --allow-crossings, then run tm-clean" ]]
   run --separate-stderr tm-fill --allow-crossings face.off -o still.off
   [[ $stderr != *--allow-crossings* ]]
 }
@@ -64,7 +64,7 @@ setup() {
     # shellcheck disable=SC2086 # the option may be absent
     run --separate-stderr tm-fill $option slit.off -o still.off --report r.json
     assert_status 0
-    [[ $stderr == *"1 hole stays open, as every patch would have a face without area, or an edge that has two faces already: "*"; tm-clean closes slits" ]]
+    [[ $stderr == *"1 hole stays open, because every patch would have a face without area, or an edge that has two faces already: "*"; close slits with tm-clean" ]]
     [ "$(jq .result.left_flat r.json)" -eq 1 ]
     [ "$(jq .result.left_crossing r.json)" -eq 0 ]
     tm-clean still.off -o closed.off

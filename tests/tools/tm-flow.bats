@@ -101,7 +101,7 @@ uniform_vti() {
   uniform_vti wind/a-11.vti 4
   run --separate-stderr tm-flow grid --grid wind ball.ply -o none.ply
   assert_status 3
-  [[ $stderr == *"one of 3 grids states no time: give the time from a grid to the next" ]]
+  [[ $stderr == *"one of 3 grids does not state its time: give the time from one grid to the next" ]]
   tm-flow grid --grid wind --grid-step 1 ball.ply -o flow.ply
 }
 
@@ -143,10 +143,10 @@ uniform_vti() {
   refuses 2 "the flow 'abc' has no parameter 'period'" abc --period 2 ball.ply
   refuses 2 "above 0" mean-curvature --speed=-1 ball.ply
   refuses 2 "the flow has no grid: name its files" grid ball.ply
-  refuses 2 "there are no grids" grid --grid-step 1 ball.ply
+  refuses 2 "but no grids" grid --grid-step 1 ball.ply
   run --separate-stderr tm-flow abc --span 1 ball.ply -o flow.ply
   assert_status 0
-  [ "$stderr" = "tm-flow: the flow has no steps of its own: --span makes no difference" ]
+  [ "$stderr" = "tm-flow: the flow is not computed in steps: --span has no effect" ]
   refuses 3 "no such file" grid --grid none.vti ball.ply
   refuses 3 "neither" grid --grid ball.ply ball.ply
   tm-select --box=-2,-2,-2,2,2,0 ball.ply -o bowl.ply

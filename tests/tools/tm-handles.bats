@@ -39,7 +39,7 @@ setup() {
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >open.off
   run --separate-stderr tm-handles open.off -o out.off
   assert_status 3
-  [[ $stderr == *"handles are removed from closed oriented manifolds only, and "*"tm-fill"* ]]
+  [[ $stderr == *"handles are removed only from closed oriented manifolds, but "*"tm-fill"* ]]
   [ ! -e out.off ]
   run --separate-stderr tm-handles --max-length 0 open.off
   assert_status 2

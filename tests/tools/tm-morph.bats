@@ -157,7 +157,7 @@ wait_for_rows() { # COUNT
   [[ ${stderr_lines[1]} =~ ^tm-morph:\ iteration\ ([0-9]+):\  ]]
   failed=${BASH_REMATCH[1]}
   last=$((failed - 1))
-  [ "${stderr_lines[2]}" = "tm-morph: stopped in iteration $failed; 'out.ply' holds the mesh of iteration $last, and --resume continues from there" ]
+  [ "${stderr_lines[2]}" = "tm-morph: stopped in iteration $failed; 'out.ply' holds the mesh of iteration $last; continue with --resume" ]
   tm-morph small.ply --target "$torus" -o last.ply --iterations "$last" --frames frames --every "$last" -q
   same_mesh out.ply "frames/frame-$(printf %05d "$last").ply"
   run --separate-stderr tm-morph small.ply --target "$torus" -o again.ply --resume
@@ -260,7 +260,7 @@ frames_are_piped() {
   [ "$(value converged r.json)" = false ]
   below 1 "$(value max_distance_from_target r.json)"
   [ "$(tm-info --get components out.ply)" -eq 1 ]
-  grep -q "begin with a source that overlaps all of the target, as tm-shape sphere --around makes it" messages
+  grep -q "begin with a source that overlaps all of the target, for example from tm-shape sphere --around" messages
   # That advice finds both.
   tm-shape sphere --around two.ply --faces 1500 -o start.ply
   tm-morph start.ply --target two.ply -o out.ply --require-convergence -q

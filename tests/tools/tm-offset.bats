@@ -53,11 +53,11 @@ setup() {
   [[ $output == *"--distance"* ]]
 }
 
-@test "a limit of iterations that comes first is said" {
+@test "a not converged after the last iteration that comes first is said" {
   tm-shape sphere --faces 500 -o "$BATS_TEST_TMPDIR/ball.ply"
   run --separate-stderr tm-offset --distance 1 --iterations 2 "$BATS_TEST_TMPDIR/ball.ply" -o "$BATS_TEST_TMPDIR/out.ply"
   assert_status 0
-  [[ $stderr == *"limit of iterations"* ]]
+  [[ $stderr == *"not converged after the last iteration"* ]]
 }
 
 @test "a thin plate that loses its rim did not converge, which is reported; the edge that is named keeps it" {

@@ -92,7 +92,7 @@ compared() { # KEY MESH
   run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply --frames frames --every 2
   assert_status 5
   [[ ${stderr_lines[0]} == "tm-reconstruct: cannot write 'frames/frame-00002.ply': "* ]]
-  [[ ${stderr_lines[1]} == *"stopped in sweep 2; 'out.ply' holds the mesh of sweep 1, and --resume"* ]]
+  [[ ${stderr_lines[1]} == *"stopped in sweep 2; 'out.ply' holds the mesh of sweep 1; continue with --resume"* ]]
   cp out.ply first.ply
   run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply
   assert_status 2
@@ -155,7 +155,7 @@ compared() { # KEY MESH
   run --separate-stderr tm-reconstruct --cameras "$scene/par.txt" --images other \
     --silhouettes "$scene/masks" --hollows closed --pull 0 --stiffness 0.001 --iterations 20 -o out.ply
   assert_status 4
-  [[ $stderr == *"explodes at scale "*"beginning anew, 4 times as stiff"*"16 times as stiff"*"explodes at scale"* ]]
+  [[ $stderr == *"explodes at scale "*"restarting with 4 times the stiffness"*"16 times the stiffness"*"explodes at scale"* ]]
   # Photographs of other views may show hollows; then that is noticed at a finer scale.
   run --separate-stderr tm-reconstruct --restart --cameras "$scene/par.txt" --images other \
     --silhouettes "$scene/masks" --pull 0 --stiffness 0.001 --iterations 20 -o out.ply
@@ -429,7 +429,7 @@ take_from() {
     --write-images film/3/images --write-silhouettes film/3/masks -o film/3/par.txt film/3/truth.ply
   tm-reconstruct --sequence film --cameras '{}/par.txt' --images '{}/images' --silhouettes '{}/masks' \
     -o out --csv log.csv 2>messages
-  grep -q 'time step 2, 2: the surface before is lost' messages
+  grep -q 'time step 2, 2: tracking lost the previous surface' messages
   diff <(cut -d, -f1-4,7,8 log.csv) - <<'CSV'
 step,name,start,accepted,components,genus
 1,1,hull,yes,1,0
@@ -484,7 +484,7 @@ CSV
 
   run --separate-stderr tm-reconstruct --cameras par.txt --images images --box 60,60,60,65,65,65 -o out.ply
   [ "$status" -eq 3 ]
-  [[ $stderr == *"nothing of the box is in this view"* ]]
+  [[ $stderr == *"the box is outside this view"* ]]
   [ ! -e out.ply ]
   run --separate-stderr tm-reconstruct --cameras par.txt --images images --box 1,1,1,0,0,0 -o out.ply
   [ "$status" -eq 2 ]

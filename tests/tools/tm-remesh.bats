@@ -56,7 +56,7 @@ OFF
 MESH
   run tm-remesh "$BATS_TEST_TMPDIR/in.off"
   assert_status 3
-  [[ $output == *"faces 0 and 1 run the same way"*"mend it with tm-stitch --orient"* ]]
+  [[ $output == *"faces 0 and 1 traverse the edge "*" in the same direction"*"orient it with tm-stitch --orient"* ]]
 }
 
 @test "factors of smoothing are read and checked" {

@@ -133,7 +133,7 @@ TABLE
 @test "an open cut leaves a border in the plane, and keeps properties" {
   run --separate-stderr tm-select --plane 0,0,1,0.123 small.ply -o open.ply
   assert_status 0
-  [[ $stderr == *"--cap closes it"* ]]
+  [[ $stderr == *"close it with --cap"* ]]
   [ "$(tm-info --get boundary_loops open.ply)" -eq 1 ]
   [[ $(tm-info --get bbox_min open.ply) == *" 0.123" ]]
   tm-info --get area open.ply | awk '{ a = 1 + 4 * 0.377; exit !($1 > a - 1e-9 && $1 < a + 1e-9) }'
@@ -144,7 +144,7 @@ TABLE
   assert_status 4
   run --separate-stderr tm-select --plane 0,0,1,0 --cap open.ply -o none.ply
   assert_status 3
-  [[ $stderr == *"tm-fill closes holes"* ]]
+  [[ $stderr == *"close holes with tm-fill"* ]]
 }
 
 @test "sections are the outline of a box, as edges and as a drawing" {

@@ -133,8 +133,8 @@ end_header" ] || fail "$output"
   done
   tm-shape sphere --noise 0 --faces 100 | tm-checkmanifold >/dev/null
   tm-shape torus --radius 1e50 --faces 1000 | tm-checkmanifold >/dev/null
-  refused "unknown option '-1'; if it is no option, write -- before it" genus -1
-  refused "unknown option '-.5'; if it is no option, write -- before it" ellipsoid 1 -.5 1
+  refused "unknown option '-1'; write -- before it if it is a file name" genus -1
+  refused "unknown option '-.5'; write -- before it if it is a file name" ellipsoid 1 -.5 1
   run --separate-stderr tm-shape -o out.ply -- genus -1
   assert_status 2
   [[ $stderr == "tm-shape: genus: '-1' is not an integer from 1 to"* ]]

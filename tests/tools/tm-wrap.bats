@@ -101,7 +101,7 @@ setup() {
   echo 0 0 0 >one.xyz
   run --separate-stderr timeout 20 tm-wrap one.xyz --alpha 0.0001 --offset 1 -o wrap.ply
   assert_status 2
-  [[ $stderr == *"; of 0.0029 or more it would not"* ]]
+  [[ $stderr == *"; use 0.0029 or more"* ]]
 }
 
 @test "coordinates that no square fits, and all that are too few: an answer, or exit 3 and one line" {

@@ -36,7 +36,7 @@ setup() {
   [ "$output" = "tm: there is no program 'claen'; did you mean 'tm-clean'?" ]
   run tm nothing
   assert_status 2
-  [ "$output" = "tm: there is no program 'nothing'; tm lists those that there are" ]
+  [ "$output" = "tm: there is no program 'nothing'; list all programs with tm" ]
   run tm clean cat
   assert_status 2
   [[ $output == *"'cat' is a second one" ]]

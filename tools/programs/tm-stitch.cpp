@@ -12,9 +12,10 @@ void stitch_document(Document& document, StitchOptions options, const Length& to
   const StitchResult result = stitch(document.mesh, options);
   if (result.misoriented_edges > 0) {
     run.note(result.misorientation +
-             (result.can_be_oriented ? ": they stay apart; --orient turns faces to agree"
-                                     : ", however faces are turned: they stay apart, with borders "
-                                       "there, which tm-fill --allow-crossings closes"));
+             (result.can_be_oriented
+                  ? ": they stay apart; orient them with --orient"
+                  : ", however faces are reversed: they stay apart, with borders there; close "
+                    "these with tm-fill --allow-crossings"));
   }
   tool::note_new_normals(result.new_normals, run);
   run.report(entries_of(result));

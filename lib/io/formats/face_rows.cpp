@@ -149,7 +149,8 @@ void FaceRows::add_notes(const Cuts& cuts, std::size_t faces, const std::string&
                     counted(faces - triangles_.size(), "triangle"));
   if (folded > 0)
     notes.push_back(format + ": " + counted(folded, "polygon") +
-                    " cut with folds, as the outline intersects itself; the first is face " +
+                    " cut into triangles that fold over, because the outline intersects itself; "
+                    "the first is face " +
                     std::to_string(first_folded));
   if (small > 0)
     notes.push_back(format + ": " + counted(small, "face") +

@@ -71,7 +71,7 @@ class TextReader {
 
   void expect(std::string_view word) {
     if (word_ == word) return;
-    rows_.fail(quoted(word) + " is needed in " + place_name() + ", not " + quoted(word_));
+    rows_.fail(quoted(word) + " is missing in " + place_name() + ", which has " + quoted(word_));
   }
 
   void need(std::string_view word) {

@@ -29,7 +29,7 @@ class Converter {
     faces_.keep_polygons(source_.keeps_polygons);
     faces_.move_into(mesh, "vtk", result_.notes);
     if (piece_.other_cells > 0)
-      note(counted(piece_.other_cells, "cell") + " that are no polygons left out");
+      note(counted(piece_.other_cells, "cell") + " other than polygons left out");
     return std::move(result_);
   }
 

@@ -146,13 +146,13 @@ class Reader {
 
   void check_kind() const {
     if (field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT) != SAMPLEFORMAT_UINT)
-      refuse_format(source_, "TIFF of samples that are no unsigned integers");
+      refuse_format(source_, "TIFF with samples other than unsigned integers");
     if (bits_ != 8 && bits_ != 16)
       refuse_format(source_, "TIFF of " + std::to_string(bits_) + "-bit samples");
     if (!is_gray() && (photometric_ != PHOTOMETRIC_RGB || stride_ < 3))
-      refuse_format(source_, "TIFF of samples that are neither gray nor red, green and blue");
+      refuse_format(source_, "TIFF with samples other than gray or red, green and blue");
     if (stride_ > 1 && field<std::uint16_t>(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG)
-      refuse_format(source_, "TIFF of channels that lie apart");
+      refuse_format(source_, "TIFF with channels in separate planes");
   }
 
   /// Returns the number of rows of a strip or of a row of tiles.

@@ -232,7 +232,7 @@ TEST_CASE("--refuse names the defect of a soup without intersections") {
   options.refuse = true;
   CHECK_THROWS_WITH(clean(soup, options),
                     "the mesh needs cleaning (0 intersecting face pairs, 0 faces to remove, 0 "
-                    "vertices to duplicate, but vertices to join)");
+                    "vertices to duplicate, but vertices to merge)");
   CHECK(clean(ball, options).mesh.positions == ball.positions);
 }
 

@@ -123,7 +123,7 @@ TEST_CASE("ImageData that is no suitable grid is refused with the reason") {
   CHECK(refuses(parts, "a value of node 5"));
   parts = {};
   parts.image += " Direction=\"0 1 0 -1 0 0 0 0 1\"";
-  CHECK(refuses(parts, "axes are not x, y and z"));
+  CHECK(refuses(parts, "axes other than x, y and z"));
   parts = {};
   parts.piece = "Extent=\"0 1 0 2 0 99999999999\"";
   CHECK(refuses(parts, "extent of the grid"));

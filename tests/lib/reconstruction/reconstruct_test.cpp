@@ -174,7 +174,7 @@ TEST_CASE("an initial mesh of which nothing is within the hull is refused, and l
   kept.state = folder / "state";
   const Document elsewhere = ball_of(0.1, Vec3(20, 0, 0));
   CHECK_THROWS_WITH_AS(run_of(from_given(few_sweeps()), elsewhere, dented_views(), kept),
-                       "nothing of 'start.ply' is within the hull of the silhouettes", GoalError);
+                       "'start.ply' lies outside the hull of the silhouettes", GoalError);
   CHECK(folder.is_empty());
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("a first scale at which the surface vanishes is skipped, unless reques
   const Run run = run_of(options, {}, views);
   CHECK(run.result.topology == Topology{1, 0});
   REQUIRE_FALSE(details.empty());
-  CHECK(details[0] == "scale 4.0000 is too coarse for this surface: beginning anew at the next");
+  CHECK(details[0] == "scale 4.0000 is too coarse for this surface: restarting at the next");
 
   options.scales.coarsest = 4;
   CHECK_THROWS_AS(run_of(options, {}, views), std::runtime_error);
@@ -244,8 +244,8 @@ TEST_CASE("a surface that explodes is restarted, stiffer, and given up if that f
   CHECK_THROWS_AS(run_of(options, {}, views), GoalError);
   REQUIRE(notes.size() == 2);
   CHECK(notes[0].find("the surface explodes at scale ") == 0);
-  CHECK(notes[0].find("beginning anew, 4 times as stiff") != std::string::npos);
-  CHECK(notes[1].find("beginning anew, 16 times as stiff") != std::string::npos);
+  CHECK(notes[0].find("restarting with 4 times the stiffness") != std::string::npos);
+  CHECK(notes[1].find("restarting with 16 times the stiffness") != std::string::npos);
 }
 
 TEST_CASE("components that are small relative to the largest are removed at the end") {

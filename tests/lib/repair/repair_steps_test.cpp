@@ -83,7 +83,7 @@ TEST_CASE("small components are dropped, and counted") {
   CHECK(connected_components(steps.mesh()).components.size() == 1);
   const std::vector<RepairStep> all = steps.take_steps();
   REQUIRE(all.size() == 1);
-  CHECK(all[0].findings == std::vector<std::string>{"1 component dropped as shards"});
+  CHECK(all[0].findings == std::vector<std::string>{"1 component dropped as small components"});
   CHECK(all[0].area_change == doctest::Approx(-surface_area(small)));
 }
 

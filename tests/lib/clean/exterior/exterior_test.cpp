@@ -46,7 +46,7 @@ TEST_CASE("the ray method keeps pieces at which the winding number passes the le
 
 TEST_CASE("the reason why nothing is kept depends on level, surface and borders") {
   WeldedMesh welded = weld(test::cube());
-  CHECK(nothing_kept(welded, true, 2).sentence.starts_with("no winding number reaches 2"));
+  CHECK(nothing_kept(welded, true, 2).sentence.starts_with("no point has a winding number >= 2"));
   CHECK(nothing_kept(welded, true, 1).kind == ErrorKind::no_positive_winding);
   CHECK(nothing_kept(welded, false, 1).kind == ErrorKind::canceling_faces);
   CHECK(nothing_kept(weld(Mesh()), false, 1).kind == ErrorKind::no_area);

@@ -111,7 +111,7 @@ TEST_CASE("refused: a reversed face; the error names two faces and the remedy") 
   unsigned first = 0, second = 0, from = 0, to = 0;
   double x = 0, y = 0, z = 0;
   REQUIRE(std::sscanf(message.c_str(),
-                      "faces %u and %u run the same way along the edge from vertex %u at (%lf, "
+                      "faces %u and %u traverse the edge from vertex %u at (%lf, "
                       "%lf, %lf) to vertex %u at (",
                       &first, &second, &from, &x, &y, &z, &to) == 7);
   for (const unsigned f : {first, second}) {
@@ -135,14 +135,13 @@ TEST_CASE("refused: an edge with more than one face left over") {
   mesh.positions.push_back(mesh.positions[1]);
   mesh.faces.push_back({0, 1, 5});  // has no area, and is not to blame
   CHECK(refusal(mesh) ==
-        "faces 0, 1 and 2 run the same way along the edge from vertex 0 at (0, 0, 0) to vertex 1 "
-        "at (0, 0, 1): the mesh is not oriented");
+        "faces 0, 1 and 2 traverse the edge from vertex 0 at (0, 0, 0) to vertex 1 "
+        "at (0, 0, 1) in the same direction: the mesh is not oriented");
 }
 
 TEST_CASE("refused: a non-orientable mesh has its own kind of error") {
   Mesh strip = test::moebius_strip(12);
-  CHECK(refusal(strip).ends_with(
-      ", however faces are turned: the surface has one side only, like a Moebius strip"));
+  CHECK(refusal(strip).ends_with(": the surface has only one side, like a Moebius strip"));
 
   // A solid with an edge on the strip: now four faces meet there, and three always run alike.
   const Vec3 a = strip.positions[0], b = strip.positions[1];
@@ -154,8 +153,9 @@ TEST_CASE("refused: a non-orientable mesh has its own kind of error") {
   const std::string message = refusal(strip);
   CAPTURE(message);
   CHECK(message.starts_with("faces "));
-  CHECK(message.find(" run the same way along the edge from vertex ") != std::string::npos);
-  CHECK(message.ends_with(", and only 1 the other way, and turning sheets cannot change that"));
+  CHECK(message.find(" traverse the edge from vertex ") != std::string::npos);
+  CHECK(message.ends_with(
+      ", and only 1 in the opposite direction, and reversing sheets cannot change that"));
   StitchOptions options;
   options.orient = true;
   Mesh apart = strip;

@@ -66,8 +66,9 @@ TEST_CASE("cleaning says that a model is double-sided") {
   } catch (const GoalError& error) {
     CHECK(error.kind() == ErrorKind::double_sided);
     CHECK(error.data().counts == std::vector<std::size_t>{160, 160});
-    CHECK(std::string(error.what()).find("160 of 160 lie upon their reverses") !=
-          std::string::npos);
+    CHECK(
+        std::string(error.what()).find("160 of 160 coincide with a face of opposite orientation") !=
+        std::string::npos);
   }
 }
 

@@ -168,7 +168,8 @@ TEST_CASE("a surface with one side is refused with its place") {
     orient_faces(strip);
     FAIL("a strip with one side is oriented");
   } catch (const InputError& error) {
-    CHECK(std::string(error.what()).find("cannot agree at the edge from vertex") !=
+    CHECK(std::string(error.what())
+              .find("cannot have consistent orientations at the edge from vertex") !=
           std::string::npos);
     CHECK(error.kind() == ErrorKind::one_sided);
     CHECK(error.data().faces.size() == 2);

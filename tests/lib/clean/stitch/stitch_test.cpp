@@ -367,8 +367,9 @@ TEST_CASE("a strip with one side is refused, naming the place in the input") {
   } catch (const InputError& error) {
     message = error.what();
   }
-  CHECK(message.starts_with("faces 13 and 14 cannot agree at the edge from vertex 13 at (-1, "));
-  CHECK(message.find("one side only, like a Moebius strip") != std::string::npos);
+  CHECK(message.starts_with(
+      "faces 13 and 14 cannot have consistent orientations at the edge from vertex 13 at (-1, "));
+  CHECK(message.find("only one side, like a Moebius strip") != std::string::npos);
 }
 
 TEST_CASE("any soup becomes a manifold, misoriented edges aside") {

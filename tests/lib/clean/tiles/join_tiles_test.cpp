@@ -128,7 +128,7 @@ TEST_CASE("missing, foreign and unequal tiles are named, and nothing is written"
   split(test::moved(mesh, {1, 0, 0}), 3, other);
   clean_all(3, 1, other);
   std::filesystem::copy(other / "clean-1.ply", folder / "clean-1.ply");
-  CHECK(message_of(folder).find("of the mesh that the others are of") != std::string::npos);
+  CHECK(message_of(folder).find("of the same mesh as the other tiles") != std::string::npos);
   CHECK(!std::filesystem::exists(folder / "out.ply"));
 }
 

@@ -48,7 +48,7 @@ TEST_CASE("obj: polygons are cut, small faces dropped, the rest is named once") 
                                  "obj: 1 face with fewer than three corners dropped",
                                  "obj: 1 line 'l' left out", "obj: 1 line 's' left out",
                                  "obj: 2 lines 'vn' left out", "obj: 1 line 'vt' left out",
-                                 "obj: 1 comment behind data left out"});
+                                 "obj: 1 comment after data left out"});
 }
 
 TEST_CASE("obj: weights are left out, and said") {

@@ -47,7 +47,8 @@ TEST_CASE("obj: missing texture coordinates are refused") {
   CHECK(result.document.mesh.face_columns.columns.empty());
   CHECK(result.document.mesh.faces.size() == 3);
   CHECK(has_note(result.notes,
-                 "obj: 3 faces with texture coordinates that are not there left without"));
+                 "obj: 3 faces with texture coordinate indices out of range left without texture "
+                 "coordinates"));
   CHECK(has_note(result.notes, "obj: third numbers of 1 texture coordinate left out"));
   CHECK(read_error("v 0 0 0\nvt a 0\n") ==
         "a texture coordinate is not a number: 'a' (input line 2)");
@@ -72,6 +73,7 @@ TEST_CASE("obj: numbers of texture points as large as they get name no point") {
     const Column& lists = column(result.document.mesh.face_columns, "texcoord");
     CHECK(lists.list_offsets == std::vector<std::size_t>{0, 6, 6});
     CHECK(has_note(result.notes,
-                   "obj: 1 face with texture coordinates that are not there left without"));
+                   "obj: 1 face with texture coordinate indices out of range left without texture "
+                   "coordinates"));
   }
 }

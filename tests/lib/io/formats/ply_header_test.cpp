@@ -62,7 +62,7 @@ TEST_CASE("ply: malformed headers are refused with their line") {
                           "vertex_indices\nend_header\n"),
                  "the count of a list must have an integer type"));
   CHECK(contains(error_of("format ascii 1.0\nelement a 1\nelement a 1\nend_header\n"),
-                 "the element 'a' comes twice"));
+                 "the element 'a' is listed twice"));
   // Behind an element it may describe data.
   CHECK(contains(error_of("format ascii 1.0\nelement vertex 1\nproprety float x\nend_header\n"),
                  "unknown word in the PLY header: 'proprety'"));
@@ -89,7 +89,7 @@ TEST_CASE("ply: headers without a mesh are refused") {
   CHECK(read_error(header("ascii", "element vertex 1\nproperty float x\n") + "1\n") ==
         "the vertices need the properties x, y and z (input)");
   CHECK(read_error(header("ascii", "element vertex 1\n" + vertex_header + "property float x\n") +
-                   "1 2 3 4\n") == "vertex property 'x' comes twice (input)");
+                   "1 2 3 4\n") == "vertex property 'x' is listed twice (input)");
   CHECK(read_error(header("ascii", "element vertex 0\n" + vertex_header +
                                        "element face 1\nproperty int label\n") +
                    "1\n") == "the faces need a property list vertex_indices (input)");

@@ -202,7 +202,9 @@ TEST_CASE("ply: coordinates of any type and in any order") {
   CHECK(result.document.mesh.positions == std::vector<Vec3>{{70000, -7, -300}});
   CHECK(result.document.style.coordinate == Scalar::float64);
   CHECK(has_note(result.notes, "ply: integer coordinates become double"));
-  CHECK(has_note(result.notes, "ply: the vertex properties x y z are put together in this order"));
+  CHECK(
+      has_note(result.notes,
+               "ply: the vertex properties x, y and z will be written side by side in this order"));
 }
 
 TEST_CASE("ply: what is not a number may be an attribute but not a coordinate") {
@@ -268,7 +270,7 @@ TEST_CASE("ply: bytes after the data are noted") {
   const std::string text = ascii_triangle("3 0 1 2");
   CHECK(read_mesh(text + "\n\n", "input").notes.empty());
   CHECK(has_note(read_mesh(text + "junk", "input").notes,
-                 "ply: what follows the last element is ignored"));
+                 "ply: data after the last element ignored"));
   Document document = read_document(text);
   document.style.format = Format::ply_little;
   CHECK(has_note(read_mesh(write_mesh(document).bytes + "junk", "input").notes,

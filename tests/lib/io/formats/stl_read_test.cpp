@@ -58,7 +58,7 @@ TEST_CASE("stl: errors name the place") {
         "the data ends within facet 0, before 'endsolid' (input line 8)");
   CHECK(changed("vertex 0 0 0", "vertex 0 0") ==
         "a coordinate of facet 0 is missing (input line 4)");
-  CHECK(changed("outer", "inner") == "'outer' is needed in facet 0, not 'inner' (input line 3)");
+  CHECK(changed("outer", "inner") == "'outer' is missing in facet 0, which has 'inner' (input line 3)");
 }
 
 TEST_CASE("stl: facets that are not finite are dropped with a count") {

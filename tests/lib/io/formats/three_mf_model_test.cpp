@@ -65,7 +65,7 @@ TEST_CASE("3mf model: what is malformed is named") {
   CHECK(contains(error_of("<model>"), "XML is not well-formed"));
   CHECK(contains(error_of("<other/>"), "'3dmodel.model' has no element 'model'"));
   CHECK(contains(error_of(object("<mesh><vertices><vertex x=\"1\" y=\"2\"/></vertices></mesh>")),
-                 "z='' in vertex 0 of object '1', no finite number"));
+                 "z='' in vertex 0 of object '1', which is not a finite number"));
   CHECK(contains(error_of(object("<mesh><vertices/><triangles><triangle v1=\"0\" v2=\"1\" "
                                  "v3=\"2\"/></triangles></mesh>")),
                  "'0' as v1 of triangle 0 of object '1', but there are 0 elements"));

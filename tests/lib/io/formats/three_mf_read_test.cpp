@@ -77,7 +77,7 @@ TEST_CASE("3mf: circles, missing objects and repetitions without end are refused
     return text + "</components></object>";
   };
   CHECK(contains(error_of(holder(1, 2, 1) + holder(2, 1, 1)), "object '1' contains itself"));
-  CHECK(contains(error_of(""), "object '1' is used, but not in '3D/3dmodel.model'"));
+  CHECK(contains(error_of(""), "object '1' is used, but missing in '3D/3dmodel.model'"));
   std::string deep, wide;
   for (int id = 1; id <= 300; ++id) deep += holder(id, id + 1, 1);
   CHECK(contains(error_of(deep), "nested more than 256 deep"));

@@ -65,7 +65,7 @@ TEST_CASE("Metashape: invalid cameras are refused") {
   CHECK(says(file("<f>0</f>", pose), "positive"));
   CHECK(says(file("<f>5x</f>", pose), "'5x'"));
   CHECK(says(file("<f>1 2</f>", pose), "not one number"));
-  CHECK(says(file(calibration, "1 0 0"), "no 16 numbers"));
+  CHECK(says(file(calibration, "1 0 0"), "does not have 16 numbers"));
   CHECK(says(file(calibration, "1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1"), "no rotation"));
   CHECK(says(file(calibration + "<p3>1</p3>", pose), "p3"));
   const std::string whole = file(calibration, pose);

@@ -56,9 +56,9 @@ TEST_CASE("a suffix that a side shares is left out where no name has a partner w
 
 TEST_CASE("without a common name the order decides, unless names must agree") {
   CHECK(pair({"a.png", "b.png"}, {"y.png", "z.png"}) == Partners{0, 1});
-  CHECK(refusal({"a.png", "b.png"}, {"y.png", "z.png"}, true) ==
-        "a.png: there is no silhouette of this name in masks: names have to agree, or to have "
-        "nothing in common");
+  CHECK(
+      refusal({"a.png", "b.png"}, {"y.png", "z.png"}, true) ==
+      "a.png: there is no silhouette of this name in masks: either all names must agree, or none");
   CHECK(refusal({"a.png", "b.png"}, {"x.png", "y.png", "z.png"}) ==
         "there are 2 images, but 3 silhouettes (photos, masks)");
 }

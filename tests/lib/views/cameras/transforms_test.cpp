@@ -70,7 +70,7 @@ TEST_CASE("transforms.json: an angle of view is that of the image's width") {
 TEST_CASE("transforms.json: what is no camera is refused with its entry") {
   const std::string lens = R"("w":640,"h":480,"fl_x":500,)";
   CHECK(refuses(file("", ""), "frames[0] has neither fl_x nor camera_angle_x"));
-  CHECK(refuses(file(R"("fl_x":"a",)", ""), "fl_x is no finite number"));
+  CHECK(refuses(file(R"("fl_x":"a",)", ""), "fl_x is not a finite number"));
   CHECK(refuses(file(R"("fl_x":-5,)", ""), "positive"));
   CHECK(refuses(file(R"("fl_x":1e999,)", ""), "malformed"));
   CHECK(refuses(file(R"("fl_x":NaN,)", ""), "malformed"));

@@ -124,10 +124,11 @@ TEST_CASE("a TIFF of other samples is refused with advice") {
   TiffKind kind{32};
   kind.sample_format = SAMPLEFORMAT_IEEEFP;
   const Rows rows(std::size_t{4} * 4);
-  CHECK(image_refusal(tiff_of(kind, 2, 2, rows)) ==
-        "the format is TIFF of samples that are no unsigned integers; only JPEG, PNG, TIFF and PNM "
-        "of 8 or 16 bits are read: convert it first, for example with: magick a.image a.png "
-        "(a.image)");
+  CHECK(
+      image_refusal(tiff_of(kind, 2, 2, rows)) ==
+      "the format is TIFF with samples other than unsigned integers; only JPEG, PNG, TIFF and PNM "
+      "of 8 or 16 bits are read: convert it first, for example with: magick a.image a.png "
+      "(a.image)");
   kind.sample_format = SAMPLEFORMAT_UINT;
   CHECK(image_refusal(tiff_of(kind, 2, 2, rows)).find("32-bit samples") != std::string::npos);
   const auto refusal = [](const TiffKind& other, std::size_t bytes) {
@@ -137,11 +138,11 @@ TEST_CASE("a TIFF of other samples is refused with advice") {
     const std::string text = refusal({bits, 1, PHOTOMETRIC_MINISBLACK}, 2);
     CHECK(text.find("TIFF of " + std::to_string(bits) + "-bit samples; only") != std::string::npos);
   }
-  CHECK(refusal({8, 1, PHOTOMETRIC_PALETTE}, 4).find("neither gray nor red, green and blue") !=
+  CHECK(refusal({8, 1, PHOTOMETRIC_PALETTE}, 4).find("other than gray or red, green and blue") !=
         std::string::npos);
   TiffKind apart{8, 3, PHOTOMETRIC_RGB};
   apart.planes = 2;
-  CHECK(refusal(apart, 12).find("TIFF of channels that lie apart") != std::string::npos);
+  CHECK(refusal(apart, 12).find("TIFF with channels in separate planes") != std::string::npos);
 }
 
 TEST_CASE("a TIFF that is cut short is refused, and damage does no harm") {
