@@ -8,7 +8,7 @@
 //   chains --judge FILE...
 //     prints what each mesh is; exit code 1 where one is not closed, manifold, free of
 //     intersections and of faces without area
-// Exit code 1 where a chain has a fault, or more than 2 % of the chains are refused; 2: usage.
+// Exit code 1 if a chain has a fault or more than 2 % of the chains are refused; 2 for wrong usage.
 #include <algorithm>
 #include <atomic>
 #include <charconv>
@@ -93,7 +93,7 @@ bool Tally::print(double percent_refused) const {
   return failed_ == 0 && percent(refused_) <= percent_refused;
 }
 
-/// Runs all seeds on several threads; prints in the order of the seeds.
+/// Runs all seeds on several threads. Prints results in the order of the seeds.
 bool run_all(const Options& options) {
   Tally tally;
   std::map<std::uint64_t, ChainRecord> done;

@@ -1,5 +1,5 @@
-/// Which pieces are kept, against winding numbers summed up from solid angles on both sides of
-/// them.
+/// The pieces that are kept, compared with winding numbers from solid angles on both of their
+/// sides.
 #include "clean/exterior/exterior.h"
 
 #include <doctest/doctest.h>
@@ -62,7 +62,7 @@ TEST_CASE("the outermost surface has no cavities and no components inside them")
   CHECK(volume(mesh) == doctest::Approx(volume(ball(3)) + volume(ball(1))));
   CHECK(drop_enclosed_components(mesh) == 0);
 
-  // The ball within the cavity has a cavity of its own, with a ball in it.
+  // The ball within the cavity has a cavity of its own, which contains a ball.
   Mesh nested;
   for (int i = 0; i < 5; ++i) {
     const Mesh layer = ball(5 - i);

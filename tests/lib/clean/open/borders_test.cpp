@@ -25,14 +25,15 @@ std::string refusal(const Mesh& mesh) {
   return "";
 }
 
-/// A square in the plane of two sides, from the first corner.
+/// Adds a parallelogram with sides u and v at the first corner.
 void add_square(Mesh& mesh, const Vec3& corner, const Vec3& u, const Vec3& v) {
   const auto base = static_cast<Index>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), {corner, corner + u, corner + u + v, corner + v});
   mesh.faces.insert(mesh.faces.end(), {{base, base + 1, base + 2}, {base, base + 2, base + 3}});
 }
 
-/// Three half planes' worth of faces on the edge from vertex 0 to vertex 1.
+/// Three faces around the edge from vertex 0 to vertex 1, of which two traverse it forward and one
+/// backward.
 Mesh fan_of_three() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 2, 0}, {-1, -2, 0}};
@@ -68,7 +69,7 @@ TEST_CASE("the border of an open mesh is a loop along its faces") {
   REQUIRE(borders.loops.size() == 1);
   const std::vector<Index>& loop = borders.loops[0];
   REQUIRE(loop.size() == 20);
-  // Counter-clockwise, so the area that it encloses is positive: one, by the shoelace formula.
+  // Counterclockwise, so the shoelace formula gives a positive area: one.
   double area = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Vec3 &a = welded.points[loop[i]], &b = welded.points[loop[(i + 1) % loop.size()]];
@@ -133,7 +134,7 @@ TEST_CASE("refused: an edge with more than one face left over") {
   CHECK(refusal(mesh).empty());
   std::swap(mesh.faces[2][0], mesh.faces[2][1]);
   mesh.positions.push_back(mesh.positions[1]);
-  mesh.faces.push_back({0, 1, 5});  // has no area, and is not to blame
+  mesh.faces.push_back({0, 1, 5});  // has no area, and is not named
   CHECK(refusal(mesh) ==
         "faces 0, 1 and 2 traverse the edge from vertex 0 at (0, 0, 0) to vertex 1 "
         "at (0, 0, 1) in the same direction: the mesh is not oriented");
@@ -143,7 +144,8 @@ TEST_CASE("refused: a non-orientable mesh has its own kind of error") {
   Mesh strip = test::moebius_strip(12);
   CHECK(refusal(strip).ends_with(": the surface has only one side, like a Moebius strip"));
 
-  // A solid with an edge on the strip: now four faces meet there, and three always run alike.
+  // A solid with an edge on the strip: four faces now meet there, and three of them always traverse
+  // the edge in the same direction.
   const Vec3 a = strip.positions[0], b = strip.positions[1];
   const auto base = static_cast<Index>(strip.positions.size());
   strip.positions.insert(strip.positions.end(), {a, b, a + Vec3(3, 0, 0), a + Vec3(3, 1, 1)});

@@ -1,4 +1,4 @@
-/// Sums along edges and misoriented edges, on books of faces whose sums are known.
+/// Sums along edges and misoriented edges, for books of faces with known sums.
 #include "clean/stitch/orientation_check.h"
 
 #include <doctest/doctest.h>
@@ -9,7 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Faces along the edge from vertex 0 to vertex 1: so many that run forward, and so many backward.
+/// Faces along the edge from vertex 0 to vertex 1; `forward` and `backward` count those that
+/// traverse it in either direction.
 Mesh book(int forward, int backward) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 1}};
