@@ -1,10 +1,10 @@
 // A test program, not installed: lists and writes the generated inputs of tests/corpus/run.
-// corpus_shapes
-//     lists the inputs, a line each: NAME KIND OUTCOME, and what tm-clean is to be told
+//   corpus_shapes
+//     lists the inputs, a line each: NAME KIND OUTCOME, and the options of tm-clean
 //   corpus_shapes NAME
 //     writes that input as PLY
 //   corpus_shapes --volume NAME
-//     prints the volume of the result, where it is known
+//     prints the volume of the result, if it is known
 // The end of NAME is the scalar type: double, float or to-float (doubles that tm-clean must convert
 // to floats). Files are binary, or text if NAME has -ascii.
 #include <iostream>

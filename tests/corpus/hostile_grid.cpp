@@ -1,5 +1,5 @@
-// A program of the tests, never installed: cleans hostile meshes (hostile_shapes.h), judges the
-// results, and prints a table.
+// A test program, not installed. Cleans hostile meshes (hostile_shapes.h), judges the results,
+// and prints a table.
 //   hostile_grid [--seeds N] [--first N] [--jobs N] [--seconds S] [--megabytes M] [FAMILY...]
 //   hostile_grid --write FAMILY SEED double|float
 //     writes one of the meshes as PLY

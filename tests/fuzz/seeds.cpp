@@ -1,5 +1,5 @@
 // Makes the initial inputs of the targets, by the generators of the library and of tests/corpus.
-// fuzz_seeds FOLDER     writes FOLDER/TARGET/NUMBER
+//   fuzz_seeds FOLDER     writes FOLDER/TARGET/NUMBER
 #include <filesystem>
 #include <fstream>
 #include <iostream>

@@ -1,6 +1,6 @@
-/// Makes meshes of few faces from the bytes of a fuzzer, with difficult coordinates: from a small
-/// lattice, a few spacings apart, with many digits, and of magnitudes from 2^-32 to 2^32. Also
-/// makes the bytes of initial meshes.
+/// Makes meshes of few faces from the bytes of a fuzzer. Coordinates are difficult: from a small
+/// lattice, a few spacings apart, with many digits, or of magnitudes from 2^-32 to 2^32. Also makes
+/// the bytes of initial meshes.
 #pragma once
 
 #include <algorithm>

@@ -399,7 +399,7 @@ def test_handles(options, words, tmp_path):
     ],
 )
 def test_transform(options, words, tmp_path):
-    # With normals, velocities and a reference edge, which follow.
+    # Normals, velocities and a reference edge must follow the transformation.
     mesh = tm.remesh(tm.parse(shape("genus", 2, "--faces", 500)), min_edge="0.5x")
     for i, name in enumerate(["nx", "ny", "nz", "vx", "vy", "vz"]):
         mesh.vertex_columns[name] = np.sin(i + np.arange(len(mesh.positions)))

@@ -38,7 +38,8 @@ std::string comma_separated(const std::vector<double>& numbers) {
 
 double rounded(double x) { return std::round(x * 1000) / 1000; }
 
-/// Returns the intersection of the solids, if they overlap substantially and there is no cutter.
+/// Returns true if the solids overlap substantially and there is no cutter, so that their
+/// intersection is worth computing.
 bool can_intersect(const Situation& now) {
   return now.is_raw && now.body.cutter.faces.empty() &&
          now.body.volume_in_two > 0.05 * now.body.volume;

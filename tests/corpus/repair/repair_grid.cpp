@@ -1,5 +1,5 @@
-// A program of the tests, never installed: damages solids (damage.h), repairs them and prints a
-// table by kinds of damage.
+// A test program, not installed. Damages solids (damage.h), repairs them, and prints a table by
+// kinds of damage.
 //
 //   repair_grid [--seeds N] [--faults] [KIND...]     default 8 seeds, all kinds
 //   repair_grid --write KIND SOLID SEED FILE         writes one damaged solid

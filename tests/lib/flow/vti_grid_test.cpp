@@ -35,7 +35,7 @@ FlowGrid read(const Parts& parts, std::size_t components = 3) {
   return read_flow_grid(vti(parts), "a.vti", components);
 }
 
-/// Refused, with these words in the sentence.
+/// Returns whether reading is refused with a message that contains these words.
 bool refuses(const Parts& parts, const std::string& words, std::size_t components = 3) {
   try {
     read(parts, components);
@@ -47,7 +47,7 @@ bool refuses(const Parts& parts, const std::string& words, std::size_t component
   return false;
 }
 
-/// Six vectors as VTK stores them: their size, and little-endian doubles.
+/// Six vectors as VTK stores them: their size in bytes, and little-endian doubles.
 std::string block() {
   std::string bytes;
   const auto append = [&](const auto& value) {

@@ -73,7 +73,7 @@ TEST_CASE("misoriented faces affect the orientation only") {
   CHECK(report.boundary_loops == 1);
   CHECK(!describe_problem(mesh, report, false).empty());
 
-  // The Moebius strip is a manifold without orientation and with one border.
+  // The Moebius strip is a non-orientable manifold with one border.
   const Mesh strip = triangles(5, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}});
   const ManifoldReport moebius = check_manifold(strip);
   CHECK(moebius.is_manifold());

@@ -44,7 +44,7 @@ struct Sample {
   Program program{"tm-x", "", ""};
 };
 
-// The message with which these arguments are refused.
+// Returns the message with which these arguments are refused.
 std::string refusal(const std::vector<std::string>& arguments) {
   try {
     Sample().parse(arguments);

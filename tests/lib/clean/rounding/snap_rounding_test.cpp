@@ -1,5 +1,5 @@
-/// Results as stored, in cases that are difficult to round: rotated lattice boxes, whose coplanar
-/// faces are coplanar only up to rounding, shapes far from the origin, tiny and huge ones.
+/// Results as stored, in cases that are difficult to round. Coplanar faces of rotated lattice boxes
+/// are coplanar only up to rounding; other shapes are tiny, huge or far from the origin.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>

@@ -23,7 +23,8 @@ TEST_CASE("obj: texture coordinates of corners") {
   CHECK(write_mesh(document).bytes == text);
   CHECK(write_mesh(document).notes.empty());
 
-  // Doubles where floats would lose digits; a polygon is cut together with its coordinates.
+  // Coordinates are doubles if floats would lose digits. A polygon is triangulated together with
+  // its coordinates.
   const Document polygon =
       read_document(points + "vt 0.123456789 0\nvt 1\nvt 1 1 0\nvt 0 1\nf 4/-4/7 1/-3 2/3 3/4//\n");
   const Column& fan = column(polygon.mesh.face_columns, "texcoord");
@@ -56,7 +57,7 @@ TEST_CASE("obj: missing texture coordinates are refused") {
 }
 
 TEST_CASE("obj: numbers of texture points count back from those read so far") {
-  // The second face is read when two more points are there.
+  // The second face precedes two more texture coordinates.
   const Document document = read_document(points +
                                           "vt 0 0\nvt 1 0\nvt 0 1\nf 1/-3 2/-2 3/-1\n"
                                           "vt 4 4\nvt 5 5\nf 1/-5 2/-2 4/-1\n");

@@ -63,7 +63,7 @@ TEST_CASE("ply: malformed headers are refused with their line") {
                  "the count of a list must have an integer type"));
   CHECK(contains(error_of("format ascii 1.0\nelement a 1\nelement a 1\nend_header\n"),
                  "the element 'a' is listed twice"));
-  // Behind an element it may describe data.
+  // A comment after an element may describe its data.
   CHECK(contains(error_of("format ascii 1.0\nelement vertex 1\nproprety float x\nend_header\n"),
                  "unknown word in the PLY header: 'proprety'"));
 }
@@ -111,7 +111,7 @@ TEST_CASE("ply: counts beyond the bytes present are refused before memory is tak
       CHECK(contains(error, std::string("announces ") + count + " rows of element 'vertex'"));
     }
   }
-  // A list that claims four thousand million entries.
+  // A list that announces four thousand million entries.
   Bytes file;
   file.text(header("binary_little_endian",
                    "element vertex 1\n" + vertex_header + "property list uint uchar data\n"));

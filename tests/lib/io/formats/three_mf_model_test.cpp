@@ -36,7 +36,7 @@ TEST_CASE("3mf model: vertices, triangles and components with transforms") {
   CHECK(model.unit == "inch");
   CHECK(model.objects.at("7").positions[1] == Vec3(1, 0, 3));
   CHECK(model.objects.at("7").faces == std::vector<Face>{{0, 1, 2}});
-  // Rows are where the axes go: x to y, y to -x.
+  // The rows are the images of the axes: x goes to y, and y to -x.
   CHECK(model.objects.at("8").components.at(0).to_parent * Vec3(1, 2, 0) == Vec3(8, 21, 30));
   CHECK(model.items.at(0).part == "/3D/other.model");
 }

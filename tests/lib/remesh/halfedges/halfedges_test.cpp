@@ -13,7 +13,7 @@ using namespace transformesh;
 
 namespace {
 
-/// A bowl of very many faces around one vertex, in any order.
+/// A bowl of very many faces around one vertex, in random order.
 Mesh wheel(Index spokes) {
   Mesh mesh;
   mesh.positions.assign(spokes + 1, Vec3::Zero());

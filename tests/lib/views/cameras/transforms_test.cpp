@@ -47,7 +47,7 @@ TEST_CASE("transforms.json: pixels are those of OpenCV's model, counted from the
     return Eigen::Vector2d(500 * u + 322 - 0.5, 510 * v + 235 - 0.5);
   };
   test::check_pixels(read(lens), expected);
-  // The same numbers in the frame take precedence over others of the file.
+  // Numbers of a frame take precedence over those of the file.
   test::check_pixels(read(R"("fl_x":1,"cx":7,"k1":9,)", lens), expected);
   CHECK(read(lens).width == 640);
 }
@@ -58,7 +58,7 @@ TEST_CASE("transforms.json: an angle of view is that of the image's width") {
     return Eigen::Vector2d(focal * x + 319.5, focal * y + 239.5);
   };
   test::check_pixels(read(R"("camera_angle_x":0.8,"w":640,"h":480,)"), expected);
-  // NeRF's files leave the size to the images.
+  // NeRF's files do not state the size of the images.
   CameraRecord record = read(R"("camera_angle_x":0.8,)");
   record.set_size(640, 480, "a.png");
   test::check_pixels(record, expected);
