@@ -28,7 +28,7 @@ memory_is_limited() {
   for_each filter predicate picture source converter loop -- memory_is_limited
 }
 
-# The program waits for the rest of its input, or for a reader of its output, when its time is over.
+# When its time is over, the program waits for the rest of its input, or for a reader of its output.
 time_is_limited() {
   rm -rf folder && mkdir folder
   mkfifo folder/fifo
@@ -82,7 +82,7 @@ time_is_limited() {
   [[ $stderr == *"stopped after 1 s, the limit of --max-time; --resume continues" ]] || fail "$stderr"
   [ ! -e out.ply ]
   sleep 0.2
-  # Where nobody waits for it, it stays as a zombie.
+  # A program without a waiting parent stays as a zombie.
   state=$(awk '/^State:/ { print $2 }' "/proc/$(cat pid)/status" 2>/dev/null) || true
   [[ -z $state || $state == Z ]] || fail "it is in state $state"
   [ -d out.ply.tm-evolve ]

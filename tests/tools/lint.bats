@@ -1,4 +1,4 @@
-# The checks of scripts/lint find what they are for, and only that.
+# The checks of scripts/lint find the defects that they are meant for, and accept everything else.
 
 load ../helpers/common
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
-# Formats other than those of pipes: glTF, 3MF, VTP, VTK, PCD, XYZ, and gzip of all. Other programs
-# write files that are read here, and read files that are written here.
+# Formats that pipes do not carry: glTF, 3MF, VTP, VTK, PCD, XYZ, and gzip of all formats. Other programs
+# write files for this suite, and read the files of this suite.
 
 load ../helpers/common
 
@@ -8,7 +8,7 @@ convert() {
   tm-convert -q --no-provenance "$1" -o "$2"
 }
 
-# bare FILE: its triangles without properties, in floats.
+# bare FILE: prints the triangles without properties, in floats.
 bare() {
   convert "$1" "$BATS_TEST_TMPDIR/bare.stl"
   triangles "$BATS_TEST_TMPDIR/bare.stl"
@@ -136,7 +136,7 @@ foreign_files() {
   tm-shape sphere --faces 200 -o sphere.ply
   tm-sample --count 50 --no-provenance sphere.ply -o points.xyz
   [ "$(grep -vc '^#' points.xyz)" -eq 50 ]
-  # On the unit sphere the normal of a face is nearly the point.
+  # On the unit sphere, the normal of a face is nearly the position.
   awk '!/^#/ { n = $1 * $4 + $2 * $5 + $3 * $6; if (NF != 6 || n < 0.8) exit 1 }' points.xyz
   [ "$(tm-info --get vertices points.xyz)" -eq 50 ]
   run --separate-stderr tm-convert sphere.ply -o sphere.xyz

@@ -1,11 +1,12 @@
-# The rows of tm-repair(1), BY HAND, on generated shapes, and their pipeline on broken real meshes.
+# The rows of BY HAND in tm-repair(1), on generated shapes, and the pipeline of these rows on damaged real
+# meshes.
 load ../helpers/common
 
 setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# repaired MESSAGE FILE: the file has that problem, and is a solid afterwards.
+# repaired MESSAGE FILE: checks that the file has that problem, and that the pipeline makes a solid of it.
 repaired() {
   needs_shared "meshes/$2"
   run tm-checkmanifold --closed --intersections "$shared_file"
@@ -16,25 +17,26 @@ repaired() {
   tm-checkmanifold --closed --intersections solid.ply
 }
 
-# has_volume REFERENCE: that of the solid is within 1 %.
+# has_volume REFERENCE: checks that the solid has the volume of the reference within 1 %.
 has_volume() {
   awk -v is="$(tm-info --get volume solid.ply)" -v is_to_be="$1" \
     'BEGIN { exit !(is > 0.99 * is_to_be && is < 1.01 * is_to_be) }' || fail "volume, not $1"
 }
 
-# row MESSAGE FILTER: the page has a row from that message to that filter.
+# row MESSAGE FILTER: checks that the page has a row with this message and filter.
 row() {
   grep -F "$1" "$tm_root/man/tm-repair.1.md" | grep -qF "**${2/--/\\--}** |" || fail "no row: $1 | $2"
 }
 
-# is_solid FILE VOLUME: closed, oriented, free of self-intersections, and of that volume.
+# is_solid FILE VOLUME: checks that the mesh is closed, oriented, free of self-intersections, and has that
+# volume.
 is_solid() {
   tm-checkmanifold --closed --intersections "$1" || fail "$1 is no solid"
   awk -v is="$(tm-info --get volume "$1")" -v is_to_be="$2" \
     'BEGIN { exit !(is > 0.9999 * is_to_be && is < 1.0001 * is_to_be) }' || fail "volume, not $2"
 }
 
-# refused MESSAGE FILE: tm-clean refuses the file with that message, and writes nothing.
+# refused MESSAGE FILE: checks that tm-clean refuses the file with that message, and writes nothing.
 refused() {
   run --separate-stderr tm-clean "$2" -o refused.ply
   assert_status 4
@@ -88,7 +90,7 @@ refused() {
   refused "the difference of its parts is empty" none.ply
   tm-stitch --flip small.ply | tm-cat small.ply - -o itself.ply
   refused "an empty difference, and in double-sided models" itself.ply
-  # The same body, with other triangles.
+  # The same body with another triangulation.
   tm-shape box 1 1 1 --faces 12 | tm-stitch --flip | tm-cat small.ply - -o other.ply
   refused "as in an empty difference" other.ply
 }
@@ -120,7 +122,7 @@ refused() {
   done
 }
 
-# cracked FILE WIDTH: its triangles, every corner moved by up to WIDTH/2 in each direction.
+# cracked FILE WIDTH: prints the triangles with every corner moved by up to WIDTH/2 in each direction.
 cracked() {
   tm-convert -q --no-provenance --double --format stl "$1" | tm-convert -q --no-provenance --double --format off |
     awk -v width="$2" 'BEGIN { srand(1) }
@@ -141,7 +143,7 @@ cracked() {
   tm-checkmanifold --closed joined.ply
   tm-clean -q joined.ply -o solid.ply
   is_solid solid.ply 3
-  # What a tolerance above the edges does.
+  # The effect of a tolerance larger than the edges.
   tm-stitch -q --tolerance 0.5 cracked.off -o lost.ply --report r.json
   jq -e '.result.dropped_faces > 0' r.json
 }

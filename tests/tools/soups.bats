@@ -1,15 +1,15 @@
-# A soup has every triangle of a mesh on vertices of its own, as STL has; a seam is a row of edges
-# where that is so. To programs that follow faces by the numbers of their vertices both have holes.
+# Soups and seams. In a soup, as STL is, every triangle has its own vertices; a seam is a row of edges whose
+# faces have their own vertices. Programs that follow faces by vertex indices find borders there.
 load ../helpers/common
 
 setup_file() {
   cd "$BATS_FILE_TMPDIR"
-  # A ball on a plate, closed; and a bowl.
+  # A closed ball on a plate, and a bowl.
   tm-shape box 2 2 0.3 --faces 800 -o plate.ply
   tm-shape sphere --radius 0.5 --center 0,0,0.4 --faces 800 | tm-cat plate.ply - |
     tm-clean -q | tm-convert -q --no-provenance -o body.off
   tm-shape sphere --faces 800 | tm-select --box=-2,-2,-2,2,2,0.5 | tm-convert -q --no-provenance -o bowl.off
-  # A mesh whose faces share vertices unless one is left and one right of x = 0.
+  # Faces share vertices, except across the plane x = 0.
   awk '
     NR == 1 || /^#/ { print; next }
     !n { n = $1; f = $2; next }
@@ -30,7 +30,7 @@ setup() {
   work=$BATS_TEST_TMPDIR
 }
 
-# As one mesh: bytes of what a program makes of the mesh that tm-stitch makes.
+# Compares the output for a soup with the output for the mesh that tm-stitch makes of it.
 joins() { # FILE PROGRAM OPTION...
   local file=$1
   shift
@@ -107,7 +107,7 @@ joins() { # FILE PROGRAM OPTION...
 }
 
 @test "inconsistently oriented faces are refused with a remedy" {
-  # A strip of which one face is reversed.
+  # A strip with one reversed face.
   printf 'OFF\n9 3 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n1 1 0\n3 0 1 2\n3 3 4 5\n3 6 8 7\n' >"$work/strip.off"
   run --separate-stderr tm-remesh "$work/strip.off" -o "$work/out.ply"
   assert_status 3
@@ -121,7 +121,7 @@ joins() { # FILE PROGRAM OPTION...
     assert_status 0
     [[ $stderr == *"body.ply: "*" border edges coincide: the faces share no vertices there; join them with tm-stitch" ]] ||
       fail "$stderr"
-    # Of STL it is said when it is read.
+    # For STL, the note is given when the file is read.
     run --separate-stderr $program bowl.stl
     one_line "$stderr"
   done

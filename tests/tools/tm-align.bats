@@ -1,6 +1,6 @@
 load ../helpers/common
 
-# scan NAME BOX [TRANSFORM...]: the part of a dented ball in a box, moved.
+# scan NAME BOX [TRANSFORM...]: writes the part of a dented ball in a box, after a motion.
 scan() {
   tm-shape dented --faces "$2" | tm-select --box "$3" | tm-transform "${@:4}" -o "$1"
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# Boolean operations. Volumes are those of closed forms.
+# Boolean operations, checked by volumes in closed form.
 
 load ../helpers/common
 
@@ -7,7 +7,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# cube X0 X1 [FILE]: the cube from X0 to X1 along each axis, as OFF of 8 vertices.
+# cube X0 X1 [FILE]: writes the cube from X0 to X1 along each axis, as OFF with 8 vertices.
 cube() {
   awk -v a="$1" -v b="$2" 'BEGIN {
     print "OFF\n8 12 0"
@@ -18,12 +18,12 @@ cube() {
   }'
 }
 
-# bare MESH: its numbers alone.
+# bare MESH: prints only the numbers of a mesh.
 bare() {
   tm-convert --format off "$1" | grep -v '^#'
 }
 
-# volume_of COMMAND MESH...: of the result, which has to be a solid.
+# volume_of COMMAND MESH...: prints the volume of the result, which must be a solid.
 volume_of() {
   tm-boolean "$@" -o result.ply
   tm-checkmanifold --closed --intersections result.ply >/dev/null
@@ -38,7 +38,7 @@ volume_of() {
   [ "$(volume_of intersection a.off b.off)" = 1 ]
   [ "$(volume_of difference a.off b.off)" = 7 ]
   [ "$(volume_of xor a.off b.off)" = 14 ]
-  # Pairwise 1, 3.375 and 3.375, all three 1.
+  # The pairwise intersections have volumes 1, 3.375 and 3.375, and that of all three has 1.
   [ "$(volume_of union a.off b.off c.off)" = 17.25 ]
   [ "$(volume_of intersection a.off b.off c.off)" = 1 ]
   [ "$(volume_of difference a.off b.off c.off)" = 4.625 ]
@@ -93,7 +93,7 @@ volume_of() {
   run --separate-stderr tm-boolean intersection a.off b.off --require-nonempty -o none.ply
   [ "$status" -eq 4 ]
   [ ! -e none.ply ]
-  # An empty mesh is an operand like any other.
+  # An empty mesh is accepted as an operand.
   [ "$(volume_of union a.off empty.ply)" = 1 ]
   [ "$(volume_of difference a.off empty.ply)" = 1 ]
   tm-boolean -q intersection a.off empty.ply -o result.ply
@@ -148,7 +148,7 @@ volume_of() {
   run --separate-stderr tm-boolean union a.off "open =1.off"
   [ "$status" -eq 3 ]
   [ "$stderr" = "tm-boolean: open =1.off has 1 border: it is not a solid; close holes with tm-fill" ]
-  # Even where another operand closes it.
+  # The mesh is refused even if another operand closes it.
   printf '%s\n' OFF "8 1 0" "$(sed -n 3,10p a.off)" "$(tail -n 1 a.off)" >rest.off
   run --separate-stderr tm-boolean union "open =1.off" rest.off
   [ "$status" -eq 3 ]
@@ -164,7 +164,7 @@ volume_of() {
   tm-shape sphere --radius 1.2 --faces 500 -o b.ply
   tm-boolean difference a.ply b.ply --source-operand -o c.ply
   tm-select --where 'source_operand>0' c.ply -o inner.ply
-  # All corners of what comes from the ball are on it, up to the height of its facets.
+  # All corners that come from the ball are on it, up to the height of its facets.
   tm-compare --reference b.ply --json inner.ply >report
   awk -F'[:,]' '/"accuracy"/ { exit !($2 < 1e-12) }' report
   run tm-info --get faces inner.ply

@@ -84,7 +84,7 @@ genus: 0" ]]
   [[ $output == *"manifold: true"*"oriented: false"*"boundary_loops: 1"* ]]
 }
 
-# certified INPUT OUTPUT [OPTION...]: the certificate of OUTPUT, which must hold.
+# certified INPUT OUTPUT [OPTION...]: checks that the certificate of OUTPUT holds.
 certified() {
   run tm-checkmanifold --certify "$@"
   assert_status 0
@@ -92,7 +92,8 @@ certified() {
   [[ $output != *"problem:"* ]]
 }
 
-# refused TEXT INPUT OUTPUT [OPTION...]: the certificate of OUTPUT fails, and the problem has TEXT.
+# refused TEXT INPUT OUTPUT [OPTION...]: checks that the certificate of OUTPUT fails, and that the problem
+# contains TEXT.
 refused() {
   local text=$1
   shift
@@ -101,7 +102,7 @@ refused() {
   [[ $output == *"problem: "*"$text"* ]] || fail "$output"
 }
 
-# Two crossing balls and their union; a small ball.
+# Two intersecting balls and their union; a small ball.
 balls() {
   tm-shape two-spheres --faces 2000 -o crossing.ply
   tm-clean crossing.ply -o union.ply
@@ -230,7 +231,7 @@ edit() {
   [[ $output == *"; borders nearly meet along cracks of up to "*": tm-stitch --tolerance "*" joins them" ]] || fail "$output"
   width=$(sed 's/.*--tolerance \([^ ]*\) .*/\1/' <<<"$output")
   tm-stitch --tolerance "$width" cracked.off | tm-checkmanifold --closed
-  # A hole is none.
+  # A hole is not a crack.
   tm-select --box -2,-2,-2,2,2,0.8 ball.ply -o bowl.ply
   run --separate-stderr tm-checkmanifold --closed --get problem bowl.ply
   [[ $output == *"; close holes with tm-fill" ]]

@@ -47,7 +47,7 @@ setup() {
 }
 
 @test "an intersecting patch is reported with the option that closes the hole" {
-  # The only patch of a face alone is its reverse.
+  # The only patch for a single face is its reverse.
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >face.off
   run --separate-stderr tm-fill face.off -o still.off
   assert_status 0
@@ -57,7 +57,7 @@ setup() {
 }
 
 @test "a slit, which has only flat patches, is named with what closes it, whatever is allowed" {
-  # A tetrahedron with a vertex in the middle of an edge, of which one of the two faces knows.
+  # A tetrahedron with a vertex in the middle of an edge that belongs to only one of the two faces.
   printf '%s\n' OFF '5 5 0' '0 0 0' '1 0 0' '0 1 0' '0 0 1' '0.5 0 0' \
     '3 0 2 1' '3 0 4 3' '3 4 1 3' '3 0 3 2' '3 1 2 3' >slit.off
   for option in '' --allow-crossings; do

@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# Velocities of flows, judged by awk.
+# Velocities of flows, checked by awk.
 
 load ../helpers/common
 
@@ -7,7 +7,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# rows MESH: x y z vx vy vz of each vertex.
+# rows MESH: prints x y z vx vy vz of each vertex.
 rows() {
   tm-convert -q --no-provenance --format ply-ascii "$1" | awk '
     /^property/ && !lists { if ($2 == "list") lists = 1; else name[++columns] = $3 }
@@ -20,7 +20,7 @@ rows() {
     /^end_header/ { body = 1 }'
 }
 
-# uniform_vti NAME VX [TIME]: velocities VX 0 0 in the box from -1 to 1.
+# uniform_vti NAME VX [TIME]: writes velocities VX 0 0 in the box from -1 to 1.
 uniform_vti() {
   {
     echo '<VTKFile type="ImageData" byte_order="LittleEndian">'
@@ -53,8 +53,8 @@ uniform_vti() {
   jq -e '.result | .max_speed > 1.98 and .max_speed < 2.02 and .rms_speed > 1.99 and .fixed == 0' r.json
   tm-flow mean-curvature --speed 3 ball.ply --report r.json -o flow.ply
   jq -e '.result | .rms_speed > 5.97 and .rms_speed < 6.03' r.json
-  # A span as long as the sphere lasts. Implicit steps take a radius r to r / (1 + 2 span / r^2): to
-  # .66667 at once and to .57528 by two, which are extrapolated to .48389.
+  # The span is the lifetime of the sphere. An implicit step takes a radius r to r / (1 + 2 span / r^2): one
+  # step to .66667, two steps to .57528, and their extrapolation to .48389.
   tm-flow mean-curvature --span 0.25 ball.ply | tm-displace --time-step 0.25 --alpha 99 -q -o small.ply
   tm-info --get volume small.ply | awk '{ r = ($1 * 3 / 4 / atan2(0, -1)) ^ (1 / 3); exit !(r > 0.483 && r < 0.485) }'
 }

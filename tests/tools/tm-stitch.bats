@@ -30,14 +30,14 @@ load ../helpers/common
   [[ $output == -* ]]
 }
 
-# shuffle: turns every other face or so of an ASCII PLY on stdin, by a fixed throw of the dice.
+# shuffle: reverses about every second face of an ASCII PLY on stdin, in a fixed random pattern.
 shuffle() {
   awk 'BEGIN { srand(3) }
     body && NF == 4 && $1 == 3 && rand() < 0.5 { print 3, $3, $2, $4; next }
     /end_header/ { body = 1 } { print }'
 }
 
-# cubes X,Y,Z...: unit cubes with a corner at those places, as an ASCII PLY.
+# cubes X,Y,Z...: prints unit cubes with a corner at each of these points, as ASCII PLY.
 cubes() {
   printf '%s\n' "$@" | awk -F, '
     { n = NR - 1
@@ -56,7 +56,8 @@ cubes() {
     }'
 }
 
-# is_solid VOLUME < mesh: a closed oriented manifold of that volume, and as clean as can be.
+# is_solid VOLUME < mesh: checks for a closed oriented manifold of that volume that tm-clean does not
+# change.
 is_solid() {
   cat > "$BATS_TEST_TMPDIR/solid.ply"
   tm-checkmanifold --closed "$BATS_TEST_TMPDIR/solid.ply" >&2 || return
@@ -113,14 +114,14 @@ is_solid() {
     [[ $stderr == *"only one side, like a Moebius strip; cut it open with tm-stitch without --orient, then close its borders with tm-fill --allow-crossings" ]]
     [ ! -e out.off ]
   done
-  # That advice is followed; and tm-stitch does not send back to --orient.
+  # The advice is true, and tm-stitch does not refer back to --orient.
   run --separate-stderr tm-stitch strip.off -o open.off
   assert_status 0
   [[ $stderr == *"however faces are reversed: they stay apart"* && $stderr != *"--orient"* ]]
   tm-clean open.off -o clean.off
   tm-fill -q --allow-crossings open.off -o closed.off
   [ "$(tm-info --get boundary_loops closed.off)" -eq 0 ]
-  # Five faces leave no room between the strip and its patch, twenty-four do.
+  # Between the strip and its patch there is no room with five faces, but there is with twenty-four.
   awk 'BEGIN {
     print "OFF\n24 24 0"
     for (i = 0; i < 12; i++) for (side = -0.3; side < 0.4; side += 0.6) {
@@ -140,7 +141,7 @@ is_solid() {
 
 @test "copies of faces beside others: what tm-clean says mends them does" {
   cd "$BATS_TEST_TMPDIR"
-  # A wall of two faces that is there twice, between two single faces that it shares edges with.
+  # A wall of two faces that occurs twice, between two single faces with which it shares edges.
   printf 'OFF\n6 6 0\n0 0 1\n1 0 1\n0 1 1\n0 1 0\n1 0 0\n0 0 0\n' >copies.off
   printf '3 %s\n' "0 1 2" "3 1 4" "4 1 0" "4 0 5" "4 1 0" "4 0 5" >>copies.off
   run --separate-stderr tm-clean copies.off -o out.off
@@ -155,7 +156,8 @@ is_solid() {
   tm-checkmanifold out.off
 }
 
-# mended FILE [closed]: tm-stitch --orient makes of it what tm-checkmanifold and tm-clean take.
+# mended FILE [closed]: checks that tm-stitch --orient makes a mesh that tm-checkmanifold and tm-clean
+# accept.
 mended() {
   needs_shared "meshes/$1"
   tm-stitch -q --orient "$shared_file" -o "$BATS_TEST_TMPDIR/out.ply"

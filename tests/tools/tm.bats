@@ -59,7 +59,7 @@ setup() {
   while read -r -u 8 line; do
     command=${line:26}
     case $command in
-      # The viewer serves until it is ended, and a morph takes long: their help is enough.
+      # The viewer serves until it is stopped, and a morph takes long, so only their help is run.
       tm-view* | tm-morph*) ${command%% *} --help >/dev/null 2>&1 || [ "${command%% *}" = tm-view ] ;;
       *) bash -euo pipefail -c "$command" >log 2>&1 </dev/null || fail "$command: $(cat log)" ;;
     esac

@@ -29,8 +29,8 @@ class Quadric {
     const double sum = p.dot(matrix_ * p) + 2 * linear_.dot(p) + constant_;
     return sum > 0 ? sum : 0;
   }
-  /// Where it is least. In directions in which it hardly changes, that is as near to `start` as can
-  /// be: by the pseudoinverse, and steps that correct its rounding.
+  /// Returns the point with the least value. Among points with nearly equal values, returns the one
+  /// nearest to `start`. Uses the pseudoinverse, and steps that correct its rounding errors.
   Vec3 least_near(const Vec3& start) const {
     constexpr double least_share = 1e-4;
     constexpr int steps = 3;

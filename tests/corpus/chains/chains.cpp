@@ -1,5 +1,6 @@
 // A test program, not installed. Runs chains of the suite's programs on random CAD-like bodies,
 // judges the output of every program, and prints the faults and a summary.
+// Usage:
 //   chains --seeds A..B [--bin FOLDER] [--jobs N] [--seconds S]
 //   chains --write SEED FOLDER [--bin FOLDER]
 //     keeps the body, the output of every program, and the commands in chain.sh
