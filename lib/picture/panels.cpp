@@ -12,8 +12,8 @@
 namespace transformesh {
 namespace {
 
-constexpr long largest_side = 32768;
-constexpr long most_pixels = 1L << 26;
+constexpr long largest_side = 32768;    ///< pixels; chosen by hand, to limit memory
+constexpr long most_pixels = 1L << 26;  ///< pixels; chosen by hand, to limit memory
 
 void check_meshes(std::span<const Mesh* const> meshes, const PictureOptions& options) {
   if (meshes.empty()) throw InputError("there is no mesh to draw");

@@ -33,8 +33,8 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_faces = 500e6;
-constexpr double largest_extent = 1e75;
+constexpr double most_faces = 500e6;     ///< chosen by hand, to limit memory
+constexpr double largest_extent = 1e75;  ///< squares of areas must stay below the largest double
 /// If edges are far too short, they are collapsed in stages. Each stage collapses edges shorter
 /// than this many times the typical length.
 constexpr double stage_growth = 1.6;

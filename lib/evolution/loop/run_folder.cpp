@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int layout = 1;
+constexpr int layout = 1;  ///< version of the folder's layout; a later one is refused
 constexpr std::string_view frame_prefix = "frame-";
 constexpr const char* mesh_ending = ".ply";
 

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t header_size = 12;
-constexpr std::size_t chunk_header_size = 8;
+constexpr std::size_t header_size = 12;       ///< bytes, by the standard
+constexpr std::size_t chunk_header_size = 8;  ///< bytes, by the standard
 constexpr std::string_view json_chunk = "JSON";
 constexpr std::string_view binary_chunk("BIN\0", 4);
 

@@ -180,7 +180,7 @@ class PcdReader {
 
   /// Decompresses the data, which then has each field of all points in turn.
   std::string expanded(std::string_view bytes) const {
-    constexpr std::size_t header = 8;
+    constexpr std::size_t header = 8;  // two 32-bit sizes
     if (bytes.size() < header) fail_short(bytes.size());
     const std::size_t stored = load_scalar<std::uint32_t>(bytes.data(), !host_is_little);
     const std::size_t size = load_scalar<std::uint32_t>(bytes.data() + 4, !host_is_little);

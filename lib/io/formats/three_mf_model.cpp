@@ -217,7 +217,7 @@ class ModelReader {
     Eigen::Affine3d result = Eigen::Affine3d::Identity();
     if (text.empty()) return result;
     const std::vector<double> m = xml_numbers(text, "a transform", source_);
-    constexpr std::size_t size = 12;
+    constexpr std::size_t size = 12;  // numbers of a 3MF transform
     if (m.size() != size) fail("has a transform of " + counted(m.size(), "number") + ", not 12");
     for (std::size_t i = 0; i < size; ++i)
       result(static_cast<Eigen::Index>(i % 3), static_cast<Eigen::Index>(i / 3)) = m[i];

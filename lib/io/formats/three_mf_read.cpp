@@ -92,6 +92,7 @@ class ThreeMfReader {
   void add(const ThreeMfComponent& component, const std::string& from,
            const Eigen::Affine3d& to_build) {
     constexpr std::size_t deepest = 256;  // a level needs 512 bytes of stack
+    // Bytes counted for a component, so that repeated empty ones are limited, too.
     constexpr std::size_t cost_of_visit = 64;
     budget_.spend(cost_of_visit);
     const std::string part = component.part.empty() ? from : without_slash(component.part);

@@ -11,7 +11,7 @@ namespace transformesh {
 namespace {
 
 constexpr int gzip_window = 15 + 16;  // the largest window; 16 selects the gzip header in zlib
-constexpr int zlib_window = 15;
+constexpr int zlib_window = 15;       ///< log2 of the window's bytes, the largest of zlib
 
 /// A zlib decompressor of bytes in memory, which appends to a string.
 class Inflater {

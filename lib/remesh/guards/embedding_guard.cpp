@@ -75,7 +75,7 @@ Vec3 sum_of(const std::vector<Vec3>& vectors) {
 }
 
 double longest_edge_of(const EditableMesh& mesh) {
-  constexpr std::size_t per_chunk = 2048;
+  constexpr std::size_t per_chunk = 2048;  // affects time only
   std::vector<double> longest((mesh.face_slots() + per_chunk - 1) / per_chunk, 0);
   parallel_for(longest.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t part = from; part < to; ++part) {

@@ -42,7 +42,7 @@ bool ProjectedFaces::may_meet(const Place& from, const Place& to) {
 /// first axis: 1 upwards, -1 downwards. The ends are sorted, so both halfedges of an edge yield
 /// opposite numbers.
 int ProjectedFaces::turns_around_middle(const Place& from, const Place& to) {
-  constexpr double middle = 1.0 / 3;
+  constexpr double middle = 1.0 / 3;  // barycentric coordinate of the center
   const bool is_above = from.second > middle;
   if (is_above == (to.second > middle)) return 0;
   const Place &below = is_above ? to : from, &above = is_above ? from : to;

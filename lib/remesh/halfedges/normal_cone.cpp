@@ -24,8 +24,8 @@ struct FourDirections {
   Floats x, y, z, length;
   Words bits;
 };
-constexpr float face = 1.41421356F;
-constexpr float cube = 1.73205081F;
+constexpr float face = 1.41421356F;  ///< square root of 2
+constexpr float cube = 1.73205081F;  ///< square root of 3
 constexpr std::array<FourDirections, 4> directions_tested{{
     {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 0}, {1, 1, 1, face}, {1, 2, 4, 8}},
     {{1, 0, 0, 1}, {-1, 1, 1, 0}, {0, 1, -1, 1}, {face, face, face, face}, {16, 32, 64, 128}},

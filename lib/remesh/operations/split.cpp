@@ -17,7 +17,7 @@ namespace {
 /// A midpoint that touches other faces is moved along its normal by these distances, in spacings of
 /// its largest coordinate.
 constexpr std::array<double, 3> roundings{1, 2, 4};
-constexpr int most_rounds = 4;
+constexpr int most_rounds = 4;  ///< chosen by hand; not measured
 /// Edges shorter than this many spacings are not split. Rounding moves midpoints by up to half the
 /// square root of 3 spacings. From this length on, edges to the midpoint of a longest edge are
 /// still shorter than that edge; otherwise splits might not end.

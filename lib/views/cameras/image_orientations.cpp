@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int first_exchanging_sides = 5;
+constexpr int first_exchanging_sides = 5;  ///< 5 to 8 exchange width and height, by Exif
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);

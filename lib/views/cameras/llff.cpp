@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t row_size = 17;
+constexpr std::size_t row_size = 17;  ///< a 3x5 matrix and two depths
 
 int side(double value, const char* what, const std::string& who, const Source& source) {
   if (!(value >= 1 && value <= 1e9))
