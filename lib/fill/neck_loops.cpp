@@ -132,7 +132,7 @@ bool Ball::is_in_tree(Index h) const {
   return reached_.at(source).from == target || reached_.at(target).from == source;
 }
 
-/// All edges beside the tree, those of the longest loops first.
+/// All edges that are not in the tree, those of the longest loops first.
 std::vector<Ball::Closing> Ball::closing_edges() const {
   std::vector<Closing> result;
   for (const Index h : edges_) {

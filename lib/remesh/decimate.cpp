@@ -31,7 +31,7 @@ constexpr double border_weight = 10;
 /// The weight of the squared length of an edge in its cost. It is small enough to decide only where
 /// the surface is flat, so that short edges are collapsed first there.
 constexpr double shortness = 3e-8;
-/// The largest excess of faces, as a share of the wanted number, that is no failure.
+/// If the result has more faces than wanted by at most this share, decimation counts as successful.
 constexpr double tolerance = 0.01;
 /// A closed surface has at least this many faces.
 constexpr std::size_t least_faces = 4;
@@ -40,8 +40,8 @@ constexpr std::size_t least_faces = 4;
 /// repeats refusals.
 constexpr std::size_t few_share = 200;
 
-/// The number of collapses refused as too long after which a stage ends: all collapses that follow
-/// cost more, so the next stage, which allows longer edges, should choose first.
+/// The number of collapses refused as too long after which a stage ends. All later collapses cost
+/// more, so the next stage, which allows longer edges, continues.
 std::size_t most_too_long(std::size_t faces) { return std::max<std::size_t>(10, faces / 50); }
 
 /// Quadrics use positions relative to the first corner of the mesh, so that squares stay small.
@@ -166,8 +166,7 @@ std::vector<Decimator::Place> Decimator::places(Index source, Index target) cons
   return places;
 }
 
-/// Enqueues the collapse of the edge to the position of that rank, unless there are fewer
-/// positions.
+/// Enqueues the collapse of the edge to the position with that rank, if there is one.
 void Decimator::push(Index halfedge, std::size_t rank) {
   const Index source = mesh_.source(halfedge), target = mesh_.target(halfedge);
   const std::vector<Place> all = places(source, target);
@@ -263,7 +262,7 @@ void check(const Mesh& mesh, const DecimateOptions& options) {
 MergeFlatResult merge_flat_faces(Mesh& mesh, const DecimateOptions& options,
                                  const Progress& progress) {
   if (options.keep_border || options.keep_out.surface != nullptr) return {};
-  const EditableMesh is_manifold(mesh);  // throws if it is not
+  const EditableMesh is_manifold(mesh);  // throws if the mesh is not an oriented manifold
   Mesh merged = mesh;
   const MergeFlatResult result = merge_flat(merged, std::vector<char>(mesh.faces.size(), 1),
                                             flat_spacings, options.coordinate, progress);

@@ -125,7 +125,7 @@ std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   if (is_vtk(bytes)) return FileKind::vtk;
   if (is_vtk_xml(bytes)) return FileKind::vtp;
   if (is_pcd(bytes)) return FileKind::pcd;
-  // The characters of a text would denote a facet count that no text has the size for.
+  // If the file were text, these four characters as a count of facets would not match its size.
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
   if (is_off_keyword(word)) return FileKind::off;
   if (is_ascii_stl(bytes)) return FileKind::stl_ascii;

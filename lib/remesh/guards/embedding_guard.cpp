@@ -53,7 +53,7 @@ class EmbeddingGuard::Slab {
       high_ = std::max(high_, direction_.dot(corner));
     }
   }
-  /// Whether the triangle meets the slab; distances within rounding error count as contact.
+  /// True if the triangle meets the slab; distances within rounding error count as contact.
   bool meets(const Triangle& triangle) const {
     const double a = direction_.dot(triangle[0]);
     const double b = direction_.dot(triangle[1]);
@@ -158,7 +158,7 @@ bool EmbeddingGuard::is_certified(const Patch& patch) {
   return lies_within(cells_.cell_size() - corner_reach * longest_edge_, patch);
 }
 
-/// Whether the ball of that radius around the old center contains the old and the new patch.
+/// True if the ball of that radius around the old center contains the old and the new patch.
 bool EmbeddingGuard::lies_within(double radius, const Patch& patch) const {
   const double limit = radius * radius;
   const Vec3& center = mesh_.position(patch.center);
@@ -220,9 +220,9 @@ void EmbeddingGuard::enclose(const Patch& patch) {
   high_corner_ = high_ + reach;
 }
 
-/// The certificate of is_height_field() for one of the directions of normal_cone.h: among those
-/// that see both patches, the one nearest to the mean normal. Cells and vertices whose cones
-/// contain the direction are skipped without a test of their faces.
+/// Tests the certificate of is_height_field() for one of the directions of normal_cone.h. It is the
+/// direction nearest to the mean normal among those in front of both patches. Cells and vertices
+/// whose cones contain the direction are skipped without a test of their faces.
 bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
   const Index component = cells_[patch.center].component;
   NormalCone cone = component == no_index ? 0 : cone_;
@@ -245,8 +245,8 @@ bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
   });
 }
 
-/// Whether the slab's direction sees all faces at the vertex that meet both the slab and the box,
-/// and the vertex belongs to the component if there are such faces.
+/// True if the slab's direction is in front of all faces at the vertex that meet both the slab and
+/// the box. If there are such faces, the vertex must belong to the component.
 bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& slab) const {
   const bool is_mine = cells_[vertex].component == component;
   bool result = true;
@@ -283,7 +283,7 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
   });
 }
 
-/// Whether the vertex may be the nearest corner of a face that meets the box.
+/// True if the vertex may be the nearest corner of a face that meets the box.
 bool EmbeddingGuard::is_around(Index vertex) const {
   const Vec3& position = mesh_.position(vertex);
   const double longest = std::sqrt(static_cast<double>(cells_[vertex].longest_squared));

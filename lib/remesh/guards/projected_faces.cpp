@@ -24,7 +24,7 @@ bool is_wide(const TriangleAxes& axes) {
 ProjectedFaces::ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites)
     : mesh_(mesh), opposites_(std::move(opposites)), stamps_(mesh.faces.size(), 0) {}
 
-/// Whether the projected edge may meet the triangle. Tests whether one of the triangle's edges or
+/// True if the projected edge may meet the triangle. Tests whether one of the triangle's edges or
 /// the edge itself is a separating line.
 bool ProjectedFaces::may_meet(const Place& from, const Place& to) {
   if (std::max(from.first, to.first) < -margin || std::max(from.second, to.second) < -margin ||
@@ -52,7 +52,7 @@ int ProjectedFaces::turns_around_middle(const Place& from, const Place& to) {
   return is_above ? -1 : 1;
 }
 
-/// Whether the part of a face that projects onto the triangle is within the distance of its plane.
+/// True if the part of a face that projects onto the triangle is within the distance of its plane.
 bool ProjectedFaces::is_within(const Places& face, double squared_limit) {
   const auto is_near = [&](const Place& place) {
     return place.away.squaredNorm() <= squared_limit;

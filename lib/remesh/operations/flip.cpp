@@ -123,8 +123,8 @@ void Flipper::look_ahead() {
         const Index opposite = mesh_.opposite(h);
         states_[h] = static_cast<State>(h < opposite ? edge : 0);
         if (opposite == no_index) continue;
-        // The comparison of both halfedges is unpredictable for the processor and comes after the
-        // test that rejects most edges.
+        // The comparison of both halfedges is unpredictable for the processor, so it comes after
+        // the test that rejects most edges.
         const int gain = deviation_gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                         excess_[mesh_.apex(opposite)]);
         if ((gain >= 0 || rule_ == FlipRule::angle) && h < opposite && is_wanted(h))

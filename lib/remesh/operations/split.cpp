@@ -80,7 +80,7 @@ class Splitter {
     if (!mesh_.is_border(halfedge)) is_held_[mesh_.opposite(halfedge)] = is_held;
   }
 
-  /// Whether a face at the edge has a longer edge that is held and longer than 1.5 times the limit.
+  /// True if a face at the edge has a longer edge that is held and longer than 1.5 times the limit.
   /// Splitting the other edges of such a face would never make all of them short: in turn, they
   /// approach one and two thirds of the held edge. Longer edges are always decided earlier.
   bool is_beside_held(const QueuedEdge& edge) const {
