@@ -24,8 +24,7 @@ Mesh octahedron(double radius) {
   return mesh;
 }
 
-/// A cube of side 4, and a tetrahedron with one corner at the point and the others away from the
-/// cube.
+/// A cube of side 4, and a tetrahedron that extends from its corner `tip` in the direction `away`.
 Mesh spike(const Vec3& tip, const Vec3& away) {
   const Vec3 side = away.unitOrthogonal();
   const Vec3 other = away.cross(side);
@@ -94,7 +93,7 @@ Mesh bed_of_nails(int count, bool on_lattice_points, std::uint64_t seed) {
   return mesh;
 }
 
-/// Parallel blades through a box, all through one line.
+/// Blades through a box, rotated about a common line.
 Mesh blades(int count) {
   Mesh mesh = cuboid({-2, -2, -1}, {2, 2, 1});
   for (int i = 0; i < count; ++i) {

@@ -18,8 +18,8 @@ double rotation_error(const PinholeCamera& camera) {
   return (product - Eigen::Matrix3d::Identity()).norm();
 }
 
-/// Returns the largest allowed change of a matrix by decomposition. It is small unless the matrix
-/// is nearly singular. COLMAP makes a rotation of R.
+/// Checks how decomposition changed a matrix: not at all unless the matrix is nearly singular.
+/// COLMAP makes a rotation of R.
 void compare(const CameraRecord& given, const CameraRecord& again) {
   demand_same(given.name, again.name, "another name");
   const Projection a = given.camera.projection();

@@ -19,7 +19,7 @@ struct Interval {
   double length() const { return high - low; }
 };
 
-/// Returns a prism: a convex polygon, counterclockwise, extruded along an axis.
+/// A prism: a convex polygon, counterclockwise, extruded along an axis.
 struct Part {
   std::size_t axis = 2;
   std::vector<std::array<double, 2>> polygon;
@@ -57,7 +57,7 @@ Interval place_beside(const Interval& other, bool may_touch, Random& random) {
   return {low, low + length};
 }
 
-/// Returns corners on an ellipse in the rectangle, the rectangle itself, or half of it.
+/// Chooses corners on an ellipse in the rectangle, the rectangle itself, or half of it.
 void draw_polygon(Part& part, const Interval& u, const Interval& v, Random& random) {
   const int kind = random.integer(0, 9);
   if (kind < 4) {

@@ -118,7 +118,8 @@ void count_edges(const TriangleMesh& mesh, MeshFacts& facts) {
   }
 }
 
-/// Lists the edges of faces with three different positions. Rounding has collapsed the other faces.
+/// Counts edges, compared by position, without a partner in the opposite direction. Edges that
+/// rounding has collapsed do not count.
 void count_unpaired_places(const TriangleMesh& mesh, MeshFacts& facts) {
   const std::vector<std::uint32_t> places = number_places(mesh.points);
   std::vector<std::pair<Edge, int>> edges;

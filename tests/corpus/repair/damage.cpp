@@ -157,8 +157,8 @@ Mesh missing_faces(const Mesh& solid, std::uint64_t seed) {
   return without(solid, is_gone);
 }
 
-/// Returns the faces at a vertex; for solids with few faces the two at an edge, because all faces
-/// at a vertex would be half of the solid.
+/// Removes the faces at a vertex. If a solid has few faces, removes only the two at an edge,
+/// because all faces at a vertex would be half of the solid.
 Mesh missing_patch(const Mesh& solid, std::uint64_t seed) {
   Random random(seed);
   const Face at = solid.faces[any_face(solid, random)];

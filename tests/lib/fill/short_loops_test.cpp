@@ -39,8 +39,7 @@ bool keeps_together(const Mesh& mesh, const std::vector<Index>& loop) {
   return joins == 0;
 }
 
-/// Returns the length of the shortest simple loop that does not separate the faces, found by trying
-/// all.
+/// Finds the length of the shortest simple loop that does not separate the faces, by trying all.
 class AllLoops {
  public:
   explicit AllLoops(const Mesh& mesh) : mesh_(mesh), next_(mesh.positions.size()) {

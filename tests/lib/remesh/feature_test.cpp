@@ -51,8 +51,8 @@ struct SharpEdges {
   }
 };
 
-/// Counts the coordinates of a point that lie on the planes of a box; the point must not lie
-/// outside by more than `outside`.
+/// The number of coordinates of a point that lie on the planes of a box, and its largest distance
+/// outside of the box.
 struct OnBox {
   int planes = 0;
   double outside = 0;

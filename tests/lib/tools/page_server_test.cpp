@@ -83,7 +83,7 @@ std::string answer_on(int connection, const std::string& request) {
   return answer;
 }
 
-/// Returns the server's CPU time during a second in which these connections are silent. The last
+/// Checks the server's CPU time during a second in which these connections are silent. The last
 /// connection is answered after the first one has ended.
 void check_idle(const ServerProcess& server, int count) {
   std::vector<int> connections;

@@ -11,7 +11,7 @@ namespace transformesh::test {
 
 using Cell = std::array<int, 3>;
 
-/// Returns the boundary of unit cells. Each of their sides is a grid of n x n squares of two
+/// The boundary of unit cells. Each of their sides is a grid of n x n squares of two
 /// triangles.
 class CellSurface {
  public:

@@ -56,7 +56,7 @@ Mesh boundary_of(const std::vector<char>& filled) {
   return mesh;
 }
 
-/// Adds a vertex for each umbrella, as stitching does before edges are split.
+/// The boundary with a vertex for each umbrella, as stitching leaves it before edges are split.
 struct Parted {
   Mesh mesh;
   std::vector<Index> opposite;

@@ -36,7 +36,7 @@ struct Images {
   }
 };
 
-/// Returns the energy in doubles, window by window, by its definition. rho may be given.
+/// Computes the energy in doubles, window by window, by its definition. rho may be given.
 struct Direct {
   double energy = 0;
   double loss = 0;
