@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   program.options.flag("orient", &options.orient,
                        "turn faces so that neighbors agree; closed components then look outwards");
   program.options.flag("drop-copies", &options.drop_copies,
-                       "keep one of faces that lie upon each other and look the same way");
+                       "keep one of coincident faces with the same orientation");
   program.options.flag(
       "one-side", &options.one_side,
       "of a double-sided model: drop faces whose reverse is there, turn faces so that "
