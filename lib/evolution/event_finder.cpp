@@ -22,8 +22,8 @@ bool takes_part(const Event& event, long label) {
   return has(event.before) && !has(event.after);
 }
 
-/// True if a part separated. The curve along which it is cut off shrinks to a point, so that its
-/// size says nothing; these events report the free diameter instead.
+/// True if a part separated. The curve along which it is cut off shrinks to a point, so its size
+/// has no meaning. These events report the free diameter instead.
 bool separates(const Event& event) {
   return event.kind == EventKind::split || event.kind == EventKind::cavity_closed;
 }

@@ -110,7 +110,7 @@ WriteResult write_polygons(const Document& document) {
     WriteResult result = write_format(merged.document, &merged.outlines);
     if (merged.unmerged > 0)
       result.notes.push_back(counted(merged.unmerged, "polygon") +
-                             " written as triangles, as the outline is no single loop");
+                             " written as triangles, because the outline is not a single loop");
     return result;
   }
   Document triangles = document;

@@ -40,6 +40,7 @@ void append(Mesh& mesh, const Mesh& other) {
 // Vertices outside of the image count as outside of the mask: nothing is known about them.
 bool is_within_mask(const Mesh& mesh, const View& view) {
   constexpr double most_outside_px = 1;  // contours of masks of two intensities are as uncertain
+  // Must exceed `most_outside_px`; farther distances are not needed.
   constexpr float limit_px = 4;
   const GrayImage distances = signed_distance(view.silhouette.unpacked(), limit_px);
   const Projection projection = view.camera.projection();
@@ -66,8 +67,7 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
     document.mesh = clean(document.mesh, {.winding_level = 2, .outermost = true}, progress).mesh;
   } catch (const GoalError&) {
     throw GoalError(ErrorKind::outside_hull,
-                    "nothing of '" + name + "' is within the hull of the silhouettes",
-                    {.name = name});
+                    "'" + name + "' lies outside the hull of the silhouettes", {.name = name});
   }
   round_as_written(document);
 }
@@ -75,7 +75,7 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
 /// Returns the edge length of cells, enlarged until the box contains at most `most_cells`. The
 /// initial mesh is coarsened later anyway.
 double affordable(double edge, const Box& box) {
-  constexpr double most_cells = 1 << 26;
+  constexpr double most_cells = 1 << 26;  // chosen by hand, to limit memory
   const Vec3 size = box.max() - box.min();
   while (size.prod() > most_cells * edge * edge * edge) edge *= 1.25;
   return edge;
@@ -150,7 +150,7 @@ void outline(std::vector<View>& views, const Mesh& mesh) {
     view.silhouette = mesh_silhouette(mesh, view);
     if (is_packed) view.silhouette.pack();
     if (inside_share(view.silhouette) == 0)
-      throw InputError(view.name + ": nothing of the visual hull is in this view");
+      throw InputError(view.name + ": the visual hull is outside this view");
   }
 }
 

@@ -65,8 +65,7 @@ void find_first_scale(InitialState& initial_state, Photographs& photographs,
   const double scale = first_scale(scales, [&](double at) {
     return photographs.disagreement_at(initial_state.document.mesh, at, progress);
   });
-  if (options.on_detail)
-    options.on_detail("the start is to be refined from scale " + fixed(scale, 4));
+  if (options.on_detail) options.on_detail("the start is refined from scale " + fixed(scale, 4));
   set_first_scale(initial_state, scale, record);
 }
 
@@ -147,7 +146,7 @@ bool ReconstructionLoop::may_begin_finer() const {
 void ReconstructionLoop::begin_finer(Document& document, const Progress& progress) {
   if (options_.on_detail)
     options_.on_detail("scale " + fixed(sweep_.scale_step.scale, 4) +
-                       " is too coarse for this surface: beginning anew at the next");
+                       " is too coarse for this surface: restarting at the next");
   scale_step_ = ++first_;
   faults_.lost_at = 0;
   rule_.begin();
@@ -163,7 +162,7 @@ bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& prog
                     what + ": photographs, cameras and masks may not belong together");
   stiffness_ *= stiffer;
   if (options_.on_note)
-    options_.on_note(what + ": beginning anew, " + fixed(stiffness_, 0) + " times as stiff");
+    options_.on_note(what + ": restarting with " + fixed(stiffness_, 0) + " times the stiffness");
   scale_step_ = first_;
   faults_ = {};
   rule_.begin();

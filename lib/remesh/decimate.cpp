@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// The largest excess of faces, as a share of the wanted number, that is no failure.
+/// If the result has more faces than wanted by at most this share, decimation counts as successful.
 constexpr double tolerance = 0.01;
 
 void check(const Mesh& mesh, const DecimateOptions& options) {
@@ -33,7 +33,7 @@ void check(const Mesh& mesh, const DecimateOptions& options) {
 MergeFlatResult merge_flat_faces(Mesh& mesh, const DecimateOptions& options,
                                  const Progress& progress) {
   if (options.keep_border || options.keep_out.surface != nullptr) return {};
-  const EditableMesh is_manifold(mesh);  // throws if it is not
+  const EditableMesh is_manifold(mesh);  // throws if the mesh is not an oriented manifold
   Mesh merged = mesh;
   const MergeFlatResult result = merge_flat(merged, std::vector<char>(mesh.faces.size(), 1),
                                             flat_spacings, options.coordinate, progress);

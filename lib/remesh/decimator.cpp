@@ -29,8 +29,8 @@ constexpr double shortness = 3e-8;
 /// repeats refusals.
 constexpr std::size_t few_share = 200;
 
-/// The number of collapses refused as too long after which a stage ends: all collapses that follow
-/// cost more, so the next stage, which allows longer edges, should choose first.
+/// The number of collapses refused as too long after which a stage ends. All later collapses cost
+/// more, so the next stage, which allows longer edges, continues.
 std::size_t most_too_long(std::size_t faces) { return std::max<std::size_t>(10, faces / 50); }
 
 }  // namespace
@@ -107,8 +107,7 @@ std::vector<Decimator::Place> Decimator::places(Index source, Index target) cons
   return places;
 }
 
-/// Enqueues the collapse of the edge to the position of that rank, unless there are fewer
-/// positions.
+/// Enqueues the collapse of the edge to the position with that rank, if there is one.
 void Decimator::push(Index halfedge, std::size_t rank) {
   const Index source = mesh_.source(halfedge), target = mesh_.target(halfedge);
   const std::vector<Place> all = places(source, target);

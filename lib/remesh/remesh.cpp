@@ -33,8 +33,8 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_faces = 500e6;
-constexpr double largest_extent = 1e75;
+constexpr double most_faces = 500e6;     ///< chosen by hand, to limit memory
+constexpr double largest_extent = 1e75;  ///< squares of areas must stay below the largest double
 /// If edges are far too short, they are collapsed in stages. Each stage collapses edges shorter
 /// than this many times the typical length.
 constexpr double stage_growth = 1.6;
@@ -194,8 +194,7 @@ class Iteration {
   }
   void smooth(bool is_first) {
     const RemeshOptions& options = task_.options;
-    // Relaxation between collapses and flips is worth its time only for a mesh that is good
-    // already.
+    // Relaxation between collapses and flips pays off only if the mesh already has good triangles.
     if (options.smoothing == Smoothing::tangential && !is_first) relax();
     const bool twice = options.smoothing == Smoothing::bilaplace;
     if (options.smoothing != Smoothing::laplace && !twice) return;
@@ -210,8 +209,8 @@ class Iteration {
   EmbeddingGuard& guard_;
 };
 
-/// The least width of components that are kept: that of films if these are kept and it is smaller
-/// than the shortest edge, else the shortest edge.
+/// Returns the least width of components that are kept. It is the width of films if films are kept
+/// and it is smaller than the shortest edge; otherwise it is the shortest edge.
 double least_width(const Task& task) {
   const double film = task.options.min_film / sizes_of(task.mesh).largest;
   return film > 0 ? std::min(film, task.limits.shortest) : task.limits.shortest;

@@ -46,11 +46,12 @@ void check_options(const RemeshOptions& options) {
   if (!(std::isfinite(options.pinch) && options.pinch >= 0))
     throw UsageError("the length of loops to be pinched off must be a positive length");
   if (options.pinch > 0 && options.only_smooth)
-    throw UsageError("nothing but smoothing, and necks to be cut: do one after the other");
+    throw UsageError(
+        "smoothing alone and cutting of necks exclude each other: do one after the other");
   const double first = options.smooth_first;
   const double second = options.smooth_second;
   if (options.only_smooth && options.smoothing == Smoothing::none)
-    throw UsageError("nothing but smoothing, and no smoothing: nothing would be done");
+    throw UsageError("only smoothing is allowed, but smoothing is off: nothing would be done");
   if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
   if (!(options.feature_angle_deg >= 0 && options.feature_angle_deg <= 180)) {
     throw UsageError("the feature angle " + shortest_text(options.feature_angle_deg) +

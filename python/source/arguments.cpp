@@ -55,7 +55,7 @@ KeepOutOptions keep_out_of(const std::optional<MeshPointer>& surface,
   const KeepOutOptions options{&(*surface)->document.mesh, lengths(*gap)};
   if (!(options.gap > 0)) throw UsageError("gap must be above 0");
   if (options.surface->faces.empty())
-    throw InputError("keep_out has no faces: there is nothing to keep out of");
+    throw InputError("keep_out has no faces: there is nothing to keep away from");
   return options;
 }
 

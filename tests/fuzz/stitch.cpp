@@ -1,5 +1,5 @@
-// Stitching: whatever the triangles are, the result is an oriented manifold, with borders only
-// where faces are left over.
+// Stitching: for any triangles, the result is an oriented manifold. It has borders only at edges
+// that are not traversed equally often in both directions.
 #include "transformesh/stitch.h"
 
 #include "fuzz/tiny_mesh.h"
@@ -23,7 +23,7 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
     return;
   }
   const ManifoldReport report = check_manifold(mesh);
-  // Of a sheet with its reverse, which is closed, one side is left.
+  // A sheet with its reverse is closed; one side of it is left.
   const bool stays_closed = is_closed && options.tolerance == 0 && !options.one_side;
   const std::string problem = describe_problem(mesh, report, stays_closed);
   demand(problem.empty(), problem);

@@ -100,7 +100,7 @@ def test_joins_places(tmp_path):
             result = function(tm.read(path))
         assert same(result, *words, stdin=path.read_bytes())
         assert result.report["joined_vertices"] == len(corners) - len(ball.positions)
-    with pytest.raises(tm.InputError, match=r"; stitch\(\) joins them$") as refusal:
+    with pytest.raises(tm.InputError, match=r"; join them with stitch\(\)$") as refusal:
         tm.displace(soup, normal_speed=0.1)
     assert refusal.value.kind == "not_joined"
     assert refusal.value.data["counts"] == [len(corners)]
@@ -399,7 +399,7 @@ def test_handles(options, words, tmp_path):
     ],
 )
 def test_transform(options, words, tmp_path):
-    # With normals, velocities and a reference edge, which follow.
+    # Normals, velocities and a reference edge must follow the transformation.
     mesh = tm.remesh(tm.parse(shape("genus", 2, "--faces", 500)), min_edge="0.5x")
     for i, name in enumerate(["nx", "ny", "nz", "vx", "vy", "vz"]):
         mesh.vertex_columns[name] = np.sin(i + np.arange(len(mesh.positions)))
@@ -486,7 +486,7 @@ def test_refusals_are_exceptions_with_the_sentence_of_the_program(bodies):
         (tm.GoalError, "none of .* faces is selected", lambda: tm.select(mesh, box=[7] * 6)),
         (tm.InputError, "has no property 'size'", lambda: tm.select(mesh, where="size>1")),
         (tm.UsageError, "is no condition", lambda: tm.select(mesh, where="size")),
-        (tm.UsageError, "none of faces, area, volume", lambda: tm.split(mesh, by="weight")),
+        (tm.UsageError, "faces, area or volume", lambda: tm.split(mesh, by="weight")),
         (tm.UsageError, "3 numbers are needed, not 2", lambda: tm.select(mesh, around=(1, 2))),
         (tm.UsageError, "the matrix is singular", lambda: tm.transform(mesh, scale=0)),
         (tm.UsageError, "translate: numbers", lambda: tm.transform(mesh, translate="far")),

@@ -3,7 +3,7 @@ load ../helpers/common
 setup_file() {
   cd "$BATS_FILE_TMPDIR"
   tm-shape sphere --faces 1000 --center 1,0,0 --double -o ball.ply
-  # Turns about the axis of z; once per stage, and in one process for all stages.
+  # Rotates about the z axis. One command runs once per stage, the other stays alive for all stages.
   cat >turn.awk <<'AWK'
 BEGIN { OFMT = "%.17g" }
 /^element vertex/ { count = $3 }
@@ -36,13 +36,13 @@ setup() {
 
 value() { jq -r ".result.$1" "$2"; }
 
-# Exit code, and a part of the message.
+# Arguments: the exit code and a part of the message.
 assert_failure_with() {
   assert_status "$1"
   [[ $stderr == *"$2"* ]] || fail "$stderr"
 }
 
-# Distance of the center of the box from where the center of the ball has turned to.
+# Prints the distance between the center of the box and the rotated center of the ball.
 distance_from_turned() {
   read -r x0 y0 _ <<<"$(tm-info --get bbox_min "$1")"
   read -r x1 y1 _ <<<"$(tm-info --get bbox_max "$1")"
@@ -58,7 +58,8 @@ distance_from_turned() {
     [ "$(value iterations $integrator.json)" = 10 ]
     distance_from_turned $integrator.ply 1 >>distances
   done
-  # Ten steps: about 1/20, 1/600 and 1e-6, and the boxes of meshes that are turned.
+  # Errors after ten steps are about 1/20, 1/600 and 1e-6, plus the error of the center of the rotated
+  # mesh's box.
   awk 'NR == 1 { euler = $1 } NR == 2 { mid = $1 } END { exit !(euler > 0.03 && mid < 0.01 && $1 < 0.01) }' distances
 }
 
@@ -120,8 +121,8 @@ END
     --flow rotation --center 0,0,0
   tm-checkmanifold --closed --intersections turned.ply
   tm-compare --reference part.ply turned.ply >distances
-  # The limit is a twentieth of the longest edge: collapses may move the surface so far. Without
-  # --curved, the distance is 0.06.
+  # The limit is a twentieth of the longest edge, by which collapses may move the surface. Without --curved,
+  # the distance is 0.06.
   awk '/^hausdorff:/ { exit !($2 < 0.0085) }' distances
 }
 

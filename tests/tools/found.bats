@@ -1,5 +1,4 @@
-# Files on which tm-clean once failed. They are no part of the project, and these tests are skipped
-# without them.
+# Files on which tm-clean once failed. They are not part of the project; without them the tests are skipped.
 
 load ../helpers/common
 

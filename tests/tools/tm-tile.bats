@@ -15,7 +15,7 @@ clean_tiles() {
   done
 }
 
-# through_tiles MESH N [OPTION]...: the mesh in tiles, cleaned with these options and joined.
+# through_tiles MESH N [OPTION]...: splits the mesh, cleans the tiles with these options, and joins them.
 through_tiles() {
   rm -rf tiles
   tm-tile split "$1" --tiles "$2" -o tiles
@@ -23,7 +23,7 @@ through_tiles() {
   tm-tile join tiles -o joined.ply
 }
 
-# is_whole: joined.ply is whole.ply but for the order.
+# is_whole: checks that joined.ply equals whole.ply except for the order.
 is_whole() {
   cmp <(triangles joined.ply) <(triangles whole.ply) &&
     diff <(tm-info joined.ply | grep -E '^(vertices|faces|components|genus):') \
@@ -133,7 +133,7 @@ is_whole() {
 
 @test "a vertex that is no number is named" {
   tm-shape sphere --faces 500 -o in.ply
-  # The last coordinate of the last vertex: faces take 13 bytes each.
+  # Changes the last coordinate of the last vertex; faces take 13 bytes each.
   faces=$(tm-info --get faces in.ply)
   size=$(stat -c %s in.ply)
   { head -c $((size - 13 * faces - 8)) in.ply && printf '\0\0\0\0\0\0\370\177' && tail -c $((13 * faces)) in.ply; } >nan.ply
@@ -233,7 +233,7 @@ is_whole() {
   "$tm_root/scripts/experiments/tiles" in.ply out 4
   cp out/clean.ply joined.ply
   is_whole
-  # A tile that is clean is not cleaned again; one that is gone is.
+  # A clean tile is not cleaned again; a missing one is.
   rm out/clean.ply out/tiles/clean-2.ply out/tile-*.json
   "$tm_root/scripts/experiments/tiles" in.ply out 4
   [ "$(echo out/tile-*.json)" = out/tile-2.json ]
@@ -247,7 +247,7 @@ is_whole() {
   grep -q 'does not describe a tile' out/tile-1.log
 }
 
-# Stands for Slurm where that is not installed: runs the tasks of an array one after the other.
+# Replaces Slurm if it is not installed: runs the tasks of an array one after the other.
 @test "by sbatch, tiles are an array, and the job that joins depends on it" {
   mkdir bin
   cat >bin/sbatch <<'SBATCH'

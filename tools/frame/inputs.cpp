@@ -73,8 +73,7 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
     if (count > 0)
       messages_.note(
           Problem{ErrorKind::not_joined, name + ": " + counted(count, "border edge") +
-                                             " lie upon each other: the faces share no vertices "
-                                             "there"});
+                                             " coincide: the faces share no vertices there"});
   }
 }
 

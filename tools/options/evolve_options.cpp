@@ -18,7 +18,7 @@ UntilRule until_of(const std::string& text, Run& run) {
   if (text.starts_with("genus:")) rule.genus = number_in<long>(text.substr(6));
   if (rule.components || rule.genus) return rule;
   throw UsageError("--until: '" + text +
-                   "' is none of moved:LENGTH, stalled, components:N and genus:N");
+                   "' is unknown: write moved:LENGTH, stalled, components:N or genus:N");
 }
 
 void refuse(const Program& program, std::initializer_list<const char*> names,
@@ -85,10 +85,11 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
 
 void check_evolve(const EvolveChoices& choices, const Program& program) {
   if (!choices.is_in_time()) return check_step(choices, program);
-  refuse(program, {"step"}, " has no time: with --time, give --flow NAME or --velocity COMMAND");
+  refuse(program, {"step"},
+         " cannot be combined with --time: give --flow NAME or --velocity COMMAND instead");
   refuse(program, {"alpha"},
-         " would move vertices by different spans of time: with --time, --max-move limits the step "
-         "of all vertices");
+         " cannot be combined with --time, because it would move vertices by different spans of "
+         "time: limit the step of all vertices with --max-move");
   check_time(choices.time);
 }
 

@@ -131,7 +131,8 @@ WindowRadii windows_of(const std::string& text) {
 void refuse_standard_input(const ReconstructChoices& choices) {
   const auto refuse = [](const std::string& option, const std::string& place) {
     if (place == "-")
-      throw UsageError("--" + option + ": name a file: standard input is read once only");
+      throw UsageError("--" + option +
+                       ": name a file, because standard input can be read only once");
   };
   refuse("cameras", choices.sources.cameras);
   refuse("images", choices.sources.images);
@@ -142,7 +143,7 @@ void refuse_standard_input(const ReconstructChoices& choices) {
 
 void check_sequence(const ReconstructChoices& choices, const Run& run) {
   if (choices.is_colored || choices.color.has_texture)
-    throw UsageError("a --sequence is not colored: give each of its surfaces to tm-color");
+    throw UsageError("a --sequence cannot be colored: run tm-color on each of its surfaces");
   if (run.out().name() == "-")
     throw UsageError("--sequence needs -o FOLDER or --run FOLDER: where to write the surfaces");
   const auto check_place = [](const char* option, const std::string& place) {

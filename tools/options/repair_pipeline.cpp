@@ -73,9 +73,9 @@ std::string joined(const std::vector<std::string>& commands, const std::string& 
 void note_volume_loss(const RepairStep& step, double volume, const Run& run) {
   if (!(-step.volume_change > large_share * std::abs(volume))) return;
   const bool cleans = std::holds_alternative<CleanOptions>(step.operation);
-  run.note(command_of(step) + " takes away " +
+  run.note(command_of(step) + " removes " +
            significant(-100 * step.volume_change / std::abs(volume), 2) + " % of the volume" +
-           (cleans ? ", in which overlaps counted once for each part" : "") + ", around " +
+           (cleans ? ", which counted overlaps once for each part" : "") + ", around " +
            rough_point_text(step.lost_share > 0 ? step.lost_place : step.place));
 }
 

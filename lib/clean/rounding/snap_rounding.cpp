@@ -125,7 +125,7 @@ void SnapRounder::give_up() const {
 
 void SnapRounder::throw_nothing_left() {
   throw GoalError(ErrorKind::thinner_than_rounding,
-                  "the faces enclose nothing that is thicker than rounding moves it");
+                  "everything that the faces enclose is thinner than the rounding error");
 }
 
 // Removes collapsed faces until none is left. Faces without area at a singular edge may result from

@@ -152,7 +152,8 @@ void FaceRows::add_notes(const Cuts& cuts, std::size_t faces, const std::string&
                     " cut into " + counted(faces - triangles_.size(), "triangle"));
   if (folded > 0)
     notes.push_back(format + ": " + counted(folded, "polygon") +
-                    " cut with folds, as the outline intersects itself; the first is face " +
+                    " cut into triangles that fold over, because the outline intersects itself; "
+                    "the first is face " +
                     std::to_string(first_folded));
   if (empty > 0)
     notes.push_back(format + ": " + counted(empty, "polygon") +

@@ -120,6 +120,7 @@ class ObjWriter {
   void add_corner_texture(const Column& lists) {
     using Bits = std::pair<std::uint64_t, std::uint64_t>;
     const auto hash = [](const Bits& bits) {
+      // 2^64 divided by the golden ratio, which spreads the bits of a hash.
       constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
       return (bits.first * odd ^ bits.second) * odd >> 16U;
     };

@@ -49,7 +49,7 @@ Vec3 sum_of(const std::vector<Vec3>& vectors) {
 }
 
 double longest_edge_of(const EditableMesh& mesh) {
-  constexpr std::size_t per_chunk = 2048;
+  constexpr std::size_t per_chunk = 2048;  // affects time only
   std::vector<double> longest((mesh.face_slots() + per_chunk - 1) / per_chunk, 0);
   parallel_for(longest.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t part = from; part < to; ++part) {
@@ -146,7 +146,7 @@ bool EmbeddingGuard::is_certified(const Patch& patch) {
   return lies_within(cells_.cell_size() - corner_reach * longest_edge_, patch);
 }
 
-/// Whether the ball of that radius around the old center contains the old and the new patch.
+/// True if the ball of that radius around the old center contains the old and the new patch.
 bool EmbeddingGuard::lies_within(double radius, const Patch& patch) const {
   const double limit = radius * radius;
   const Vec3& center = mesh_.position(patch.center);
@@ -165,7 +165,7 @@ Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
   return slab;
 }
 
-/// Whether the direction sees all near faces that meet the slab of the patch, and these belong to
+/// True if the direction sees all near faces that meet the slab of the patch, and these belong to
 /// the component of the patch.
 bool EmbeddingGuard::is_seen_in_slab(const Patch& patch, const Vec3& direction) const {
   const Index component = cells_[patch.center].component;
@@ -213,7 +213,8 @@ void EmbeddingGuard::enclose(const Patch& patch) {
   high_corner_ = high_ + reach;
 }
 
-/// Among the directions of normal_cone.h that see both patches, the one nearest to the mean normal.
+/// Returns the direction of normal_cone.h that is nearest to the mean normal among those in front
+/// of both patches.
 std::optional<Direction> EmbeddingGuard::direction_of(const Patch& patch) const {
   NormalCone cone = cells_[patch.center].component == no_index ? 0 : cone_;
   for (const Index vertex : patch.vertices) cone &= cells_[vertex].cone;
@@ -221,8 +222,8 @@ std::optional<Direction> EmbeddingGuard::direction_of(const Patch& patch) const 
   return nearest_direction(cone, sum_of(patch.normals));
 }
 
-/// The certificate of is_height_field() for direction_of(). Cells and vertices whose cones contain
-/// the direction are skipped without a test of their faces.
+/// Tests the certificate of is_height_field() for direction_of(). Cells and vertices whose cones
+/// contain the direction are skipped without a test of their faces.
 bool EmbeddingGuard::is_seen_around(const Patch& patch) {
   const std::optional<Direction> direction = direction_of(patch);
   if (!direction) return false;
@@ -248,8 +249,8 @@ bool EmbeddingGuard::is_seen_around(const Patch& patch) {
   return result;
 }
 
-/// Whether the slab's direction sees all faces at the vertex that meet both the slab and the box,
-/// and the vertex belongs to the component if there are such faces.
+/// True if the slab's direction is in front of all faces at the vertex that meet both the slab and
+/// the box. If there are such faces, the vertex must belong to the component.
 bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& slab) const {
   const bool is_mine = cells_[vertex].component == component;
   bool result = true;
@@ -296,7 +297,7 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
   });
 }
 
-/// Whether the vertex may be the nearest corner of a face that meets the box.
+/// True if the vertex may be the nearest corner of a face that meets the box.
 bool EmbeddingGuard::is_around(Index vertex) const {
   const Vec3& position = mesh_.position(vertex);
   const double longest = std::sqrt(static_cast<double>(cells_[vertex].longest_squared));

@@ -98,7 +98,7 @@ bool ExactGuard::for_each_near(const Triangle& triangle,
                                 [&](Index root) { return visit_below(root, box, visit); });
 }
 
-/// Whether each remaining face that the triangle meets was met by one of the replaced faces before.
+/// True if each remaining face that the triangle meets also met one of the replaced faces.
 bool ExactGuard::keeps_apart(const Triangle& triangle, std::span<const Index> replaced) const {
   return for_each_near(triangle, [&](Index face) {
     if (std::find(replaced.begin(), replaced.end(), face) != replaced.end()) return true;

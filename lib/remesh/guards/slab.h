@@ -20,7 +20,7 @@ class Slab {
       high_ = std::max(high_, direction_.dot(corner));
     }
   }
-  /// Whether the triangle meets the slab; distances within rounding error count as contact.
+  /// True if the triangle meets the slab; distances within rounding error count as contact.
   bool meets(const Triangle& triangle) const {
     const double a = direction_.dot(triangle[0]);
     const double b = direction_.dot(triangle[1]);

@@ -73,7 +73,7 @@ Mesh check_neck(ShapeOptions shape, double time, const char* kind) {
   return mesh;
 }
 
-/// Marks the vertices from `first` on.
+/// Marks all vertices from `first` on.
 void mask_from(Mesh& mesh, std::size_t first) {
   Column& mask = mesh.vertex_columns.get("mask", Scalar::float64, mesh.positions.size());
   for (std::size_t v = first; v < mesh.positions.size(); ++v) mask.values[v] = 1;
@@ -83,7 +83,7 @@ double mask_of(const Mesh& mesh, std::size_t v) {
   return mesh.vertex_columns.find("mask")->values[v];
 }
 
-/// Vertices move by a function of their number and position.
+/// Moves vertices by a function of their number and position.
 VectorField moving(const std::function<Vec3(const Mesh& mesh, std::size_t vertex)>& velocity) {
   return [velocity](const Mesh& mesh, const Moment&, const Progress&) {
     std::vector<Vec3> velocities;
@@ -281,7 +281,7 @@ TEST_CASE("two trays that meet close a cavity once, which is kept or filled") {
 
 namespace {
 
-/// In a row, with gaps of 0.2 and 0.3; the mask is the number of the ball.
+/// Balls in a row with gaps of 0.2 and 0.3; the mask is the number of the ball.
 Mesh three_balls() {
   const Mesh ball = test::icosphere(2);
   Mesh mesh = test::joined(ball, test::moved(ball, {2.2, 0, 0}));

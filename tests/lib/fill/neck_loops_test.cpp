@@ -1,4 +1,4 @@
-/// Loops around necks, against the circumferences of surfaces of revolution.
+/// Loops around necks, compared with the circumferences of surfaces of revolution.
 #include "fill/neck_loops.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@
 namespace transformesh::test {
 namespace {
 
-/// A closed surface around the z axis with this radius at heights from 0 to `height`.
+/// A closed surface around the z axis with the radius `radius(z)` at heights from 0 to `height`.
 Mesh revolved(const std::function<double(double)>& radius, double height, Index rings) {
   constexpr Index around = 16;
   Mesh mesh;
@@ -52,7 +52,7 @@ std::vector<NeckLoop> necks_of(const Mesh& mesh, double length) {
   return loops;
 }
 
-/// The circumference of the polygon that a ring of the mesh is.
+/// Returns the circumference of a ring of the mesh, which is a polygon.
 double around(double radius) { return 32 * radius * std::sin(std::numbers::pi / 16); }
 
 }  // namespace

@@ -1,5 +1,5 @@
-/// Decimated shapes against what they are: counts, closed forms of volume and distance, and no
-/// crossing.
+/// Decimated shapes, compared with the originals: counts, closed forms of volume and distance, and
+/// no self-intersection.
 #include "remesh/decimator.h"
 
 #include <doctest/doctest.h>
@@ -31,7 +31,7 @@ Mesh decimated(Mesh mesh, std::size_t faces, DecimateOptions options = {}) {
   return mesh;
 }
 
-/// A cube whose faces are grids of squares, each cut in two.
+/// A cube whose sides are grids of squares, each split in two.
 Mesh fine_cube(int steps) {
   Mesh mesh;
   std::map<std::array<int, 3>, Index> numbers;
@@ -70,7 +70,7 @@ TEST_CASE("a sphere keeps its shape with few faces") {
   for (const std::size_t faces : {5000, 1000, 200, 40}) {
     CAPTURE(faces);
     const Mesh mesh = decimated(ball, faces);
-    // A ball of that volume, less the caps over triangles of equal areas: about 1 - 7.3 / n.
+    // Caps over triangles of equal areas are lost: a share of about 7.3 / n of the volume.
     const double lost = 1 - volume(mesh) / (4.0 / 3 * std::numbers::pi);
     CHECK(lost > -1e-3);
     CHECK(lost < 11.0 / static_cast<double>(faces));
@@ -87,7 +87,7 @@ TEST_CASE("flat parts are decimated first: a fine cube becomes twelve triangles"
 }
 
 TEST_CASE("flat sides stay flat at every number of faces, and no vertex leaves the cube") {
-  // Two squares a side: a corner that was merged with the middle of an edge left the cube.
+  // Two squares per side: merging a corner with the middle of an edge would leave the cube.
   for (const auto& [steps, faces] : {std::pair(2, 44), {2, 20}, {12, 1000}, {12, 100}, {12, 30}}) {
     CAPTURE(steps);
     CAPTURE(faces);
@@ -99,7 +99,7 @@ TEST_CASE("flat sides stay flat at every number of faces, and no vertex leaves t
 }
 
 TEST_CASE("the ends of a rod with long edges keep their shape") {
-  // A rod 40 times as long as it is wide, with 32 sides, in 80 slices: the sides are flat along it.
+  // A rod 40 times as long as wide, with 32 flat sides in 80 slices.
   constexpr int around = 32, slices = 80;
   Mesh rod;
   for (int slice = 0; slice <= slices; ++slice)
@@ -117,7 +117,7 @@ TEST_CASE("the ends of a rod with long edges keep their shape") {
     rod.faces.push_back({at(0, 0), at(0, i + 1), at(0, i)});
     rod.faces.push_back({at(slices, 0), at(slices, i), at(slices, i + 1)});
   }
-  // Two triangles for each of the sides, and two ends of 30.
+  // Two triangles for each of the sides, and 30 for each of the two ends.
   const Mesh mesh = decimated(rod, 124);
   CHECK(volume(mesh) == doctest::Approx(volume(rod)).epsilon(1e-9));
 }

@@ -30,7 +30,7 @@ struct Answer {
   bool coplanar_overlap;
 };
 
-// Meeting in a shared corner or along a shared edge is no intersection.
+// A shared corner or edge alone is not an intersection.
 Answer by_cgal(const WeldedMesh& welded, Index f, Index g) {
   const int shared = count_shared(welded.faces[f], welded.faces[g]);
   const auto result =

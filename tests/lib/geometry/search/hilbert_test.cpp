@@ -43,7 +43,7 @@ TEST_CASE("the curve passes every cell once and never jumps") {
 }
 
 TEST_CASE("boxes come in the order of their centers along the curve") {
-  // Centers on the corners and the middle of the cells' range keep their exact cell.
+  // Centers at the corners and in the middle of the range of cells have exact cells.
   constexpr float last = (1U << hilbert_bits) - 1;
   test::Random random(2);
   std::vector<FloatBox> boxes{box_at(0, 0, 0), box_at(last, last, last)};

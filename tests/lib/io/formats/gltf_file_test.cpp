@@ -72,7 +72,7 @@ TEST_CASE("gltf: missing buffers are refused") {
   json["bufferViews"][1]["byteOffset"] = 49;
   CHECK(contains(read_error(json.dump()), "bufferView 1 reaches beyond its buffer of 72 bytes"));
   json["bufferViews"][1]["byteOffset"] = -1;
-  CHECK(contains(read_error(json.dump()), "byteOffset of bufferView 1 is no whole number"));
+  CHECK(contains(read_error(json.dump()), "byteOffset of bufferView 1 is not a whole number"));
   json = gltf_tetrahedron();
   json["buffers"][0]["uri"] = "data:;base64,@@";
   CHECK(contains(read_error(json.dump()), "no base64"));
@@ -81,7 +81,8 @@ TEST_CASE("gltf: missing buffers are refused") {
   json = gltf_tetrahedron();
   json["meshes"][0]["primitives"][0]["indices"] = 7;
   CHECK(contains(read_error(json.dump()), "element 7 of accessors is used, but there are 2"));
-  CHECK(contains(read_error("{\"asset\": {\"version\": \"1.0\"}}"), "version '1.0' is not read"));
+  CHECK(contains(read_error("{\"asset\": {\"version\": \"1.0\"}}"),
+                 "version '1.0' is not supported"));
 }
 
 TEST_CASE("gltf: files beside the file, and none elsewhere") {
@@ -99,7 +100,7 @@ TEST_CASE("gltf: files beside the file, and none elsewhere") {
     return read_error(json.dump(), "input", {.folder = where});
   };
   CHECK(error_of("a%20b.bin", folder) == "read");
-  CHECK(contains(error_of("a%20b.bin", ""), "given by its name"));
+  CHECK(contains(error_of("a%20b.bin", ""), "given by its file name"));
   CHECK(contains(error_of("none.bin", folder), "'none.bin' is not there"));
   for (const std::string& uri : {std::string("../secret.bin"), std::string("link.bin"),
                                  outside / "secret.bin", std::string("http://host/a.bin")})

@@ -1,4 +1,4 @@
-/// Rows of PLY files, against the reader of whole files.
+/// Rows of PLY files, compared with the reader of whole files.
 #include "io/formats/ply_rows.h"
 
 #include <doctest/doctest.h>

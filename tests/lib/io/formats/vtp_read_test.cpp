@@ -109,7 +109,7 @@ TEST_CASE("vtp: what is wrong is named") {
   };
   CHECK(
       contains(error_with(array("Float32", "p", 3, "0 0 x")), "number 2 of the array 'p' is 'x'"));
-  CHECK(contains(error_with(array("Float32", "p", 3, "0 0")), "no multiple of 3"));
+  CHECK(contains(error_with(array("Float32", "p", 3, "0 0")), "not a multiple of 3"));
   CHECK(contains(error_with(array("String", "p", 3, "")), "the type 'String'"));
   CHECK(contains(error_with(array("Float32", "p", 3, "", "hex")), "the unknown format 'hex'"));
   CHECK(contains(error_with(array("Float32", "p", 3, "?", "binary")), "no base64"));

@@ -1,4 +1,4 @@
-/// Polygons that were cut into triangles and merged again, against the corners that were read.
+/// Polygons that were triangulated and merged again, compared with the corners that were read.
 #include "io/polygons/merge_polygons.h"
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ std::string off_without_comments(Document document) {
   return write_mesh(document).bytes;
 }
 
-/// A house of a triangle, a square, a concave hexagon and a pentagon.
+/// A house with a triangle, a square, a concave hexagon and a pentagon.
 const std::string house =
     "OFF\n12 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 2 0\n3 0 0\n4 0 0\n4 2 0\n3.5 0.5 0\n3 2 0\n"
     "2 1 0\n2.5 0 0\n"
@@ -51,7 +51,7 @@ TEST_CASE("dropped faces are removed from their polygon") {
 }
 
 TEST_CASE("a polygon around a hole has no outline, and stays in triangles") {
-  // A bridge runs to the hole and back: its two sides cancel out.
+  // A bridge leads to the hole and back; its two sides cancel out.
   const Document document = read_off(
       "OFF\n8 1 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n1 2 0\n2 2 0\n2 1 0\n"
       "10 0 1 2 3 0 4 5 6 7 4\n");

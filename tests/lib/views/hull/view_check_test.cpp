@@ -24,7 +24,7 @@ constexpr Frame frame{128, 96, 300};
 
 std::string name_of(std::size_t i) { return std::string(1, 'v').append(std::to_string(i)); }
 
-/// Three balls, so that no two views are alike, from eyes that are not evenly apart.
+/// Three balls, so that no two views are alike, seen from unevenly spaced eyes.
 std::vector<View> right_views() {
   std::vector<View> views;
   for (int i = 0; i < 10; ++i) {
@@ -65,7 +65,7 @@ void invert(View& view) {
   test::change_intensities(view.silhouette, [](float intensity) { return 255 - intensity; });
 }
 
-/// The object somewhere else in the picture.
+/// The object is at another place in the picture.
 void move(View& view) {
   const GrayImage before = view.silhouette;
   for (int y = 0; y < before.height; ++y)
