@@ -1,5 +1,5 @@
-/// Floating-point numbers from text, for versions of libc++ whose std::from_chars reads integers only.
-/// fast_float reads as libstdc++ does, which contains it.
+/// Floating-point numbers from text, for versions of libc++ whose std::from_chars reads integers
+/// only. fast_float reads as libstdc++ does, which contains it.
 #include <fast_float/fast_float.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
-/// Adds the parts of C++20 that the sources use and that some versions of libc++ lack. It is included
-/// before every source of the WebAssembly build (libc++ 13) and of native builds with libc++.
+/// Adds the parts of C++20 that the sources use and that some versions of libc++ lack. It is
+/// included before every source of the WebAssembly build (libc++ 13) and of native builds with
+/// libc++.
 #pragma once
 
 #include <algorithm>

@@ -93,7 +93,7 @@ box = cube(2, (0, 0, 0))
 tools.offset(distance=0.5, keep_corners=True)
 is_near(volume(box), 27)
 
-# What cannot be done is said, and changes nothing.
+# Refusals are errors with a message, and the mesh stays.
 sheet = cube(2, (0, 0, 0))
 first, second = cube(2, (0, 0, 0)), cube(2, (1, 1, 1))
 first.data.flip_normals()
