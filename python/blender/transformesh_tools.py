@@ -4,8 +4,8 @@ Install this file by Edit > Preferences > Add-ons > Install. The programs are th
 add-on's preferences, or those in PATH. The commands are in Object > TransforMesh and in the search.
 
 The result replaces the mesh of the active object. Coordinates are floats, as Blender stores them, and the
-result of Clean and Boolean has no self-intersection in these. Faces keep their materials if the program
-keeps faces or cuts them; UV maps, colors and shape keys are lost. Modifiers are not applied.
+result of Clean and Boolean has no self-intersection in these. Faces keep their materials. UV maps, colors
+and shape keys are lost, and modifiers are not applied.
 """
 
 import os
