@@ -73,4 +73,9 @@ row() {
   TM_BUILD=$PWD/fake run --separate-stderr thingi --seconds 1
   assert_status 0
   [ "${lines[0]}" = "1 unfinished" ]
+  [ "$(row "of a user/it's.STL" message)" = "not finished within 1 s" ]
+  fake_clean 'echo "no library" >&2; exit 127'
+  TM_BUILD=$PWD/fake run --separate-stderr thingi
+  [ "$status" -ne 0 ] && [[ $stderr == *"no library"* ]]
+  [ -z "$(find out/rows -type f)" ]
 }
