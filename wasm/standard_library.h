@@ -168,6 +168,18 @@ template <class Range>
 auto max(Range&& range) {
   return *std::max_element(std::begin(range), std::end(range));
 }
+template <class Range, class Out, class Function>
+void transform(Range&& range, Out out, Function function) {
+  std::transform(std::begin(range), std::end(range), out, function);
+}
+template <class Range, class Test, class T>
+void replace_if(Range&& range, Test test, const T& value) {
+  std::replace_if(std::begin(range), std::end(range), test, value);
+}
+template <class Range, class Other, class Out>
+void set_difference(Range&& range, Other&& other, Out out) {
+  std::set_difference(std::begin(range), std::end(range), std::begin(other), std::end(other), out);
+}
 template <class Range, class Other>
 bool equal(Range&& range, Other&& other) {
   return std::equal(std::begin(range), std::end(range), std::begin(other), std::end(other));
