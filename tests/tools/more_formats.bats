@@ -94,6 +94,27 @@ foreign_files() {
   done
 }
 
+@test "meshio reads what is written, and its files are read, in every pair; its VTK is read" {
+  /usr/bin/python3 -c 'import meshio' 2>/dev/null || skip "python3-meshio is not installed"
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape torus --faces 300 | tm-convert --float -o original.ply
+  expected=$(bare original.ply)
+  for format in ply off obj stl; do convert original.ply "first.$format"; done
+  /usr/bin/python3 - <<'PYTHON'
+import meshio
+
+for first in ("ply", "off", "obj", "stl"):
+    mesh = meshio.read("first." + first)
+    assert mesh.cells_dict["triangle"].shape == (304, 3), mesh
+    for second in ("ply", "off", "obj", "stl", "vtk"):
+        meshio.write("%s-second.%s" % (first, second), mesh)
+    for second in ("ply", "stl", "vtk"):
+        meshio.write("%s-text.%s" % (first, second), mesh, binary=False)
+PYTHON
+  for file in *-second.* *-text.*; do [ "$(bare "$file")" = "$expected" ] || fail "$file"; done
+  [ "$(find . -name '*-*.*' | wc -l)" -eq 32 ]
+}
+
 @test "glTF with a buffer of its own: by its name, not through a pipe, and not from elsewhere" {
   needs_command assimp
   cd "$BATS_TEST_TMPDIR"

@@ -186,7 +186,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   initial.opens_hollows = choices.hollows == "auto";
   if (choices.silhouettes_show == "least") initial.meaning = SilhouetteMeaning::least;
   if (!choices.threshold.empty())
-    initial.threshold = {.intensity = threshold_intensity(choices.threshold)};
+    initial.threshold = ThresholdOptions{.intensity = threshold_intensity(choices.threshold)};
   initial.keep = hull_share(choices.keep);
   initial.least_agreement = choices.check.least_agreement;
   options.scales.coarsest = number_or_auto("coarsest", choices.coarsest, 1);
