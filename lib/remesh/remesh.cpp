@@ -343,7 +343,9 @@ RemeshResult remesh_parts(Mesh& mesh, const RemeshOptions& given, const Progress
   const EdgeLimits limits = set_sizes(editable, mesh, options);
   const bool has_degenerate = survey_faces(editable, limits.longest);
   std::optional<ClosestPointQuery> surface;
-  if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
+  // Only vertices that are smoothed are projected.
+  const bool projects = options.project || options.adaptive_error > 0;
+  if (projects && options.smoothing != Smoothing::none) surface.emplace(mesh);
 
   RemeshResult result;
   result.feature_angle_deg = options.feature_angle_deg;

@@ -124,8 +124,8 @@ class CleanAndRemesh {
   /// without cuts their number doubles from step to step.
   double pinch_length() const {
     const RemeshOptions& remeshing = options_.remesh;
-    const bool has_threads = remeshing.curved && cleaned_.changed && remeshing.size_column.empty() &&
-                             remeshing.keep_out.surface == nullptr;
+    const bool has_threads = remeshing.curved && cleaned_.changed &&
+                             remeshing.size_column.empty() && remeshing.keep_out.surface == nullptr;
     if (!has_threads || !check_manifold(document_.mesh).is_closed()) return remeshing.pinch;
     return std::max(remeshing.pinch, remesh_options(document_, options_).min_edge);
   }

@@ -58,9 +58,8 @@ TEST_CASE("a thin component with a border stays") {
 
 TEST_CASE("the rest of the mesh keeps its order, and its thin spikes") {
   const Mesh needle = box({0.01, 0.01, 3});
-  const Mesh mesh =
-      test::joined(test::moved(needle, {5, 0, 0}),
-                   test::joined(box({2, 2, 0.1}), test::moved(needle, {0, 5, 0})));
+  const Mesh mesh = test::joined(test::moved(needle, {5, 0, 0}),
+                                 test::joined(box({2, 2, 0.1}), test::moved(needle, {0, 5, 0})));
   EditableMesh editable(mesh);
   CHECK(remove_thin_components(editable, 1).count == 2);
   const Mesh left = editable.to_mesh();
