@@ -39,6 +39,28 @@ bool is_brief(const Event& event, const std::set<long>& labels) {
   return event.kind == EventKind::split && !labels.contains(event.after.back().label);
 }
 
+bool have_common(const std::vector<LabeledVolume>& some, const std::vector<LabeledVolume>& others) {
+  return std::ranges::any_of(some, [&](const LabeledVolume& one) {
+    return std::ranges::find(others, one.label, &LabeledVolume::label) != others.end();
+  });
+}
+
+/// Drops pairs of handles of the same component that cleaning opened and pinching closed.
+void cancel_handles(std::vector<Event>& events) {
+  std::vector<Event> kept;
+  for (Event& event : events) {
+    const auto opened = std::ranges::find_if(kept, [&](const Event& earlier) {
+      return event.kind == EventKind::handle_closed && earlier.kind == EventKind::handle_opened &&
+             have_common(earlier.after, event.before);
+    });
+    if (opened == kept.end())
+      kept.push_back(std::move(event));
+    else
+      kept.erase(opened);
+  }
+  events = std::move(kept);
+}
+
 }  // namespace
 
 void EventFinder::start(Mesh& mesh) {
@@ -78,8 +100,10 @@ void EventFinder::see(const Mesh& moved, Mesh& cleaned) {
       if (separates(event)) event.size = free_diameter(before_, event.place);
       found_.push_back(std::move(event));
     }
-    write_labels(cleaned, components, states);
+    cancel_handles(found_);
   }
+  // New faces have no label, also if a cut was closed again and the topology stayed.
+  write_labels(cleaned, components, states);
   now_ = by_label(std::move(states));
 }
 

@@ -190,7 +190,7 @@ TABLE
   assert_status 0
   [ "$(cut -d, -f1,3 packing/table.csv | paste -s -d ' ')" = "contact,balls gap:0.2x,20 gap:0.05x,20 stop,20" ]
   # The twenty spheres fill 0.084 at the beginning.
-  awk -F, 'NR > 1 { if ($4 < last + 0.01 || $4 >= 1) exit 1; last = $4 } END { exit last < 0.6 }' packing/table.csv
+  awk -F, 'NR > 1 { if ($4 < last + 0.01 || $4 >= 1) exit 1; last = $4 } END { exit last < 0.5 }' packing/table.csv
 }
 
 @test "a figure is followed through a movie while its arms join, pass through and separate" {
