@@ -25,6 +25,7 @@
 #include "remesh/remesh_connected.h"
 #include "remesh/sizing.h"
 #include "remesh/small_components.h"
+#include "remesh/thin_components.h"
 #include "support/counted.h"
 #include "support/empty_result_error.h"
 #include "support/number.h"
@@ -216,15 +217,19 @@ double least_width(const Task& task) {
   return film > 0 ? std::min(film, task.limits.shortest) : task.limits.shortest;
 }
 
-void remove_small(const Task& task) {
-  if (task.options.only_smooth) return;
-  const RemeshResult::RemovedComponents removed =
-      remove_small_components(task.mesh, least_width(task), task.options.keep_border);
-  RemeshResult::RemovedComponents& all = task.result.components_removed;
+void count_removed(const RemeshResult::RemovedComponents& removed, RemeshResult& result) {
+  RemeshResult::RemovedComponents& all = result.components_removed;
   all.count += removed.count;
   all.faces += removed.faces;
   all.area += removed.area;
   all.volume += removed.volume;
+}
+
+void remove_small(const Task& task) {
+  if (task.options.only_smooth) return;
+  const double width = least_width(task);
+  count_removed(remove_small_components(task.mesh, width, task.options.keep_border), task.result);
+  if (task.options.curved) count_removed(remove_thin_components(task.mesh, width), task.result);
 }
 
 /// Statistics of the lengths of all edges, relative to the local size.
@@ -337,7 +342,9 @@ RemeshResult remesh_parts(Mesh& mesh, const RemeshOptions& given, const Progress
   const EdgeLimits limits = set_sizes(editable, mesh, options);
   const bool has_degenerate = survey_faces(editable, limits.longest);
   std::optional<ClosestPointQuery> surface;
-  if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
+  // Only vertices that are smoothed are projected.
+  const bool projects = options.project || options.adaptive_error > 0;
+  if (projects && options.smoothing != Smoothing::none) surface.emplace(mesh);
 
   RemeshResult result;
   result.feature_angle_deg = options.feature_angle_deg;

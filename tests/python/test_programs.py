@@ -1,5 +1,6 @@
 """Functions make what the programs make, byte for byte, and take no longer."""
 
+import csv
 import json
 import os
 import subprocess
@@ -615,6 +616,46 @@ while line := source.readline():
     words = [*words, "--time", 0.3, "--persistent", "--velocity", f"{sys.executable} {script}"]
     assert same(result, "tm-evolve", *words, stdin=ball)
     assert result.report["time"] == 0.3
+
+
+def test_events_of_evolve_in_time(tmp_path):
+    right = tm.transform(tm.shape("sphere", faces=500, radius=0.4), translate=(1, 0, 0))
+    left = tm.Mesh(right.positions * [-1, 1, 1], right.faces[:, ::-1])
+    # Mirror images at unit speed meet when their nearest vertices reach the plane between them.
+    meeting = right.positions[:, 0].min()
+    both = tm.cat(left, right)
+
+    def inwards(mesh, time):
+        return -np.sign(mesh.positions) * [1, 0, 0]
+
+    result = tm.evolve_in_time(both, inwards, 0.7, event_tolerance=1e-3, events=True)
+    (event,) = result.report["events"]
+    assert event["kind"] == "merge"
+    assert meeting <= event["time"] <= meeting + 1e-3
+    assert np.allclose(event["place"], 0, atol=0.05) and event["size"] < 0.1
+    volume = tm.info(right)["volume"]
+    assert event["before"] == pytest.approx({1: volume, 2: volume}, rel=1e-3)
+    assert list(event["after"]) == [1]
+    assert event["after"][1] == pytest.approx(2 * volume, rel=1e-3)
+    assert set(result.face_columns["component_label"]) == {1}
+
+    script = tmp_path / "inwards.py"
+    script.write_text(
+        "import sys, transformesh as tm\n"
+        "mesh = tm.parse(sys.stdin.buffer.read())\n"
+        "for axis, name in enumerate(['vx', 'vy', 'vz']):\n"
+        "    column = mesh.positions[:, axis]\n"
+        "    mesh.vertex_columns[name] = -((column > 0) * 1.0 - (column < 0)) * (axis == 0)\n"
+        "sys.stdout.buffer.write(mesh.to_bytes())\n"
+    )
+    words = ["--velocity", f"{sys.executable} {script}", "--events", tmp_path / "events.csv"]
+    words += ["--time", 0.7, "--event-tolerance", 1e-3]
+    assert same(result, "tm-evolve", *words, stdin=both.to_bytes())
+    (row,) = csv.DictReader((tmp_path / "events.csv").open())
+    assert float(row["time"]) == pytest.approx(event["time"], rel=1e-9)
+    assert [float(row[axis]) for axis in "xyz"] == pytest.approx(event["place"], rel=1e-8, abs=1e-9)
+    assert row["labels_before"] == "1 2" and row["labels_after"] == "1"
+    assert "events" not in tm.evolve_in_time(right, inwards, 0.1).report
 
 
 def test_compare_info_and_certify(crossing, tmp_path):

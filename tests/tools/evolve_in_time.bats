@@ -156,6 +156,9 @@ END
   refused '--time-step auto needs --time T' --step cat --time-step auto
   refused "--time-step: 'x' is not a number" --time 1 --velocity cat --time-step x
   refused 'span > 0' --time 1 --velocity cat --time-step 0
+  refused 'name their face property with --bodies' --time 1 --velocity cat --contact stop
+  refused 'neither gap:LENGTH nor stop' --time 1 --velocity cat --bodies body --contact near
+  refused 'the error must be above 0' --time 1 --velocity cat --adaptive 0
   refused 'use midpoint or rk4 with a tolerance' --time 1 --velocity cat --integrator euler --tolerance 1
 }
 
@@ -165,4 +168,46 @@ END
   [[ $stderr == *"mean edges in a step; a smaller --time-step, or auto,"* ]]
   run --separate-stderr tm-evolve "$ball" -o out.ply --time 1 --velocity "$once"
   [[ $stderr != *"mean edges in a step"* ]]
+}
+
+@test "cubes that move towards each other come to rest at each other, or keep the gap" {
+  for place in 0 1.3; do tm-shape box 1 1 1 --double --faces 200 --center "$place,0,0" -o "at$place.ply"; done
+  tm-cat --format ply-ascii at0.ply at1.3.ply |
+    awk -v half="$(tm-info --get vertices at0.ply)" -v faces="$(tm-info --get faces at0.ply)" '
+      /^element face/ { print "property double vx\nproperty double vy\nproperty double vz" }
+      /^end_header/ { print "property uchar body"; is_body = 1; print; next }
+      !is_body { print; next }
+      row++ < 2 * half { print $0, (row > half ? -1 : 1), 0, 0; next }
+      { print $0, (row - 2 * half > faces) }' >start.ply
+  # distance CONTACT: of the planes that face each other, which would overlap by 0.5 without contact.
+  distance() {
+    tm-evolve -q --curved --bodies body --contact "$1" --reference-edge 0.3 --velocity cat --time 0.4 --time-step 0.01 -o end.ply start.ply
+    tm-intersect --check end.ply >pairs
+    tm-select -q --where 'body=0' end.ply -o left.ply
+    tm-select -q --where 'body=1' end.ply -o right.ply
+    # The other sides move freely.
+    awk -v low="$(tm-info --get bbox_min left.ply)" 'BEGIN { split(low, x, " "); exit !(x[1] > -0.1001 && x[1] < -0.0999) }'
+    awk -v low="$(tm-info --get bbox_min right.ply)" -v high="$(tm-info --get bbox_max left.ply)" \
+      'BEGIN { split(low, x, " "); split(high, y, " "); print x[1] - y[1] }'
+  }
+  awk -v distance="$(distance gap:0.04)" 'BEGIN { exit !(distance >= 0.04 && distance < 0.041) }'
+  awk -v distance="$(distance stop)" 'BEGIN { exit !(distance > 0 && distance < 1e-6) }'
+}
+
+@test "edges that adapt to curvature bring a sphere that was a film nearer to where it began" {
+  tm-shape sphere --double --radius 0.15 --center 0.35,0.35,0.35 --faces 1280 -o ball.ply
+  # distance OPTION...: the largest one from the sphere, in edges, after Enright's test.
+  distance() {
+    tm-evolve -q --curved "$@" --flow deformation --period 3 --time 3 --time-step 0.03 --integrator rk4 ball.ply |
+      tm-convert -q --format off | awk -v edge="$(tm-info --get edge_mean ball.ply)" '
+        NR == 2 { vertices = $1 }
+        NR > 2 && NR <= vertices + 2 {
+          from = sqrt(($1 - 0.35)^2 + ($2 - 0.35)^2 + ($3 - 0.35)^2) - 0.15
+          if (from < 0) from = -from
+          if (from > most) most = from
+        }
+        END { print most / edge }'
+  }
+  awk -v even="$(distance)" -v adaptive="$(distance --adaptive 0.03x)" \
+    'BEGIN { exit adaptive > 0.2 || even < 2 * adaptive }'
 }

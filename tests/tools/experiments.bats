@@ -185,6 +185,14 @@ TABLE
   done
 }
 
+@test "twenty balls swell in a box without meeting, and fill more of it if they may come nearer" {
+  run --separate-stderr "$tm_root/scripts/experiments/packing" packing 0.12
+  assert_status 0
+  [ "$(cut -d, -f1,3 packing/table.csv | paste -s -d ' ')" = "contact,balls gap:0.2x,20 gap:0.05x,20 stop,20" ]
+  # The twenty spheres fill 0.084 at the beginning.
+  awk -F, 'NR > 1 { if ($4 < last + 0.01 || $4 >= 1) exit 1; last = $4 } END { exit last < 0.5 }' packing/table.csv
+}
+
 @test "a figure is followed through a movie while its arms join, pass through and separate" {
   FACES=3000 TM_BUILD=$tm_build "$tm_root/scripts/experiments/film" out 20 >line
   grep -q '^20 frames, ' line

@@ -173,6 +173,31 @@ TEST_CASE("by curvature the hole of a thick torus closes when the one-dimensiona
   check_neck(shape, test::pinch_time(test::torus_profile(1, 0.75, 400)), "handle closed");
 }
 
+TEST_CASE("a handle that opens and closes within a step is no event, and new faces get labels") {
+  Mesh ball = test::icosphere(2);
+  Mesh torus = test::torus(1, 0.3, 20, 10);
+  EventFinder finder;
+  IterationOptions options;
+  finder.start(ball);
+  torus.face_columns.get(component_label, Scalar::int32, torus.faces.size())
+      .values.assign(torus.faces.size(), 1);
+  finder.watch(options);
+  finder.begin_step(ball);
+  options.on_cleaned(ball, torus);
+  CHECK(finder.has_found());
+  Mesh pinched = ball;
+  // A face of a cap, which has no label.
+  pinched.face_columns.columns.front().values[5] = 0;
+  options.on_cleaned(torus, pinched);
+  CHECK(!finder.has_found());
+  CHECK(labels_of(pinched) == std::set<long>{1});
+  options.on_cleaned(pinched, torus);
+  finder.end_step(torus, 1, 0.5);
+  EvolveResult result;
+  finder.report(result);
+  CHECK(kinds(result.events) == "handle opened");
+}
+
 TEST_CASE("the hole of a torus closes once, in its middle") {
   Mesh mesh = test::torus(1, 0.6, 80, 48);
   const double edge = edge_lengths(mesh).mean;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "geometry/keep_out.h"
 #include "helpers/mesh_distance.h"
@@ -72,6 +73,20 @@ TEST_CASE("no step jumps over a body, and what is far from it goes its whole way
   for (std::size_t v = 0; v < plate.positions.size(); ++v)
     if ((plate.positions[v].head<2>() - Eigen::Vector2d(0.52, 0.47)).norm() < 0.07)
       CHECK(plate.positions[v].z() < 0.2);
+}
+
+TEST_CASE("movements are halved until they are smaller than the gap") {
+  const Mesh plate = test::grid(10);
+  const Mesh ceiling = test::moved(test::grid(3), Vec3(0, 0, 0.001));
+  // Ten halvings of .512 give .0005. If the gap is .0009, .0001 is free, and .0005 is the first
+  // movement below the gap.
+  for (const auto& [gap, way] : {std::pair(1e-6, 0.0005), std::pair(0.0009, 0.0)}) {
+    std::vector<Vec3> movements(plate.positions.size(), Vec3(0, 0, 0.512));
+    const LimitedMovements limited =
+        limit_movements(plate, {&ceiling, gap}, Scalar::float64, movements);
+    CHECK(limited.held_back == movements.size());
+    for (const Vec3& movement : movements) CHECK(movement == Vec3(0, 0, way));
+  }
 }
 
 TEST_CASE("floats keep the gap as they are written") {
