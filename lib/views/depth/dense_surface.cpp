@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesh/component_areas.h"
 #include "mesh/edges.h"
 #include "mesh/umbrellas.h"
 #include "support/parallel.h"
@@ -87,8 +88,7 @@ void drop_singular(Mesh& mesh) {
 /// Drops components of less than `share` times the area of the largest one.
 std::size_t drop_crumbs(Mesh& mesh, double share) {
   const Components parts = connected_components(mesh);
-  std::vector<double> areas(parts.components.size(), 0);
-  for (Index f = 0; f < mesh.faces.size(); ++f) areas[parts.of_face[f]] += face_area(mesh, f);
+  const std::vector<double> areas = component_areas(mesh, parts);
   if (areas.empty()) return 0;
   const double least = share * *std::max_element(areas.begin(), areas.end());
   std::vector<bool> keeps;
