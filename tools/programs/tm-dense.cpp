@@ -4,6 +4,8 @@
 #include "support/counted.h"
 #include "views/cameras/view_files.h"
 #include "views/depth/dense_surface.h"
+#include "views/depth/viewed_region.h"
+#include "views/wrap/sparse_points.h"
 
 namespace {
 
@@ -21,10 +23,31 @@ void declare(tool::Program& program, Options& options) {
       .is_needed = true;
   program.options.text("images", &options.sources.images, "WHERE", "photographs").is_needed = true;
   program.options.numbers("box", &options.box, "X,Y,Z,X,Y,Z",
-                          "where to look: two corners; without it around the point at which the "
-                          "cameras look");
-  program.options.length("edge", &options.edge, "size of a cell (default: 1.5 pixels)");
+                          "where to look: two corners; without it around the sparse points, or "
+                          "the point at which the cameras look");
+  program.options.length("edge", &options.edge, "size of a cell, instead of 1.5 pixels");
   tool::declare_reading(program, options.sources);
+}
+
+std::optional<Box> box_to_search(const Options& options, tool::Run& run) {
+  const std::vector<double>& box = options.box;
+  if (!box.empty()) return Box(Vec3(box.data()), Vec3(box.data() + 3));
+  const std::vector<Vec3> points = sparse_points_beside(options.sources.cameras);
+  run.report("sparse_points", points.size());
+  return box_of_points(points);
+}
+
+void report(const DenseSurface& result, tool::Run& run) {
+  run.report("scale", result.scale);
+  run.report("cell", result.cell);
+  run.report("pixels", result.pixels);
+  run.report("consistent_pixels", result.consistent);
+  run.report("idle_views", result.idle_views.size());
+  run.report("dropped_components", result.dropped_components);
+  for (const std::string& name : result.idle_views)
+    run.note("the view '" + name + "' adds nothing: no depth in it agrees with other views");
+  if (result.dropped_components > 0)
+    run.note(counted(result.dropped_components, "small component") + " dropped");
 }
 
 void make(const Options& options, tool::Run& run) {
@@ -32,19 +55,16 @@ void make(const Options& options, tool::Run& run) {
   sources.on_note = [&run](const std::string& text) { run.note(text); };
   run.progress()("read views");
   const std::vector<View> views = views_from(sources);
-  DenseOptions dense;
-  const std::vector<double>& box = options.box;
-  if (!box.empty()) dense.box = Box(Vec3(box.data()), Vec3(box.data() + 3));
-  if (dense.box) run.in().set_basis(diagonal_of(*dense.box));
-  if (options.edge) dense.cell = run.length(*options.edge);
-  DenseSurface result = dense_surface(views, dense, run.progress());
   run.report("views", views.size());
-  run.report("scale", result.scale);
-  run.report("cell", result.cell);
-  run.report("pixels", result.pixels);
-  run.report("consistent_pixels", result.consistent);
-  run.report("idle_views", result.idle_views.size());
-  run.report("dropped_components", result.dropped_components);
+  DenseOptions dense;
+  dense.box = box_to_search(options, run);
+  if (options.edge) {
+    const Box searched = dense.box ? *dense.box : box_of(viewed_region(views, std::nullopt));
+    run.in().set_basis(diagonal_of(searched));
+    dense.cell = run.length(*options.edge);
+  }
+  DenseSurface result = dense_surface(views, dense, run.progress());
+  report(result, run);
   run.document().mesh = std::move(result.mesh);
 }
 

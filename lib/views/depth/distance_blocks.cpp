@@ -116,45 +116,82 @@ float mean_distance(const Vec3& point, double reach, double least_weight,
   return weight < least_weight ? unknown : static_cast<float>(sum / weight);
 }
 
-/// Values of a block and of the first nodes of the blocks behind it.
-class BlockCubes {
- public:
-  BlockCubes(const DistanceBlocks& blocks, std::size_t block)
-      : grid_(blocks.grid), start_(site_of(blocks.keys[block], block_counts(blocks.grid))) {
-    for (std::size_t& coordinate : start_) coordinate *= side;
-    for (std::size_t z = 0; z <= side; ++z)
-      for (std::size_t y = 0; y <= side; ++y)
-        for (std::size_t x = 0; x <= side; ++x) {
-          const bool is_own = x < side && y < side && z < side;
-          values_.push_back(
-              is_own ? blocks.values[block * DistanceBlocks::size +
-                                     number_of({x, y, z}, {side, side, side})]
-                     : blocks.value_or_unknown({start_[0] + x, start_[1] + y, start_[2] + z}));
-        }
-  }
+Site first_node(const DistanceBlocks& blocks, std::size_t block) {
+  const Site at = site_of(blocks.keys[block], block_counts(blocks.grid));
+  return {at[0] * side, at[1] * side, at[2] * side};
+}
 
-  void cut(std::vector<EdgeKeyFace>& faces) const {
-    for (std::size_t z = 0; z < side; ++z)
-      for (std::size_t y = 0; y < side; ++y)
-        for (std::size_t x = 0; x < side; ++x) cut_cube(cube_at(x, y, z), faces);
-  }
+/// Returns the place of a node in values_around(), relative to the first node of the block. Numbers
+/// wrap around, so that -1 is allowed.
+std::size_t number_around(const Site& site) {
+  constexpr std::size_t end = side + 2;
+  return number_of({site[0] + 1, site[1] + 1, site[2] + 1}, {end, end, end});
+}
 
- private:
-  GridCube cube_at(std::size_t x, std::size_t y, std::size_t z) const {
-    GridCube cube;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const Site site{x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2)};
-      cube.values[corner] = values_[number_of(site, {side + 1, side + 1, side + 1})];
-      cube.nodes[corner] =
-          grid_.index(start_[0] + site[0], start_[1] + site[1], start_[2] + site[2]);
+/// Returns the values of a block and of one node around it on all sides.
+std::vector<float> values_around(const DistanceBlocks& blocks, std::size_t block) {
+  constexpr std::size_t end = side + 2;
+  const Site start = first_node(blocks, block);
+  std::vector<float> values;
+  values.reserve(end * end * end);
+  // Numbers before the grid wrap around, so that they are outside of it.
+  for (std::size_t z = 0; z < end; ++z)
+    for (std::size_t y = 0; y < end; ++y)
+      for (std::size_t x = 0; x < end; ++x)
+        values.push_back(
+            blocks.value_or_unknown({start[0] + x - 1, start[1] + y - 1, start[2] + z - 1}));
+  return values;
+}
+
+/// Returns the mean of the known values up to a cell away from a node, along each axis.
+float mean_around(std::span<const float> values, const Site& at) {
+  float sum = 0, count = 0;
+  for (std::size_t k = 0; k < 27; ++k) {
+    const Site step = site_of(k, {3, 3, 3});
+    const float value =
+        values[number_around({at[0] + step[0] - 1, at[1] + step[1] - 1, at[2] + step[2] - 1})];
+    if (std::isnan(value)) continue;
+    sum += value;
+    ++count;
+  }
+  return sum / count;
+}
+
+/// Replaces each known value by mean_around().
+void smooth(DistanceBlocks& blocks) {
+  std::vector<float> values(blocks.values.size());
+  parallel_for(blocks.keys.size(), 16, [&](std::size_t first, std::size_t last) {
+    for (std::size_t block = first; block < last; ++block) {
+      const std::vector<float> around = values_around(blocks, block);
+      for (std::size_t i = 0; i < DistanceBlocks::size; ++i) {
+        const std::size_t node = block * DistanceBlocks::size + i;
+        const bool is_known = !std::isnan(blocks.values[node]);
+        values[node] = is_known ? mean_around(around, site_of(i, {side, side, side})) : unknown;
+      }
     }
-    return cube;
-  }
+  });
+  blocks.values = std::move(values);
+}
 
-  const NodeGrid& grid_;
-  Site start_;
-  std::vector<float> values_;
-};
+GridCube cube_at(const NodeGrid& grid, const Site& start, std::span<const float> values,
+                 const Site& at) {
+  GridCube cube;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Site site{at[0] + (corner & 1), at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)};
+    cube.values[corner] = values[number_around(site)];
+    cube.nodes[corner] = grid.index(start[0] + site[0], start[1] + site[1], start[2] + site[2]);
+  }
+  return cube;
+}
+
+std::vector<EdgeKeyFace> faces_in(const DistanceBlocks& blocks, std::size_t block) {
+  const std::vector<float> values = values_around(blocks, block);
+  const Site start = first_node(blocks, block);
+  std::vector<EdgeKeyFace> faces;
+  for (std::size_t i = 0; i < DistanceBlocks::size; ++i)
+    cut_cube(cube_at(blocks.grid, start, values, site_of(i, {side, side, side})), faces);
+  return faces;
+}
 
 }  // namespace
 
@@ -179,26 +216,26 @@ DistanceBlocks fuse_distances(const Box& box, double spacing,
   const double reach = options.truncation * spacing;
   blocks.keys = blocks_near(blocks.grid, box, reach, surfaces);
   blocks.values.resize(blocks.keys.size() * DistanceBlocks::size);
-  const Site counts = block_counts(blocks.grid);
   parallel_for(blocks.keys.size(), 16, [&](std::size_t first, std::size_t last) {
     for (std::size_t block = first; block < last; ++block) {
-      const Site at = site_of(blocks.keys[block], counts);
+      const Site start = first_node(blocks, block);
       for (std::size_t i = 0; i < DistanceBlocks::size; ++i) {
         const Site in = site_of(i, {side, side, side});
         const Vec3 point =
-            blocks.grid.position(at[0] * side + in[0], at[1] * side + in[1], at[2] * side + in[2]);
+            blocks.grid.position(start[0] + in[0], start[1] + in[1], start[2] + in[2]);
         blocks.values[block * DistanceBlocks::size + i] =
             mean_distance(point, reach, options.least_weight, surfaces);
       }
     }
   });
+  for (int round = 0; round < options.smoothing; ++round) smooth(blocks);
   return blocks;
 }
 
 Mesh march_blocks(const DistanceBlocks& blocks) {
   std::vector<std::vector<EdgeKeyFace>> of_block(blocks.keys.size());
   parallel_for(blocks.keys.size(), 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) BlockCubes(blocks, i).cut(of_block[i]);
+    for (std::size_t i = first; i < last; ++i) of_block[i] = faces_in(blocks, i);
   });
   std::vector<EdgeKeyFace> faces;
   for (const auto& some : of_block) faces.insert(faces.end(), some.begin(), some.end());

@@ -1,6 +1,7 @@
 #include "views/depth/viewed_region.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "raster/camera.h"
@@ -88,6 +89,24 @@ ValueGrid viewed_region(std::span<const View> views, const std::optional<Box>& b
   if (std::none_of(grid.values.begin(), grid.values.end(), [](float v) { return v < 0; }))
     throw InputError("fewer than three views show any point of the region in which to search");
   return grid;
+}
+
+std::optional<Box> box_of_points(std::vector<Vec3> points) {
+  constexpr std::size_t least_points = 100;  // two points at each end are outliers, at least
+  constexpr std::size_t outliers = 50;       // one of so many at each end
+  constexpr double margin = 0.1;
+  if (points.size() < least_points) return std::nullopt;
+  Box box(Vec3::Zero());
+  const auto end = static_cast<std::ptrdiff_t>(points.size() / outliers);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto is_before = [&](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; };
+    std::nth_element(points.begin(), points.begin() + end, points.end(), is_before);
+    box.min()[axis] = points[static_cast<std::size_t>(end)][axis];
+    std::nth_element(points.begin(), points.end() - 1 - end, points.end(), is_before);
+    box.max()[axis] = (*(points.end() - 1 - end))[axis];
+  }
+  const Vec3 more = margin * (box.max() - box.min());
+  return Box(box.min() - more, box.max() + more);
 }
 
 Box box_of(const ValueGrid& region) {

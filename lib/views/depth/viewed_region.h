@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "transformesh/measure.h"
 #include "views/cameras/view.h"
@@ -17,6 +18,11 @@ namespace transformesh {
 /// tenths of the median distance of the cameras. Throws InputError if no node belongs to the
 /// region.
 ValueGrid viewed_region(std::span<const View> views, const std::optional<Box>& box);
+
+/// Returns a box around most of the points of a sparse reconstruction: without a fiftieth of them
+/// at each end along each axis, which may be outliers, and enlarged by a tenth of its size. Returns
+/// nothing for fewer than 100 points.
+std::optional<Box> box_of_points(std::vector<Vec3> points);
 
 /// Returns the box of the region, enlarged by a cell.
 Box box_of(const ValueGrid& region);
