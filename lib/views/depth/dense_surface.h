@@ -24,9 +24,9 @@ struct DenseOptions {
   double cell_px = 1.5;  ///< size of a cell, in pixels of the shrunk photographs
   double size_px = 640;  ///< photographs are shrunk to at most this length of the longer side
   double crumbs = 0.01;  ///< drop components of less than this share of the largest area; [0, 1]
-  PairOptions pairs;
+  PairOptions pairs = {};
   DepthMapsOptions maps = {.sweep = {}, .least_views = 2};
-  DistanceBlocksOptions fusion;
+  DistanceBlocksOptions fusion = {};
 };
 
 struct DenseSurface {
