@@ -3,15 +3,18 @@
 #include <algorithm>
 
 #include "mesh/component_areas.h"
-#include "mesh/edges.h"
-#include "mesh/umbrellas.h"
 #include "support/parallel.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
+#include "views/depth/trim_border.h"
 #include "views/depth/viewed_region.h"
 
 namespace transformesh {
 namespace {
+
+/// Half the width of fringes at the border that are removed; edges, each about half a cell long. On
+/// photographs of a table, fringes of single pixels fell apart when the surface was refined.
+constexpr int fringe_rings = 6;
 
 /// Sizes of pixels and cells.
 struct Sizes {
@@ -60,31 +63,6 @@ void count_pixels(std::span<const View> views, std::span<const DepthMap> maps,
   }
 }
 
-/// Keeps the largest umbrella of each vertex. Others exist only where cells of unknown value meet
-/// at an edge of the grid. Repeats, because dropped faces can divide the umbrellas of their
-/// vertices.
-void drop_singular(Mesh& mesh) {
-  for (;;) {
-    const Umbrellas umbrellas = find_umbrellas(mesh, Edges(mesh));
-    std::vector<Index> sizes(umbrellas.vertex_of.size(), 0);
-    for (const Index umbrella : umbrellas.of_corner) ++sizes[umbrella];
-    std::vector<Index> largest(mesh.positions.size(), no_index);
-    for (Index u = 0; u < sizes.size(); ++u) {
-      Index& best = largest[umbrellas.vertex_of[u]];
-      if (best == no_index || sizes[u] > sizes[best]) best = u;
-    }
-    std::vector<bool> keeps(mesh.faces.size(), true);
-    bool is_done = true;
-    for (std::size_t corner = 0; corner < umbrellas.of_corner.size(); ++corner) {
-      const Index umbrella = umbrellas.of_corner[corner];
-      if (largest[umbrellas.vertex_of[umbrella]] == umbrella) continue;
-      keeps[corner / 3] = is_done = false;
-    }
-    if (is_done) return;
-    mesh = select_faces(mesh, keeps);
-  }
-}
-
 /// Drops components of less than `share` times the area of the largest one.
 std::size_t drop_crumbs(Mesh& mesh, double share) {
   const Components parts = connected_components(mesh);
@@ -120,7 +98,7 @@ DenseSurface dense_surface(std::span<const View> views, const DenseOptions& opti
       fuse_distances(result.box, sizes.cell, surfaces, options.fusion, progress);
   progress("march");
   result.mesh = march_blocks(blocks);
-  drop_singular(result.mesh);
+  trim_border(result.mesh, fringe_rings);
   result.dropped_components = drop_crumbs(result.mesh, options.crumbs);
   if (result.mesh.faces.empty()) throw GoalError("depths of photographs form no surface");
   return result;

@@ -38,7 +38,7 @@ struct DistanceBlocks {
 struct DistanceBlocksOptions {
   double truncation = 4;    ///< cells, > 0
   int smoothing = 1;        ///< rounds in which values become the means of their neighborhoods
-  double least_weight = 1;  ///< sum of cosines over views, below which a node is unknown; > 0
+  double least_weight = 0.5;  ///< sum of cosines over views, below which a node is unknown; > 0
 };
 
 /// Fuses the surfaces on a grid that covers the box. Memory: 4 bytes per node of a block near a
