@@ -81,6 +81,8 @@ std::size_t drop_crumbs(Mesh& mesh, double share) {
 DenseSurface dense_surface(std::span<const View> views, const DenseOptions& options,
                            const Progress& progress) {
   if (views.size() < 2) throw InputError("a surface needs at least two photographs");
+  if (options.box && !(options.box->sizes().minCoeff() > 0))
+    throw UsageError("the box to search must have its smaller corner first");
   const ValueGrid region = viewed_region(views, options.box);
   DenseSurface result;
   result.box = options.box.value_or(box_of(region));

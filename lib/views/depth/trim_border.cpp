@@ -38,7 +38,7 @@ std::vector<char> border_vertices(const Mesh& mesh) {
 void drop_fringes(Mesh& mesh, int rings) {
   std::vector<char> is_core = grown(mesh, border_vertices(mesh), rings);
   for (char& mark : is_core) mark = mark == 0 ? 1 : 0;
-  const std::vector<char> is_kept = grown(mesh, std::move(is_core), rings);
+  const std::vector<char> is_kept = grown(mesh, std::move(is_core), rings + 1);
   std::vector<bool> keeps;
   for (const auto& [a, b, c] : mesh.faces)
     keeps.push_back(is_kept[a] != 0 && is_kept[b] != 0 && is_kept[c] != 0);
