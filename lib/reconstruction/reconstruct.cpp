@@ -363,24 +363,22 @@ std::string ReconstructionLoop::message() const {
 }  // namespace
 
 ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
-                                 const ReconstructionOptions& given_options, Record& record,
+                                 const ReconstructionOptions& options, Record& record,
                                  const Progress& progress) {
-  ReconstructionOptions options = given_options;
   InitialState initial_state =
       record.resumed()
           ? read_initial_state(record)
           : make_initial_state(document, views, {options.initial, options.pairs}, record, progress);
-  if (!initial_state.why_dense.empty()) {
-    options.initial.is_given = true;
-    if (options.on_note) options.on_note(initial_state.why_dense);
-  }
+  const bool is_dense = !initial_state.why_dense.empty();
+  if (is_dense && options.on_note) options.on_note(initial_state.why_dense);
   if (initial_state.coarsest && options.on_detail)
     options.on_detail("photographs see into hollows of the hull: beginning with them open");
   if (initial_state.outlined) outline(views, *initial_state.outlined);
   const int width = views.front().image.width;
   if (options.spends_views) crop_views(views, initial_state.document.mesh);
   Photographs photographs(views, width, options, initial_state);
-  if (options.initial.is_given && !options.scales.coarsest && !initial_state.first_scale)
+  const bool is_near = options.initial.is_given || is_dense;
+  if (is_near && !options.scales.coarsest && !initial_state.first_scale)
     find_first_scale(initial_state, photographs, options, record, progress);
   ReconstructionLoop loop(photographs, initial_state, options);
   const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_sweep};

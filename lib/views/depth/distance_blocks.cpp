@@ -224,7 +224,8 @@ DistanceBlocks fuse_distances(const Box& box, double spacing,
         const Vec3 point =
             blocks.grid.position(start[0] + in[0], start[1] + in[1], start[2] + in[2]);
         blocks.values[block * DistanceBlocks::size + i] =
-            mean_distance(point, reach, options.least_weight, surfaces);
+            box.contains(point) ? mean_distance(point, reach, options.least_weight, surfaces)
+                                : unknown;
       }
     }
   });

@@ -36,13 +36,14 @@ struct DistanceBlocks {
 };
 
 struct DistanceBlocksOptions {
-  double truncation = 4;    ///< cells, > 0
-  int smoothing = 1;        ///< rounds in which values become the means of their neighborhoods
+  double truncation = 4;      ///< cells, > 0
+  int smoothing = 1;          ///< rounds in which values become the means of their neighborhoods
   double least_weight = 0.5;  ///< sum of cosines over views, below which a node is unknown; > 0
 };
 
-/// Fuses the surfaces on a grid that covers the box. Memory: 4 bytes per node of a block near a
-/// surface. Parallel; the result does not depend on the number of threads.
+/// Fuses the surfaces on a grid that covers the box; nodes outside of the box are unknown. Memory:
+/// 4 bytes per node of a block near a surface. Parallel; the result does not depend on the number
+/// of threads.
 DistanceBlocks fuse_distances(const Box& box, double spacing,
                               std::span<const DepthSurface> surfaces,
                               const DistanceBlocksOptions& options = {},
