@@ -19,7 +19,7 @@
 namespace transformesh {
 
 struct DenseOptions {
-  std::optional<Box> box = std::nullopt;      ///< where to search; default: viewed_region()
+  std::optional<Box> box = std::nullopt;      ///< searched box; default: viewed_region()
   std::optional<double> cell = std::nullopt;  ///< size of a cell; default: `cell_px` pixels
   double cell_px = 1.5;  ///< size of a cell, in pixels of the shrunk photographs
   double size_px = 640;  ///< photographs are shrunk to at most this length of the longer side

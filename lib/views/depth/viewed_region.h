@@ -19,9 +19,9 @@ namespace transformesh {
 /// region.
 ValueGrid viewed_region(std::span<const View> views, const std::optional<Box>& box);
 
-/// Returns a box around most of the points of a sparse reconstruction: without a fiftieth of them
-/// at each end along each axis, which may be outliers, and enlarged by a tenth of its size. Returns
-/// nothing for fewer than 100 points.
+/// Returns a box around most of the points of a sparse reconstruction. A fiftieth of them at each
+/// end along each axis may be outliers and is left out. Then the box is enlarged by a tenth of its
+/// size on each side. Returns nothing for fewer than 100 points.
 std::optional<Box> box_of_points(std::vector<Vec3> points);
 
 /// Returns the box of the region, enlarged by a cell.

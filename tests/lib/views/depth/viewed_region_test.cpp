@@ -48,7 +48,7 @@ TEST_CASE("points that fewer than three views show do not belong to a given box"
   CHECK(value_at(region, Vec3::Zero()) < 0);
   CHECK(value_at(region, Vec3(0, 0, 90)) > 0);
   CHECK(box_of(region).max().z() < 50);
-  views.resize(2);  // then two are enough
+  views.resize(2);  // two views are enough if there are no more
   CHECK(value_at(viewed_region(views, box), Vec3::Zero()) < 0);
 }
 
