@@ -8,6 +8,7 @@
 #include "io/document/round_as_written.h"
 #include "raster/camera.h"
 #include "reconstruction/image_scales.h"
+#include "support/counted.h"
 #include "support/parallel.h"
 #include "transformesh/clean.h"
 #include "transformesh/errors.h"
@@ -17,6 +18,7 @@
 #include "transformesh/mesh_io.h"
 #include "transformesh/pinhole_camera.h"
 #include "views/cameras/view.h"
+#include "views/depth/dense_surface.h"
 #include "views/hull/agreed_threshold.h"
 #include "views/hull/contour_distance.h"
 #include "views/hull/hull_values.h"
@@ -25,6 +27,12 @@
 
 namespace transformesh {
 namespace {
+
+void find_silhouettes(std::vector<View>& views, const InitialMeshOptions& options,
+                      const Progress& progress) {
+  threshold_silhouettes(views, options.threshold.value_or(ThresholdOptions()), progress);
+  check_views(views, {.least_agreement = options.least_agreement}, progress);
+}
 
 bool has_masks(const std::vector<View>& views) { return !views.front().silhouette.empty(); }
 
@@ -124,6 +132,56 @@ View around(const Mesh& mesh, const View& view) {
   return cropped(view, left, top, right - left, bottom - top);
 }
 
+Mesh hull_of_silhouettes(std::vector<View>& views, const InitialMeshOptions& options,
+                         std::optional<double> edge, const Progress& progress) {
+  HullOptions hull;
+  hull.box = silhouette_box(views);
+  if (edge) hull.edge = affordable(*edge, *hull.box);
+  hull.keep = options.keep;
+  return visual_hull(views, hull, progress).mesh;
+}
+
+/// Returns the reason why thresholded silhouettes have no hull, and removes them then. Returns
+/// nothing if they have one. Mistakes of cameras that check_views() recognizes stay errors.
+std::string reason_against_hull(Document& document, std::vector<View>& views,
+                                const InitialMeshOptions& options, double edge,
+                                const Progress& progress) {
+  bool are_checked = false;
+  try {
+    find_silhouettes(views, options, progress);
+    are_checked = true;
+    document.mesh = hull_of_silhouettes(views, options, edge, progress);
+    return {};
+  } catch (const InputError& error) {
+    const bool is_mistake = !are_checked && error.kind() != ErrorKind::views_disagree;
+    if (options.threshold || is_mistake) throw;
+    for (View& view : views) view.silhouette = PackableImage();
+    return error.what();
+  }
+}
+
+/// Makes the hull of thresholded silhouettes. If these have none, as on photographs of a table,
+/// makes a surface from depth maps.
+InitialMesh make_without_masks(Document& document, std::vector<View>& views,
+                               const InitialMeshOptions& options, double edge,
+                               const Progress& progress) {
+  InitialMesh made;
+  const std::string reason = reason_against_hull(document, views, options, edge, progress);
+  if (reason.empty()) {
+    made.outlined = document.mesh;
+    return made;
+  }
+  DenseSurface dense = dense_surface(views, {}, progress);
+  made.why_dense =
+      "without masks there is no hull (" + reason + "); the start is made from depth maps, with " +
+      counted(dense.consistent, "consistent pixel") + " of " + std::to_string(dense.pixels);
+  document.mesh = std::move(dense.mesh);
+  document.style.coordinate = Scalar::float64;
+  document.style.format = Format::ply_little;
+  clean_in_place(document, progress);
+  return made;
+}
+
 }  // namespace
 
 double pixel_size(const std::vector<View>& views) {
@@ -133,15 +191,8 @@ double pixel_size(const std::vector<View>& views) {
 
 Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
              std::optional<double> edge, const Progress& progress) {
-  if (!has_masks(views)) {
-    threshold_silhouettes(views, options.threshold.value_or(ThresholdOptions()), progress);
-    check_views(views, {.least_agreement = options.least_agreement}, progress);
-  }
-  HullOptions hull;
-  hull.box = silhouette_box(views);
-  if (edge) hull.edge = affordable(*edge, *hull.box);
-  hull.keep = options.keep;
-  return visual_hull(views, hull, progress).mesh;
+  if (!has_masks(views)) find_silhouettes(views, options, progress);
+  return hull_of_silhouettes(views, options, edge, progress);
 }
 
 void outline(std::vector<View>& views, const Mesh& mesh) {
@@ -159,10 +210,11 @@ InitialMesh make_initial_mesh(Document& document, std::vector<View>& views,
                               const Progress& progress) {
   const bool are_masks = has_masks(views);
   const double edge = edge_times(3, pixel);
+  if (!options.is_given && !are_masks)
+    return make_without_masks(document, views, options, edge, progress);
   InitialMesh made;
   if (!options.is_given) {
     document.mesh = hull_of(views, options, edge, progress);
-    if (!are_masks) made.outlined = document.mesh;
     return made;
   }
   document.style.format = Format::ply_little;

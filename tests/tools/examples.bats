@@ -101,7 +101,7 @@ clamps_nothing() {
 }
 
 @test "examples of photographs and their cameras" {
-  run_examples tm-cameras.1 tm-color.1 tm-hull.1 tm-photo-step.1 tm-photograph.1 tm-wrap.1
+  run_examples tm-cameras.1 tm-color.1 tm-dense.1 tm-hull.1 tm-photo-step.1 tm-photograph.1 tm-wrap.1
 }
 
 @test "examples of pages" {
