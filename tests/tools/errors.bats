@@ -9,7 +9,7 @@ setup() {
 rows() {
   # The line end of echo ends the last row.
   { sed -n '/table{/,/^};/p' "$tm_root/tools/frame/advice.cpp" | grep -v '^ *//' | tr '\n' ' '; echo; } |
-    sed -E 's/Advice\{Kind::/\n/g; s/" +"//g' |
+    sed -E 's/Advice\{ *Kind::/\n/g; s/" +"//g' |
     sed -nE 's/^([a-z_]+), "([a-z-]*)", *"(.*)"\}.*/\1|\2|\3/p'
 }
 

@@ -89,7 +89,7 @@ constexpr std::array table{
            "shorten edges at narrow places with --gap-edges 1.5"},
     // Only tm-reconstruct has --crumbs, which identifies the program here.
     Advice{Kind::surface_explodes, "crumbs",
-           "check the cameras with tm-cameras, or raise --stiffness or --coarsest"},
+           "raise --stiffness or --coarsest, or check the cameras with tm-cameras"},
     Advice{Kind::outside_hull, "clip",
            "check that cameras and mesh have the same units and origin, or keep all of the mesh "
            "with --clip nothing"},
@@ -102,7 +102,7 @@ constexpr std::array table{
     Advice{Kind::other_settings, "resume", "leave out --resume"},
     Advice{Kind::interrupted_run, "restart",
            "continue it with --resume, or discard it with --restart"},
-    Advice{Kind::not_a_run, "", "write a run with --run {name} of a loop such as tm-morph"},
+    Advice{Kind::not_a_run, "", "let a loop such as tm-morph write it with --run {name}"},
 };
 
 void replace(std::string& text, const std::string& word, const std::string& value) {
