@@ -110,7 +110,7 @@ is_solid() {
     run --separate-stderr $program strip.off -o out.off
     assert_status 3
     one_line "$stderr"
-    [[ $stderr =~ faces\ [0-4]\ and\ [0-4]\ cannot\ agree\ at\ the\ edge\ from\ vertex ]]
+    [[ $stderr =~ faces\ [0-4]\ and\ [0-4]\ cannot\ have\ consistent\ orientations\ at\ the\ edge\ from\ vertex ]]
     [[ $stderr == *"only one side, like a Moebius strip; cut it open with tm-stitch without --orient, then close its borders with tm-fill --allow-crossings" ]]
     [ ! -e out.off ]
   done
