@@ -40,10 +40,6 @@ inline bool is_same(const Columns& first, const Columns& second) {
   return true;
 }
 
-inline bool is_ply(Format format) {
-  return format == Format::ply_ascii || format == Format::ply_little || format == Format::ply_big;
-}
-
 inline bool is_stl(Format format) {
   return format == Format::stl_ascii || format == Format::stl_binary;
 }
