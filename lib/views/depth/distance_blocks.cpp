@@ -121,23 +121,25 @@ Site first_node(const DistanceBlocks& blocks, std::size_t block) {
   return {at[0] * side, at[1] * side, at[2] * side};
 }
 
+/// Nodes along the side of a block and of one node around it on both sides.
+constexpr std::size_t side_around = side + 2;
+
 /// Returns the place of a node in values_around(), relative to the first node of the block. Numbers
 /// wrap around, so that -1 is allowed.
 std::size_t number_around(const Site& site) {
-  constexpr std::size_t end = side + 2;
-  return number_of({site[0] + 1, site[1] + 1, site[2] + 1}, {end, end, end});
+  return number_of({site[0] + 1, site[1] + 1, site[2] + 1},
+                   {side_around, side_around, side_around});
 }
 
 /// Returns the values of a block and of one node around it on all sides.
 std::vector<float> values_around(const DistanceBlocks& blocks, std::size_t block) {
-  constexpr std::size_t end = side + 2;
   const Site start = first_node(blocks, block);
   std::vector<float> values;
-  values.reserve(end * end * end);
+  values.reserve(side_around * side_around * side_around);
   // Numbers before the grid wrap around, so that they are outside of it.
-  for (std::size_t z = 0; z < end; ++z)
-    for (std::size_t y = 0; y < end; ++y)
-      for (std::size_t x = 0; x < end; ++x)
+  for (std::size_t z = 0; z < side_around; ++z)
+    for (std::size_t y = 0; y < side_around; ++y)
+      for (std::size_t x = 0; x < side_around; ++x)
         values.push_back(
             blocks.value_or_unknown({start[0] + x - 1, start[1] + y - 1, start[2] + z - 1}));
   return values;
