@@ -146,13 +146,13 @@ cracked() {
   jq -e '.result.steps == 1 and .result.step_1_count > 0' r.json
 }
 
-@test "a step that takes away volume is named, with the share" {
+@test "a step that removes volume is named, with the share" {
   tm-shape box 2 2 2 -o box.ply
   # Three quarters of the second box are within the first.
   tm-transform --translate 0.5,0,0 box.ply | tm-cat box.ply - -o both.ply
   run --separate-stderr tm-repair both.ply -o repaired.ply
   [ "$status" -eq 0 ]
-  [[ $stderr == *"tm-clean takes away 38 % of the volume, which counted overlaps once for each part, around ("* ]] || fail "$stderr"
+  [[ $stderr == *"tm-clean removes 38 % of the volume, which counted overlaps once for each part, around ("* ]] || fail "$stderr"
   is_solid repaired.ply 10
   run --separate-stderr tm-repair box.ply -o repaired.ply
   [ -z "$stderr" ]
