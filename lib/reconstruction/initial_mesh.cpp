@@ -22,6 +22,7 @@
 #include "views/hull/agreed_threshold.h"
 #include "views/hull/contour_distance.h"
 #include "views/hull/hull_values.h"
+#include "views/hull/needed_components.h"
 #include "views/hull/silhouette.h"
 #include "views/hull/view_check.h"
 
@@ -137,8 +138,10 @@ Mesh hull_of_silhouettes(std::vector<View>& views, const InitialMeshOptions& opt
   HullOptions hull;
   hull.box = silhouette_box(views);
   if (edge) hull.edge = affordable(*edge, *hull.box);
-  hull.keep = options.keep;
-  return visual_hull(views, hull, progress).mesh;
+  hull.keep = options.keep.value_or(0);
+  Mesh mesh = visual_hull(views, hull, progress).mesh;
+  if (!options.keep) drop_unneeded_components(mesh, views);
+  return mesh;
 }
 
 /// Returns the reason why thresholded silhouettes have no hull, and removes them then. Returns
