@@ -35,6 +35,9 @@ struct DistanceBlocks {
   float value_or_unknown(const std::array<std::size_t, 3>& node) const;
 };
 
+/// Chosen on three objects on a table, 24 photographs of 320x240 pixels. Without smoothing,
+/// accuracy was 1.17 pixels instead of 1.02. A least weight of 1 instead of 0.5 lowered
+/// completeness from 0.836 to 0.796, and improved accuracy from 1.08 to 1.02 pixels.
 struct DistanceBlocksOptions {
   double truncation = 4;      ///< cells, > 0
   int smoothing = 1;          ///< rounds in which values become the means of their neighborhoods
