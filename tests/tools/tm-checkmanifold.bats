@@ -40,7 +40,7 @@ genus: 0" ]]
   printf "OFF\n5 2 0\n${points}3 0 1 2\n3 0 1 3\n" >alike.off
   run tm-checkmanifold alike.off
   assert_status 1
-  [[ $output == *"manifold: true"*"oriented: false"*"misoriented_edges: 1"*"the same way"* ]]
+  [[ $output == *"manifold: true"*"oriented: false"*"misoriented_edges: 1"*"in the same direction"* ]]
 
   printf "OFF\n5 1 0\n${points}3 2 1 2\n" >twice.off
   run tm-checkmanifold twice.off
@@ -142,7 +142,7 @@ edit() {
 @test "tm-checkmanifold: --certify finds a flipped face and a flipped component" {
   balls
   edit '$1 == 3 && !done { t = $2; $2 = $3; $3 = t; done = 1 } { print }' <union.ply >wrong.off
-  refused "the same way" crossing.ply wrong.off
+  refused "in the same direction" crossing.ply wrong.off
   [[ $output != *"wrong_samples: 0"* ]]
   tm-cat union.ply <(tm-shape sphere --center 9,0,0 --faces 100) -o right.ply
   tm-cat union.ply <(tm-shape sphere --center 9,0,0 --faces 100 | tm-stitch --flip) -o wrong.ply

@@ -67,8 +67,8 @@ block_of() {
   }
   mkdir -p other
   refused 2 'RUN is needed'
-  refused 3 'is no run' other
-  refused 3 'is no run' torus.ply
+  refused 3 'is not a run' other
+  refused 3 'is not a run' torus.ply
   refused 2 "--color-by: no mesh has a property 'heat'" one --color-by heat
   run --separate-stderr tm-report one -o page.png
   assert_status 2

@@ -245,7 +245,7 @@ TABLE
 @test "a kind that is far from all others is not corrected into one of them" {
   run --separate-stderr tm-shape prism
   assert_status 2
-  [[ $stderr == *"--help lists"* ]]
+  [[ $stderr == *"with --help"* ]]
   run --separate-stderr tm-shape cyllinder
   [[ $stderr == *"did you mean 'cylinder'?"* ]]
 }

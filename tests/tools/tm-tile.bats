@@ -171,7 +171,7 @@ is_whole() {
     sed 's/^comment held/comment tm:tile/' >scaled.ply
   run --separate-stderr tm-clean scaled.ply -o out.ply
   assert_status 3
-  [[ $stderr == *"is not that tile"* ]]
+  [[ $stderr == *"differs from the tile"* ]]
   sed 's/^comment tm:tile 1 3/comment tm:tile 7 3/' tiles/tile-1.ply >bad.ply
   run --separate-stderr tm-clean bad.ply -o out.ply
   assert_status 3

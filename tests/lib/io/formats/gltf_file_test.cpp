@@ -75,7 +75,7 @@ TEST_CASE("gltf: missing buffers are refused") {
   CHECK(contains(read_error(json.dump()), "byteOffset of bufferView 1 is not a whole number"));
   json = gltf_tetrahedron();
   json["buffers"][0]["uri"] = "data:;base64,@@";
-  CHECK(contains(read_error(json.dump()), "no base64"));
+  CHECK(contains(read_error(json.dump()), "not base64"));
   json["buffers"][0].erase("uri");
   CHECK(contains(read_error(json.dump()), "buffer 0 has no data"));
   json = gltf_tetrahedron();
@@ -101,7 +101,7 @@ TEST_CASE("gltf: files beside the file, and none elsewhere") {
   };
   CHECK(error_of("a%20b.bin", folder) == "read");
   CHECK(contains(error_of("a%20b.bin", ""), "given by its file name"));
-  CHECK(contains(error_of("none.bin", folder), "'none.bin' is not there"));
+  CHECK(contains(error_of("none.bin", folder), "'none.bin' is missing beside the file"));
   for (const std::string& uri : {std::string("../secret.bin"), std::string("link.bin"),
                                  outside / "secret.bin", std::string("http://host/a.bin")})
     CHECK(contains(error_of(uri, folder), "is not in the folder of the file"));

@@ -86,6 +86,6 @@ TEST_CASE("3mf: circles, missing objects and repetitions without end are refused
   CHECK(
       contains(error_of(wide + "<object id=\"41\"/>"), "repeated parts expand to more than 64 MB"));
   CHECK(contains(read_error(stored_zip({{"word/document.xml", ""}, {"_rels/.rels", "<R/>"}})),
-                 "is no 3MF file"));
+                 "is not a 3MF file"));
   CHECK(contains(read_error(stored_zip({{"a.txt", ""}})), "no part '3D/3dmodel.model'"));
 }

@@ -78,5 +78,5 @@ TEST_CASE("vtk: what is wrong is named") {
   CHECK(contains(error_with(square + "POINT_DATA 3\nSCALARS a int\n1 2 3\n"),
                  "the array 'a' has 3 numbers, but there are 4 points of 1 component"));
   CHECK(contains(read_error("# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_GRID\n"),
-                 "'structured_grid' is no surface"));
+                 "'structured_grid' is not supported as a surface"));
 }

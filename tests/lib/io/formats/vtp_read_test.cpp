@@ -102,7 +102,8 @@ TEST_CASE("vtp: blocks compressed by zlib") {
 }
 
 TEST_CASE("vtp: what is wrong is named") {
-  CHECK(contains(read_error("<VTKFile type=\"ImageData\"/>"), "'ImageData' is no surface"));
+  CHECK(contains(read_error("<VTKFile type=\"ImageData\"/>"),
+                 "'ImageData' is not supported as a surface"));
   CHECK(contains(read_error("<VTKFile type=\"PolyData\">"), "not well-formed"));
   const auto error_with = [](const std::string& points) {
     return read_error(vtp("", "<Piece><Points>" + points + "</Points>" + cells + "</Piece>"));

@@ -45,7 +45,7 @@ TEST_CASE("entries of JSON: numbers may be text, and every mistake names its pat
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("a").at(2); }) ==
         "a has no element 2 (a.json)");
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("n").elements(); }) ==
-        "n is no list (a.json)");
+        "n is not a list (a.json)");
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("a").numbers(3); }) ==
         "a has 2 elements instead of 3 (a.json)");
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("t").text(); }) ==

@@ -81,7 +81,7 @@ TEST_CASE("transforms.json: what is no camera is refused with its entry") {
   CHECK(refuses(file(lens, R"("k4":1,)"), "frames[0].k4"));
   CHECK(refuses(file(lens, R"("w":1e12,)"), "frames[0].w"));
   CHECK(refuses(R"({"fl_x":5,"frames":[]})", "no frame"));
-  CHECK(refuses(R"({"fl_x":5,"frames":5})", "frames is no list"));
+  CHECK(refuses(R"({"fl_x":5,"frames":5})", "frames is not a list"));
   CHECK(refuses(R"({"fl_x":5,"frames":[{"file_path":"a","transform_matrix":[[1,2,3]]}]})",
                 "3 or 4 rows"));
   CHECK(refuses(R"({"fl_x":5,"frames":[{"file_path":"a","transform_matrix":
