@@ -499,7 +499,7 @@ def test_refusals_are_exceptions_with_the_sentence_of_the_program(bodies):
         (tm.UsageError, "at least 3", lambda: tm.fill(mesh, max_edges=2)),
         (tm.UsageError, "no box is given", lambda: tm.clean(mesh, only=True)),
         (tm.UsageError, "outermost is for whole", lambda: tm.clean(mesh, box=range(6), outermost=True)),
-        (tm.UsageError, "go together", lambda: tm.remesh(mesh, gap=1)),
+        (tm.UsageError, "need each other", lambda: tm.remesh(mesh, gap=1)),
         (tm.UsageError, "gap must be above 0", lambda: tm.decimate(mesh, 9, keep_out=mesh, gap=0)),
         (tm.UsageError, "give faces, error or both", lambda: tm.decimate(mesh)),
         (tm.UsageError, "0 are too few", lambda: tm.decimate(mesh, 0, error=0.1)),
