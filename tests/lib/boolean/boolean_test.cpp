@@ -26,7 +26,8 @@ BooleanResult combine(Operation operation, const std::vector<Mesh>& meshes,
   return boolean(operation, operands, options);
 }
 
-/// Corners lie on a coarse grid, so that faces coincide, or in general position.
+/// Returns a box or a tetrahedron. Its corners lie on a coarse grid before the rotation, so that
+/// faces of parts with the same rotation are often coplanar.
 Mesh random_part(test::Random& random, const Eigen::Matrix3d& rotation) {
   const auto steps = [&](std::uint64_t least, std::uint64_t below) {
     return static_cast<double>(least + random.below(below));

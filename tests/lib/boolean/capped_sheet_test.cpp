@@ -89,8 +89,8 @@ TEST_CASE("closed sheets give the intersection and the difference, by solid angl
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     CAPTURE(seed);
     test::Random random(seed);
-    // The parts of the solid overlap, so a sheet that does not meet the solid lies outside of it or
-    // inside.
+    // The parts of the solid overlap, so the solid is one body, and no sheet encloses all of it. An
+    // enclosed body would be missing from the result, because no sheet meets it.
     const auto ball = [&](double least, double most, const Vec3& at) {
       return test::moved(test::scaled(test::icosphere(1), random.uniform(least, most)), at);
     };

@@ -1,4 +1,4 @@
-/// Cells between nested boxes, listed by hand.
+/// Cells between nested boxes, compared with cells listed by hand.
 #include "boolean/nested_cells.h"
 
 #include <doctest/doctest.h>
@@ -61,7 +61,7 @@ TEST_CASE("a cavity bounds the cell inside of its shell") {
 }
 
 TEST_CASE("a body in the box of a cell, but not in the cell, is outside") {
-  // The second body lies in the hole of a ring.
+  // The box lies in the hole of the ring.
   const Mesh ring = test::torus(3, 1, 24, 12);
   const Mesh mesh = test::joined(box(-0.5, 0.5), ring);
   JoinedSides joined(mesh);

@@ -35,8 +35,8 @@ Rational dot(const ExactVec& a, const ExactVec& b) {
 
 double length(const ExactVec& a) { return std::sqrt(dot(a, a).convert_to<double>()); }
 
-/// Returns how far the point lies outside of the triangle: the larger of its distances from the
-/// plane and, within the plane, from the edges.
+/// Returns how far the point lies outside of the triangle. This is the largest of its distance from
+/// the plane and, within the plane, its distances beyond the edges.
 double distance_outside(const Vec3& point, const Triangle& triangle) {
   const ExactVec p = exact(point), a = exact(triangle[0]), b = exact(triangle[1]),
                  c = exact(triangle[2]);

@@ -51,7 +51,7 @@ void check_same_body(const std::optional<Mesh>& own, const Mesh& expected, doubl
   CHECK(std::abs(test::signed_volume(*own) - test::signed_volume(expected)) < 1e-12 * size);
 }
 
-/// Returns six times the exact volume, as a sum over faces.
+/// Returns the exact volume: a sixth of the sum of the determinants of all faces.
 boost::multiprecision::cpp_rational exact_volume(const Mesh& mesh) {
   using Rational = boost::multiprecision::cpp_rational;
   Rational sum = 0;
@@ -150,8 +150,8 @@ TEST_CASE("the union is the same in any order, at once and one by one") {
 
 namespace {
 
-/// Returns the interval in which a line along z lies inside a convex polyhedron. The plane of each
-/// face cuts the line.
+/// Returns the interval in which a line along z lies inside a convex polyhedron whose faces are
+/// oriented outwards. The plane of each face cuts the line.
 std::optional<std::array<double, 2>> interval_inside(const Mesh& convex, double x, double y) {
   double low = -1e300;
   double high = 1e300;

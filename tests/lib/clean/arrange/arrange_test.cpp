@@ -1,5 +1,5 @@
-/// Arrangements of random triangles on a lattice, whose faces touch, intersect in points, overlap
-/// in planes and coincide. Vertices and incidences are found by brute force in rational arithmetic.
+/// Arrangements of random triangles on a lattice, which touch, intersect in points, overlap in
+/// planes and coincide. The oracle finds vertices and incidences by brute force in rationals.
 #include "clean/arrange/arrange.h"
 
 #include <doctest/doctest.h>
@@ -76,8 +76,8 @@ std::set<RationalPoint> expected_points(const Mesh& mesh) {
   return points;
 }
 
-/// Returns the rational point for each point of the arrangement, found by position. There must be
-/// no other points.
+/// Returns the element of `points` at the position of each point of the arrangement. The
+/// arrangement must not have points that are missing in `points`.
 std::vector<RationalPoint> match_points(const Arrangement& arrangement,
                                         const std::set<RationalPoint>& points) {
   std::vector<RationalPoint> matched;

@@ -16,7 +16,7 @@ namespace transformesh {
 namespace {
 
 /// A triangle around the origin in the plane z = 0, and vertical blades through it along tangents
-/// of a circle. Every two blades intersect within the triangle.
+/// of a circle. The blades are in general position, and every two intersect within the triangle.
 Mesh blades(int count) {
   Mesh mesh;
   mesh.positions = {{-50, -40, 0}, {60, -30, 0}, {-3, 70, 0}};

@@ -1,5 +1,5 @@
 /// Random segments on a lattice, where points often coincide, are collinear or lie on segments.
-/// Intersections and incidences are counted in rational arithmetic.
+/// The oracle counts intersections and incidences in rational arithmetic.
 #include "clean/arrange/planar_triangulation.h"
 
 #include <doctest/doctest.h>
@@ -76,7 +76,7 @@ class Triangulated {
   const PlanarTriangulation& operator*() const { return triangulation_; }
   void improve() { triangulation_.improve(); }
   Vec3 position(Index i) const { return geometry_.position(triangulation_.point(i)); }
-  std::vector<Index> ids;  ///< points of the ends of all segments
+  std::vector<Index> ids;  ///< numbers of the points at the ends of all segments
 
  private:
   const Drawing drawing_;
@@ -185,7 +185,7 @@ TEST_CASE("without constraints improving makes it Delaunay") {
   const auto at = [&](Index i) { return triangulation.point(i).center; };
   int tested = 0;
   for (const PlanarTriangulation::Facet& facet : triangulation.facets()) {
-    // Returns twice the center of the circumcircle relative to a, by perpendicular bisectors.
+    // The perpendicular bisectors of b and c meet in the center of the circumcircle.
     const Vec3 a = at(facet.v[0]), b = at(facet.v[1]) - a, c = at(facet.v[2]) - a;
     const double area = b.x() * c.y() - b.y() * c.x();
     const Vec3 center = a + Vec3(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),

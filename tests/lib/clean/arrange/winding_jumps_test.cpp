@@ -18,8 +18,8 @@ Mesh floor_and_wall(double low, double high) {
   return mesh;
 }
 
-/// Returns the step from the left to the right side of a segment towards larger y, that is, towards
-/// larger x.
+/// Returns the change of the winding number from the left to the right side of a segment. The
+/// segment points to larger y, so its right side is at larger x.
 int step_over_wall(const Mesh& mesh, bool reversed) {
   const WeldedMesh welded = weld(mesh);
   const std::vector<Meeting> meetings = find_meetings(welded, Progress());

@@ -185,7 +185,7 @@ TEST_CASE("a box without self-intersections changes no face") {
   CHECK(!result.changed);
   CHECK(result.mesh.positions == input.positions);
   CHECK(result.mesh.faces == input.faces);
-  // The box covers half of the intersection: vertices outside keep their index and position.
+  // The box covers half of the intersection; faces outside of the box stay.
   options.box = octants(input, {.5, .5, .5})[0];
   options.box->max().x() = 100;
   const Mesh half = clean(input, options).mesh;

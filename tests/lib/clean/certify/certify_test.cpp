@@ -22,7 +22,7 @@ Mesh two_balls() { return joined(icosphere(2), moved(icosphere(2), {0.9, 0.33, 0
 
 Mesh inner_ball() { return moved(scaled(icosphere(1), 0.4), {0.1, 0.05, -0.1}); }
 
-/// Returns the face that is not in the input, if there is one.
+/// Returns a face of the output that is not in the input; there must be one.
 Index new_face(const Mesh& input, const Mesh& output) {
   const auto faces = marked_faces(match_faces(input, output).output_is_new, 1);
   REQUIRE(!faces.empty());

@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// Returns the least distance of the point from sampled points of the triangle, as the largest of
-/// its coordinates in multiples of the margins.
+/// Returns the least distance of the point from sampled points of the triangle. The distance is the
+/// largest difference along an axis, in multiples of the margin of that axis.
 double sampled_distance(const Vec3& margins, const Vec3& point, const Triangle& t, int steps) {
   double least = 1e300;
   for (int i = 0; i <= steps; ++i)

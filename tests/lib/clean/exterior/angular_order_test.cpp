@@ -59,7 +59,7 @@ std::vector<double> angles_of(const Book& book) {
   return angles;
 }
 
-/// Returns the halfedges of a book in the order of its pages.
+/// Returns the halfedges of a book, sorted by `before`, which compares page numbers.
 template <class Before>
 std::vector<Index> halfedges_by(const Book& book, const Before& before) {
   std::vector<Index> order(book.halfedges.size());

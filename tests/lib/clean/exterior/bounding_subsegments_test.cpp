@@ -143,7 +143,7 @@ TEST_CASE("touching segments, and three through one point, are left undecided") 
     return curves.parts(1).has_value();
   };
   CHECK(chords({{2, 4}, {4, 2}}));
-  CHECK_FALSE(chords({{2, 4}, {2, 5}}));  // one point on an edge, with two different names
+  CHECK_FALSE(chords({{2, 4}, {2, 5}}));  // two points at one position on an edge
   // One edge of a polygon without the next edge.
   Curves curves(2);
   curves.add_polygon({3, 3, 0}, 1, 5, 1);
@@ -157,7 +157,7 @@ TEST_CASE("without a known or consistent winding number nothing is decided") {
   const std::vector<Vec3> positions{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
   const std::vector<Face> faces{{0, 1, 2}};
   CHECK_FALSE(find_bounding_subsegments({positions, faces}, curves.in, {}, 1).has_value());
-  // the winding number changes across only one side of the polygon
+  // The jump across one side of the polygon contradicts the jumps across its other sides.
   curves.in.segments[2].jump *= -1;
   CHECK_FALSE(curves.parts(1).has_value());
 }

@@ -74,7 +74,7 @@ Vec3 lattice_point(test::Random& random, std::uint64_t size) {
   return {x, y, static_cast<double>(random.below(size))};
 }
 
-/// Boxes on a lattice: faces coincide, are coplanar, or are copies of each other.
+/// Boxes on a lattice: faces overlap, are coplanar, or are copies of each other.
 Mesh lattice_boxes(std::uint64_t seed, int count, std::uint64_t size) {
   test::Random random(seed);
   Mesh mesh;

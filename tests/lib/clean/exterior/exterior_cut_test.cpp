@@ -1,5 +1,5 @@
-/// The faces that are cut along the boundary of their exterior. The correctness of the result is
-/// tested with the exterior arrangement.
+/// The faces that are cut along the boundary of their exterior. exterior_arrangement_test.cpp
+/// compares the results with rays.
 #include "clean/exterior/exterior_cut.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ namespace {
 
 struct Count {
   std::size_t cut = 0;      ///< planes cut along the boundary of their exterior
-  std::size_t in_full = 0;  ///< faces that have to be cut along all intersections
+  std::size_t in_full = 0;  ///< planes that have to be cut along all intersections
   std::size_t facets = 0;
 };
 

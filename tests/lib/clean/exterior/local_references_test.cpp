@@ -14,7 +14,7 @@
 namespace transformesh {
 namespace {
 
-/// Returns all faces of a mesh.
+/// Returns a function that visits the faces of a mesh near a box.
 LocalReferences::VisitFaces all_of(const Mesh& mesh) {
   return [&mesh](const Vec3& low, const Vec3& high, const LocalReferences::Visit& visit) {
     const std::vector<bool> near = faces_near(mesh, {low, high});

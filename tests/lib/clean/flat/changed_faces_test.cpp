@@ -1,4 +1,4 @@
-/// Faces have changed if one of their corners belonged to a removed input face.
+/// A face has changed if one of its corners is at a corner of a removed input face.
 #include "clean/flat/changed_faces.h"
 
 #include <doctest/doctest.h>

@@ -90,7 +90,7 @@ TEST_CASE("sides bent by rounding are merged, and the movement is bounded") {
     CHECK(result.displacement > 0);
     CHECK(result.displacement < 200 * spacing_around(Vec3::Ones(), Scalar::float64));
     check_surface(mesh, {0});
-    // Every input vertex lies within the allowed displacement of a side of the result.
+    // Every input vertex is at most `displacement` from the plane of a face of the result.
     for (const Vec3& point : before.positions) {
       double nearest = 1;
       for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -127,7 +127,7 @@ TEST_CASE("borders between properties of faces stay") {
   };
   for (Index f = 0; f < mesh.faces.size(); ++f) material[f] = is_left(f) ? 1 : 2;
   merge_all(mesh);
-  // Four sides have two properties each and are divided; the other two are not.
+  // Four sides have faces of both materials and are divided; the other two are not.
   CHECK(mesh.faces.size() == 20);
   CHECK(mesh.positions.size() == 12);
   for (Index f = 0; f < mesh.faces.size(); ++f)

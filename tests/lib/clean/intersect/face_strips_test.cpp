@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Long thin faces from one plane to another, side by side, transformed by a matrix and shifted.
+/// Long thin faces side by side, along y and near the plane z = 0, then rotated and shifted.
 Mesh needles(std::size_t count, double width, double height, double scale, const Vec3& move) {
   test::Random random(43);
   const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());

@@ -19,7 +19,8 @@ double uniform(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// A double cone over a random rim; some of its points are collinear with the apexes.
+/// A double cone. `noise` is the largest random change of radius and height at its rim; `lean`
+/// shifts the lower apex along x.
 Mesh double_cone(std::mt19937& random, Index rim, double noise, double lean) {
   Mesh mesh;
   mesh.positions = {{0, 0, 1}, {lean, 0, -1}};
@@ -37,7 +38,8 @@ Mesh double_cone(std::mt19937& random, Index rim, double noise, double lean) {
   return mesh;
 }
 
-/// Faces of any size and direction with corners on a coarse grid; many touch axes and edges.
+/// Adds faces of any size and direction. About half of their corners are on a coarse grid, so that
+/// many faces touch axes and edges.
 void add_random_faces(Mesh& mesh, std::mt19937& random, int count) {
   for (int i = 0; i < count; ++i) {
     const auto first = static_cast<Index>(mesh.positions.size());

@@ -15,7 +15,7 @@ namespace transformesh {
 namespace {
 
 /// Returns the number of faces in regions. Checks that no two faces of a region intersect, and that
-/// no inner point of a region is a seam.
+/// all faces at a point are in one region unless the point is on a seam.
 std::size_t count_in_regions(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   const IntersectionFreeRegions regions = find_intersection_free_regions(welded);

@@ -86,7 +86,7 @@ TEST_CASE("a fin at an edge of a body is open") {
 }
 
 TEST_CASE("a dome whose border lies on a body with vertices of its own is open") {
-  // The body is closed by its indices, although the dome encloses more area than the part that it
+  // The body is closed by its indices, although the dome has more area than the face that it
   // covers.
   const Mesh body = test::cuboid({0, 0, -1}, {1, 1, 0});
   Mesh dome;

@@ -68,7 +68,7 @@ Mesh ball(test::Random& random) {
                      random.point(-1, 1));
 }
 
-/// A closed part that may intersect itself, and open components.
+/// A closed part that may intersect itself, and open components of a kind of random_case().
 struct Case {
   Mesh closed, open;
   bool has_bodies = false;  ///< open components can be bodies with holes

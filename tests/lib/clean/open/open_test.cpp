@@ -101,7 +101,8 @@ TEST_CASE("a sheet that meets nothing stays, in either orientation") {
 }
 
 TEST_CASE("of two intersecting sheets the parts in front of both stay") {
-  // The flat sheet is left from y = -0.017 on, the tilted one from y = -0.1 on.
+  // The sheets intersect at y = -0.017. The flat one stays below this y; the tilted one stays where
+  // its parameter y is above -0.1.
   const double steep = 2 * std::sqrt(1 + 0.3 * 0.3);
   const Mesh down = cleaned(test::joined(sheet(flat), sheet(tilted)));
   CHECK(area(down) == doctest::Approx(2 * (1 - 0.017) + steep * 1.1).epsilon(1e-9));

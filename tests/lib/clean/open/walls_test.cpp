@@ -176,7 +176,7 @@ TEST_CASE("walls given once or twice in rooms at random leave the voxels of the 
     try {
       check_body(mesh, static_cast<double>(rooms.size()));
       ++cleaned;
-    } catch (const InputError&) {  // two copies of a wall at one edge with the same orientation
+    } catch (const InputError&) {  // two walls traverse an edge in the same direction
     }
   }
 }

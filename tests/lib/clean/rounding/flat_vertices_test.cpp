@@ -123,7 +123,7 @@ TEST_CASE("a vertex higher than the tolerance stays") {
 }
 
 TEST_CASE("a spike with edges shorter than half the tolerance is removed") {
-  const double steps = 0x1p20, step = 0x1p-55;  // a movement may be up to four times the tolerance
+  const double steps = 0x1p20, step = 0x1p-55;  // the spacing is up to four times `step`
   Assembly assembly = cube_with_spike(steps * step / 16);
   Displacement moved;
   CHECK(remove_all(assembly, false, moved, steps));

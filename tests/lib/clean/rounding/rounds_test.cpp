@@ -79,7 +79,8 @@ class Evolution {
     ++starts_;
   }
 
-  // The direction changes every ten rounds, so that the mesh moves far enough to merge and split.
+  // The smooth velocities change every ten rounds, so that the mesh moves far enough to merge and
+  // split.
   // About every fifth round moves vertices independently instead.
   void move(int round) {
     if (round % 10 == 0) wind_ = test::Random(random_.bits());

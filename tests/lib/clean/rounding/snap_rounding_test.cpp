@@ -38,7 +38,7 @@ Mesh in_singles(Mesh mesh) {
   return mesh;
 }
 
-// Closed and manifold, without intersections and faces without area.
+// Checks that the result is closed and manifold, without intersections or faces of no area.
 Mesh check_clean(const Mesh& mesh, Scalar coordinate) {
   CleanOptions options;
   options.coordinate = coordinate;
@@ -96,7 +96,7 @@ TEST_CASE("scaling changes nothing, up to where products overflow or vanish") {
     CHECK(result.faces == expected.faces);
     CHECK(test::scaled(result, 1 / scale).positions == expected.positions);
   }
-  // Farther away, only the triangulation of faces may differ.
+  // At scales beyond these, only the triangulation of faces may differ.
   for (const int exponent : {-300, 300}) {
     const Mesh result =
         check_clean(test::scaled(straight, std::ldexp(1.0, exponent)), Scalar::float64);

@@ -49,7 +49,7 @@ struct Cells {
 
 constexpr double spacing = 0x1p-23;  // spacing of floats from 1 to 2
 
-/// A box with a slit of this width through it.
+/// A box with a closed slit of this width inside.
 Mesh slit_box(double width) {
   return joined(cuboid({1, 1, 1}, {1.9, 1.9, 1.9}),
                 test::reversed(cuboid({1.2, 1.2, 1.4}, {1.7, 1.7, 1.4 + width})));

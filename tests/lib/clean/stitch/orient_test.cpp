@@ -72,7 +72,7 @@ TEST_CASE("closed parts are oriented outwards again, and reversed faces are coun
 TEST_CASE("a consistent part stays unchanged, even if it is inside out") {
   Mesh inside_out = test::reversed(test::icosphere(1));
   CHECK(orient_faces(inside_out) == 0);
-  // The inside-out cube lies beside a cube with inconsistent faces.
+  // The inside-out ball lies beside a cube with inconsistent faces.
   Mesh mesh = test::joined(inside_out, shuffled(test::moved(test::cube(), {5, 0, 0}), 3));
   orient_faces(mesh);
   CHECK(test::signed_volume(mesh) ==

@@ -65,7 +65,7 @@ TEST_CASE("with outwards, a shuffled cavity takes the orientation of most faces"
   Mesh alone = mesh;
   stitch(mesh, {.orient = true, .outwards = true});
   CHECK(volume_of(mesh) == doctest::Approx(volume_of(nested())));
-  // Without `outwards`, every component with inconsistent faces faces outwards.
+  // Without `outwards`, every component with inconsistent faces is oriented outwards.
   stitch(alone, {.orient = true});
   CHECK(volume_of(alone) ==
         doctest::Approx(volume_of(ball(3)) + volume_of(ball(2)) + volume_of(ball(1))));

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-using Sums = std::map<Index, int>;  ///< sums of the sheets at each edge
+using Sums = std::map<Index, int>;  ///< sum of each sheet at one edge
 
 /// There are few different sums, so that many sheets are alike.
 std::vector<Sums> random_edges(std::mt19937& random, Index sheets) {

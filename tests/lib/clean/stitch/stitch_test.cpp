@@ -102,7 +102,7 @@ class Cells {
   std::uint64_t filled_;
 };
 
-// Adds the faces of each cell towards smaller coordinates, oriented out of the filled cell.
+// Returns the faces of all cells towards smaller coordinates, oriented out of the filled cell.
 Mesh Cells::boundary(bool with_walls) const {
   Mesh mesh;
   each([&](int x, int y, int z) {

@@ -58,8 +58,8 @@ TEST_CASE("positions are welded transitively over short distances") {
 TEST_CASE("clusters of points within the tolerance are welded as the definition says") {
   for (const double tolerance : {0.01, 0.05, 0.1, 0.25}) {
     test::Random random(static_cast<std::uint64_t>(1000 * tolerance));
-    std::vector<Vec3> plate;  // many have the same x
-    std::vector<Vec3> heaps;  // their distance is nearly the tolerance
+    std::vector<Vec3> plate;  // flat: all x differ by less than 1e-3
+    std::vector<Vec3> heaps;  // three heaps about the tolerance apart
     std::vector<Vec3> lattice;
     for (int i = 0; i < 700; ++i) {
       plate.push_back(random.point(0, 1).cwiseProduct(Vec3(1e-3, 1, 1)));

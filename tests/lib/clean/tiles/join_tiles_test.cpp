@@ -86,7 +86,7 @@ TEST_CASE("the joined tiles have the triangles and the vertices of one process")
     }
   for (const Mesh* mesh : std::array<const Mesh*, 3>{&folded, &twice, &blocks}) {
     for (const int level : {1, 2}) {
-      if (mesh == &blocks && level == 2) continue;  // no area is covered twice
+      if (mesh == &blocks && level == 2) continue;  // no point is in two boxes
       CleanOptions options;
       options.winding_level = level;
       const Mesh expected = clean(*mesh, options).mesh;

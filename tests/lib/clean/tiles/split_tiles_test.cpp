@@ -38,7 +38,7 @@ Mesh numbered_mesh() {
   return mesh;
 }
 
-/// Returns the faces, and those connected with them by at least this number of common positions.
+/// Returns the faces and `rings` rings of faces around them, connected by common positions.
 std::vector<bool> with_rings(const Mesh& mesh, std::vector<bool> faces, int rings) {
   const auto key = [](const Vec3& p) { return std::array{p.x(), p.y(), p.z()}; };
   for (int ring = 0; ring < rings; ++ring) {
