@@ -76,7 +76,7 @@ void check_is_sound(const Mesh& mesh, double least_angle) {
   CHECK(angles(mesh).minimum_deg > least_angle);
 }
 
-/// A prism over a regular polygon, with radius and height 1.
+/// A prism over a regular polygon with `n` corners, with radius and height 1.
 Mesh prism(Index n) {
   Mesh mesh;
   for (const double z : {0.0, 1.0})

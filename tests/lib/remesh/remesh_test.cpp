@@ -218,7 +218,7 @@ TEST_CASE("survivors keep their order") {
   options.max_edge = 10;  // no new vertices
   remesh(mesh, options);
   const std::vector<double>& ids = mesh.vertex_columns.find("id")->values;
-  // a merged vertex keeps its index, whichever end gave its number
+  // a merged vertex keeps its index, whichever end gave its `id`
   std::size_t descents = 0;
   for (std::size_t v = 1; v < ids.size(); ++v) descents += ids[v] < ids[v - 1];
   CHECK(ids.size() < 642);
