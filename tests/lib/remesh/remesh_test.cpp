@@ -310,7 +310,7 @@ TEST_CASE("what is removed is reported with its faces, area and volume") {
 
 TEST_CASE("triangles without area go") {
   Mesh mesh = icosphere(2);
-  // a cap: a vertex on the middle of an edge of the neighboring face
+  // a cap: the apex of face 10 lies in the middle of the opposite edge
   const Face face = mesh.faces[10];
   const Index apex = face[0];
   mesh.positions[apex] = 0.5 * (mesh.positions[face[1]] + mesh.positions[face[2]]);

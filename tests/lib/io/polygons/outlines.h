@@ -41,7 +41,7 @@ inline TestPolygon random_star(std::size_t size, test::Random& random) {
   return polygon;
 }
 
-/// Returns a bar with square teeth.
+/// Returns a bar with rectangular teeth.
 inline TestPolygon comb(int teeth) {
   TestPolygon polygon;
   for (int i = 0; i < teeth; ++i) {
