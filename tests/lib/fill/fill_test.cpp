@@ -88,7 +88,8 @@ TEST_CASE("a patch that would intersect the mesh stays out") {
 }
 
 TEST_CASE("a slit, which has only flat patches, is not filled by intersecting faces") {
-  // A cube with a vertex in the middle of an edge that belongs to only one of the two faces there.
+  // A cube with a new vertex in the middle of edge (0, 1). Only one of the two faces at the edge is
+  // split there.
   for (const bool allows : {false, true}) {
     Mesh mesh = test::cube();
     mesh.positions.emplace_back(0.5, 0, 0);

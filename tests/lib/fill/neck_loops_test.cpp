@@ -58,7 +58,7 @@ double around(double radius) { return 32 * radius * std::sin(std::numbers::pi / 
 }  // namespace
 
 TEST_CASE("the neck between two balls is found where it is narrowest, if it is short enough") {
-  // Ring 30 of 60 lies next to the waist at z = pi.
+  // Ring 30 of rings 0 to 60 lies at the waist, z = pi.
   const Mesh mesh = revolved(dumbbell, 2 * std::numbers::pi, 61);
   const double waist = around(0.1);
   const std::vector<NeckLoop> necks = necks_of(mesh, 1.05 * waist);

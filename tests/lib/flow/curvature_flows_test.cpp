@@ -48,7 +48,7 @@ double sphere_error(std::size_t faces, int steps) {
   return std::abs(std::pow(mean_radius(sphere), 2) / 0.4 - 1);
 }
 
-/// Returns six times the volume, computed without the library.
+/// Returns the volume, computed without the library.
 double volume_of(const Mesh& mesh) {
   double sum = 0;
   for (const auto& [a, b, c] : mesh.faces)

@@ -44,7 +44,7 @@ TEST_CASE("a ray through edges and corners is replaced, and a point on the surfa
   const Mesh mesh = cuboid({0, 0, 0}, {4, 4, 4});
   const RayCastWinding winding(mesh);
   CHECK(winding({1, 2, 3}) == 1);
-  // Rays from these points along x and y meet diagonals of the sides.
+  // Rays from (1, 1, 3) along x and y meet diagonals of the sides.
   CHECK(winding({1, 1, 3}) == 1);
   CHECK(winding({1, 1, 5}) == 0);
   CHECK(!winding({1, 0, 2}));

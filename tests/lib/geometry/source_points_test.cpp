@@ -33,7 +33,7 @@ bool is_vertex_of(const Mesh& mesh, const Vec3& point) {
   return std::find(mesh.positions.begin(), mesh.positions.end(), point) != mesh.positions.end();
 }
 
-/// Returns the distance from the faces with a normal in the same direction, by brute force.
+/// Returns the distance from the faces at less than 90 degrees to `normal`, by brute force.
 double distance_facing(const Mesh& mesh, const Vec3& point, const Vec3& normal) {
   double least = HUGE_VAL;
   for (Index f = 0; f < mesh.faces.size(); ++f) {

@@ -1,5 +1,5 @@
-/// Files of glTF written by hand: JSON with its buffer as a data URI. Tests give the buffer in
-/// hexadecimal digits.
+/// Files of glTF written by hand: JSON with its buffer as a data URI. The bytes are converted to
+/// base64 bit by bit, without the library.
 #pragma once
 
 #include <nlohmann/json.hpp>

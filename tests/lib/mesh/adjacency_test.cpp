@@ -8,7 +8,7 @@ using namespace transformesh;
 
 namespace {
 
-/// Returns the neighbors by their definition, in quadratic time.
+/// Returns the opposite halfedges by their definition, in quadratic time.
 std::vector<Index> opposites_by_search(const Mesh& mesh) {
   const Index count = static_cast<Index>(3 * mesh.faces.size());
   std::vector<Index> result(count, no_index);

@@ -70,7 +70,7 @@ TEST_CASE("blending interpolates floats and colors; labels and lists follow the 
   CHECK(column(blended, "tags").list_offsets == Offsets{0, 0, 1});
   CHECK(column(blended, "tags").values == Values{1});
 
-  // Selects in place, from a row of the table itself.
+  // Appends a blend of rows of the table itself, in place.
   blended.append({{1, 0, 0}, {0.75, 0.25, 0}});
   CHECK(column(blended, "height").values == Values{2.25, 1.5, 1.6875});
   CHECK(column(blended, "tags").list_offsets == Offsets{0, 0, 1, 2});

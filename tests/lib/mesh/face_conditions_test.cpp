@@ -38,8 +38,8 @@ TEST_CASE("a mesh is split into its components, the largest first, with all colu
   REQUIRE(by_volume.size() == 2);
   CHECK(by_faces[0].faces.size() == test::icosphere(1).faces.size());
   for (std::size_t i = 0; i < 2; ++i) {
-    // Each part equals the selection of the larger component by faces, or of the other one; by
-    // volume, the order is reversed.
+    // Part 0 is the component with the most faces, and part 1 is the rest. By volume, the order is
+    // reversed.
     const std::vector<bool> keep = faces_of_largest(mesh, 1, ComponentSize::faces);
     std::vector<bool> other = keep;
     other.flip();

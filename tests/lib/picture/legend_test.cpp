@@ -41,7 +41,7 @@ TEST_CASE("the bar has the colors of the ends, and numbers stand beside it") {
   // the dots of 1 and of 8 in this font
   CHECK(ink(image, 0, 50) == 10);
   CHECK(ink(image, 150, 200) == 17);
-  // no dark pixel above the strip
+  // the row above the strip stays white
   for (int x = 0; x < 200; ++x) CHECK(image.at(x, 100 - legend_height(200, 100) - 1) == white);
 }
 

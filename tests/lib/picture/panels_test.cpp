@@ -14,7 +14,7 @@ std::vector<Panel> panels_of(const std::vector<const Mesh*>& meshes, const Pictu
   return lay_out(meshes, options, strip);
 }
 
-/// Returns the vertices of a mesh in pixels of its panel.
+/// Returns the height of the image of a mesh in its panel, in pixels.
 double height_in(const Panel& panel) {
   double low = 1e9, high = -1e9;
   for (const Vec3& position : panel.mesh->positions) {

@@ -16,7 +16,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// A plate at height 1 with a straight end above x = 0; it covers the left.
+/// A plate at height 1 with a straight end above x = 0; it covers the side of negative x.
 Mesh plate() {
   Mesh mesh;
   mesh.positions = {{-2, -2, 1}, {0, -2, 1}, {0, 2, 1}, {-2, 2, 1}};

@@ -103,7 +103,7 @@ TEST_CASE("a dent that the hull does not show is found; the surface is closed") 
 TEST_CASE("a run that was ended continues to the same bytes, from any sweep") {
   ReconstructionOptions options = few_sweeps();
   const std::string whole = write_mesh(run_of(options).document).bytes;
-  // Without masks, the outlines must be found again from the hull.
+  // Without masks, the outlines of the hull must be found again if a run continues.
   const std::string outlined =
       write_mesh(run_of(options, {}, test::without_masks(dented_views())).document).bytes;
   CHECK(outlined != whole);

@@ -20,7 +20,8 @@ const PhotoScene& scene() {
 
 SurfaceDoubt doubt_of(const Mesh& mesh) { return surface_doubt(mesh, scene(), least_cosine); }
 
-/// A flat ellipsoid in front of the ball, on the axis of the ring.
+/// Adds a flat ellipsoid in front of the ball, perpendicular to the z axis. The axis of the ring of
+/// cameras is y.
 Mesh with_plate(Mesh mesh, double half_thickness) {
   Mesh plate = icosphere(3);
   for (Vec3& p : plate.positions) p = Vec3(0.3 * p.x(), 0.3 * p.y(), 1.25 + half_thickness * p.z());

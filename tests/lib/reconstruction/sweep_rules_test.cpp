@@ -39,7 +39,7 @@ TEST_CASE("a surface explodes if it breaks up, leaves the silhouettes or loses c
   CHECK(explodes([](Sweep& sweep) { sweep.steps.last.coverage = 0.29; }));
   CHECK_FALSE(
       explodes([](Sweep& sweep) { sweep.steps.first.coverage = sweep.steps.last.coverage = 0.2; }));
-  // An object of hundreds of components has not fallen apart.
+  // The limit of components is ten times their number in the initial mesh, if this is above 100.
   Sweep many = moving(0.5);
   many.mesh.topology.components = 500;
   CHECK_FALSE(is_exploded(many, 50));

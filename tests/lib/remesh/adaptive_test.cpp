@@ -154,7 +154,7 @@ TEST_CASE("lengths stay within the bounds") {
 }
 
 TEST_CASE("projected vertices lie on the input") {
-  // depth of the faces of this mesh below the sphere
+  // faces of `before` are at most `depth` below the sphere
   const Mesh before = icosphere(5);
   const double depth = 1 - std::sqrt(1 - std::pow(edge_lengths(before).maximum, 2) / 3);
   RemeshOptions options;

@@ -76,7 +76,7 @@ void check_is_sound(const Mesh& mesh, double least_angle) {
   CHECK(angles(mesh).minimum_deg > least_angle);
 }
 
-/// A prism over a regular polygon, with radius and height 1.
+/// A prism over a regular polygon with `n` corners, with radius and height 1.
 Mesh prism(Index n) {
   Mesh mesh;
   for (const double z : {0.0, 1.0})
@@ -144,7 +144,7 @@ TEST_CASE("curved edges are followed, and smooth parts beside them stay smooth")
   check_is_sound(mesh, 15);
   CHECK(before > 0.03);
   CHECK(compare(mesh, target).hausdorff < 0.01);
-  // Sharp edges of 90 degrees are exactly the edges of the rims.
+  // Edges between vertices on the rims cover both circles.
   double length = 0;
   for (Index f = 0; f < mesh.faces.size(); ++f)
     for (Index i = 0; i < 3; ++i) {

@@ -55,8 +55,8 @@ TEST_CASE("the largest curvature of a torus is that of its tube") {
 }
 
 TEST_CASE("the curvature of an ellipsoid agrees with the closed form") {
-  // The curvature of x^2 + y^2 + z^2 / 4 = 1. Along a meridian it is 2 / (sin^2 + 4 cos^2)^(3/2),
-  // with the parameter's angle from the pole. Along a parallel it is 1 / sqrt(sin^2 + 4 cos^2).
+  // On x^2 + y^2 + z^2 / 4 = 1, let s be cos^2 + 4 sin^2 of the parameter's angle from the pole.
+  // The normal curvature is 2 / s^(3/2) along a meridian, and 2 / sqrt(s) along a parallel.
   Mesh mesh = icosphere(5);
   for (Vec3& point : mesh.positions) point.z() *= 2;
   const std::vector<double> curvatures = largest_curvatures(EditableMesh(mesh));

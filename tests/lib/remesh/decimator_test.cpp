@@ -87,7 +87,8 @@ TEST_CASE("flat parts are decimated first: a fine cube becomes twelve triangles"
 }
 
 TEST_CASE("flat sides stay flat at every number of faces, and no vertex leaves the cube") {
-  // Two squares per side: merging a corner with the middle of an edge would leave the cube.
+  // If `steps` is 2, each edge of the cube has a vertex in its middle. A corner that is merged with
+  // this vertex must not leave the cube.
   for (const auto& [steps, faces] : {std::pair(2, 44), {2, 20}, {12, 1000}, {12, 100}, {12, 30}}) {
     CAPTURE(steps);
     CAPTURE(faces);
@@ -99,7 +100,7 @@ TEST_CASE("flat sides stay flat at every number of faces, and no vertex leaves t
 }
 
 TEST_CASE("the ends of a rod with long edges keep their shape") {
-  // A rod 40 times as long as wide, with 32 flat sides in 80 slices.
+  // A rod 40 times as long as wide, in 80 slices. Its 32 sides are flat along the rod.
   constexpr int around = 32, slices = 80;
   Mesh rod;
   for (int slice = 0; slice <= slices; ++slice)

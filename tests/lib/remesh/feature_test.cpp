@@ -81,13 +81,14 @@ void check_box(const Mesh& mesh, const Eigen::Matrix3d& back) {
     ++on[static_cast<std::size_t>(place.planes)];
   }
   CHECK(on[0] == 0);  // every vertex on a side
-  CHECK(on[3] == 8);  // every vertex on a side, and all corners
+  CHECK(on[3] == 8);  // vertices at all corners
   const SharpEdges sharp(mesh, 40);
   CHECK(sharp.length == doctest::Approx(24).epsilon(1e-12));
   CHECK(sharp.corners() == 8);
 }
 
-/// A prism of n sides that approximates a cylinder of radius 1 and height 2; its caps are fans.
+/// A prism of n sides that approximates a cylinder of radius 1 and height 2. Each cap is an
+/// umbrella around a vertex in its center.
 Mesh cylinder(Index n) {
   Mesh mesh;
   for (Index i = 0; i < n; ++i) {

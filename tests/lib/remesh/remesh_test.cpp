@@ -218,7 +218,7 @@ TEST_CASE("survivors keep their order") {
   options.max_edge = 10;  // no new vertices
   remesh(mesh, options);
   const std::vector<double>& ids = mesh.vertex_columns.find("id")->values;
-  // a merged vertex keeps its index, whichever end gave its number
+  // a merged vertex keeps its index, whichever end gave its `id`
   std::size_t descents = 0;
   for (std::size_t v = 1; v < ids.size(); ++v) descents += ids[v] < ids[v - 1];
   CHECK(ids.size() < 642);
@@ -310,7 +310,7 @@ TEST_CASE("what is removed is reported with its faces, area and volume") {
 
 TEST_CASE("triangles without area go") {
   Mesh mesh = icosphere(2);
-  // a cap: a vertex on the middle of an edge of the neighboring face
+  // a cap: the apex of face 10 lies in the middle of the opposite edge
   const Face face = mesh.faces[10];
   const Index apex = face[0];
   mesh.positions[apex] = 0.5 * (mesh.positions[face[1]] + mesh.positions[face[2]]);

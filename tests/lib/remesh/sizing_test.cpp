@@ -133,7 +133,7 @@ TEST_CASE("graded sizes are the largest that grow slowly enough") {
   std::vector<double> graded = given;
   grade_sizes(editable, graded);
 
-  std::vector<double> bound = given;  // the least size that the neighbors allow
+  std::vector<double> bound = given;  // the smallest of the limits that the neighbors set
   for (const auto& [edge, faces] : edge_faces(mesh)) {
     const auto [a, b] = edge;
     const double length = (mesh.positions[a] - mesh.positions[b]).norm();

@@ -61,7 +61,7 @@ TEST_CASE("components with a border stay if borders are kept") {
 }
 
 TEST_CASE("sizes of the mesh multiply the edge") {
-  // The cube is removed for a shortest edge between 1.41 and 1.74, a tenth of these lengths here.
+  // The limit for the cube is between 1.41 and 1.74. Sizes of 10 multiply edges of a tenth.
   for (const auto& [edge, count] : {std::pair(0.141, 0U), std::pair(0.174, 1U)}) {
     EditableMesh editable(box({1, 1, 1}));
     editable.set_sizes(std::vector<double>(8, 10));

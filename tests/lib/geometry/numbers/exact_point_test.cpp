@@ -150,7 +150,7 @@ TEST_CASE("orientation and order of defined points agree with rationals") {
   int equal = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     Scene scene = random_scene(seed, seed % 3 == 0 ? 1e7 : 0.1);
-    // Returns points of such magnitudes that products leave the range of doubles.
+    // Scales the coordinates so that their products leave the range of doubles.
     if (seed > 60)
       for (Vec3& p : scene.positions) p = Vec3(1e-140, 1e130, 1e145).cwiseProduct(p);
     add_points(scene);

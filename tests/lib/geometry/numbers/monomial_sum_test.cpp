@@ -74,7 +74,8 @@ TEST_CASE("canceling terms leave the sign of much smaller ones, or zero") {
   CHECK(zeros > 900);
 }
 
-// Terms that differ by one unit in the last place, so that each window passes them on to the next.
+// Factors differ by one unit in the last place, so that products nearly cancel and each window
+// passes a carry on to the next.
 TEST_CASE("carries of nearly canceling terms propagate through the windows") {
   test::Random random(23);
   for (int round = 0; round < 2000; ++round) {

@@ -24,7 +24,7 @@ void check_closest(const Vec3& query, const Vec3& a, const Vec3& b, const Vec3& 
   const double size = (b - a).norm() + (c - a).norm() + (query - a).norm();
   for (const Vec3& corner : {a, b, c})
     CHECK((query - point).dot(corner - point) <= 1e-13 * size * size);
-  // Checks that the point lies in the triangle: in no direction it is farther than the farthest
+  // Checks that the point lies in the triangle: it is in no direction farther than the farthest
   // corner.
   test::Random random(5);
   for (int i = 0; i < 20; ++i) {
@@ -239,7 +239,8 @@ TEST_CASE("a face at a right angle does not face the point, for any rounding") {
   test::Random random(41);
   const Vec3 place(0.25, 0.375, 0);
   for (int trial = 0; trial < 200; ++trial) {
-    // The second face is perpendicular to the first; its edge passes through the point.
+    // Face 0 is perpendicular to face 1; its edge from vertex 3 to 4 lies in face 1 and passes
+    // through `place`.
     Mesh mesh{{Vec3(-1, -1, 0), Vec3(2, -1, 0), Vec3(-1, 2, 0), place - Vec3(0.5, 0.25, 0),
                place + Vec3(0.5, 0.25, 0), place + Vec3(0, 0, 1)},
               {{3, 4, 5}, {0, 1, 2}},

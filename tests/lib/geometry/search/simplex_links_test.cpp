@@ -14,7 +14,8 @@ namespace {
 
 constexpr Index many = 60;
 
-/// Corner 0 with faces around it; lengths and directions are random, or directions are among a few.
+/// Corner 0 with faces around it. The other corners are random, or random nodes of a lattice of
+/// 3 x 3 x 3, so that edges often coincide.
 Mesh fan(std::uint64_t seed, double size, bool on_lattice) {
   test::Random random(seed);
   Mesh mesh{{size * random.point(-1, 1)}, {}, {}, {}};

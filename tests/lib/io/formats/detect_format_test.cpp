@@ -26,15 +26,16 @@ std::string refusal(const std::string& bytes, const std::string& name = "-") {
   return "";
 }
 
-/// The bytes of a binary STL that announces and holds `count` facets, with a header that begins
-/// with `header`.
+/// Returns a binary STL file that announces `says` facets and holds `holds`. Its header begins with
+/// `header`.
 std::string binary_stl(std::size_t says, std::size_t holds, std::string header = "") {
   header.resize(80, ' ');
   for (int i = 0; i < 4; ++i) header += static_cast<char>(says >> 8 * i & 255);
   return header + std::string(50 * holds, '\0');
 }
 
-/// A triangle with the comment, which is repeated until the file has at least `size` bytes.
+/// Returns a file with a triangle and the comment. Letters are appended to the comment if the file
+/// is otherwise shorter than `size` bytes.
 std::string file_of_size(const std::string& comment, Format format, std::size_t size) {
   Document document;
   document.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

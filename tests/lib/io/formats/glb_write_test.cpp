@@ -31,8 +31,8 @@ struct Glb {
     return load<std::uint32_t>(from, at);
   }
 
+  // The test assumes a little-endian machine.
   template <class T>
-  // the test assumes a little-endian machine
   static T load(const std::string& from, std::size_t at) {
     T value;
     std::memcpy(&value, from.substr(at, sizeof(T)).data(), sizeof(T));

@@ -57,7 +57,7 @@ TEST_CASE("obj: missing texture coordinates are refused") {
 }
 
 TEST_CASE("obj: numbers of texture points count back from those read so far") {
-  // The second face precedes two more texture coordinates.
+  // Two more texture coordinates precede the second face.
   const Document document = read_document(points +
                                           "vt 0 0\nvt 1 0\nvt 0 1\nf 1/-3 2/-2 3/-1\n"
                                           "vt 4 4\nvt 5 5\nf 1/-5 2/-2 4/-1\n");

@@ -63,7 +63,7 @@ TEST_CASE("ply: malformed headers are refused with their line") {
                  "the count of a list must have an integer type"));
   CHECK(contains(error_of("format ascii 1.0\nelement a 1\nelement a 1\nend_header\n"),
                  "the element 'a' is listed twice"));
-  // A comment after an element may describe its data.
+  // An unknown line after an element may describe data, so it is not taken for a comment.
   CHECK(contains(error_of("format ascii 1.0\nelement vertex 1\nproprety float x\nend_header\n"),
                  "unknown word in the PLY header: 'proprety'"));
 }

@@ -162,7 +162,8 @@ TEST_CASE("ply: polygons become fans with their columns; small faces are dropped
 }
 
 TEST_CASE("ply: the fast path and the general one read the same") {
-  // Faces with a property before and one after the corners; a face in the middle is a quad.
+  // Faces have a property before and one after the corners. If `has_quad`, a face in the middle is
+  // a quad.
   for (const bool has_quad : {false, true}) {
     std::vector<std::string> results;
     for (const std::string count_type : {"uchar", "int"}) {

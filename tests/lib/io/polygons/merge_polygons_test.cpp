@@ -18,7 +18,7 @@ std::string off_without_comments(Document document) {
   return write_mesh(document).bytes;
 }
 
-/// A house with a triangle, a square, a concave hexagon and a pentagon.
+/// A house of a square and a triangle. Beside it, a concave pentagon and a quadrilateral.
 const std::string house =
     "OFF\n12 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 2 0\n3 0 0\n4 0 0\n4 2 0\n3.5 0.5 0\n3 2 0\n"
     "2 1 0\n2.5 0 0\n"

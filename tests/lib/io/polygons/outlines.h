@@ -41,7 +41,7 @@ inline TestPolygon random_star(std::size_t size, test::Random& random) {
   return polygon;
 }
 
-/// Returns a bar with square teeth.
+/// Returns a bar with rectangular teeth.
 inline TestPolygon comb(int teeth) {
   TestPolygon polygon;
   for (int i = 0; i < teeth; ++i) {
@@ -173,8 +173,8 @@ inline bool separates(const PlaneTriangle& first, const PlaneTriangle& second) {
   return false;
 }
 
-/// Counts the triangles with an area below `least` (0: clockwise; 1: also without area), and the
-/// pairs that overlap.
+/// Counts the triangles whose orientation, the sign of their area, is below `least` (0: clockwise;
+/// 1: also without area), and the pairs that overlap.
 inline std::size_t count_faults(const std::vector<PlaneTriangle>& triangles, int least = 1) {
   std::size_t faults = 0;
   for (const PlaneTriangle& triangle : triangles)

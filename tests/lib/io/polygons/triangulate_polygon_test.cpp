@@ -24,7 +24,7 @@ PolygonTriangles cut(const std::vector<Vec3>& positions) {
   return triangulate_polygon(positions, vertices);
 }
 
-/// Rotates a polygon at random, so that rounding makes it slightly non-planar.
+/// Returns a random rotation. Rounding makes a rotated polygon slightly non-planar.
 Eigen::Matrix3d random_rotation(test::Random& random) {
   Eigen::Quaterniond turn(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
                           random.uniform(-1, 1));
@@ -219,7 +219,7 @@ TEST_CASE("100,000 corners do not take quadratic time") {
   };
   check_size(comb(25000));
   check_size(spiral(50000, 200));
-  // Outlines that intersect or overlap themselves must end the search, too.
+  // Outlines that intersect or overlap themselves do not take quadratic time, either.
   test::Random random(3);
   TestPolygon crossing, line;
   for (int i = 0; i < 50000; ++i) {

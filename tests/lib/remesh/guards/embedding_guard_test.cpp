@@ -32,8 +32,8 @@ Patch star_moved_to(const EditableMesh& mesh, Index vertex, const Vec3& position
   return patch;
 }
 
-/// A ball below the middle of a face of a tetrahedron with edges fifty times as long as its own,
-/// and the ball's highest vertex.
+/// A ball of radius 1 below the middle of a face of a tetrahedron that is scaled by 50, and the
+/// ball's highest vertex.
 struct BallUnderFace {
   Mesh mesh;
   Index top = 0;

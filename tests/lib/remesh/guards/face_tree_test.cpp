@@ -1,4 +1,4 @@
-/// The tree of faces against a search of all faces, while vertices move and edges collapse.
+/// The tree of faces, compared with a search of all faces, while vertices move and edges collapse.
 #include "remesh/guards/face_tree.h"
 
 #include <doctest/doctest.h>
@@ -33,7 +33,7 @@ std::vector<Index> all_near(const EditableMesh& mesh, const Vec3& low, const Vec
   return result;
 }
 
-/// Moves a vertex far away, or collapses one of its edges, and tells the tree.
+/// Moves a vertex far away, or collapses one of its edges, and updates the tree.
 void change(EditableMesh& mesh, FaceTree& tree, Index vertex, Random& random, bool collapses) {
   std::vector<Index> faces;
   Index edge = no_index;

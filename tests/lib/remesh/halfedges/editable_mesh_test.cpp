@@ -29,7 +29,8 @@ Index some_edge(const EditableMesh& mesh, Random& random) {
   }
 }
 
-/// Connectivity does not depend on positions, so any legal operations are applied in any order.
+/// Applies legal operations in random order. Connectivity does not depend on positions, so these
+/// are random, too.
 void edit_at_random(EditableMesh& mesh, Random& random, int steps) {
   for (int step = 0; step < steps; ++step) {
     const Index h = some_edge(mesh, random);
@@ -102,7 +103,7 @@ TEST_CASE("a tetrahedron cannot lose an edge, nor flip one") {
 }
 
 TEST_CASE("a torus with three vertices around does not lose its hole") {
-  // both ends of every edge around the hole have a common neighbor, but no face
+  // the ends of every edge around the hole have a common neighbor that forms no face with them
   const EditableMesh mesh(torus(2, 1, 3, 3));
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) CHECK_FALSE(mesh.can_collapse(h));
 }

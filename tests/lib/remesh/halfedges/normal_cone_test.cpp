@@ -10,8 +10,8 @@ using namespace transformesh::test;
 
 namespace {
 
-/// Returns the directions to the sides, edges and corners of a cube whose cosine to the normal
-/// exceeds `least`.
+/// Counts the directions to the sides, edges and corners of a cube that have a cosine above
+/// `cosine` to the normal.
 int count_within(const Vec3& normal, double cosine) {
   int count = 0;
   for (int x = -1; x <= 1; ++x)

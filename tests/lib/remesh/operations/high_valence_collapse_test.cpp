@@ -1,4 +1,4 @@
-/// Stars of thousands of faces with fewer faces after collapses: a disk above and one below a rim.
+/// Collapses in stars of thousands of faces, on a double cone: one star above a rim and one below.
 #include "remesh/operations/high_valence_collapse.h"
 
 #include <doctest/doctest.h>

@@ -11,8 +11,8 @@
 namespace transformesh::test {
 namespace {
 
-/// A square of two triangles with a vertex near the middle of its diagonal: a cap of height
-/// `height` on the first triangle.
+/// A square of two triangles with a vertex near the middle of its diagonal, moved by `height` along
+/// x and y. The first triangle is a cap.
 Mesh square_with_cap(double height) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5 + height, 0.5 - height, 0}};

@@ -58,7 +58,7 @@ TEST_CASE("beside border edges that stay and are far too long, splits end") {
       const Mesh mesh = editable.to_mesh();
       CHECK(is_oriented_manifold(mesh));
 
-      // Returns the longest edge of each face.
+      // Maps each edge to the length of the longest edge of the faces beside it.
       std::map<std::pair<Index, Index>, double> beside;
       for (const Face& face : mesh.faces) {
         const double longest = std::max({side(mesh, face[0], face[1]), side(mesh, face[1], face[2]),
