@@ -546,7 +546,7 @@ LINES
   run --separate-stderr tm-morph-step apart.ply --target ball.ply -o out.ply
   assert_status 0
   [[ $stderr == *"apart from the target"*"--around"* ]]
-  # A target that was written by the suite has been checked.
+  # A target from --write-target was checked when it was written.
   tm-morph-step -q large.ply --target folded.ply --write-target prepared.ply -o out.ply
   run --separate-stderr tm-morph-step large.ply --target prepared.ply -o out.ply
   [[ $stderr != *crosses* ]]
