@@ -13,8 +13,8 @@ struct Body {
   TriangleMesh cutter;  ///< parts to be subtracted, with reversed faces; may be empty
   /// Volumes in closed form, in the coordinates before rounding.
   double volume_of_solids = 0;  ///< volume of the union of all solids, before the cut
-  double volume = 0;         ///< volume of the solids without the cutter's parts
-  double volume_in_two = 0;  ///< volume of the points in at least two solids
+  double volume = 0;            ///< volume of the solids without the cutter's parts
+  double volume_in_two = 0;     ///< volume of the points in at least two solids
   bool is_single_solid = false;
   bool is_rotated = false;
   bool has_coplanar_contact = false;  ///< faces of two parts met in a common plane before rotation
