@@ -64,8 +64,8 @@ spoil_off() {
     awk 'NR == 2 { v = \$1; f = \$2 } $2'"
 }
 
-# expect_kind KIND: checks that a chain fails with a finding of this kind, and that its commands are
-# printed.
+# expect_kind KIND: checks that a chain fails with a finding of this kind, and that the options of the
+# runner that repeat the chain are printed.
 expect_kind() {
   run "$chains" --seeds 1..30 --bin spoiled
   assert_status 1

@@ -24,7 +24,8 @@ Mesh octahedron(double radius) {
   return mesh;
 }
 
-/// A cube of side 4, and a tetrahedron that extends from its corner `tip` in the direction `away`.
+/// A cube of side 4, and a tetrahedron with one corner at `tip` that extends in the direction
+/// `away`.
 Mesh spike(const Vec3& tip, const Vec3& away) {
   const Vec3 side = away.unitOrthogonal();
   const Vec3 other = away.cross(side);

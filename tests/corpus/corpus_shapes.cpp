@@ -32,7 +32,7 @@ Cases all_cases() {
   return cases;
 }
 
-/// Writes each case as doubles and, if it fits, as floats. Encodings alternate.
+/// Lists each case as doubles and, if it fits, as floats. Encodings alternate.
 std::vector<Input> all_inputs(const Cases& cases) {
   std::vector<Input> inputs;
   for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -2,7 +2,8 @@
 /// tolerances. A vertex may move by a number of spacings of its own coordinates; for a point of a
 /// face, this tolerance is interpolated between the corners. A sample counts only if no face of the
 /// input can reach it within the tolerance. So a distant vertex raises the tolerance only along its
-/// own faces, and in proportion. Shares no code with the folders that it judges.
+/// own faces, and in proportion. A part without a distant vertex is judged to the spacing of its
+/// own coordinates. Shares no code with the folders that it judges.
 #pragma once
 
 #include <cstdint>

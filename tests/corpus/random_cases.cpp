@@ -1,5 +1,5 @@
-// Closed surfaces with random vertices: rounded to a coarse lattice, jittered, or interpolated
-// towards their inverse.
+// Closed surfaces whose vertices are random points of a coarse lattice, jittered, or partly on the
+// way to the surface inside out.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 

@@ -76,7 +76,7 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
   try {
     round_positions(mesh, options.coordinate);
   } catch (const GoalError&) {
-    return;  // the mesh is too small or too far from the origin for floats
+    return;  // floats are too coarse for this mesh
   }
   try {
     const CleanResult result = clean(mesh, options);

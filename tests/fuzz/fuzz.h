@@ -18,10 +18,10 @@ namespace transformesh::fuzz {
 /// The function of each target; every exception that it throws is a finding.
 void run_target(std::string_view bytes);
 
-/// Returns a description of the input, which is shown with a finding. Not every target has one.
+/// Description of the input, which is shown with a finding; empty if a target does not set it.
 inline std::string input_text;
 
-/// libFuzzer adds the input to its corpus.
+/// Reports a finding and aborts, so that libFuzzer keeps the input.
 [[noreturn]] inline void fail(const std::string& what) {
   std::fprintf(stderr, "finding: %s\n%s", what.c_str(), input_text.c_str());
   std::abort();
@@ -51,7 +51,7 @@ class Choices {
     rest_.remove_prefix(1);
     return taken;
   }
-  /// Reads at most 256 values.
+  /// Returns a number below `count`, which must be at most 256.
   unsigned below(unsigned count) { return byte() % count; }
   bool flag() { return below(2) == 1; }
   bool is_empty() const { return rest_.empty(); }

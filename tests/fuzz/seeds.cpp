@@ -57,7 +57,7 @@ std::vector<Mesh> tiny_meshes() {
   return meshes;
 }
 
-/// The mesh has columns and comments, so that all parts of a file occur.
+/// Returns a document of the mesh with columns and comments, so that all parts of a file occur.
 Document documented(const Mesh& mesh) {
   Document document;
   document.mesh = mesh;

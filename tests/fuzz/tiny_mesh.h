@@ -16,7 +16,8 @@ namespace transformesh::fuzz {
 inline constexpr std::size_t most_vertices = 24;
 inline constexpr std::size_t most_faces = 30;
 
-/// Hostile coordinates are so close together, or so large, that rounding matters.
+/// `plain` coordinates are 0 to 15, or multiples of 1 / 37 below 7. `any` also includes coordinates
+/// that are so close together, or so large, that rounding matters.
 enum class Coordinates { any, plain };
 
 inline double coordinate(Choices& choices, Coordinates coordinates) {

@@ -167,7 +167,7 @@ folder" ]
   needs_command zsh
   export HOME=$PWD
   for program in $(programs); do
-    # Prints the program that zsh completes with the file, and checks that zsh reads it without an error.
+    # Prints the function by which zsh completes the program, and checks that zsh loads it without an error.
     zsh -fc 'fpath=("$1" $fpath); autoload -Uz compinit; compinit -u -D
       print -- "$_comps[$2]"; autoload +X "_$2"' - "$prefix/share/zsh/site-functions" "$program" >taken
     [ "$(<taken)" = "_$program" ]
@@ -186,7 +186,7 @@ folder" ]
   cut -f1 offered | diff - <(printf '%s\n' ply-ascii ply-be)
 }
 
-# A wall of overlapping cubes, which the project cleans.
+# Writes two intersecting balls, which the project cleans.
 two_balls() {
   tm-shape two-spheres --faces 500 -o balls.ply
 }

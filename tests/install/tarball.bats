@@ -28,7 +28,7 @@ programs() {
   readelf --program-headers --sections --wide "$release/bin/tm" >headers
   run ! grep -qE 'INTERP|\.symtab' headers
   for program in $(programs); do
-    # The help of the program must be that of its own build.
+    # The help must be that of the separate executable of the program in the build folder.
     "$release/bin/$program" --help | cmp - <("$tm_build/bin/$program" --help)
     [ -s "$release/share/man/man1/$program.1" ]
     [ -s "$release/share/bash-completion/completions/$program" ]

@@ -148,7 +148,7 @@ threads_make_no_difference() {
   for_each filter predicate picture source converter loop reporter viewer -- threads_make_no_difference
 }
 
-# When the signal comes, the program waits for the rest of its input, or for a reader of its output.
+# The signal comes while the program waits for the rest of its input, or for a reader of its output.
 signal_ends_it() {
   rm -rf folder && mkdir folder
   mkfifo folder/fifo

@@ -20,7 +20,7 @@ links() { "$tm_root/scripts/links" "$@"; }
   [ "$(grep -o '<img' out/index.html | wc -l)" -eq 3 ]
   grep -q 'tm-displace --normal-speed -0.4x --alpha 1 now.ply | tm-clean | tm-remesh' out/index.html
   links out
-  # The neck is not left in the picture.
+  # The neck has vanished between the first and the last frame.
   [ "$(tm-info --get components out/split/frame-0.ply)" -eq 1 ]
   [ "$(tm-info --get components out/split/frame-12.ply)" -eq 2 ]
   # Complete pictures of an interrupted gallery stay.

@@ -40,7 +40,7 @@ column() {
   [ "$(column kind events.csv)" = merge ]
   [ "$(column labels_before events.csv)" = "1 2" ]
   [ "$(column labels_after events.csv)" = 1 ]
-  # The tolerance is a thousandth of the time, because the balls are polyhedra.
+  # The tolerance is a thousandth of the time. The balls are polyhedra, so they do not meet exactly at 0.3.
   awk -v t="$(column time events.csv)" 'BEGIN { exit !(t > 0.295 && t < 0.32) }'
   awk -v x="$(column x events.csv)" -v y="$(column y events.csv)" -v z="$(column z events.csv)" \
     'BEGIN { exit !(sqrt((x - 1) ^ 2 + y * y + z * z) < 0.11) }'
@@ -80,7 +80,7 @@ column() {
     sleep "0.0$threads"
     kill -KILL $pid 2>/dev/null || true
     wait $pid || true
-    # Removes the rows of an unfinished step.
+    # Adds a row of an unfinished step, which --resume must remove.
     [ ! -e parts.csv ] || echo '99,1,merge,0,0,0,0,1 2,1,1 1,2' >>parts.csv
     approach -o out.ply --events parts.csv --threads $threads --resume
     cmp whole.csv parts.csv

@@ -8,7 +8,7 @@ load ../helpers/common
   "$tm_build/bin-test/example_own_velocity" ball.ply turned.ply
   tm-checkmanifold --closed turned.ply
   tm-intersect --check turned.ply
-  # After a turn around the axis, the ball is at positive y again, at the same distance.
+  # The ball has rotated about the axis to positive y, at the same distance.
   tm-info turned.ply >facts
   awk '$1 == "bbox_max:" { exit !($3 > 0.35) }' facts || fail "$(cat facts)"
   # The recipes print the program with file names instead of arguments.

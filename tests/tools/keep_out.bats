@@ -44,7 +44,7 @@ gap_of() {
     tm-checkmanifold --closed coarse.ply
     [ "$(tm-info --get faces coarse.ply)" -lt 3000 ]
   done
-  # Repeats at the last distance at which faces were removed.
+  # --keep-out is necessary at the last distance: without it, surfaces intersect.
   tm-remesh --min-edge 2.5x --max-edge 5x --iterations 3 skull.ply >free.ply
   [ "$(pairs_of brain.ply free.ply skin.ply)" -gt 0 ]
   grep -Eq '"kept_out": [1-9]' report.json

@@ -28,7 +28,7 @@ memory_is_limited() {
   for_each filter predicate picture source converter loop -- memory_is_limited
 }
 
-# When its time is over, the program waits for the rest of its input, or for a reader of its output.
+# The time ends while the program waits for the rest of its input, or for a reader of its output.
 time_is_limited() {
   rm -rf folder && mkdir folder
   mkfifo folder/fifo

@@ -41,7 +41,7 @@ setup() {
     assert_status 5
   done
   tm-morph sphere.ply --target torus.ply --iterations 1 -o one.ply 2>messages
-  # Accepts a word for a single frame.
+  # The message has the singular for a single iteration.
   grep -q 'after 1 iteration: ' messages
   bash -c 'tm-morph sphere.ply --target torus.ply --iterations 1 -o closed.ply >&- 2>&- <&-'
   bash -c 'tm-morph sphere.ply --target torus.ply --iterations 1 -o full.ply 2>/dev/full'

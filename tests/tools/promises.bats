@@ -175,8 +175,8 @@ turned_boxes() { # DEGREES
 }
 
 @test "tm-compare: distances are never more than the true ones, and more samples bring them closer" {
-  # A wall between floor and ceiling touches both along a line; its center is half its height away from
-  # them.
+  # A wall stands between floor and ceiling. Only its points on the line at half its height are half the
+  # height away from both, which is the largest distance.
   printf 'OFF\n8 4 0\n-9 -9 0\n9 -9 0\n9 9 0\n-9 9 0\n-9 -9 1\n9 -9 1\n9 9 1\n-9 9 1
 3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n' >planes.off
   printf 'OFF\n4 2 0\n-3 0 0\n3 0 0\n3 0 1\n-3 0 1\n3 0 1 2\n3 0 2 3\n' >wall.off
@@ -220,7 +220,7 @@ time_is_unlimited() {
 
 @test "--max-time 0 is never" {
   for_each filter picture source converter loop -- time_is_unlimited
-  # A time limit that is longer than any program takes with an empty input.
+  # The input arrives after 1.5 s, when any immediate limit would have ended the program.
   tetrahedron | (sleep 1.5 && cat) | tm-clean --max-time 0 >out.ply
   [ "$(tm-info --get faces out.ply)" -eq 4 ]
   run bash -c 'sleep 1.5 | tm-clean --max-time 0.5'

@@ -32,7 +32,7 @@ FILES
   jq -e '.layout == 1 and .tool == "tm-morph" and (.version | length) > 0' r/run.json
   [ "$(jq -r '.commands[]' r/run.json)" = \
     "tm-morph -q 'a sphere.ply' --target torus.ply --run r --iterations 5 --every 2" ]
-  # The meshes equal those of the single options.
+  # The meshes equal those of the same run with the separate options -o, --frames and --csv.
   morph -o one.ply --frames frames --csv log.csv --iterations 5 --every 2
   cmp one.ply r/result.ply
   for frame in frames/*; do cmp "$frame" "r/$frame"; done

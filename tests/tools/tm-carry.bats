@@ -35,9 +35,9 @@ off_by() {
     { print }' >moved.ply
   tm-remesh --source moved.ply >c.ply
   tm-carry --from a.ply moved.ply c.ply >d.ply
-  # Remeshing rounds the crease where the balls meet.
+  # Remeshing cuts off the crease where the balls meet.
   off_by d.ply 2 | awk '{ exit !($1 < 0.06 && $2 < 0.002) }'
-  # The source points are on the first mesh at this step.
+  # The source points of d.ply are already on the first mesh.
   tm-carry --from a.ply d.ply >again.ply
   cmp <(vertices d.ply) <(vertices again.ply)
 }
@@ -49,8 +49,8 @@ off_by() {
     tm-remesh --source cleaned.ply | tm-carry --from a.ply now.ply cleaned.ply - >next.ply
     mv next.ply now.ply
   done
-  # Each step moved vertices by a tenth of an edge, .08, on which height changes by up to 2.45 times as
-  # much.
+  # The two steps move vertices by a fifth of an edge in total. Height changes by up to 2.45 times as much,
+  # which is .08.
   off_by now.ply 1 | awk '{ exit !($1 > 0.02 && $1 < 0.08) }'
 }
 

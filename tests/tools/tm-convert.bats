@@ -62,8 +62,8 @@ prism() {
     }' >"$name.obj"
 }
 
-# facts FILE: prints components, genus, area and volume of a mesh that must be closed and free of self-
-# intersections.
+# facts FILE: prints components, genus, area and volume of a mesh that must be closed and free of
+# self-intersections.
 facts() {
   tm-checkmanifold -q --closed --intersections "$1" >/dev/null || fail "$1 is not clean"
   for key in components genus area volume; do printf '%s ' "$(tm-info -q --get "$key" "$1")"; done
@@ -82,7 +82,7 @@ facts() {
   done
   printf 'OFF\n6 1 0\n0 0 0\n2 0 0\n2 2 0\n1 2 0\n1 1 0\n0 1 0\n6 0 1 2 3 4 5\n' >corner.off
   [ "$(tm-info -q --get area corner.off)" -eq 3 ]
-  # A hook that is thin at every height.
+  # A thin hook in planes at several heights.
   for height in 0 0.1 0.125 1 9; do
     printf 'v %s\n' "8.6 4.6 $height" "8.8 4.9 $height" "-0.3 2.3 $height" "-0.2 2.0 $height" \
       "0.1 0.8 $height" "0.5 0.9 $height" "0.1 2.1 $height" >hook.obj

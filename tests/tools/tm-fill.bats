@@ -57,7 +57,7 @@ setup() {
 }
 
 @test "a slit, which has only flat patches, is named with what closes it, whatever is allowed" {
-  # A tetrahedron with a vertex in the middle of an edge that belongs to only one of the two faces.
+  # A tetrahedron with a vertex in the middle of an edge, at which only one of the edge's two faces is split.
   printf '%s\n' OFF '5 5 0' '0 0 0' '1 0 0' '0 1 0' '0 0 1' '0.5 0 0' \
     '3 0 2 1' '3 0 4 3' '3 4 1 3' '3 0 3 2' '3 1 2 3' >slit.off
   for option in '' --allow-crossings; do

@@ -97,7 +97,7 @@ refused() {
   tm-hull --cameras "$shared_file/camera*.txt" --silhouettes "$shared_file/*mask.png" -o hull.ply
   [ "$(tm-info --get components hull.ply)" -eq 1 ]
   tm-checkmanifold --closed hull.ply
-  # The exact hull without its open parts lies within the computed hull and close to it.
+  # The hull of the authors, which is exact except for its open parts, lies within this hull and close to it.
   tm-compare --reference "$shared_file/model.off" --distance 0.001 hull.ply >compared
   awk '/^completeness:/ { exit !($2 > 0.995) }' compared || fail "$(cat compared)"
 }

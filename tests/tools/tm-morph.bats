@@ -308,7 +308,7 @@ frames_are_piped() {
   [ "$(value target_left_out r.json)" -eq 1 ]
   below "$(value max_distance_from_target r.json)" 0.1
   below "$(tail -n 1 log.csv | cut -d, -f11)" 0.1
-  # The meshes that it moves towards are the same, made by the filters.
+  # tm-morph moves towards the same target as the filters, which make the same meshes.
   tm-morph start.ply --target hollow.ply -o piped.ply --iterations 3 --print-pipeline >loop
   bash loop
   tm-morph start.ply --target hollow.ply -o own.ply --iterations 3 --no-provenance -q
@@ -546,7 +546,7 @@ LINES
   run --separate-stderr tm-morph-step apart.ply --target ball.ply -o out.ply
   assert_status 0
   [[ $stderr == *"apart from the target"*"--around"* ]]
-  # A target that was written by the suite has been checked.
+  # A target from --write-target was checked when it was written.
   tm-morph-step -q large.ply --target folded.ply --write-target prepared.ply -o out.ply
   run --separate-stderr tm-morph-step large.ply --target prepared.ply -o out.ply
   [[ $stderr != *crosses* ]]
@@ -589,7 +589,7 @@ keeps_angles() {
   tm-morph -q ball.ply --target box.ply --reference-edge 0.15 -o cut.ply --features off --report report.json
   grep -Eq '"aligned": 0' report.json
   run -1 tm-compare --reference box.ply --within 0.03 cut.ply
-  # The result equals that of separate steps on the unaligned mesh.
+  # A separate tm-remesh --align of the unaligned result comes as close to the target.
   tm-remesh --align box.ply --reference-edge 0.15 cut.ply -o result.ply
   ends_within 1e-4 box.ply
   needs_angles

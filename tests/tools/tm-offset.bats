@@ -53,7 +53,7 @@ setup() {
   [[ $output == *"--distance"* ]]
 }
 
-@test "a not converged after the last iteration that comes first is said" {
+@test "a limit of iterations that stops the loop before convergence is reported" {
   tm-shape sphere --faces 500 -o "$BATS_TEST_TMPDIR/ball.ply"
   run --separate-stderr tm-offset --distance 1 --iterations 2 "$BATS_TEST_TMPDIR/ball.ply" -o "$BATS_TEST_TMPDIR/out.ply"
   assert_status 0

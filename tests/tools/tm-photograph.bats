@@ -16,7 +16,7 @@ setup() {
   [ "$(ls images)" = "$(ls masks)" ]
   tm-cameras --list par.txt --images images >table
   grep -q '80x60' table
-  # The hull of the masks contains the torus, has its hole, and is only slightly larger.
+  # The hull of the masks contains the torus, has its hole, and has less than twice its volume.
   tm-hull --cameras par.txt --silhouettes masks --resolution 60 -o hull.ply
   tm-checkmanifold --closed hull.ply
   awk -v hull="$(tm-info --get volume hull.ply)" -v truth="$(tm-info --get volume truth.ply)" \
@@ -93,7 +93,7 @@ setup() {
   one_line "$stderr"
   [[ $stderr == *"view0000.png (par.txt line 2)"*"--size WxH" ]]
   [ ! -e new ] && [ ! -e out.txt ]
-  # COLMAP's cameras include the distortion, and masks to compare with show it.
+  # COLMAP's cameras state the size of the images, and masks to compare with have it.
   tm-cameras --format colmap --images masks --folder colmap par.txt
   tm-photograph --cameras colmap --write-silhouettes again -o /dev/null truth.ply
   diff -r masks again

@@ -219,10 +219,10 @@ TABLE
   tm-shape hull --of knot.ply -o hull.ply
   tm-checkmanifold --closed --intersections hull.ply >/dev/null
   for name in hull knot; do
-    # Comments after the line of counts.
+    # Keeps the lines after the line of counts.
     tm-convert --format off $name.ply | grep -v '^#' | tail -n +3 >$name.off
   done
-  # A point has no front or back.
+  # No point is in front of a face.
   awk 'BEGIN { n = 0; m = 0 }
     NF == 3 && FILENAME == "hull.off" { x[n] = $1; y[n] = $2; z[n] = $3; ++n }
     NF == 4 && FILENAME == "hull.off" { a[m] = $2; b[m] = $3; c[m] = $4; ++m }

@@ -97,7 +97,7 @@ setup() {
   assert_status 2
   one_line "$stderr"
   [ ! -e wrap.ply ]
-  # The number of faces is the same, for a tenth of the area.
+  # The wrap of a single point is a ball of radius 1, which would also have too many faces.
   echo 0 0 0 >one.xyz
   run --separate-stderr timeout 20 tm-wrap one.xyz --alpha 0.0001 --offset 1 -o wrap.ply
   assert_status 2

@@ -111,8 +111,8 @@ same_as_pasted() { # KIND FIELDS FILE...
 @test "counts are those of the native programs" {
   for file in folded.stl broken.stl ring.obj boxes.off open.ply; do
     tm-stitch -q "$file" -o joined.ply
-    # Faces with inconsistent orientation have borders where tm-stitch cuts them: the holes are those of the
-    # reversed mesh.
+    # Faces with inconsistent orientations have borders where tm-stitch separates them. The holes are those of
+    # the mesh after --orient.
     tm-stitch -q --orient --outwards "$file" -o turned.ply --report turned.json
     jq -n --argjson check "$(tm-checkmanifold --json turned.ply 2>/dev/null || true)" \
       --argjson info "$(tm-info --json turned.ply)" --argjson pairs "$(tm-intersect -q --check --get pairs "$file" || true)" \

@@ -56,7 +56,7 @@ END
   tm-clean -q folded.ply -o native.ply
   wasm tm-clean -q folded.ply -o wasm.ply
   cmp native.ply wasm.ply
-  # The result is the only file.
+  # No temporary file is left beside the result.
   [ "$(find . -name '*.tmp' | wc -l)" = 0 ]
 }
 

@@ -108,8 +108,8 @@ Part next_solid(const Part& other, Random& random) {
   return make_part(box, random);
 }
 
-/// Returns a hole through `other`, a pocket or a cavity. Most of its ends stick out of `other`;
-/// some are flush with its sides.
+/// Returns a cutter that makes a hole through `other`, a pocket or a cavity. Most of its ends stick
+/// out of `other`; some are flush with its sides.
 Part next_cutter(const Part& other, Random& random) {
   std::array<Interval, 3> box;
   for (std::size_t k = 0; k < 3; ++k) {

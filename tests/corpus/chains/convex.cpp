@@ -60,9 +60,9 @@ double area_of(const std::vector<Point>& polygon, const Point& normal) {
   return std::abs(area);
 }
 
-/// Adds up volumes over all sets of bodies that contain the first `count` bodies, with intersection
-/// `common`, and bodies from `next` on. Each volume is multiplied by its coefficient of inclusion
-/// and exclusion for the winding level.
+/// Adds up volumes over all sets of the `count` bodies whose intersection is `common`, and at least
+/// one body from `next` on. Each volume is multiplied by its coefficient of inclusion and exclusion
+/// for the winding level.
 double alternating_sum(int level, const std::vector<ConvexBody>& bodies, std::size_t next,
                        const ConvexBody& common, int count, double reach) {
   double sum = 0;

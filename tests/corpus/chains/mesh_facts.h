@@ -20,9 +20,8 @@ struct MeshFacts {
   std::size_t bad_edges = 0;     ///< edges that two faces traverse in the same direction
   std::size_t bad_vertices = 0;  ///< vertices whose faces do not form one umbrella
   std::size_t no_area = 0;       ///< faces whose corners are exactly collinear
-  /// Pairs of faces that intersect outside of corners and edges at equal coordinates, as tm-
-  /// checkmanifold(1) defines it. A pair with three equal corners counts; faces without area do
-  /// not.
+  /// Pairs of faces that intersect outside of corners and edges at equal coordinates, as defined in
+  /// tm-checkmanifold(1). A pair with three equal corners counts; faces without area do not.
   std::size_t intersections = 0;
   std::size_t components = 0;  ///< components; faces that share a vertex by index are connected
   double area = 0;

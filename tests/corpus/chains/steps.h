@@ -38,7 +38,7 @@ struct Situation {
   std::string previous;            ///< label of the last program
   bool is_soup = false;            ///< the mesh was written as STL
   bool is_raw = true;              ///< no program has changed the body yet
-  bool is_cut = false;             ///< the cutter has been subtracted already
+  bool is_cut = false;             ///< the cutter is in the mesh already, or no longer fits it
   int steps_left = 1;              ///< including the step to be chosen
 };
 

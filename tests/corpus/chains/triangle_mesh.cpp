@@ -74,7 +74,7 @@ struct Element {
 struct Header {
   Encoding encoding = Encoding::little;
   std::vector<Element> elements;
-  std::size_t size = 0;  ///< stride in bytes
+  std::size_t size = 0;  ///< length of the header in bytes
 };
 
 Header read_header(const std::string& bytes) {

@@ -25,7 +25,9 @@ struct Passage {
   std::optional<double> volume;  ///< correct volume of the output, if it is known
   // coarsest scalar type to which coordinates have been rounded so far
   Type coarsest = Type::float64;
-  bool was_cleaned = false;  ///< the input is a cleaned mesh
+  /// True if tm-clean has united the parts of the input, and no later program may have turned a
+  /// component inside out.
+  bool was_cleaned = false;
   // the faces at every edge of the body are coplanar or meet at 45 degrees or more
   bool is_flat = false;
 };

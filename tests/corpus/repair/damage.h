@@ -23,7 +23,7 @@ const std::vector<Damage>& damages();
 struct Solid {
   std::string name;
   Mesh mesh;
-  double volume;  ///< Returns the volume by the divergence theorem.
+  double volume;  ///< volume of `mesh` by the divergence theorem
 };
 
 /// Returns a cube, a sphere, a torus, an angle bracket and a hollow ball.

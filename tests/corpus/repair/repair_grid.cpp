@@ -6,8 +6,8 @@
 //
 // The columns are cases, results that are solids, results that are correct, and seconds of the
 // slowest case. A solid is correct if its volume is. If the damage does not determine the volume,
-// the solid must contain the points with a generalized winding number of the input above 1/2. Exit
-// code 1 if less than 90 % of a kind are correct.
+// the inside of the solid must be the region in which the generalized winding number of the input
+// is above 1/2. Exit code 1 if less than 90 % of a kind are correct.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

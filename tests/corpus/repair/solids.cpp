@@ -8,8 +8,8 @@
 namespace transformesh::corpus {
 namespace {
 
-/// Largest relative difference between volumes that count as equal. Repairs change volumes by
-/// rounding and by patches, which are far below 1 %; a lost part is far above.
+/// Largest relative difference between volumes that count as equal. It allows for rounding and for
+/// the patches of small holes.
 constexpr double same_volume = 1e-3;
 
 Mesh bracket() {

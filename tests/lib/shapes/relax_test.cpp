@@ -45,7 +45,7 @@ TEST_CASE("valences of a torus come back to six, but for a few where angles gain
     const Vec3 ring = Vec3(p.x(), p.y(), 0).normalized();
     return ring + 0.4 * (p - ring).normalized();
   };
-  // A grid in which some rows are split along the other diagonal.
+  // A grid in which some squares are split along the other diagonal.
   Mesh mesh = torus(1, 0.4, 40, 16);
   for (std::size_t f = 10; f + 1 < mesh.faces.size(); f += 38) {
     const auto [a, b, c] = mesh.faces[f];

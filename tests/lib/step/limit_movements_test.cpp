@@ -38,7 +38,7 @@ TEST_CASE("a ball that grows stops at the gap from the shell around it") {
     CHECK(distance_of_meshes(ball, shell) >= 0.05 * (1 - 1e-12));
   }
   CHECK(held > 100);
-  // The inner surface came near the shell, whose flat faces are .05 nearer than its corners.
+  // The ball came near the inside of the shell, whose flat faces are .05 nearer than its corners.
   CHECK(volume(ball) > 1.4 * before);
   CHECK(distance_of_meshes(ball, shell) < 0.08);
 }
@@ -52,7 +52,7 @@ TEST_CASE("movement away and along is free, however near") {
   CHECK(result.near_keep_out == 0);
   const std::vector<Vec3> away(plate.positions.size(), Vec3(0, 0, -0.3));
   CHECK(displace(plate, away, far_steps(ceiling, 0.01)).held_back == 0);
-  // The step is allowed even if the gap is larger than the initial distance.
+  // Movement away is free even if the gap is larger than the distance.
   const std::vector<Vec3> back(plate.positions.size(), Vec3(0, 0, 0.295));
   CHECK(displace(plate, back, far_steps(ceiling, 1e-3)).held_back == 0);
   result = displace(plate, away, far_steps(ceiling, 0.1));
@@ -69,7 +69,7 @@ TEST_CASE("no step jumps over a body, and what is far from it goes its whole way
   CHECK(result.held_back < 40);
   CHECK(distance_of_meshes(plate, pebble) >= 0.01 * (1 - 1e-12));
   CHECK(plate.positions[0].z() == 0.4);
-  // The pebble has nothing above: its middle is not under the plate.
+  // The vertices over the pebble have not passed its middle.
   for (std::size_t v = 0; v < plate.positions.size(); ++v)
     if ((plate.positions[v].head<2>() - Eigen::Vector2d(0.52, 0.47)).norm() < 0.07)
       CHECK(plate.positions[v].z() < 0.2);

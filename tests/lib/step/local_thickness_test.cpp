@@ -176,7 +176,8 @@ TEST_CASE("thickness at vertices agrees with a search over all faces") {
             std::min(least, width_by_search(mesh, mesh.positions[v], normal, side * normal, reach));
     };
     offer(normals[v]);
-    // Faces at less than 20 degrees to each other need no comparison.
+    // local_thickness() skips a face whose normal differs by less than 20 degrees from a normal
+    // already tested. Thus the search over all faces gives only a lower bound.
     const double by_vertex = least;
     for (const Face& f : mesh.faces)
       if (std::find(f.begin(), f.end(), v) != f.end())

@@ -13,7 +13,7 @@ using namespace transformesh;
 
 namespace {
 
-/// The type has enough digits for the largest doubles.
+/// Reduces angles with enough digits for the largest doubles.
 class ExactReduction {
  public:
   ExactReduction() {

@@ -36,7 +36,7 @@ const std::vector<DepthMap>& agreed_maps() {
   return maps;
 }
 
-/// Returns the depth map of a view, compared with the photographs of other views.
+/// Returns the views of the scene, each with the photograph of another view.
 std::vector<View> views_of_other_places() {
   std::vector<View> views = scene().views;
   for (std::size_t v = 0; v < views.size(); ++v)

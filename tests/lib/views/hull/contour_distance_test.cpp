@@ -30,7 +30,8 @@ TEST_CASE("a disc of two intensities: within half a pixel") {
 }
 
 TEST_CASE("a straight contour, as far as it stays in the image") {
-  // Beyond the image the nearest point of the line is outside, so the distance is larger.
+  // Beyond the ends of the contour, the nearest point of the line is outside of the image, so the
+  // distance is larger.
   const GrayImage distances = signed_distance(soft_mask(half_plane));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

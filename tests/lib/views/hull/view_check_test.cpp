@@ -65,7 +65,7 @@ void invert(View& view) {
   test::change_intensities(view.silhouette, [](float intensity) { return 255 - intensity; });
 }
 
-/// The object is at another place in the picture.
+/// Moves the object to another place in the picture.
 void move(View& view) {
   const GrayImage before = view.silhouette;
   for (int y = 0; y < before.height; ++y)

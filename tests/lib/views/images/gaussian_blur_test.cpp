@@ -61,7 +61,8 @@ TEST_CASE("a blur is the mean under the Gaussian, mirrored at the borders") {
 }
 
 TEST_CASE("sums are rounded to floats one product after the other") {
-  // Sums like fused multiply-adds, from left to right, and then outwards from the middle row.
+  // Rounding is that of fused multiply-adds, from left to right in each row, and then outwards from
+  // the middle row.
   const GrayImage image = noise(40, 30);
   const double deviation = 1.5;
   std::vector<float> weights;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double least_cosine = 0.1;
 
-/// Returns the sum of uniform numbers with this standard deviation.
+/// Returns the image with noise of this standard deviation: sums of four uniform numbers.
 GrayImage with_noise(GrayImage image, double deviation, unsigned seed) {
   Random random(seed);
   const double half = deviation * std::sqrt(3.0 / 4);

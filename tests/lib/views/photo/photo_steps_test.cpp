@@ -54,7 +54,7 @@ TEST_CASE("with momentum small steps get there in fewer, and a single one is as 
   CHECK(error_after(1, 0.7) == error_after(1, 0));
   CHECK(error_after(6, 0.7) < 0.75 * error_after(6, 0));
   CHECK(error_after(10, 0.7) < error_after(16, 0));
-  // Momentum does not move the last step beyond its target, so the surface comes to rest.
+  // The last step has no momentum, so the surface comes to rest.
   CHECK(error_after(30, 0.7) < 0.3 * scene.pixel);
   CHECK_THROWS_AS(error_after(2, 1), UsageError);
   CHECK_THROWS_AS(error_after(2, -0.1), UsageError);

@@ -23,7 +23,8 @@ constexpr int height = 160;
 constexpr double focal = 260;
 constexpr double distance = 2;
 constexpr int grid = 64;
-constexpr double half_side = 1.6;  ///< part of the patch beyond both fields of view
+/// Half side of the patch, which extends beyond both fields of view.
+constexpr double half_side = 1.6;
 
 /// A solid texture: 60 waves of lengths 0.12 to 0.8.
 class Texture {
@@ -175,9 +176,9 @@ double product(std::span<const Vec3> a, std::span<const Vec3> b) {
 
 TEST_CASE("the derivative is that of the energy: bumps inside both images") {
   // Quotients are accurate to a thousandth of the usual derivative, because images and sums are
-  // floats, and bilinear intensities have kinks. Omitting the rounding of a gradient image, or the
-  // derivatives of the windows' means and variances, would be found: these are errors of 4 % and 36
-  // %.
+  // floats, and bilinear intensities have kinks. This test would find the error of 4 % by rounding
+  // to a gradient image. It would also find the error of 36 % if the terms of the windows' means
+  // and variances were missing.
   for (const Interpolation kind : {Interpolation::catmull_rom, Interpolation::bilinear}) {
     Scene scene;
     scene.options.interpolation = kind;
@@ -262,7 +263,7 @@ TEST_CASE("the derivative leaves out what borders and contours add") {
 
 TEST_CASE("the true surface is consistent, also under a change of light") {
   Scene scene;
-  scene.options.correlation.noise_variance = 0.01;  // the window counts as inconsistent
+  scene.options.correlation.noise_variance = 0.01;  // small, because noise counts as inconsistent
   for (Vec3& p : scene.mesh.positions) p.z() = 0;
   const Photoconsistency exact = scene.measure();
   CHECK(exact.energy / exact.weight < 2e-3);

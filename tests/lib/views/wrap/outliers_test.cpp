@@ -45,7 +45,7 @@ std::vector<Vec3> scanned_plane(int count, std::uint64_t seed) {
   return points;
 }
 
-/// Returns the groups by their definition, over all pairs.
+/// Returns the outliers by their definition, over all pairs of points.
 std::vector<Index> by_brute_force(const std::vector<Vec3>& points) {
   const std::size_t count = points.size();
   const auto distance = [&](std::size_t i, std::size_t j) {
