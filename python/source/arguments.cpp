@@ -50,7 +50,8 @@ void set_smoothing(const SmoothingChoice& smooth, RemeshOptions& options) {
 KeepOutOptions keep_out_of(const std::optional<MeshPointer>& surface,
                            const std::optional<PythonLength>& gap, Lengths& lengths) {
   if (surface.has_value() != gap.has_value())
-    throw UsageError("keep_out and gap need each other: the mesh to keep away from, and the distance");
+    throw UsageError(
+        "keep_out and gap need each other: the mesh to keep away from, and the distance");
   if (!surface) return {};
   const KeepOutOptions options{&(*surface)->document.mesh, lengths(*gap)};
   if (!(options.gap > 0)) throw UsageError("gap must be above 0");
