@@ -72,7 +72,7 @@ double peak_megabytes() {
 
 bool is_enclosed_nothing(const std::string& message) {
   return message.find("inside out") != std::string::npos ||
-         message.find("enclose nothing") != std::string::npos ||
+         message.find("faces enclose") != std::string::npos ||
          message.find("winding number") != std::string::npos;
 }
 
