@@ -151,8 +151,8 @@ END
   refused 'give either --flow NAME or --velocity COMMAND' --time 1 --flow abc --velocity cat
   refused 'the motion is missing'
   refused '--max-move needs --time T' --step cat --max-move 1
-  refused '--alpha would move vertices by different spans of time' --time 1 --velocity cat --alpha 1
-  refused '--step has no time' --time 1 --step cat
+  refused '--alpha cannot be combined with --time' --time 1 --velocity cat --alpha 1
+  refused '--step cannot be combined with --time' --time 1 --step cat
   refused '--time-step auto needs --time T' --step cat --time-step auto
   refused "--time-step: 'x' is not a number" --time 1 --velocity cat --time-step x
   refused 'span > 0' --time 1 --velocity cat --time-step 0

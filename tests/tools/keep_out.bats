@@ -77,7 +77,7 @@ gap_of() {
     run --separate-stderr $program --keep-out brain.ply --gap 1% ball.ply
     assert_status 3
     one_line "$stderr"
-    [[ $stderr == *"meets"* ]]
+    [[ $stderr == *"intersects"* ]]
   done
 }
 

@@ -141,7 +141,7 @@ TEST_CASE("views that disagree are named, or left out") {
   move(views[7]);
   const std::string problem = problem_of(views);
   CAPTURE(problem);
-  CHECK(has(problem, "'v2' and 'v7' disagree with the rest"));
+  CHECK(has(problem, "'v2' and 'v7' disagree with the others"));
   const ViewCheck check = check_views(views, {.drops_bad_views = true});
   REQUIRE(check.dropped.size() == 2);
   CHECK(check.dropped[0].name == "v2");
