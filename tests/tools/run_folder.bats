@@ -85,7 +85,7 @@ FILES
   run --separate-stderr morph --run other
   assert_status 2
   one_line "$stderr"
-  [[ $stderr == *"'other' holds letter and no run"* ]]
+  [[ $stderr == *"'other' holds letter, but not a run"* ]]
   [ "$(ls -A other)" = letter ]
   for option in '-o x.ply' '--csv x' '--report x' '--frames x' '--format off'; do
     run --separate-stderr morph --run r $option
