@@ -11,6 +11,12 @@ load ../helpers/common
   tm-checkmanifold --certify in.ply out.ply
 }
 
+@test "tm-offset: a solid that touches itself, whose offset has sheets a hundred millionth of its size apart" {
+  needs_shared found/10-order-small.off
+  tm-repair -q "$shared_file" | tm-offset -q --distance 1% - -o "$BATS_TEST_TMPDIR/out.ply"
+  tm-checkmanifold --closed --intersections "$BATS_TEST_TMPDIR/out.ply"
+}
+
 @test "tm-clean: an open mesh with coordinates of all magnitudes comes to an end" {
   needs_shared hostile/never-ends-78.off
   timeout 60 tm-clean "$shared_file" -o "$BATS_TEST_TMPDIR/out.ply"
