@@ -79,12 +79,12 @@ GoalError stuck(const DecimateResult& result, const DecimateOptions& options) {
           {.counts = {result.faces, options.faces}}};
 }
 
+/// Collapses edges until `faces` or less are left, or until every further collapse is refused.
 DecimateResult collapse_edges(Mesh& mesh, const DecimateOptions& options,
                               const Progress& progress) {
   if (mesh.faces.size() <= options.faces) return without_collapses(mesh);
   Decimator decimator(mesh, options, std::nullopt, progress);
   const DecimateResult result = decimator.run();
-  if (has_too_many(result, options)) throw stuck(result, options);
   mesh = decimator.to_mesh();
   return result;
 }
@@ -92,17 +92,17 @@ DecimateResult collapse_edges(Mesh& mesh, const DecimateOptions& options,
 /// Collapses edges of the mesh itself. If that gets stuck, flat faces are merged first: between
 /// slivers that are as thin as rounding errors, every single collapse counts as contact.
 DecimateResult decimate_to(Mesh& mesh, const DecimateOptions& options, const Progress& progress) {
-  try {
-    return collapse_edges(mesh, options, progress);
-  } catch (const GoalError&) {
-    Mesh start = mesh;
-    const MergeFlatResult merged = merge_flat_faces(start, options, progress);
-    if (merged.removed_faces == 0) throw;
-    DecimateResult result = collapse_edges(start, options, progress);
+  Mesh decimated = mesh;
+  DecimateResult result = collapse_edges(decimated, options, progress);
+  if (has_too_many(result, options)) {
+    decimated = mesh;
+    const MergeFlatResult merged = merge_flat_faces(decimated, options, progress);
+    if (merged.removed_faces > 0) result = collapse_edges(decimated, options, progress);
     result.merged_faces = merged.removed_faces;
-    mesh = std::move(start);
-    return result;
   }
+  if (has_too_many(result, options)) throw stuck(result, options);
+  mesh = std::move(decimated);
+  return result;
 }
 
 }  // namespace

@@ -481,6 +481,16 @@ def test_sample(bodies, options, words):
     assert len(points.faces) == 0 and "nx" in points.vertex_columns
 
 
+def test_tiles_of_larger_meshes_are_refused():
+    header = b"ply\nformat ascii 1.0\ncomment tm:tile 0 4\nelement vertex 3\nproperty double x\n"
+    rest = (b"property double y\nproperty double z\nelement face 1\n"
+            b"property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    with pytest.raises(tm.InputError, match="is a tile of a larger mesh.*tm-tile join"):
+        tm.parse(header + rest)
+    mesh = tm.parse(header.replace(b"tm:tile", b"tile") + rest)
+    assert len(mesh.faces) == 1
+
+
 def test_refusals_are_exceptions_with_the_sentence_of_the_program(bodies):
     mesh = tm.parse(bodies)
     refused = [

@@ -11,7 +11,7 @@ load ../helpers/common
   tm-checkmanifold --certify in.ply out.ply
 }
 
-@test "tm-offset: a solid that touches itself, whose offset has sheets a hundred millionth of its size apart" {
+@test "tm-offset: a solid that touches itself, whose offset intersects itself at edges of 3e-8 of its size" {
   needs_shared found/10-order-small.off
   tm-repair -q "$shared_file" | tm-offset -q --distance 1% - -o "$BATS_TEST_TMPDIR/out.ply"
   tm-checkmanifold --closed --intersections "$BATS_TEST_TMPDIR/out.ply"

@@ -196,6 +196,10 @@ is_whole() {
     assert_status 0
     [[ $stderr == *"is a tile of a larger mesh, cut at its borders" ]]
   done
+  # A comment that describes no tile does not keep a mesh from being looked at.
+  sed 's/^comment tm:tile .*/comment tm:tile none/' tiles/tile-1.ply >bad.ply
+  run --separate-stderr tm-info bad.ply
+  assert_status 0
 }
 
 @test "a tile that needs the whole mesh says so, with exit code 4" {

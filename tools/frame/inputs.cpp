@@ -80,8 +80,7 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
 /// The borders of a tile are cuts through a larger mesh, so that no other program has a right
 /// result.
 void Inputs::check_tile(const Document& document, const std::string& name) {
-  const std::vector<std::string>& comments = document.style.comments;
-  if (program_.input.takes_tiles || !(tile_of(comments) || cleaned_tile_of(comments))) return;
+  if (program_.input.takes_tiles || !has_tile_comment(document.style.comments)) return;
   const std::string problem = name + " is a tile of a larger mesh, cut at its borders";
   if (program_.writes_mesh())
     throw InputError(problem + "; clean each tile with tm-clean, and join them with tm-tile join");

@@ -38,12 +38,12 @@ std::optional<Box> box_to_search(const Options& options, tool::Run& run) {
 }
 
 void report(const DenseSurface& result, tool::Run& run) {
-  run.report("scale", result.scale);
-  run.report("cell", result.cell);
-  run.report("pixels", result.pixels);
-  run.report("consistent_pixels", result.consistent);
-  run.report("idle_views", result.idle_views.size());
-  run.report("dropped_components", result.dropped_components);
+  run.report({{"scale", result.scale},
+              {"cell", result.cell},
+              {"pixels", result.pixels},
+              {"consistent_pixels", result.consistent},
+              {"idle_views", result.idle_views.size()},
+              {"dropped_components", result.dropped_components}});
   for (const std::string& name : result.idle_views)
     run.note("the view '" + name + "' adds nothing: no depth in it agrees with other views");
   if (result.dropped_components > 0)

@@ -26,8 +26,8 @@ constexpr double flat_steps = 4;
 /// (docs/design/rounding.md).
 constexpr int most_rounds = 16;
 /// Doublings of the grid steps at the restart, and in later rounds that leave no fewer faces
-/// broken: 3 makes grids 8 times coarser. With 2 in later rounds, sheets that touch along 1e-8 of
-/// their size are refused; displacements grow with larger numbers (docs/design/rounding.md).
+/// broken: 3 makes grids 8 times coarser. With 1 or 2 in later rounds, an offset with edges of 3e-8
+/// of its size is refused; displacements grow with larger numbers (docs/design/rounding.md).
 constexpr int doublings_in_vain = 3;
 /// Repair fails if the number of intersecting pairs exceeds this multiple of the pairs and faces of
 /// the input. This bounds time and memory. With the factor 1, nearly coplanar faces are refused; 2

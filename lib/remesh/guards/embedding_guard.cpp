@@ -130,13 +130,12 @@ bool EmbeddingGuard::is_embedded(const Patch& patch) {
   if (is_too_long(patch)) return false;
   enclose(patch);
   if (!tree_ && is_seen_around(patch)) return true;
-  const bool in_tree = tree_.has_value();
   find_faces_near(patch);
-  if (in_tree) {
-    const std::optional<Direction> direction = direction_of(patch);
-    if (direction && is_seen_in_slab(patch, direction->unit)) return true;
-  }
-  return is_height_field(patch) || (!meets_itself(patch) && !meets_others(patch));
+  // The tree has no cells for is_seen_around(): the same certificate is tested with the faces
+  // found.
+  const std::optional<Direction> direction = tree_ ? direction_of(patch) : std::nullopt;
+  return (direction && is_seen_in_slab(patch, direction->unit)) || is_height_field(patch) ||
+         (!meets_itself(patch) && !meets_others(patch));
 }
 
 bool EmbeddingGuard::is_certified(const Patch& patch) {

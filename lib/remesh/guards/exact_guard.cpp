@@ -4,19 +4,13 @@
 
 #include "clean/intersect/contacts.h"
 #include "geometry/numbers/predicates.h"
+#include "remesh/halfedges/select_slots.h"
 
 namespace transformesh {
 namespace {
 
 bool has_no_area(const Triangle& triangle) {
   return collinear(triangle[0], triangle[1], triangle[2]);
-}
-
-std::vector<Vec3> positions_of(const EditableMesh& mesh) {
-  std::vector<Vec3> result;
-  for (Index v = 0; v < mesh.vertex_slots(); ++v)
-    if (mesh.has_vertex(v)) result.push_back(mesh.position(v));
-  return result;
 }
 
 bool holds(const FloatBox& outer, const FloatBox& inner) {

@@ -1,19 +1,9 @@
 #include "remesh/guards/face_tree.h"
 
 #include "geometry/search/hilbert.h"
+#include "remesh/halfedges/select_slots.h"
 
 namespace transformesh {
-namespace {
-
-std::vector<Vec3> positions_of(const EditableMesh& mesh) {
-  std::vector<Vec3> result;
-  for (Index v = 0; v < mesh.vertex_slots(); ++v)
-    if (mesh.has_vertex(v)) result.push_back(mesh.position(v));
-  return result;
-}
-
-}  // namespace
-
 // A tree with n leaves has n - 1 inner nodes, which come first.
 FaceTree::FaceTree(const EditableMesh& mesh)
     : mesh_(mesh), frame_(positions_of(mesh)), leaf_of_(mesh.face_slots(), no_index) {
