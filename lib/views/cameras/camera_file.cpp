@@ -30,7 +30,7 @@ CameraList parse(const Source& source, const std::string& stem) {
               known_camera_formats());
 }
 
-/// True if the file is one of the two that COLMAP needs together.
+/// True if the path names one of COLMAP's two camera files, which are always read together.
 bool is_colmap_section(const std::string& path) {
   const std::string name = std::filesystem::path(path).filename().string();
   return name == "cameras.txt" || name == "images.txt" || name == "cameras.bin" ||

@@ -6,7 +6,8 @@
 namespace transformesh {
 namespace {
 
-/// Writers put the words that distinguish formats into the beginning of the file.
+/// Number of bytes at the beginning of a file in which format_of_json() and format_of_program()
+/// search for words.
 constexpr std::size_t searched = 4096;
 
 /// Advances to the first row that is not a comment. Returns false if there is none.
@@ -40,7 +41,7 @@ std::optional<CameraFormat> format_of_json(std::string_view beginning) {
   if (has("\"sfm_data_version\"")) return CameraFormat::openmvg;
   for (const char* key : {"\"frames\"", "\"camera_angle_x\"", "\"transform_matrix\"", "\"fl_x\""})
     if (has(key)) return CameraFormat::transforms;
-  // Projects of Meshroom have views as well, but no poses.
+  // Project files of Meshroom contain views, but no poses.
   const bool is_meshroom = has("\"viewId\"") || has("\"featuresFolders\"");
   if (is_meshroom && !has("\"nodeType\"")) return CameraFormat::meshroom;
   return {};

@@ -44,8 +44,8 @@ CameraList read_nvm(const Source& source);
 CameraList read_mve(const Source& source);
 CameraList read_openmvs(const Source& source);
 
-/// Decomposes a projection into a camera. Returns what is wrong with `who`, as a sentence; "" if
-/// nothing is.
+/// Decomposes a projection into a camera. Returns "" if this succeeds, else an error message, in
+/// which `who` is the name of the camera.
 std::string decompose(const Projection& projection, const std::string& who, PinholeCamera& camera);
 
 /// The COLMAP text file to which a row belongs.
@@ -63,8 +63,8 @@ std::string write_transforms(const CameraList& list);
 std::string write_meshroom(const CameraList& list);
 std::string write_openmvs(const CameraList& list);
 
-/// Throws InputError unless the record is a pinhole without skew for an image of known size, which
-/// is read back after half a pixel was added. `program` names the format in messages.
+/// Throws InputError unless the record is a pinhole without skew for an image of known size. Also
+/// throws if adding half a pixel to the principal point loses digits. Messages name `program`.
 void check_sized_pinhole(const CameraRecord& record, const std::string& program);
 
 /// Returns the index of the first camera in the list with the same lens as `record`.

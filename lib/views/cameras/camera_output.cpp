@@ -94,7 +94,7 @@ const TextFormat& text_format(CameraFormat format) {
   return *found;
 }
 
-/// Throws if two cameras would be written to one file, or if a file would be hidden.
+/// Throws if two cameras would be written to one file, or if the name of a file begins with a dot.
 void check_files(const std::vector<CameraText>& files, const CameraList& list) {
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -8,7 +8,7 @@ namespace transformesh {
 
 std::string set_pose(const Eigen::Matrix3d& rotation, const Vec3& translation,
                      const std::string& who, PinholeCamera& camera) {
-  // Numbers in files are rounded, some to three digits.
+  // Tolerance of rotations in files, whose numbers may be rounded to three digits.
   constexpr double rounding = 1e-3;
   const Eigen::Matrix3d error = rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
   if (!(error.cwiseAbs().maxCoeff() <= rounding))

@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Calls a reader of files that name all cameras.
+/// Adapts a reader that needs no default name, because its files name all cameras.
 template <CameraList (*read)(const Source&)>
 CameraList named(const Source& source, const std::string&) {
   return read(source);

@@ -13,11 +13,11 @@ namespace transformesh {
 struct CameraReader {
   CameraFormat format;
   const char* program;  ///< the program that writes such files, or the name of the format
-  /// `stem` is the name of cameras without a name.
+  /// Cameras that have no name in the file are named after `stem`.
   CameraList (*read)(const Source& source, const std::string& stem);
 };
 
-/// Returns the row of the table; COLMAP's text for its binary model.
+/// Returns the table's row of the format. COLMAP's binary model has the row of its texts.
 const CameraReader& reader_of(CameraFormat format);
 
 /// Returns a clause that lists all formats, for messages.

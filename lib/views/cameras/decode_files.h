@@ -31,7 +31,8 @@ void decode_all(const std::vector<std::string>& paths, const Decode& decode) {
   }
 }
 
-/// Packs the image if `count` such images would be large. Unpacked images are faster to read.
+/// Packs the image if `count` images of its size have more than `most_pixels` pixels. Unpacked
+/// images are faster to read.
 inline void pack_one_of(std::size_t count, PackableImage& image) {
   constexpr double most_pixels = 8e6;  ///< 32 MB of floats
   if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();

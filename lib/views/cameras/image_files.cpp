@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the existing folders of images below `where`, according to the names of cameras.
+/// Returns the existing folders below `where` that are in names of cameras, such as `left` of the
+/// name `left/0001`.
 std::vector<std::string> image_folders(const CameraList& cameras, const std::string& where) {
   std::set<std::string> folders;
   for (const CameraRecord& record : cameras.cameras) {
@@ -26,14 +27,14 @@ std::vector<std::string> image_folders(const CameraList& cameras, const std::str
   return {folders.begin(), folders.end()};
 }
 
-/// Returns the folder, or the folder in which a pattern begins.
+/// Returns `where` if it is a folder, else its folder before the first wildcard.
 std::string root_of(const std::string& where) {
   if (is_folder(where)) return where;
   const std::string start = where.substr(0, where.find_first_of("*?["));
   return start.substr(0, start.rfind('/') + 1);
 }
 
-/// Removes the elements of these ascending indices.
+/// Removes the elements at `indices`, which must be ascending.
 template <class Element>
 void erase_indices(const std::vector<std::size_t>& indices, std::vector<Element>& elements) {
   for (auto i = indices.rbegin(); i != indices.rend(); ++i)
@@ -45,7 +46,8 @@ std::string first_of(const NamedFiles& files, const std::vector<std::size_t>& in
   return files.paths[i] + (files.places.empty() ? "" : " (" + files.places[i] + ")");
 }
 
-/// Fewer cameras reconstruct nothing. If fewer are left, most likely the folder is the wrong one.
+/// Cameras without an image are left out only if at least this many cameras remain. Otherwise the
+/// folder of images is probably the wrong one.
 constexpr std::size_t least_cameras = 3;
 
 }  // namespace

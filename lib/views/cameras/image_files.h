@@ -24,11 +24,14 @@ struct PairedFiles {
   std::vector<std::size_t> kept;   ///< indices of the names that are kept, ascending
 };
 
-/// Pairs names of cameras or images with files (name_pairs.h). Unless `sources.needs_all_images`,
-/// leaves out names without a file if all files have a name, and files without a name if all names
-/// have a file; `sources.on_note` is told. Names are left out only if they must agree and at least
-/// three are kept, because users delete photographs. Files are left out only if names must agree,
-/// or if `names` are images. Throws InputError as pair_by_name() does.
+/// Pairs names of cameras or images with files (name_pairs.h). Calls `sources.on_note` if names or
+/// files are left out. Leaves out none if `sources.needs_all_images`.
+/// - Names without a file are left out if all files have a name, names must agree, and at least
+///   three names remain. Users delete photographs.
+/// - Files without a name are left out if all names have a file, and if names must agree or `names`
+///   are images.
+///
+/// Throws InputError as pair_by_name() does.
 PairedFiles pair_files(NamedFiles names, NamedFiles files, bool names_must_agree,
                        const ViewSources& sources);
 

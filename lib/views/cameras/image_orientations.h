@@ -1,4 +1,4 @@
-/// Photographs that are stored otherwise than they are shown.
+/// Checks for photographs whose Exif data ask viewers to turn them.
 #pragma once
 
 #include <string>

@@ -17,8 +17,8 @@ int side(double value, const char* what, const std::string& who, const Source& s
   return static_cast<int>(value);
 }
 
-/// Columns of the matrix are the axes down, right and backwards, the center, and the height, width
-/// and focal length.
+/// The first three columns of the matrix are the camera's axes: down, right and backwards. The
+/// fourth is the center. The fifth contains height, width and focal length.
 CameraRecord read_row(const double* row, const std::string& who, const Source& source) {
   CameraRecord record;
   record.place = source.name + ' ' + who;

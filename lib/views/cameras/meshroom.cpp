@@ -11,10 +11,10 @@
 namespace transformesh {
 namespace {
 
-/// Revisions of version 1.2 that changed intrinsics.
+/// Revisions of the format's version 1.2 in which the meaning of intrinsics changed.
 constexpr int relative_principal_point = 1;
 constexpr int focal_length_in_mm = 2;
-constexpr int ratio_of_pixels = 5;  ///< before, `pixelRatio` was its inverse
+constexpr int ratio_of_pixels = 5;  ///< older revisions store the inverse of `pixelRatio`
 
 /// Lens parameters that several views share.
 struct Lens {
@@ -45,7 +45,7 @@ Eigen::Vector2d focals_of(const JsonEntry& entry, int revision, int width) {
   return {x, revision < ratio_of_pixels ? x / ratio : x * ratio};
 }
 
-/// Returns "" if the distortion is one that is read.
+/// Returns "" if the distortion model is supported, else an error message.
 std::string read_distortion(const JsonEntry& entry, LensDistortion& distortion) {
   const std::string type = entry.text("type", "pinhole");
   const std::string model =

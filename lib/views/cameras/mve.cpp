@@ -64,8 +64,8 @@ void set_size(const Source& source, CameraRecord& record) {
   }
 }
 
-/// The focal length is a fraction of the image's larger side, or of the smaller one divided by the
-/// aspect of pixels. The principal point is a fraction of width and height.
+/// The focal length is a fraction of the image's larger side if pixels are square. The principal
+/// point is a fraction of width and height.
 void read_lens(const Entries& entries, double focal, const Source& source, CameraRecord& record) {
   const double aspect = entries.numbers("pixel_aspect", {1})[0];
   const std::vector<double> center = entries.numbers("principal_point", {0.5, 0.5});

@@ -91,8 +91,8 @@ std::string counts_text(const NamedFiles& first, const NamedFiles& second) {
       (is_count_equal ? "either all names must agree, or none" : counts_text(files, others)));
 }
 
-/// Returns the index of each partner of `first`, or nothing if no name has a partner. Throws
-/// InputError if only some names have one.
+/// Returns for each of `stems` the index of the equal one in `second_stems`; nothing if no stems
+/// are equal. Throws InputError if only some stems have an equal one.
 std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Stems& second_stems,
                                                    const NamedFiles& first,
                                                    const NamedFiles& second) {
@@ -113,7 +113,7 @@ std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Ste
   return partners;
 }
 
-/// Returns the stems of both, with folders if both have repeated stems.
+/// Returns the stems of both lists, with folders if both lists have repeated stems.
 std::pair<Stems, Stems> comparable_stems(const NamedFiles& first, const NamedFiles& second) {
   const bool have_folders = has_repeats(plain_stems(first)) && has_repeats(plain_stems(second));
   return have_folders ? std::pair(stems_with_folders(first), stems_with_folders(second))

@@ -31,15 +31,15 @@ struct Unpaired {
 Unpaired find_unpaired(const NamedFiles& first, const NamedFiles& second);
 
 /// Returns for each of `first` the index of its partner in `second`. The rules, in this order:
-/// 1. Files with the same stem are partners. If both sides have repeated stems, distinct_stems()
+/// 1. Files with the same stem are partners. If both lists have repeated stems, distinct_stems()
 ///    are compared.
-/// 2. If no file has a partner, suffixes that all names of a side share, such as -mask or _P, are
+/// 2. If no file has a partner, suffixes that all names of a list share, such as -mask or _P, are
 ///    ignored.
 /// 3. If still no file has a partner, files are paired in their order, unless `names_must_agree`.
 ///
-/// Throws InputError if the numbers of files differ, if two names of a side are equal, and if only
-/// some names have a partner. The last case may result from numberings with different starts; pairs
-/// in order would then silently shift every camera.
+/// Throws InputError if the numbers of files differ, if two names of a list are equal, and if only
+/// some names have a partner. In the last case, one list may be numbered from 0 and the other from
+/// 1. Pairs by order would then assign a wrong image to every camera.
 std::vector<std::size_t> pair_by_name(const NamedFiles& first, const NamedFiles& second,
                                       bool names_must_agree);
 

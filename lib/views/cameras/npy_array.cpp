@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t preamble_size = 8;  ///< signature and version
 
-/// Returns the text of the dictionary, and removes it with all before it from `rest`.
+/// Returns the text of the header's dictionary. Removes the dictionary and all bytes before it from
+/// `rest`.
 std::string_view take_header(const Source& source, std::string_view& rest) {
   const auto fail = [&] { source.fail("NumPy's array is cut off in its header"); };
   if (!rest.starts_with(npy_signature)) source.fail("not an array of NumPy");
@@ -56,7 +57,7 @@ std::vector<std::size_t> shape_of(const Source& source, std::string_view text) {
   return shape;
 }
 
-/// Returns the number of values. Throws unless they have exactly this number of bytes.
+/// Returns the number of values in `shape`. Throws unless the file contains exactly their bytes.
 std::size_t checked_count(const Source& source, const std::vector<std::size_t>& shape,
                           std::size_t value_size, std::size_t bytes) {
   const std::size_t available = bytes / value_size;

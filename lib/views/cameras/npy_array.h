@@ -19,7 +19,7 @@ struct NpyArray {
 
 /// Reads an array of floats or doubles in either byte order. Arrays in Fortran's order have at most
 /// two dimensions. Throws InputError, naming the file, if the bytes are something else, if there
-/// are more or fewer than the shape states, or if a number is not finite.
+/// are more or fewer numbers than the shape states, or if a number is not finite.
 NpyArray read_npy(const Source& source);
 
 }  // namespace transformesh

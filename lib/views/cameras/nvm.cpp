@@ -11,10 +11,10 @@
 namespace transformesh {
 namespace {
 
-/// VisualSFM removes distortion from measured points, p (1 + r |p|^2), but images are resampled by
-/// the inverse. Its series up to r^3 is wrong by 55 r^4 |p|^8. With this limit, and |p| up to .6 as
-/// in the corners of photographs, these are .0001 focal lengths; 12 times as much at twice the
-/// limit.
+/// VisualSFM maps a measured point p to the undistorted point p (1 + r |p|^2). Images are resampled
+/// by the inverse map, a series up to r^3, whose error is 55 r^4 |p|^8. In the corners of
+/// photographs, where |p| is up to .6, the error is .0001 focal lengths at this limit of |r|. At
+/// twice the limit it is more than 10 times as large.
 constexpr double most_distortion = 0.1;
 
 constexpr TextRows::Rules rules{'\0', false};

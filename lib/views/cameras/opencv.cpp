@@ -30,7 +30,7 @@ LensDistortion distortion_of(const OpencvStorage& storage) {
   LensDistortion distortion;
   const auto found = storage.find({"distortion_coefficients", "distCoeffs", "dist_coeffs", "D"});
   if (!found) return distortion;
-  // Models with more coefficients have a thin prism and a tilted sensor.
+  // Coefficients after the eighth describe a thin prism and a tilted sensor.
   for (std::size_t i = 8; i < found->size(); ++i)
     if ((*found)[i] != 0)
       storage.fail(
@@ -53,7 +53,7 @@ Eigen::Matrix3d intrinsics_of(const OpencvStorage& storage) {
   return k;
 }
 
-/// Reads rows of a rotation vector and t, or R and t of a single camera.
+/// Reads a rotation vector and a translation per camera, or the matrix R and t of a single camera.
 std::vector<PinholeCamera> poses_of(const OpencvStorage& storage) {
   std::vector<PinholeCamera> poses;
   if (const auto rows = storage.find({"extrinsic_parameters", "extrinsics"})) {
@@ -111,7 +111,7 @@ std::vector<double> numbers_of(const LensDistortion& distortion) {
   return numbers;
 }
 
-/// Adds the cameras of one lens: a pose, or rows of poses.
+/// Adds a camera for each pose; all have the same lens.
 void add_cameras(const OpencvStorage& storage, const Source& source, const std::string& name,
                  CameraList& list) {
   CameraRecord record;
@@ -135,8 +135,8 @@ void add_cameras(const OpencvStorage& storage, const Source& source, const std::
   }
 }
 
-/// Returns the suffixes of the cameras' entries in a file of several cameras: `_0`, `_1` and so on,
-/// or without the line, or from 1 on.
+/// Returns the suffixes of the keys in a file of several cameras. These are `0`, `1` and so on, or
+/// `_0`, `_1` and so on; the first number may also be 1.
 std::vector<std::string> camera_suffixes(const Source& source) {
   for (const char* separator : {"", "_"}) {
     for (const int first : {0, 1}) {

@@ -21,13 +21,13 @@ class OpencvStorage {
   using Entries = std::vector<double>;
   using Keys = std::initializer_list<const char*>;
 
-  /// Entries with a suffix, such as `_1`, are those of one of several cameras.
+  /// `suffix`, such as `_1`, selects the entries of one camera in a file of several cameras.
   explicit OpencvStorage(const Source& source, std::string suffix = {});
 
   /// Returns the numbers of the first key that exists, or nothing if none exists. Throws InputError
   /// if an entry is not a finite number.
   std::optional<Entries> find(Keys keys) const;
-  /// Does the same, and throws InputError, naming the first key, if none exists.
+  /// Returns the numbers as find() does. Throws InputError, naming the first key, if no key exists.
   Entries get(Keys keys) const;
   /// Returns a number of 1 to 1e9, or 0 if there is no such entry, with or without the suffix.
   int side(const char* key) const;

@@ -25,7 +25,7 @@ void read_distortion(const JsonEntry& data, LensDistortion& distortion) {
   }
 }
 
-/// Integers are pixel centers, as in OpenMVG's features.
+/// Integer coordinates are pixel centers, as in OpenMVG's features.
 CameraRecord read_lens(const JsonEntry& data) {
   CameraRecord record;
   // Lenses with distortion may keep the parameters of the pinhole in an object of their own.

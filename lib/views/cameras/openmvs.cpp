@@ -112,8 +112,8 @@ class Scene {
     list.cameras.push_back(std::move(record));
   }
 
-  /// The pose of the platform is followed by that of the camera on it. Intrinsics of cameras
-  /// without a size are fractions of the image's larger side. Integers are pixel centers.
+  /// Composes the pose of the platform and the pose of the camera on the platform. Intrinsics of
+  /// cameras without a size are fractions of the image's larger side. Integers are pixel centers.
   void place(const PlatformCamera& camera, const Pose& pose, const std::string& who,
              CameraRecord& record) {
     if (camera.width > 0 && camera.height > 0) {

@@ -15,7 +15,7 @@ namespace {
 /// The center of the first pixel is (0.5, 0.5).
 constexpr double pixel_center = 0.5;
 
-/// A frame, whose intrinsics may be those of the whole file.
+/// A frame of the file. Keys that are missing in the frame are read from the top level of the file.
 struct Frame {
   JsonEntry entry;
   JsonEntry file;

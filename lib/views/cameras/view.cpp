@@ -12,7 +12,8 @@
 namespace transformesh {
 namespace {
 
-// The blur of view.h. More blur removes more aliasing and noise, but also detail.
+// Standard deviations of the blur in at_scale(). More blur removes more aliasing and noise, but
+// also detail.
 constexpr double blur_per_scale = 0.45;
 constexpr double blur_at_scale_one = 0.6;
 constexpr double deviations_kept = 3;  ///< a Gaussian is truncated at this many standard deviations
@@ -114,7 +115,7 @@ ThreeTapBlur taps_at_scale_one() {
   return taps;
 }
 
-/// Equals at_scale(), but keeps the image packed if it was.
+/// Returns at_scale() of the image, packed if `image` is packed.
 PackableImage held_at_scale(const PackableImage& image, double scale) {
   PackableImage result = scale == 1 ? image : PackableImage();
   if (scale == 1 && result.blur_when_read(taps_at_scale_one())) return result;

@@ -17,7 +17,7 @@ std::string and_others(const std::string& path, std::size_t count) {
   return count == 1 ? path : path + " and " + counted(count - 1, "further mask");
 }
 
-/// Notes the first of the masks with this property, and their number.
+/// Calls on_note() with the first path that has the property, and with the number of such paths.
 template <class Property>
 void note_masks(const std::vector<std::string>& paths, const std::vector<Property>& properties,
                 Property property, const std::string& text, const ViewSources& sources) {
@@ -28,10 +28,12 @@ void note_masks(const std::vector<std::string>& paths, const std::vector<Propert
       and_others(paths[static_cast<std::size_t>(first)], static_cast<std::size_t>(count)) + text);
 }
 
-/// Masks that differ by less from their photographs were cropped rather than scaled.
+/// Least ratio of the sizes of photograph and scaled mask. Masks with a smaller ratio were probably
+/// cropped rather than scaled.
 constexpr double least_scale = 1.25;
 
-/// True if the mask is a scaled one of the photograph. Sides were rounded to whole pixels.
+/// True if mask and photograph differ in size but not in aspect ratio. Sides may have been rounded
+/// to whole pixels.
 bool is_scaled_size(const GrayImage& mask, const PackableImage& photograph) {
   if (photograph.empty()) return false;
   const double ratio = static_cast<double>(mask.width) / photograph.width;
@@ -42,7 +44,8 @@ bool is_scaled_size(const GrayImage& mask, const PackableImage& photograph) {
          difference <= std::max(photograph.width, photograph.height);
 }
 
-/// Interpolates bilinearly, with the areas of pixels aligned, and divides at half of the intensity.
+/// Scales the mask by bilinear interpolation, with the areas of pixels aligned. Pixels above half
+/// of the full intensity are inside.
 GrayImage scaled(const GrayImage& mask, int width, int height) {
   const auto place = [](int target, int from, int to) {
     return std::clamp((target + 0.5) * from / to - 0.5, 0.0, from - 1.0);

@@ -51,7 +51,8 @@ Overlaps overlaps_of(std::span<const BestViewColors> seen, int channel) {
 /// The normal equations of all gains of a channel.
 class Equations {
  public:
-  /// Adds the equation gain = 1 with the weight of one place, for views that overlap no other view.
+  /// Adds the equation gain = 1 for each view, with the weight of one place. This equation alone
+  /// determines the gain of a view that overlaps no other view.
   explicit Equations(std::size_t views)
       : matrix_(static_cast<Eigen::Index>(views), static_cast<Eigen::Index>(views)),
         right_(Eigen::VectorXd::Ones(matrix_.rows())) {

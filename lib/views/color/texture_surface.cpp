@@ -16,7 +16,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_shrinkings = 60;  ///< each enlarges texels by a tenth
+constexpr int most_shrinkings = 60;  ///< each shrinking of the charts enlarges texels by a tenth
 
 /// Location of a texel on the surface.
 struct Texel {
@@ -49,7 +49,7 @@ void check(const AtlasOptions& options) {
     throw UsageError("the distance between charts of a texture must be 1 to 64 texels");
 }
 
-/// Returns boxes for all texels between which the corners of a chart lie, plus padding.
+/// Returns the size of each chart in texels, rounded up, with padding on all sides.
 std::vector<Eigen::Vector2i> boxes_of(const std::vector<Chart>& charts, double texel, int padding) {
   std::vector<Eigen::Vector2i> boxes;
   for (const Chart& chart : charts) {

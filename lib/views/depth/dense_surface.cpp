@@ -12,8 +12,9 @@
 namespace transformesh {
 namespace {
 
-/// Half the width of fringes at the border that are removed; edges, each about half a cell long. On
-/// photographs of a table, fringes of single pixels fell apart when the surface was refined.
+/// Fringes at the border are removed if they are narrower than twice this number of edges. An edge
+/// is about half a cell long. On photographs of a table, fringes of single pixels fell apart when
+/// the surface was refined.
 constexpr int fringe_rings = 6;
 
 /// Sizes of pixels and cells.

@@ -35,7 +35,8 @@ struct Witness {
   }
 };
 
-/// Per node: sum of distances over views, truncated at 1, and number of these views.
+/// Sum and number of the distances of each node from the surfaces of views. The unit of distances
+/// is the truncation.
 struct Votes {
   std::vector<float> sum;
   std::vector<float> count;
@@ -89,7 +90,7 @@ class Fusion {
   Votes votes_;
 };
 
-// Returns means inside the hull, with the prior; -1 (solid) elsewhere.
+// Returns the mean of all distances and the prior at nodes inside the hull; -1 (solid) elsewhere.
 std::vector<float> Fusion::means_of_votes() const {
   const auto prior = static_cast<float>(options_.prior);
   std::vector<float> means(hull_.values.size(), -1.0F);
@@ -98,7 +99,7 @@ std::vector<float> Fusion::means_of_votes() const {
   return means;
 }
 
-/// Returns the unobserved nodes that have six neighbors.
+/// Returns the unobserved nodes that are not on the boundary of the grid.
 std::vector<std::size_t> Fusion::unseen_nodes() const {
   std::vector<std::size_t> nodes;
   for (std::size_t z = 1; z + 1 < hull_.nodes[2]; ++z)

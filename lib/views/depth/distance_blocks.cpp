@@ -121,22 +121,22 @@ Site first_node(const DistanceBlocks& blocks, std::size_t block) {
   return {at[0] * side, at[1] * side, at[2] * side};
 }
 
-/// Nodes along the side of a block and of one node around it on both sides.
+/// Number of nodes along the side of a block that is extended by one node at both ends.
 constexpr std::size_t side_around = side + 2;
 
-/// Returns the place of a node in values_around(), relative to the first node of the block. Numbers
-/// wrap around, so that -1 is allowed.
+/// Returns the index of a node in values_around(). `site` is relative to the first node of the
+/// block. Unsigned numbers wrap around, so that -1 is allowed.
 std::size_t number_around(const Site& site) {
   return number_of({site[0] + 1, site[1] + 1, site[2] + 1},
                    {side_around, side_around, side_around});
 }
 
-/// Returns the values of a block and of one node around it on all sides.
+/// Returns the values of a block that is extended by one node on all sides.
 std::vector<float> values_around(const DistanceBlocks& blocks, std::size_t block) {
   const Site start = first_node(blocks, block);
   std::vector<float> values;
   values.reserve(side_around * side_around * side_around);
-  // Numbers before the grid wrap around, so that they are outside of it.
+  // Negative indices wrap around to large numbers, which are outside of the grid.
   for (std::size_t z = 0; z < side_around; ++z)
     for (std::size_t y = 0; y < side_around; ++y)
       for (std::size_t x = 0; x < side_around; ++x)
@@ -145,7 +145,7 @@ std::vector<float> values_around(const DistanceBlocks& blocks, std::size_t block
   return values;
 }
 
-/// Returns the mean of the known values up to a cell away from a node, along each axis.
+/// Returns the mean of the known values among the 3x3x3 nodes around and at `at`.
 float mean_around(std::span<const float> values, const Site& at) {
   float sum = 0, count = 0;
   for (std::size_t k = 0; k < 27; ++k) {

@@ -31,7 +31,7 @@ struct DistanceBlocks {
   std::vector<std::uint64_t> keys;  ///< numbers of the blocks, ascending
   std::vector<float> values;        ///< `size` per block, x fastest; not a number if unknown
 
-  /// Returns the value of the node at these steps along x, y and z; not a number outside of blocks.
+  /// Returns the value of a node, given by its x, y and z indices; not a number outside of blocks.
   float value_or_unknown(const std::array<std::size_t, 3>& node) const;
 };
 

@@ -67,7 +67,8 @@ std::vector<bool> in_largest_umbrellas(const Mesh& mesh) {
 
 void trim_border(Mesh& mesh, int rings) {
   drop_fringes(mesh, rings);
-  // Dropped faces can divide the umbrellas of their vertices, so that this is repeated.
+  // Dropping faces can divide the umbrellas of their vertices. The loop thus ends when no face is
+  // dropped.
   for (;;) {
     const std::vector<bool> keeps = in_largest_umbrellas(mesh);
     if (std::find(keeps.begin(), keeps.end(), false) == keeps.end()) return;

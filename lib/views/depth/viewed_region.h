@@ -12,8 +12,8 @@
 
 namespace transformesh {
 
-/// Returns a coarse grid whose values are negative at nodes of the region, and at least two cells
-/// elsewhere. A node belongs to the region if at least three views show it (two, if there are no
+/// Returns a coarse grid. Values are negative at nodes of the region, and twice the spacing at all
+/// other nodes. A node belongs to the region if at least three views show it (two, if there are no
 /// more views), and if it is in `box`. Without box, it must be nearer to the viewed point than six
 /// tenths of the median distance of the cameras. Throws InputError if no node belongs to the
 /// region.

@@ -28,8 +28,8 @@ struct NodeGrid {
   }
 };
 
-/// Identifies an edge of the grid: eight times its first node, plus 1, 2 and 4 if the edge extends
-/// along x, y and z.
+/// Identifies an edge of the grid: eight times the index of its first node, plus 1, 2 and 4 if the
+/// edge extends along x, y and z.
 using EdgeKey = std::uint64_t;
 /// A face by the edges of the grid on which its vertices lie.
 using EdgeKeyFace = std::array<EdgeKey, 3>;

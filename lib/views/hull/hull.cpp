@@ -26,8 +26,8 @@ namespace transformesh {
 namespace {
 
 constexpr double most_nodes = 1 << 28;  ///< 1 GiB of values
-/// Side of a block, in nodes. Larger blocks can be decided as a whole less often, smaller ones save
-/// fewer lookups.
+/// Side of a block, in nodes. Fewer of the larger blocks are entirely inside or outside; a smaller
+/// block saves fewer lookups.
 constexpr std::size_t block_nodes = 8;
 /// Bound of the error of interpolated distances.
 constexpr double distance_slack_px = 1;

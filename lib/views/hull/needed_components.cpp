@@ -11,14 +11,16 @@
 namespace transformesh {
 namespace {
 
-/// Outlines are compared in views shrunk to this many pixels, which bounds the time. Chosen by
-/// hand; not measured.
+/// Images of components are compared in views shrunk to this many pixels, which bounds the time.
+/// Chosen by hand; not measured.
 constexpr double most_side_px = 320;
-/// Share of the outlines. The cells of a hull leave a rim of the silhouettes open, and phantoms may
-/// cover some of that. Objects that are visible in half of the views show more than half of their
-/// outlines there. Lower values keep phantoms; higher values drop objects that others often hide.
+/// Fraction of a component's pixels. Hulls of coarse cells do not cover a rim of the silhouettes,
+/// and phantoms may cover parts of this rim. Objects that are visible in half of the views show
+/// more than half of their pixels there. Lower values keep phantoms; higher values drop objects
+/// that others often hide.
 constexpr double least_uncovered = 0.1;
-/// Smaller components are dropped at the end of a reconstruction too (ReconstructionOptions).
+/// Fraction of the largest volume. Reconstructions also drop smaller components at their end
+/// (ReconstructionOptions).
 constexpr double least_volume_share = 0.001;
 
 Camera small_camera(const View& view) {
@@ -38,8 +40,8 @@ class CoveredPixels {
     }
   }
 
-  /// Returns the fraction of the mesh's outlines that is not covered. If it is above `limit`,
-  /// covers them.
+  /// Returns the fraction of the pixels of the mesh, over all views, that was not covered. Marks
+  /// the pixels of the mesh as covered if the fraction is above `limit`.
   double add(const Mesh& mesh, double limit) {
     std::vector<Raster<char>> before = covered_;
     std::vector<std::size_t> shown(cameras_.size(), 0), fresh(cameras_.size(), 0);

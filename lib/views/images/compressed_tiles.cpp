@@ -10,7 +10,7 @@ constexpr int side =
     8;  ///< side of a tile; larger tiles need fewer planes but more bits per residual
 constexpr std::size_t area = std::size_t{side} * side;
 
-/// The words of a tile. The last row and column of the image are repeated beyond it.
+/// The 16-bit numbers of a tile. Tiles that extend beyond the image repeat its last row and column.
 using Square = std::array<int, area>;
 
 Square square_at(const Raster<std::uint16_t>& words, int left, int top) {

@@ -24,8 +24,8 @@ class CompressedTiles {
   void copy_to(std::vector<std::uint16_t>& words) const;
 
  private:
-  /// Word (x, y) of a tile is start + x across + y down plus a residual. Residuals begin at `bytes`
-  /// and have `bits` bits each. If `bits` is 16, the words themselves are stored.
+  /// Word (x, y) of a tile is `start` + x `across` + y `down` plus a residual. Residuals begin at
+  /// `bytes` and have `bits` bits each. If `bits` is 16, the words themselves are stored.
   struct Tile {
     std::uint32_t bytes = 0;
     std::uint16_t start = 0;

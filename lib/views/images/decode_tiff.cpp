@@ -167,7 +167,7 @@ class Reader {
   template <class Sample>
   std::unique_ptr<Sample[]> claimed_samples(std::uint64_t count) const {  // NOLINT(*-c-arrays)
     constexpr std::uint64_t always_fine = 1 << 24;  // bytes that may be allocated for any file
-    // Bytes per byte of the file, by the strongest compression.
+    // Largest number of decoded bytes per byte of the file, for the strongest compression.
     constexpr std::uint64_t most_of_a_byte = 1 << 16;
     const std::uint64_t size = sizeof(Sample) * count;
     if (size > std::max(always_fine, most_of_a_byte * source_.bytes.size())) {

@@ -8,9 +8,9 @@
 namespace transformesh {
 namespace {
 
-constexpr float intensities_per_unit = 256;  ///< words per unit of intensity
-constexpr float distances_per_unit = 64;     ///< words per pixel of distance
-constexpr float no_distance = 32768;         ///< the word of distance 0
+constexpr float intensities_per_unit = 256;  ///< 16-bit codes per unit of intensity
+constexpr float distances_per_unit = 64;     ///< 16-bit codes per pixel of distance
+constexpr float no_distance = 32768;         ///< the code of distance 0
 constexpr std::uint16_t last_word = 65535;   ///< largest 16-bit number
 constexpr float infinity = std::numeric_limits<float>::infinity();
 

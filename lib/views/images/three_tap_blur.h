@@ -10,7 +10,7 @@ namespace transformesh {
 
 struct ThreeTapBlur {
   std::array<float, 3> inside{};
-  /// Weights at the first and last pixel, for the two pixels that exist there.
+  /// Weights at the first and the last pixel of a row or column, where one neighbor is missing.
   std::array<float, 2> first{}, last{};
 };
 

@@ -19,10 +19,10 @@ struct ContourGaps {
   /// Largest distance outside of a silhouette over all views; 0 if the vertex is inside all
   /// silhouettes.
   std::vector<double> outside;
-  /// Sum of the distances from the contour, over views in which the vertex is a rim inside the
-  /// silhouette.
+  /// Sum of the distances from the contour, over views in which the vertex is on the rim of the
+  /// surface and inside the silhouette.
   std::vector<double> inside;
-  std::vector<Index> rims;  ///< number of views in the sum `inside`
+  std::vector<Index> rims;  ///< number of views over which `inside` is summed
 };
 
 /// Measures the gaps of `mesh`. `distances` are signed_distance() of the silhouettes, empty for

@@ -15,8 +15,8 @@ namespace transformesh {
 namespace {
 
 /// Ratio of the variance of independent noise to the squared median magnitude of its mixed second
-/// difference. After the blur of scale 1, the ratio of both variances is 0.1523. The median
-/// magnitude of a standard normal variable is 0.6745.
+/// difference. After the blur of scale 1, the variance of noise is 0.1523 times the variance of its
+/// mixed second difference. The median magnitude of a standard normal variable is 0.6745.
 constexpr double variance_by_squared_median = 0.1523 / (0.6745 * 0.6745);
 
 /// Cap of the floor in WindowSums::excess(). If noise explains more, photographs have hardly

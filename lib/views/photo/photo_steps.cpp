@@ -38,7 +38,7 @@ class Momentum {
   std::vector<Vec3> ways_;  ///< movements of the previous step, with momentum; empty at first
 };
 
-// The sum is clamped like a single step.
+// The sum of movement and momentum is clamped like a single step.
 void Momentum::add(Mesh& mesh) {
   if (share_ == 0) return;
   const std::vector<Vec3> last = std::exchange(ways_, mesh.positions);

@@ -16,8 +16,8 @@ using Vec3f = Eigen::Vector3f;
 
 constexpr int rows_per_band = 16;  ///< affects time only
 
-/// Returns 1 / (r N) if the camera observes the front of the face, at a cosine above
-/// `least_cosine`; else 0.
+/// Returns 1 / dot(ray, normal) if the camera observes the front of the face and the cosine between
+/// them is above `least_cosine`; else 0.
 float inverse_facing(const Vec3f& ray, const Vec3f& normal, float least_cosine) {
   const float facing = ray.dot(normal);
   const bool is_seen =
@@ -25,7 +25,8 @@ float inverse_facing(const Vec3f& ray, const Vec3f& normal, float least_cosine) 
   return is_seen ? 1 / facing : 0;
 }
 
-/// Extends the box by a pixel. In an empty box, ends are before beginnings.
+/// Extends the box so that it contains pixel (x, y). The ends of an empty box are before its
+/// beginnings.
 void grow(PixelBox& box, int x, int y) {
   box.first_column = std::min(box.first_column, x);
   box.end_column = std::max(box.end_column, x + 1);

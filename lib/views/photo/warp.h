@@ -51,7 +51,8 @@ class Warp {
   PixelBox part_;       ///< part of the other view that is in `other_`
   const GrayImage& other_;
   const VisibleDepths& depths_;
-  /// Maps homogeneous pixels of the reference view to directions in those of the other.
+  /// Maps homogeneous pixels of the reference view to homogeneous pixels of the other view, for
+  /// points at infinity.
   Eigen::Matrix3d turn_;
   Vec3 shift_;     ///< center of the reference camera in homogeneous pixels of the other view
   double nearer_;  ///< a point is hidden if its depth times this is beyond the visible depth

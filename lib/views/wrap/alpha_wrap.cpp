@@ -25,9 +25,10 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t points_per_task = 512;  ///< affects time only
-/// The default of AlphaWrapOptions::offset is the smaller of both. A wrap of 50,000 points on a
-/// sphere with noise of .5 % has a Hausdorff distance of .047 with an eighth of the spacing. It is
-/// .049 with a fourth, and .056 with the fraction of the diagonal.
+/// The default of AlphaWrapOptions::offset is the smaller of two lengths: these fractions of the
+/// diagonal and of the point spacing. A wrap of 50,000 points on a sphere with noise of .5 % has a
+/// Hausdorff distance of .047 with an eighth of the spacing. The distance is .049 with a fourth of
+/// the spacing, and .056 with the fraction of the diagonal.
 constexpr double offset_by_diagonal = 1.0 / 300;
 constexpr double offset_by_spacing = 1.0 / 8;
 
@@ -37,18 +38,19 @@ constexpr double largest_alpha_by_diagonal = 1.0 / 5;
 constexpr double least_alpha_by_diagonal = 1.0 / 100;
 constexpr double alpha_ratio = 0.8408964152537145;
 
-/// A wrap has about this number of faces per alpha^2 of its area. A million faces take a minute and
-/// a gigabyte. The area is at most that of balls around all points. It is also at most twice that
-/// of a coarse wrap: if balls of radius alpha fit between the points, the wrap covers the inside,
-/// too.
+/// A wrap has about this number of faces per area of alpha^2. A million faces take a minute and a
+/// gigabyte. The area of a wrap is at most the area of balls around all points, whose radius is the
+/// offset. It is also at most twice the area of a coarse wrap. The factor 2 is needed if alpha fits
+/// between the points: the wrap then also covers the inside of the surface.
 constexpr double faces_by_area = 1.3;
 constexpr double most_faces = 2e6;
 /// Alpha of the coarse wrap that estimates the area.
 constexpr double coarse_alpha_by_size = 1.0 / 50;
 
 /// A wrap counts as hollow where it is thinner than this many offsets, or than this fraction of the
-/// diagonal if the offset is the default. If a ball passes between the points, it leaves a
-/// thickness of hardly more than two offsets and the noise of the points.
+/// diagonal if the offset is the default. If a ball of radius alpha passes between the points, the
+/// wrap follows both sides of the sampled surface. Its thickness is then hardly more than two
+/// offsets plus the noise of the points.
 constexpr double hollow_by_offset = 4;
 constexpr double hollow_by_diagonal = hollow_by_offset * offset_by_diagonal;
 constexpr double most_hollow = 0.05;  ///< limit of the hollow fraction of the area

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array names{"red", "green", "blue", "error", "track_length"};
 constexpr std::size_t observation_size = 8;  ///< image and feature, in binary files
 
-/// A point as both files have it.
+/// The data of a point, which text and binary files have in common.
 struct Row {
   Vec3 position;
   std::array<double, names.size()> values{};
@@ -94,7 +94,7 @@ std::optional<Mesh> read_colmap_points(const Source& source) {
     const std::vector<Row> points = read_rows(source, bytes);
     if (bytes.is_at_end()) return mesh_of(points);
   } catch (const InputError&) {
-    // The bytes are of another format, whose reader has a better message.
+    // The file has another format. The reader of that format throws a better message.
   }
   return {};
 }

@@ -8,15 +8,15 @@
 
 namespace transformesh {
 
-/// Returns the points whose reprojection error is more than three times the median, ascending.
-/// Errors of Gaussian noise in both directions exceed that limit in .2 % of the cases (Rayleigh
-/// distribution: 2^-9); their means over several photographs exceed it more rarely. Nothing if
-/// `errors` is empty.
+/// Returns the points whose reprojection error is more than three times the median, ascending. If
+/// noise along x and y is Gaussian, .2 % of all errors exceed that limit (Rayleigh distribution:
+/// 2^-9). Mean errors over several photographs exceed it more rarely. Returns nothing if `errors`
+/// is empty.
 std::vector<Index> with_large_error(const std::vector<double>& errors);
 
-/// Returns the points that were seen in fewer than three photographs, ascending: two rays always
-/// meet nearly, even if they belong to different points. Nothing if `lengths` is empty, or if fewer
-/// than half of the points would be left.
+/// Returns the points that were observed in fewer than three photographs, ascending. Two rays may
+/// nearly meet by chance, although they belong to different points. Returns nothing if `lengths` is
+/// empty, or if fewer than half of the points would be left.
 std::vector<Index> with_short_track(const std::vector<double>& lengths);
 
 /// Return the column of reprojection errors, or of numbers of photographs, by the names that

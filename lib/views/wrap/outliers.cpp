@@ -11,14 +11,15 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t points_per_task = 512;  ///< affects time only
-constexpr std::size_t neighbors = 6;          ///< see the header
-/// See the table in the header for both.
+constexpr std::size_t neighbors = 6;          ///< the spacing is the distance to this neighbor
+/// Factors of connections and of the spacing at outliers. outliers.h has a table of their effects.
 constexpr double reach = 2;
 constexpr double jump = 4;
-/// Groups of fewer points than this fraction may be outliers. Sparse reconstructions have few
-/// percent; with twice as many, a second body that is sampled sparsely would be lost more often.
+/// Groups of fewer points than this fraction may be outliers. Few percent of the points of sparse
+/// reconstructions are outliers. With twice this fraction, a second body that is sampled sparsely
+/// would be lost more often.
 constexpr double least_body = 1.0 / 20;
-/// Smaller clouds have no outliers: five points could be a body.
+/// Clouds of fewer points have no outliers, because their bodies could have only five points.
 constexpr std::size_t least_points = 100;
 
 struct Neighborhoods {

@@ -37,8 +37,8 @@ constexpr double shaken_by_spacing = 0.03;
 constexpr double margin_by_diagonal = 0.1;  ///< margin of the grid, as a fraction of the diagonal
 constexpr float outside = 1;                ///< value at nodes that are outside by definition
 
-/// Returns for each point the sum of the unit normals of all equal points if it is the first of
-/// them, else 0. A single normal keeps its length.
+/// Returns a normal for each point. The first of several equal points gets the sum of their unit
+/// normals; the others get 0. The normal of a point without equal points keeps its length.
 std::vector<Vec3> sums_at_firsts(std::span<const Vec3> points, std::span<const Vec3> normals) {
   const std::vector<std::size_t> first = first_equals(points);
   std::vector<Vec3> sums(normals.begin(), normals.end());
@@ -98,7 +98,7 @@ float value_at(const Function& function, const ValueGrid& grid,
   return std::isfinite(value) ? static_cast<float>(value) : outside;
 }
 
-/// True if the function increases along at least half of the normals. It does if normals point
+/// True if the function increases along at least half of the normals, as it does if normals point
 /// outwards.
 bool rises_outwards(const Function& function, const std::vector<Oriented>& cloud, double step) {
   const auto rises = [&](const Oriented& oriented) {
