@@ -1,4 +1,4 @@
-// Entries of operations that judge a mesh.
+// Report entries of comparisons, certificates and checks of meshes.
 #include "entries/entries.h"
 #include "transformesh/check_mesh.h"
 #include "transformesh/compare.h"

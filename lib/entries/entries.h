@@ -67,10 +67,11 @@ Entries entries_of(const SelectionResult& result);
 Entries entries_of(const CarryResult& result);
 Entries entries_of(const Comparison& result);
 Entries entries_of(const Certificate& result);
-/// Counts of manifoldness and components, then intersections, certificate and the first problem.
+/// Returns counts of manifoldness and components, then intersections, certificate and the first
+/// problem.
 Entries entries_of(const MeshCheck& result);
 
-/// Appends entries.
+/// Appends `more` to `entries`.
 void append(Entries& entries, const Entries& more);
 
 }  // namespace transformesh

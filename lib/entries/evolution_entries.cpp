@@ -1,4 +1,4 @@
-// Entries of steps and loops of an evolution.
+// Report entries of single steps of an evolution, and of whole evolutions.
 #include "entries/entries.h"
 #include "evolution/loop/iteration_text.h"
 #include "evolution/recorded_loops.h"

@@ -1,4 +1,4 @@
-// Entries of flows.
+// Report entries of flows.
 #include "entries/entries.h"
 #include "flow/flow_columns.h"
 #include "transformesh/flow.h"

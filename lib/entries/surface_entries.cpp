@@ -1,4 +1,5 @@
-// Entries of operations that change a surface once.
+// Report entries of operations that change a mesh without iterations of an evolution, such as
+// cleaning, repair and remeshing.
 #include <array>
 
 #include "entries/entries.h"

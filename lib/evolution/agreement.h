@@ -16,11 +16,11 @@ namespace transformesh {
 /// The part of a target that a morph must reach. Cavities, and components inside of cavities, are
 /// left out: cleaning removes them from an evolving surface.
 struct MorphGoal {
-  /// Topology of this part. Empty if the target has no faces, is not a closed manifold, or
-  /// intersects itself.
+  /// Topology of the part of the target. Empty if the target has no faces, is not a closed
+  /// manifold, or intersects itself.
   std::optional<Topology> topology;
-  std::size_t left_out = 0;             ///< left-out components; 0 if there is no topology
-  std::optional<Target> without_those;  ///< the target without `left_out`; empty if that is 0
+  std::size_t left_out = 0;  ///< number of components that are left out; 0 if `topology` is empty
+  std::optional<Target> without_those;  ///< the target without these components, if there are any
   /// Returns the surface or the points from which distances to the mesh are measured.
   const Target& of(const Target& target) const { return without_those ? *without_those : target; }
 };
@@ -38,8 +38,9 @@ struct Agreement {
 /// Compares a mesh with a target. They agree under three conditions, where L is the longest edge of
 /// the mesh. Points of the mesh are at most L / 2 away from the target, since edges that cut off a
 /// sharp edge of the target can be that far away. Points of the goal are at most L away from the
-/// mesh, since a thin tip can be missed by that. If the goal has a topology, the mesh has the same.
-/// Returns no fault if the target has no faces. Cost: that of farthest_from() with 40 000 samples.
+/// mesh, since the mesh may lack the last piece of a thin tip. If the goal has a topology, the mesh
+/// has the same topology. Returns no fault if the target has no faces. Cost: that of
+/// farthest_from() with 40 000 samples.
 Agreement agreement(const Mesh& mesh, const Topology& topology, const TargetQuery& query,
                     const MorphGoal& goal, const Progress& progress = Progress());
 

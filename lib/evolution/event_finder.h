@@ -50,7 +50,7 @@ class EventFinder {
   void measure_before();
   void add_vanished(const Mesh& mesh);
 
-  double least_volume_ = 0;  ///< a ball as wide as the shortest edge has this; 0: not set
+  double least_volume_ = 0;  ///< volume of a ball as wide as the shortest edge; 0: not set
   long next_label_ = 1, label_after_step_ = 1;
   Mesh before_;                         ///< positions, faces and labels when the step began
   std::optional<LabeledStates> begun_;  ///< components of `before_`; empty until needed

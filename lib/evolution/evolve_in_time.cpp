@@ -35,8 +35,8 @@ namespace {
 /// take more steps after a fast motion ends.
 constexpr double span_growth = 1.5;
 
-/// Bound for the relative rounding error of a sum of a million spans. Without it, a remainder of
-/// rounding size before the end of an event would become a step, which is too short.
+/// Bound for the relative rounding error of a sum of a million spans. A time that rounding errors
+/// leave before the end of an event is ignored, because it would become a step that is too short.
 constexpr double rounding = 1e-9;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -159,9 +159,9 @@ class TimeLoop : public Loop {
 
   bool is_near_event() const { return event_end_ - time_ > rounding * options_.end; }
 
-  /// Returns the longest span of the next step. Before the end of a span in which the topology
-  /// changes, this is half the time until its end, so that bisection locates the event. Within the
-  /// tolerance it is all of that time.
+  /// Returns the longest span of the next step. If the topology changes before `event_end_`, the
+  /// result is half the time until `event_end_`, so that bisection locates the event. If that time
+  /// is within `event_tolerance`, the result is all of it.
   double longest_span() const {
     if (is_near_event()) {
       const double gap = event_end_ - time_;
@@ -228,7 +228,7 @@ class TimeLoop : public Loop {
   IterationResult last_;
   Topology topology_;
   double time_ = 0, event_end_ = 0;
-  double span_ = 0, usual_span_ = 0;  ///< span of the last step; of the last one not near an event
+  double span_ = 0, usual_span_ = 0;  ///< spans of the last step, and of the last one far from events
   double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
   std::size_t repeated_ = 0, held_back_ = 0;
   bool is_closed_ = false, is_done_ = false;

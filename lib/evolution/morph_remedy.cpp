@@ -12,11 +12,11 @@
 namespace transformesh {
 namespace {
 
-/// A place of the target farther from the mesh than this many longest edges is apart from it; up to
-/// this distance, shorter edges may reach it.
+/// A target farther away from the mesh than this many longest edges counts as apart from the
+/// source. At smaller distances, shorter edges may let the mesh reach the target.
 constexpr double few_edges = 3;
 
-/// Edges must be shorter than a gap divided by this to resolve it.
+/// Edges resolve a gap if they are shorter than its width divided by this number.
 constexpr double edges_across = 2;
 
 Target measured(const Target& target, double edge) {

@@ -53,7 +53,8 @@ constexpr double at_source = 1e-6;
 
 /// The result counts as incomplete if a point of the true offset is farther away than this many
 /// edges. Corners of boxes are cut off by up to 0.52 edges. At half this value, every box gives a
-/// warning. At twice this value, a plate of 2/3 of an edge loses 1/20 of its volume without one.
+/// warning. At twice this value, a plate as thick as 2/3 of an edge loses 1/20 of its volume
+/// without a warning.
 constexpr double most_missed = 0.75;
 
 /// A point counts as on the true offset if its distance from the source is right up to this share.
@@ -249,7 +250,8 @@ OffsetResult offset(Document& document, const OffsetOptions& options, const Prog
   try {
     return offset_mesh(document, options, progress);
   } catch (const GoalError&) {
-    // If all of the surface vanishes, the error is about the last remains, which would mislead.
+    // If an inward offset removes the whole surface, the message would describe only the part that
+    // vanished last.
     if (options.distance > 0) throw;
     throw GoalError(
         "no part of the surface is left, or its walls are too thin for its edges: no point seems "

@@ -64,8 +64,8 @@ TrialStep chosen_step(const Integration& integration, const TimeOptions& options
     return step_over(integration, std::min(span, longest), edge_means);
   }
   const double speed = largest_share(integration.initial_velocities(), edge_means);
-  // A little shorter than the limit, which later stages could exceed; another trial costs as much
-  // as the first.
+  // The first trial moves vertices a little less than allowed, because later stages may move them
+  // farther. A second trial would cost as much as the first.
   const double limit = safety * options.max_move;
   double span = speed > 0 ? std::min(longest, limit / speed) : longest;
   for (;;) {

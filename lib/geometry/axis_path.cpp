@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// True if a triangle meets the box of a segment that is parallel to an axis.
+/// True if the bounding box of the triangle meets a segment that is parallel to an axis.
 bool is_near(const Triangle& t, const Vec3& start, double end, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto misses = [&](int i, double low, double high) {
@@ -44,7 +44,8 @@ void AxisPath::cross(const Triangle& t, const Vec3& start, int axis) {
     is_certain_ = is_certain_ && collinear(t[0], t[1], t[2]);
     return;
   }
-  // `up` is the sign of the normal along the axis. At infinity, it determines the side.
+  // `up` is the sign of the normal along the axis. The sign determines the side of an end at
+  // infinity.
   const int up = left ? 1 : -1;
   Vec3 end = start;
   end[axis] = to_[axis];
@@ -56,7 +57,7 @@ void AxisPath::cross(const Triangle& t, const Vec3& start, int axis) {
 }
 
 Vec3 spread_point(const Eigen::AlignedBox3d& box, int i) {
-  // The inverse powers of the real root of x^4 = x + 1.
+  // The inverse powers of the positive root of x^4 = x + 1.
   constexpr std::array<double, 3> step{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
   Vec3 point;
   for (int k = 0; k < 3; ++k) {

@@ -26,15 +26,16 @@ class Composition {
   Composition(const Mesh& first, const SourcePoints& middle_on_first, const Mesh& middle)
       : first_(first), on_first_(middle_on_first), middle_(middle), closest_(first) {}
 
-  /// Returns the source point of a vertex. Exact at a corner, and if all corners with nonzero
-  /// weight come from one face.
+  /// Returns the source point of a vertex at `place`. The result is exact if the vertex is at a
+  /// corner, or if all corners with nonzero weight come from one face.
   SourcePoint of_vertex(const SourcePoint& place) const {
     const std::array<SourcePoint, 3> corners = corners_of(place.face);
     const auto weights = place.weights();
     const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
     const SourcePoint& main = corners[static_cast<std::size_t>(heaviest)];
     if (weights[static_cast<std::size_t>(heaviest)] == 1) return main;
-    // A vertex between sheets that meet at an angle gets their mean normal.
+    // The corners may come from faces that meet at an angle; the vertex then gets their mean
+    // normal.
     Vec3 normal = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i)
       normal += weights[i] * face_normal(first_, corners[i].face).stableNormalized();
@@ -42,8 +43,8 @@ class Composition {
                                                : mean_on_surface(place, corners, normal);
   }
 
-  /// Returns the source point of a face. Exact if the intermediate face and its corners come from
-  /// one face.
+  /// Returns the source point of a face. The result is exact if the intermediate face and its
+  /// corners come from one face.
   SourcePoint of_face(const SourcePoint& place) const {
     const std::array<SourcePoint, 3> corners = corners_of(place.face);
     const Index own = on_first_.of_faces[place.face].face;
@@ -55,13 +56,13 @@ class Composition {
  private:
   /// A point counts as on a face if its distance is at most this fraction of the size of the
   /// intermediate face. The value exceeds the rounding errors of floats, by which pieces of a face
-  /// deviate from it. At half and twice the value, source points change by no more than this
+  /// deviate from the face. At half and twice the value, source points change by no more than this
   /// distance.
   static constexpr double same_distance = 1e-4;
 
-  /// Returns the mean of the corners' source points. It is on the face from which the intermediate
-  /// face comes, if the mean is on that face. Otherwise it is on the nearest face with a similar
-  /// normal.
+  /// Returns the mean of the corners' source points, projected onto a face of the first mesh. This
+  /// is the face from which the intermediate face comes, if the mean is on that face. Otherwise it
+  /// is the nearest face with a similar normal.
   SourcePoint mean_on_surface(const SourcePoint& place, const std::array<SourcePoint, 3>& corners,
                               const Vec3& normal) const {
     const Index own = on_first_.of_faces[place.face].face;

@@ -26,9 +26,10 @@ constexpr double default_distance_share = 0.01;  ///< fraction of the diagonal o
 constexpr double largest_extent = 1e75;
 constexpr std::size_t points_per_task = 256;      ///< affects time only
 constexpr std::size_t points_per_report = 16384;  ///< interval of progress reports
-/// One in this many points is tested before the others. A choice that affects only the time.
+/// Every point of this number is tested before the other points. A choice that affects only the
+/// time.
 constexpr std::size_t vanguard = 61;
-/// Less than 1 by more than the relative rounding error of a distance.
+/// Factor that is less than 1 by more than the relative rounding error of a distance.
 constexpr double certainly = 1 - 1e-12;
 
 /// Distance to the faces of a mesh, or to its vertices if it has no faces.

@@ -77,7 +77,7 @@ class OpenCut {
   const Mesh& mesh_;
   PlaneDistances distances_;
   Mesh result_;
-  std::vector<Index> faces_;  ///< per face of the result: the face that it is a part of
+  std::vector<Index> faces_;  ///< for each face of the result, the input face that contains it
   std::map<std::pair<Index, Index>, Index> new_vertices_;
 };
 

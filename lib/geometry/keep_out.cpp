@@ -62,7 +62,7 @@ double squared_segment_distance(const Vec3& p, const Vec3& p_end, const Vec3& q,
   const Vec3 r = p - q;
   const double dd = d.squaredNorm();
   const double ee = e.squaredNorm();
-  if (dd == 0 || ee == 0) return HUGE_VAL;  // ends are measured separately
+  if (dd == 0 || ee == 0) return HUGE_VAL;  // the caller measures distances from ends
   const double de = d.dot(e);
   const double dr = d.dot(r);
   const double er = e.dot(r);

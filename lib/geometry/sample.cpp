@@ -22,10 +22,10 @@ namespace transformesh {
 namespace {
 
 constexpr double most_points = 1e8;   ///< limit of memory and time
-constexpr double darts_per_disk = 2;  ///< initial number of darts per squared distance of area
-/// Relative to the distance: smaller parts of faces are not split further.
+constexpr double darts_per_disk = 2;  ///< initial number of darts per area of distance^2
+/// Parts of faces below this size, as a fraction of the distance, are not split further.
 constexpr double tolerance = 1e-9;
-/// In spacings of coordinates: parts smaller than this are not split further.
+/// Parts of faces below this size, in spacings of coordinates, are not split further.
 constexpr double roundings = 16;
 constexpr std::size_t darts_per_report = 16384;  ///< interval of progress reports
 

@@ -5,11 +5,11 @@
 /// count as the triangles into which they are read. A vertex column contains the place of the
 /// vertex, a face column that of the centroid of the face.
 ///
-/// Each vertex and face has a source point. A source point at a vertex of the source is exact. On
-/// an edge, and if faces are equally close, a vertex refers to the lowest face. Therefore the place
-/// of a face cannot be derived from those of its vertices, which may all be on edges of the source.
-/// Floating point; deterministic for any number of threads. Cost: O(log n) per vertex and face for
-/// closest points.
+/// Each vertex and face has a source point. A source point at a vertex of the source is exact. If a
+/// vertex comes from an edge, or if several faces are equally close, its source point is on the
+/// face with the lowest index. Therefore the place of a face cannot be derived from the source
+/// points of its vertices, which may all be on edges of the source. Floating point; deterministic
+/// for any number of threads. Cost: O(log n) per vertex and face for closest points.
 #pragma once
 
 #include "transformesh/carry.h"

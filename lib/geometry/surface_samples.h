@@ -20,7 +20,7 @@ struct SurfacePoint {
 /// machine for the same mesh and seed.
 std::vector<Vec3> surface_samples(const Mesh& mesh, std::size_t count, std::uint64_t seed);
 
-/// Returns the same points with their faces and barycentric coordinates.
+/// Returns the points of surface_samples() with their faces and barycentric coordinates.
 std::vector<SurfacePoint> surface_points(const Mesh& mesh, std::size_t count, std::uint64_t seed);
 
 }  // namespace transformesh

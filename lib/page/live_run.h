@@ -40,7 +40,7 @@ class LiveRun {
   Known<PageMesh> meshes_, targets_;
   Known<PageViews> views_;
   Mesh target_;              ///< target read last
-  std::string target_path_;  ///< its path and stamp
+  std::string target_path_;  ///< path and stamp of `target_`
 };
 
 }  // namespace transformesh

@@ -58,7 +58,7 @@ Order order_of_use(const Mesh& mesh) {
 }
 
 std::uint32_t code(double value, double low, double high, double codes) {
-  // Halved, so that the difference does not overflow.
+  // Both numbers are halved, so that their difference does not overflow.
   const double extent = high / 2 - low / 2;
   if (!(extent > 0)) return 0;
   const double share = std::clamp((value / 2 - low / 2) / extent, 0.0, 1.0);

@@ -5,8 +5,8 @@
 /// `vertices`, `faces`, `low` and `high` of the box, and `columns` (`name`, `of`: vertex, face or
 /// color, and `low` and `high` of numbers). Then come streams of little-endian integers. Each
 /// stream is stored in planes: first the lowest byte of every integer, then the next byte.
-/// - Corners of faces, in order. Vertices are numbered in the order in which faces use them, then
-///   those that no face uses. A corner is stored as the next unused number minus the vertex number,
+/// - Corners of faces, in order. Vertices are numbered in the order in which faces use them, unused
+///   vertices last. A corner is stored as the next unused number minus the vertex number,
 ///   or 0 for a new vertex. Integers have four bytes, or two if there are at most 65535 vertices.
 /// - x, then y, then z of all vertices: integers 0 to 65535 from `low` to `high`, each as the
 ///   difference from the previous one, modulo 65536.

@@ -159,7 +159,8 @@ std::string axis_up(const std::vector<PageRun>& runs) {
         up -= view.camera.camera.rotation.row(1).transpose();
         ++count;
       }
-  constexpr double least = 0.3;  // mean up vector of cameras looking down by 70 degrees
+  // Least length of the mean up vector. If all cameras look down by 70 degrees, the length is 0.34.
+  constexpr double least = 0.3;
   Eigen::Index axis = 1;
   if (!(up.cwiseAbs().maxCoeff(&axis) > least * count)) return "y";
   return (up[axis] < 0 ? "-" : "") + std::string(1, "xyz"[axis]);

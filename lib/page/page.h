@@ -28,9 +28,10 @@ struct PageViews {
 };
 
 /// A run, or meshes that are shown one at a time. A mesh is shown with the target and the views of
-/// its number, or else of the next larger number, or else with the last ones.
+/// its number. If these do not exist, those of the next larger number are shown, or else the last
+/// ones.
 struct PageRun {
-  std::string name, tool, version;        ///< tool and version are empty if these are only meshes
+  std::string name, tool, version;        ///< tool and version are empty if there is no run
   std::vector<std::string> commands;      ///< commands of the run
   std::string log, report;                ///< CSV and JSON; may be empty
   std::string events;                     ///< CSV of the events (events.h), or empty

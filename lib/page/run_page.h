@@ -14,10 +14,11 @@ struct RunPageOptions {
   std::size_t every = 1;  ///< take every n-th frame, and the first and the last
 };
 
-/// Reads a run. The result is the last mesh, unless it is the last frame. If there is a target,
-/// vertices get the column `distance` from its faces, or from its points if it has no faces; this
-/// replaces an existing column. For a movie, reads the targets and views of the shown meshes.
-/// Throws InputError if the folder does not hold a run, or holds neither frames nor a result.
+/// Reads a run. The result becomes the last mesh, unless the last iteration is a frame. If there is
+/// a target, vertices get the column `distance`, which replaces an existing column: the distance
+/// from the faces of the target, or from its points if it has no faces. For a movie, reads the
+/// targets and views of the shown meshes. Throws InputError if the folder does not hold a run, or
+/// holds neither frames nor a result.
 PageRun read_run_page(const std::string& folder, const RunPageOptions& options = {},
                       const Progress& progress = {});
 
@@ -28,8 +29,8 @@ Page read_runs_page(const std::vector<std::string>& folders, const RunPageOption
 /// True if a mesh of a run has the column, so that it can be `color_by`.
 bool has_column(const Page& page, const std::string& name);
 
-/// Read everything except meshes and views; and list the mesh files. These are the frames, followed
-/// by the result unless it is the last frame, with their numbers.
+/// Read the texts of a run, and list its mesh files with their numbers. Mesh files are the frames,
+/// followed by the result unless the last iteration is a frame.
 PageRun read_run_texts(const std::string& folder);
 RunPaths run_mesh_files(const std::string& folder, const std::string& log);
 

@@ -11,7 +11,8 @@ namespace {
 // Red and green of about the same lightness stand out from gray and from each other.
 constexpr std::array<double, 3> gray{190, 195, 200}, red{224, 50, 40}, green{40, 160, 70};
 
-/// The surface alone, with colors of its faces.
+/// Returns the mesh with face colors instead of its columns: `mark` for marked faces, gray for
+/// others.
 Mesh colored(const Mesh& mesh, const std::vector<char>& is_marked,
              const std::array<double, 3>& mark) {
   Mesh surface;

@@ -10,11 +10,12 @@
 namespace transformesh {
 namespace {
 
-constexpr int glyph_rows = 7;               ///< dots of the font
-constexpr int glyph_columns = 5;            ///< dots of the font
-constexpr int advance = glyph_columns + 1;  ///< a free column between glyphs
-constexpr int margin = 4;  ///< above and below the glyphs; twice as much at both ends of the bar
-constexpr int strip_rows = glyph_rows + 2 * margin;  ///< dots of the strip below the picture
+// The unit of these lengths is a dot of the font, which is a square of pixels.
+constexpr int glyph_rows = 7;               ///< height of a character
+constexpr int glyph_columns = 5;            ///< width of a character
+constexpr int advance = glyph_columns + 1;  ///< distance between the starts of two characters
+constexpr int margin = 4;  ///< space above and below text; twice this space is beside the bar
+constexpr int strip_rows = glyph_rows + 2 * margin;  ///< height of the legend
 constexpr int least_width = 120;     ///< pixels; chosen by hand: a smaller picture gets no legend
 constexpr int least_height = 60;     ///< pixels; chosen by hand: a smaller picture gets no legend
 constexpr int pixels_per_dot = 300;  ///< pixels of the shorter image side per dot of the font
@@ -102,7 +103,7 @@ void draw_legend(const ColorScale& scale, const Background& background, Image& i
   draw_text(low, std::max(left - gap / 2 - low_width, 0), text_top, dot, ink, image);
   draw_text(high, left + length + gap / 2, text_top, dot, ink, image);
 
-  // The bar, from the low end to the high end of the scale.
+  // Draw the bar, from the low end to the high end of the scale.
   for (int i = 0; i < length; ++i) {
     const double share = length > 1 ? static_cast<double>(i) / (length - 1) : 0;
     const double value = (1 - share) * scale.low + share * scale.high;

@@ -9,16 +9,16 @@
 
 namespace transformesh {
 
-/// `800x600`: width and height, at least 1.
+/// Parses width and height in pixels, each at least 1, such as `800x600`.
 std::pair<int, int> parse_size(std::string_view text);
 
-/// `30,20`: azimuth and elevation in degrees.
+/// Parses azimuth and elevation in degrees, such as `30,20`.
 std::pair<double, double> parse_orbit(std::string_view text);
 
-/// `#rrggbb` or `#rgb`, or one of white, black, gray.
+/// Parses a color: `#rrggbb`, `#rgb`, white, black or gray.
 Color parse_color(std::string_view text);
 
-/// `transparent`, a color, or two from top to bottom: `white,#8899aa`.
+/// Parses `transparent`, one color, or the colors at top and bottom, such as `white,#8899aa`.
 Background parse_background(std::string_view text);
 
 }  // namespace transformesh

@@ -19,7 +19,7 @@ enum class Framing { each, scale, place };
 struct PictureOptions {
   int width = 800;   ///< width of the whole picture in pixels, [1, 32768]
   int height = 600;  ///< at most 2^26 pixels in total
-  Orbit orbit;       ///< `orbit.up` also points to the sky
+  Orbit orbit;       ///< `orbit.up` is also the upward direction of lights and floor
   Framing framing = Framing::each;
   /// Number of panels in a row. If it is 0 and `views` is 1, all panels form one row. If it is 0
   /// and there are several views, each mesh has its own row. The views of a single mesh are laid
@@ -30,7 +30,7 @@ struct PictureOptions {
   int views = 1;   ///< >= 1
   int frames = 1;  ///< number of pictures in a movie in which the camera moves around once, >= 1
   int frame = 0;
-  /// Mesh to frame in every panel instead, so that movies are steady.
+  /// If given, cameras are fitted to this mesh instead of the drawn meshes, for steady movies.
   const Mesh* around = nullptr;
   ShadeOptions shade;  ///< the color scale is set by `range`, the floor by the meshes
   /// Values at the ends of the color scale if shade.color.by is set. Default: the range of the

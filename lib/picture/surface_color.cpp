@@ -60,7 +60,7 @@ SurfaceColor::SurfaceColor(const Mesh& mesh, const SurfaceColorOptions& options)
     vertex_values_ = number_column_of_vertices(mesh, options.by);
     const Mesh* const only = &mesh;
     if (face_values_ == nullptr && vertex_values_ == nullptr)
-      scale_of_column(std::span(&only, 1), options.by);  // throws
+      scale_of_column(std::span(&only, 1), options.by);  // throws UsageError
   }
   if (options.highlight.empty()) return;
   const Column* of_faces = mesh.face_columns.find(options.highlight);

@@ -20,8 +20,9 @@ struct SurfaceColorOptions {
   /// Name of a face column, else of a vertex column. The surface is orange where the column is not
   /// zero. Ignored if empty.
   std::string highlight;
-  /// Name of a number column of the faces, else of the vertices, by which the surface is colored
-  /// instead. Values are interpolated; values that are not finite are gray. Ignored if empty.
+  /// Name of a number column of the faces, else of the vertices. If given, the color scale maps its
+  /// values to the colors of the surface. Values are interpolated; values that are not finite are
+  /// gray. Ignored if empty.
   std::string by;
   ColorScale scale;
 };

@@ -32,15 +32,16 @@ double focal_length(int width, int height) {
   return 0.5 * std::min(width, height) / elementary::tan(radians(field_of_view_deg / 2));
 }
 
-/// Result of fit() along one direction of the image: center of the points, and how far back the
-/// camera must be.
+/// Result of fit(): position of the camera along one direction of the image, and position along the
+/// axis that points backwards.
 struct Fit {
   double middle = 0;
   double eye_back = 0;
 };
 
-/// A camera at (m, b) observes point (u, d) inside the image if |u - m| * slope <= b - d. This
-/// bounds b + slope m and b - slope m from below. The least b results if both are at their bounds.
+/// Uses coordinates along `direction` and `back`. A camera at (m, b) observes point (u, d) inside
+/// the image if |u - m| * slope <= b - d. This bounds b + slope m and b - slope m from below. The
+/// least b results if both are at their bounds.
 Fit fit(std::span<const Vec3> points, const Vec3& direction, const Vec3& back, double slope) {
   double plus = -HUGE_VAL;
   double minus = -HUGE_VAL;
@@ -119,10 +120,11 @@ Aim turn_aim(std::span<const Vec3> points, const Orbit& orbit, int width, int he
   const Vec3 up = front_axes(orbit.up).up;
   const Vec3 middle = box_middle(points);
 
-  // At azimuth a, a point of height h and radius r is r sin a to the right of the center, h cosine
-  // - r sine cos a above it, and r cosine cos a + h sine nearer to the camera. The distance must
-  // exceed the latter plus slope times the offset to the right, up or down. Each sum has its
-  // maximum at a known azimuth.
+  // Let a be the azimuth, and h and r height and radius of a point in cylindrical coordinates. In
+  // the image, the point is r sin a to the right of the center and h cosine - r sine cos a above
+  // it. The point is r cosine cos a + h sine nearer to the camera than the center. The distance
+  // must exceed this number plus the slope times the offset to the right, up or down. Each sum has
+  // its maximum at a known azimuth.
   double distance = 0;
   for (const Vec3& point : points) {
     const double height_of = up.dot(point - middle);

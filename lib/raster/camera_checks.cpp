@@ -69,7 +69,7 @@ void check_read_again(const CameraRecord& record, const PinholeCamera& again) {
 }
 
 void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who) {
-  // Numbers in files are rounded, some to three digits.
+  // Tolerance of rotations in files, whose numbers may be rounded to three digits.
   constexpr double rounding = 1e-3;
   const Eigen::Matrix3d product = rotation * rotation.transpose();
   if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= rounding)) {

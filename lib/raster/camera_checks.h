@@ -14,18 +14,20 @@ bool is_number(std::string_view word);
 /// Returns the name of the source and the line that is read, for example `dino_par.txt line 3`.
 std::string place_of(const TextRows& rows, const Source& source);
 
-/// Return what is wrong with the numbers of the camera `who`, as a sentence; "" if nothing is.
+/// Return "" if the numbers are valid, else an error message, in which `who` is the name of the
+/// camera.
 std::string intrinsics_problem(const Eigen::Matrix3d& intrinsics, const std::string& who);
 std::string translation_problem(const Vec3& translation, const std::string& who);
 
-/// Throw InputError at the current line of `rows`, with what is wrong with `who`.
+/// Throw InputError, naming the current line of `rows` and the camera `who`, if numbers are not
+/// valid.
 void check_intrinsics(const TextRows& rows, const Eigen::Matrix3d& intrinsics,
                       const std::string& who);
 void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who);
 void check_translation(const TextRows& rows, const Vec3& translation, const std::string& who);
 
-/// Throws InputError if the camera would not be valid after writing and reading. `again` is the
-/// camera of `record` after that.
+/// Throws InputError unless `again` is valid. `again` is the camera of `record` after writing and
+/// reading.
 void check_read_again(const CameraRecord& record, const PinholeCamera& again);
 
 }  // namespace transformesh

@@ -23,7 +23,7 @@ struct CameraRecord {
   LensDistortion distortion;
   /// If true, the principal point is relative to the center of the image, whose size is unknown.
   bool is_centered = false;
-  /// Other units than pixels are those of an image of unknown size.
+  /// Units other than pixels mean that the size of the image is unknown.
   IntrinsicsUnit unit = IntrinsicsUnit::pixel;
 
   /// Sets the size of the image, and converts intrinsics to pixels. Throws InputError if the file
@@ -33,7 +33,7 @@ struct CameraRecord {
 
 struct CameraList {
   std::vector<CameraRecord> cameras;
-  bool names_images = false;  ///< if true, names are names of images, by which images are paired
+  bool names_images = false;  ///< if true, cameras have the names of their images
 };
 
 }  // namespace transformesh

@@ -31,7 +31,7 @@ struct PixelBox {
 struct FacePixel {
   Index face = no_index;
   float depth = 0;  ///< depth as defined by Camera
-  /// Weights of the face's corners 0 and 1; the weight of corner 2 is the rest.
+  /// Weights of the face's corners 0 and 1; the weights of all three corners sum to 1.
   std::array<float, 2> weight{};
 };
 

@@ -27,7 +27,7 @@ class PinchBuilder {
 
  private:
   // The lower half is half a lemniscate rotated about the axis, with its upper end at the origin.
-  // The last ring keeps a distance from the origin, the length of the intersecting faces.
+  // The distance of the last ring from the origin is half the length of the intersecting faces.
   void add_lower_half() {
     mesh_.positions.emplace_back(0, 0, -1.2);
     for (std::size_t ring = 1; ring <= rings_below_; ++ring) {
@@ -81,7 +81,8 @@ class PinchBuilder {
 }  // namespace
 
 Mesh pinch(std::size_t faces) {
-  // Nine vertices around for one along: the number of intersecting faces matters most.
+  // Each ring has nine times as many vertices as there are rings, because a ring's vertices
+  // determine the number of intersecting faces.
   const auto wanted = static_cast<double>(faces);
   const double rings_below = std::max(2.0, std::round(std::sqrt(wanted / 72)));
   const double around = std::max(3.0, std::round(wanted / (4 * rings_below)));

@@ -73,7 +73,8 @@ void add_faces(Mesh& mesh, Index first, std::size_t low, Index second, std::size
   const std::size_t low_steps = low > 1 ? low : 0, high_steps = high > 1 ? high : 0;
   while (i < low_steps || j < high_steps) {
     const Index a = at(first, i, low), b = at(second, j, high);
-    // Compares (i + 1) / low with (j + 1) / high.
+    // Advance on the ring whose next vertex has the smaller angle, (i + 1) / low or (j + 1) / high
+    // of a turn.
     const bool is_low = j == high_steps || (i < low_steps && (i + 1) * high <= (j + 1) * low);
     if (is_low) {
       mesh.faces.push_back({a, at(first, ++i, low), b});

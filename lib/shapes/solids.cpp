@@ -64,8 +64,8 @@ Mesh ellipsoid(const Vec3& axes, std::size_t faces, const Progress& progress) {
 }
 
 Mesh genus(long holes, std::size_t faces, const Progress& progress) {
-  // The points closer than half the thickness to the plate, which is first shrunk by half the
-  // thickness.
+  // The solid contains all points closer than `rounding` to the plate in the plane z = 0 that was
+  // shrunk by `rounding`.
   const PerforatedPlate plate(holes);
   const double rounding = 0.48 * plate.wall;
   ImplicitSolid solid;
@@ -92,7 +92,7 @@ Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
   Mesh mesh = mesh_implicit(solid, faces, progress);
   if (neck > 0) return mesh;
 
-  // Heights below this are turned inside out; it covers the neck.
+  // Vertices are mirrored if |z| is below this value, which covers the middle of the neck.
   constexpr double mirrored_part = 0.4;
   for (Vec3& point : mesh.positions) {
     const double share = point.z() / mirrored_part;

@@ -103,8 +103,8 @@ class GeodesicBuilder {
   Mesh mesh_;
 };
 
-/// Distributes `faces` over spheres by area. Rounding to 20 n^2 is compensated by the following
-/// spheres.
+/// Distributes `faces` over spheres by area. Each sphere has 20 n^2 faces for some n; the following
+/// spheres compensate for the rounding.
 Mesh spheres_of(const std::vector<Vec3>& centers, const std::vector<double>& radii,
                 std::size_t faces) {
   double area_left = 0;

@@ -29,7 +29,8 @@ inline constexpr const char *description = "/run.json", *start = "/start.ply",
                             *result = "/result.ply";
 }  // namespace run_file
 
-/// Contents of run.json, which has the same names, and `layout`: 1 as its version.
+/// Contents of run.json. The JSON keys are the names of the members, and `layout`, whose value 1 is
+/// the version of the folder's layout.
 struct RunDescription {
   std::string tool, version;
   /// Command lines, quoted for a shell: of the program that began the run, then of those that

@@ -1,5 +1,6 @@
-/// An integer without bound times a power of two: every finite double, and all sums and products of
-/// them, exactly. Needs Boost.Multiprecision alone, so that builds without GMP have exact numbers.
+/// An integer of any size times a power of two. Represents every finite double, and all sums and
+/// products of doubles, exactly. Needs only Boost.Multiprecision, so that builds without GMP have
+/// exact numbers.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>

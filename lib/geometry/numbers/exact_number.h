@@ -1,5 +1,6 @@
-/// The numbers without rounding that decide last: CGAL's Mpzf, which needs GMP, or DyadicNumber in
-/// builds without GMP. Both represent every finite double, and all sums and products of them.
+/// Exact numbers, which decide a sign if faster types fail: CGAL's Mpzf, which needs GMP, or
+/// DyadicNumber in builds without GMP. Both represent every finite double, and all sums and
+/// products of finite doubles.
 #pragma once
 
 #ifdef TM_WITHOUT_GMP

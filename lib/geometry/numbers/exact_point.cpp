@@ -591,7 +591,7 @@ int ExactGeometry::orient3d(const ExactPlane& plane, const ExactPoint& point) co
   const Triangle& t = plane.triangle;
   if (is_exact(point)) return transformesh::orient3d(t[0], t[1], t[2], point.center);
 
-  // In doubles, with the errors of the normal and of the ball.
+  // Evaluate in doubles; the bound includes the errors of the normal and of the ball.
   const Vec3 b = t[1] - t[0];
   const Vec3 c = t[2] - t[0];
   const Vec3 n = b.cross(c);
@@ -667,7 +667,7 @@ ExactPoint ExactGeometry::mean(const ExactPoint& a, const ExactPoint& b, const E
   }
   result.radius = result.radius * (1 + 16 * epsilon) + Vec3::Constant(1e-300);
 
-  // Exact coordinates over the common denominator.
+  // Compute the exact coordinates over the common denominator of all weights.
   const ExactCoordinates &ea = exact(a), &eb = exact(b), &ec = exact(c);
   const std::array<const ExactCoordinates*, 3> e{&ea, &eb, &ec};
   const std::array<Exact, 3> others{eb.w * ec.w, ea.w * ec.w, ea.w * eb.w};

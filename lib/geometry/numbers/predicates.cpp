@@ -43,7 +43,7 @@ bool is_moderate(const Vec3& p) {
   return is_usual(p[0]) && is_usual(p[1]) && is_usual(p[2]);
 }
 
-// Returns the differences of all further multiples from the first one.
+// Returns the differences between the second and all further multiples and the first one.
 template <std::size_t count>
 std::array<std::int64_t, count - 1> one_word_ways(const CommonScale<count>& scale) {
   std::array<std::int64_t, count - 1> ways;
