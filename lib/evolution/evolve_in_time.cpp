@@ -228,7 +228,7 @@ class TimeLoop : public Loop {
   IterationResult last_;
   Topology topology_;
   double time_ = 0, event_end_ = 0;
-  double span_ = 0, usual_span_ = 0;  ///< spans of the last step, and of the last one far from events
+  double span_ = 0, usual_span_ = 0;  ///< span of the last step; of the last one far from events
   double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
   std::size_t repeated_ = 0, held_back_ = 0;
   bool is_closed_ = false, is_done_ = false;

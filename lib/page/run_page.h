@@ -15,10 +15,10 @@ struct RunPageOptions {
 };
 
 /// Reads a run. The result becomes the last mesh, unless the last iteration is a frame. If there is
-/// a target, vertices get the column `distance`, which replaces an existing column: the distance
-/// from the faces of the target, or from its points if it has no faces. For a movie, reads the
-/// targets and views of the shown meshes. Throws InputError if the folder does not hold a run, or
-/// holds neither frames nor a result.
+/// a target, vertices get the column `distance`, which replaces an existing column. This is the
+/// distance from the faces of the target, or from its points if it has no faces. For a movie, reads
+/// the targets and views of the shown meshes. Throws InputError if the folder does not hold a run,
+/// or holds neither frames nor a result.
 PageRun read_run_page(const std::string& folder, const RunPageOptions& options = {},
                       const Progress& progress = {});
 

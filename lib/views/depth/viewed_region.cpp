@@ -92,7 +92,7 @@ ValueGrid viewed_region(std::span<const View> views, const std::optional<Box>& b
 }
 
 std::optional<Box> box_of_points(std::vector<Vec3> points) {
-  constexpr std::size_t least_points = 100;  // with fewer points the box would be unreliable
+  constexpr std::size_t least_points = 100;  // boxes of fewer points are unreliable
   constexpr std::size_t outliers = 50;  // one of this number of points is an outlier at each end
   constexpr double margin = 0.1;  // fraction of the size, because parts of objects lack points
   if (points.size() < least_points) return std::nullopt;
