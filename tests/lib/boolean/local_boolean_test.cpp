@@ -83,8 +83,8 @@ TEST_CASE("a local operation that the part does not decide changes nothing") {
     return combine_in_place(BooleanOperation::subtract, solid, operand, {}).has_value();
   };
   const Mesh tool = test::moved(test::scaled(test::cube(), 0.1), Vec3(0.95, 0, 0));
-  CHECK_FALSE(is_done(ball));                  // the part is a large share of the solid
-  CHECK_FALSE(is_done(test::reversed(tool)));  // not a simple solid: inside out
+  CHECK_FALSE(is_done(ball));                  // the ball meets too much of the solid
+  CHECK_FALSE(is_done(test::reversed(tool)));  // a tool that is inside out is no simple solid
   Mesh colored = tool;
   colored.face_columns.get("red", Scalar::uint8, colored.faces.size());
   CHECK_FALSE(is_done(colored));

@@ -59,8 +59,9 @@ std::string kinds(const std::vector<Event>& events) {
 }
 
 /// Checks that mean-curvature flow makes one event at the origin, near the time. Returns the
-/// result. A neck whose radius is 1.4 edges lasts as long as the square of an edge: r(t)^2 = r(0)^2
-/// - 2 t. Fewer than about ten edges around a neck do not resolve its flow.
+/// result. The radius r of a neck shrinks as r(t)^2 = r(0)^2 - 2 t, so that a neck of radius 1.4
+/// edges lasts for the time edge^2. Shorter times are not resolved, because fewer than about ten
+/// edges are around such a neck.
 Mesh check_neck(ShapeOptions shape, double time, const char* kind) {
   shape.faces = 4000;
   Mesh mesh = make_shape(shape);
@@ -127,7 +128,7 @@ TEST_CASE("two balls that approach merge once, where and when they touch") {
 TEST_CASE("a dumbbell whose neck is pinched splits once, at the neck") {
   Mesh mesh = test::icosphere(4);
   for (Vec3& p : mesh.positions) {
-    // The second half is larger.
+    // The half with x > 0 is larger than the other.
     const double factor = (p.x() < 0 ? 1 : 1.1) * (0.25 + 0.75 * std::min(1.0, 4 * p.x() * p.x()));
     p = Vec3(3 * p.x(), factor * p.y(), factor * p.z());
   }
@@ -186,7 +187,7 @@ TEST_CASE("a handle that opens and closes within a step is no event, and new fac
   options.on_cleaned(ball, torus);
   CHECK(finder.has_found());
   Mesh pinched = ball;
-  // A face of a cap, which has no label.
+  // Face 5 plays the role of a face in a cap, which has no label.
   pinched.face_columns.columns.front().values[5] = 0;
   options.on_cleaned(torus, pinched);
   CHECK(!finder.has_found());

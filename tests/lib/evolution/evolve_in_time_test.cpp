@@ -74,7 +74,7 @@ TEST_CASE("steps continue in time, and their stages lie within the step") {
   evolve_in_time(mesh, motion, {.end = 1, .span = 0.1, .integrator = Integrator::rk4},
                  unsmoothed());
   CHECK(last == doctest::Approx(1));
-  // The integral of 2 t from 0 to 1.
+  // The mesh moved at the speed 2 t, hence by 1 from t = 0 to t = 1.
   CHECK(bounding_box(mesh).center().x() == doctest::Approx(1).epsilon(1e-3));
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("volume is kept to rounding while a sphere is carried and remeshed") {
   const TimeOptions time{.end = 3, .integrator = Integrator::rk4, .keep_volume = true};
   const TimeResult result = evolve_in_time(mesh, turning, time, options);
   CHECK(std::abs(result.volume_drift) < 1e-10 * before);
-  // The integrator itself changes the volume by its own error.
+  // The volume does not drift, but the integrator's error changes it slightly.
   CHECK(volume(mesh) == doctest::Approx(before).epsilon(1e-6));
 }
 

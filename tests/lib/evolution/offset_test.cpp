@@ -103,7 +103,7 @@ TEST_CASE("a plate that loses its rim is reported with the place; finer edges ke
   CHECK(lost.has_missed);
   CHECK(!lost.is_done());
   CHECK(volume(coarse.mesh) < 0.9 * left);
-  // The place is on the small box, and no part of the result is nearer.
+  // The farthest missed point is on the box that the inward offset leaves.
   const Vec3 to_middle = lost.deviation.missed_at - Vec3(2, 3, 4);
   CHECK((to_middle.cwiseAbs() - Vec3(0.1, 1.1, 2.1)).maxCoeff() ==
         doctest::Approx(0).epsilon(1e-5));
@@ -126,7 +126,7 @@ TEST_CASE("the root mean square is that of the surface, whatever the vertices ar
     const auto [mesh, result] = moved_by(test::icosphere(4), 0.5, edge);
     double sum = 0, area = 0;
     for (Index f = 0; f < mesh.faces.size(); ++f) {
-      // The midpoints of the edges integrate quadratic polynomials exactly.
+      // The mean over the midpoints of a face's edges is exact for quadratic polynomials.
       const auto& [a, b, c] = mesh.faces[f];
       for (const auto& [i, j] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
         const double off = ((mesh.positions[i] + mesh.positions[j]) / 2).norm() - 1.5;

@@ -46,12 +46,12 @@ TEST_CASE("the last step ends at the end") {
   CHECK(step_of(moving_at(0), {}, 4).span == 4);
   CHECK(step_of(moving_at(1), {.span = 0.3}, 4).span == 0.3);
   CHECK(step_of(moving_at(1), {.span = 0.3}, 0.1).span == 0.1);
-  // The sum of ten spans of .1 differs from 1 by rounding.
+  // After nine spans of .1 until time 1, rounding may make the remaining time exceed the span.
   CHECK(step_of(moving_at(1), {.span = 0.1}, 0.1 + 1e-16).span == 0.1 + 1e-16);
 }
 
 TEST_CASE("the tolerance of the error shortens the span, and only as far as necessary") {
-  // The difference to Euler's method is span^2 / 2.
+  // The step differs from that of Euler's method by span^2 / 2.
   const TrialStep step = step_of(accelerating(), {.max_move = 1e9, .tolerance = 1e-4}, 10);
   CHECK(step.integrated.error <= 1e-4);
   CHECK(step.integrated.error > 0.5e-4);

@@ -22,7 +22,7 @@ LabeledStates labeled(const std::vector<ComponentState>& states) {
   return result;
 }
 
-/// Kinds and labels, such as "merge 1 2 > 1; ".
+/// Returns kinds and labels of the events, such as "merge 1 2 > 1; ".
 std::string events_between(const LabeledStates& before, std::vector<ComponentState> after,
                            const std::vector<Seam>& seams = {}) {
   long next = 10;

@@ -46,7 +46,7 @@ TEST_CASE("a ring that is cut becomes a bent rod") {
   const Components parts = connected_components(rod);
   CHECK(parts.components.size() == 1);
   CHECK(parts.genus() == 0);
-  // Both ends are drawn back by a third of an edge.
+  // The ring has 60 edges along its axis. Each end of the cut is drawn back by a third of an edge.
   const double slice = 2.0 / 3 / 60;
   CHECK(volume(rod) == doctest::Approx(volume(ring) * (1 - slice)).epsilon(0.004));
   CHECK(result.new_vertices == rod.positions.size() - ring.positions.size());

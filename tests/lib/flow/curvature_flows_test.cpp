@@ -41,7 +41,8 @@ double radius_spread(const Mesh& mesh) {
   return (high - low) / mean_radius(mesh);
 }
 
-/// Relative error of the squared radius of a unit sphere at time 0.15, where it is 0.4.
+/// Returns the relative error of the squared radius of a shrinking unit sphere at time 0.15. The
+/// exact squared radius is 1 - 4 * 0.15 = 0.4.
 double sphere_error(std::size_t faces, int steps) {
   Mesh sphere = make_sphere(Vec3::Zero(), 1, faces);
   advance(sphere, "mean-curvature", 0.15, steps);
@@ -151,8 +152,8 @@ TEST_CASE("steps a thousand times longer than explicit ones are stable") {
     advance(mesh, name, 3 * 1000 * limit, 3);
     for (const Vec3& p : mesh.positions) REQUIRE(p.allFinite());
     CHECK(bounding_box(mesh).diagonal().norm() < 1.05 * before.diagonal().norm());
-    // The exact sphere has vanished by then under mean curvature flow, and the rest of the mesh may
-    // be inside out.
+    // Mean-curvature flow would have made an exact sphere vanish before that time. The rest of the
+    // mesh may be inside out.
     if (std::string(name) == "mean-curvature")
       CHECK(volume_of(mesh) > -1e-12);
     else
@@ -188,7 +189,8 @@ TEST_CASE("components keep their own volumes") {
 }
 
 TEST_CASE("surface diffusion damps waves on a sphere at the rate of the closed form") {
-  // r = 1 + a P2(cos) decays as a exp(-24 t), by linearization for degree 2.
+  // The radius is 1 + a P2(cos), where P2 is the Legendre polynomial of degree 2. The linearized
+  // flow multiplies the amplitude a by exp(-24 t).
   const double start = 0.05;
   Mesh mesh = test::icosphere(4);
   for (Vec3& p : mesh.positions) p *= 1 + start * (3 * p.z() * p.z() - 1) / 2;

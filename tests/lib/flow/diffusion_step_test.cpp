@@ -68,7 +68,8 @@ TEST_CASE("the speeds of surface diffusion solve their equation and sum up to no
   const std::vector<double> at_once = step.fourth_order(0);
   CHECK(std::abs(sum_of(at_once)) < 1e-10);
 
-  // (M + span L inverse(M) L) v = M v_0, where v_0 are the speeds for a span of 0.
+  // The speeds v satisfy (M + span L inverse(M) L) v = M v_0. M is the diagonal matrix of vertex
+  // areas, L is the Laplacian, and v_0 are the speeds for a span of 0.
   const double span = 1e-3;
   const std::vector<double> speeds = step.fourth_order(span);
   CHECK(std::abs(sum_of(speeds)) < 1e-10);

@@ -76,7 +76,7 @@ TEST_CASE("vertices and times outside of the grids are counted") {
   CHECK(!flow.counts->is_time_outside);
   mesh.positions[2].y() = 1;
   CHECK(flow.motion.velocity(mesh, {4, 0, 0}, Progress())[0].isApprox(Vec3(0, 0, 6)));
-  CHECK(flow.counts->outside == 2);  // the largest of all evaluations
+  CHECK(flow.counts->outside == 2);  // the largest number over all evaluations
   CHECK(flow.counts->is_time_outside);
 }
 
@@ -94,7 +94,8 @@ TEST_CASE("columns hold velocities, or those of a step over a span") {
   CHECK(mesh.vertex_columns.find("vx")->type == Scalar::float64);
   CHECK(speeds.maximum == doctest::Approx(largest));
   CHECK(speeds.rms <= speeds.maximum);
-  // An implicit step takes a radius r to r / (1 + 2 span / r^2). Two half steps are extrapolated.
+  // An implicit step changes a radius r to r / (1 + 2 span / r^2). The flow extrapolates from a
+  // whole step and two half steps.
   const auto implicit = [](double r, double span) { return r / (1 + 2 * span / (r * r)); };
   const double radius = 2 * implicit(implicit(1, 0.05), 0.05) - implicit(1, 0.1);
   CHECK(speeds.rms == doctest::Approx((1 - radius) / 0.1).epsilon(0.01));

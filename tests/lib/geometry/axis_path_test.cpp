@@ -48,10 +48,10 @@ TEST_CASE("the change between two points is that of solid angles") {
 TEST_CASE("a path that meets an edge, a corner or a face at its end is uncertain") {
   const Mesh cube = test::cube();
   CHECK(change(cube, {.5, .25, .3}, {5, .25, .3}) == -1);
-  // through the diagonal of a side
+  // The path goes through the diagonal of a side.
   CHECK(change(cube, {.5, .5, .5}, {5, .5, .5}) == std::nullopt);
-  CHECK(change(cube, {.5, 0, .25}, {5, 0, .25}) == std::nullopt);    // along a side
-  CHECK(change(cube, {.5, .25, .3}, {1, .25, .3}) == std::nullopt);  // ends on a side
+  CHECK(change(cube, {.5, 0, .25}, {5, 0, .25}) == std::nullopt);    // the path lies in a side
+  CHECK(change(cube, {.5, .25, .3}, {1, .25, .3}) == std::nullopt);  // the path ends on a side
   CHECK(change(cube, {.5, .25, .3}, {.75, .25, .3}) == 0);
   CHECK(change(cube, {-3, 0, 0}, {-2, 0, 0}) == 0);
   CHECK(change(cube, {.5, .5, .5}, far_along_x({.5, .5, .5})) == std::nullopt);

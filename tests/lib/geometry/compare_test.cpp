@@ -36,7 +36,8 @@ TEST_CASE("a square above a square is at its height everywhere") {
 }
 
 TEST_CASE("the distances of a half and the whole differ in the two directions") {
-  // The half square x < 1/2 lies in the whole; the distance from the whole is max(0, x - 1/2).
+  // The half square x < 1/2 is a part of the unit square, the reference. Points of the unit square
+  // are max(0, x - 1/2) away from the half square.
   Mesh half = test::grid(4);
   for (Vec3& point : half.positions) point.x() /= 2;
   const Comparison found = compare(half, test::grid(4), {.samples = 40000, .distance = 0.1});
@@ -48,7 +49,8 @@ TEST_CASE("the distances of a half and the whole differ in the two directions") 
   CHECK(found.mean == Approx(0.125 / 2).epsilon(0.005));
   CHECK(found.rms == Approx(std::sqrt(1.0 / 24 / 2)).epsilon(0.005));
 
-  // The other way the accuracy is the 90 % quantile: 0.4 of x - 1/2.
+  // If the half square is the reference, the accuracy is the 90 % quantile of max(0, x - 1/2) over
+  // the unit square. The quantile is at x = 0.9.
   const Comparison turned = compare(test::grid(4), half, {.samples = 40000, .distance = 1e-12});
   CHECK(turned.accuracy == Approx(0.4).epsilon(0.005));
   CHECK(turned.completeness == 1);

@@ -96,7 +96,7 @@ TEST_CASE("the winding number is undecided on the surface and decided a hair bes
   CHECK(has_number(box, {0.3, 0.4, -1e-12}, 0));
   CHECK(has_number(box, {1e-10, 1e-10, 1e-10}, 1));
   CHECK(has_number(box, {-1e-10, 1e-10, 1e-10}, 0));
-  // On the line of an edge, beyond its end.
+  // The point is on the line of an edge, beyond its end.
   CHECK(has_number(box, {0, 0, 2}, 0));
 }
 

@@ -22,7 +22,7 @@ double sphere_error(int count) {
 
 TEST_CASE("the solver for surfaces of revolution has the radius of a shrinking sphere") {
   CHECK(sphere_error(101) < 2e-4);
-  CHECK(sphere_error(51) / sphere_error(101) > 3.4);  // second order: nearly 4
+  CHECK(sphere_error(51) / sphere_error(101) > 3.4);  // nearly 4, because the error is of order 2
 }
 
 TEST_CASE("a ring that is far from the axis collapses as a cylinder does") {
@@ -40,7 +40,8 @@ TEST_CASE("times of collapse and pinching converge with the number of points") {
   };
   const double ring =
       converges([](int n) { return ring_collapse_time(torus_profile(1, 0.4, n)); }, 100);
-  // The profile's area falls by 2 pi (2 - R / sqrt(R^2 - r^2)), which grows from 2 pi * 0.909.
+  // The profile of the ring is a circle with radius r = 0.4, R = 1 away from the axis. Its area
+  // shrinks at the rate 2 pi (2 - R / sqrt(R^2 - r^2)), which grows from 2 pi * 0.909 to 2 pi.
   CHECK(ring > 0.08);
   CHECK(ring < 0.08 / 0.9089);
   MESSAGE("the ring collapses at ", ring);

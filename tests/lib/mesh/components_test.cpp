@@ -95,7 +95,7 @@ TEST_CASE("selected faces bring their vertices and columns in order") {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) label.values[f] = static_cast<double>(f);
 
   std::vector<bool> keep(mesh.faces.size(), false);
-  keep[2] = keep[15] = true;  // the second uses vertices 7, 11, 9 of the joined mesh
+  keep[2] = keep[15] = true;  // face 15 uses vertices 7, 11, 9 of the joined mesh
   const Mesh part = select_faces(mesh, keep);
   CHECK(part.face_columns.find("label")->values == std::vector<double>{2, 15});
   CHECK(part.vertex_columns.find("id")->values == std::vector<double>{0, 2, 3, 7, 9, 11});

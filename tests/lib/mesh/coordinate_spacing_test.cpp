@@ -43,7 +43,8 @@ TEST_CASE("faces collapse where two corners become one place, and turn where a b
   CHECK(loss({0, 0, 0}).turned == 0);
   CHECK(loss({0x1p51, 0, 0}).collapsed == 0);
   CHECK(loss({0x1p51, 0, 0}).turned == 0);
-  // The edge along x collapses with two faces; of the other two, the oblique face turns over.
+  // At x = 2^60, the corners of the edge along x become equal, so that its two faces collapse. The
+  // oblique one of the other two faces turns over.
   CHECK(loss({0x1p60, 0, 0}).collapsed == 2);
   CHECK(loss({0x1p60, 0, 0}).turned == 1);
   CHECK(loss({0x1p60, 0x1p60, 0x1p60}).collapsed == 4);

@@ -116,7 +116,7 @@ TEST_CASE("targets and views of a movie appear with their frames") {
   CHECK(numbers_of(live) == std::vector<std::size_t>{0, 1});
   REQUIRE(live.run().targets.size() == 1);
   CHECK(live.block(live.run().targets[0].block) != nullptr);
-  // Now the run has distances.
+  // The run has a target now, so that the mesh has distances from it.
   CHECK(live.run().meshes[0].block != alone);
   REQUIRE(live.run().views.size() == 1);
   CHECK(live.block("photograph-0-1-0") != nullptr);

@@ -53,7 +53,8 @@ TEST_CASE("a hundred frames of ten thousand faces stay below 30 MB") {
     position += Vec3(noise(random), noise(random), noise(random));
   const double bytes_per_face =
       static_cast<double>(pack(mesh).block.size()) / static_cast<double>(mesh.faces.size());
-  // Base64 increases the size by a factor of 4 / 3.
+  // A page with 100 meshes of 10,000 faces takes less than 30 MB. Base64 increases the size by 4 /
+  // 3.
   CHECK(bytes_per_face * 1e4 * 100 * 4 / 3 < 30e6);
 }
 

@@ -80,7 +80,7 @@ TEST_CASE("meshes of a movie are shown with their own targets, the first one wit
   REQUIRE(run.targets.size() == 3);
   CHECK(run.targets[0].number == 1);
   CHECK(run.targets[1].number == 2);
-  // Radii 2 and 3, 1.5 and 4, 1.25 and 5.
+  // The balls have radii 2, 1.5 and 1.25, and their targets have radii 3, 4 and 5.
   for (const auto& [i, distance] : {std::pair{0, 1.0}, {1, 2.5}, {2, 3.75}})
     CHECK(run.meshes[i].mesh.columns.at(0).low == doctest::Approx(distance).epsilon(0.02));
   CHECK(page_blocks({&run, 1}).size() == 6);

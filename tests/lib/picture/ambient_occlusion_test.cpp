@@ -28,7 +28,8 @@ TEST_CASE("convex bodies are open everywhere, the inside of a ball nowhere") {
 }
 
 TEST_CASE("the occlusion of a floor before a long wall agrees with the closed form") {
-  // A wall of height 1 at x = 0, 200 long; the form factor to it is (1 - x / sqrt(x^2 + 1)) / 2.
+  // The wall at x = 0 is 1 high and 200 long. The form factor from a floor point at distance x to
+  // the wall is (1 - x / sqrt(x^2 + 1)) / 2.
   Mesh mesh;
   mesh.positions = {{0, -100, 0}, {0, 100, 0}, {0, 100, 1}, {0, -100, 1}};
   mesh.faces = {{0, 1, 2}, {0, 2, 3}};

@@ -41,7 +41,7 @@ TEST_CASE("ends and middle have the published colors, and values beyond those of
   CHECK(bytes(scale.at(4)) == std::vector<int>{253, 231, 37});
   CHECK(scale.at(-1e300) == scale.at(2));
   CHECK(scale.at(1e300) == scale.at(4));
-  // the published middle is between 33,145,140 and 32,146,140
+  // The published color at the middle is between the bytes 33, 145, 140 and 32, 146, 140.
   const std::vector<int> middle = bytes(scale.at(3));
   CHECK(std::abs(middle[0] - 33) <= 1);
   CHECK(std::abs(middle[1] - 145) <= 1);

@@ -38,10 +38,10 @@ TEST_CASE("the bar has the colors of the ends, and numbers stand beside it") {
   const int middle = image.height - legend_height(200, 100) / 2 - 1;
   CHECK(image.at(50, middle) == Pixel{68, 1, 84, 255});
   CHECK(image.at(149, middle) == Pixel{253, 231, 37, 255});
-  // the dots of 1 and of 8 in this font
+  // In this font, the digit 1 consists of 10 dots and the digit 8 of 17 dots.
   CHECK(ink(image, 0, 50) == 10);
   CHECK(ink(image, 150, 200) == 17);
-  // the row above the strip stays white
+  // The row above the legend stays white.
   for (int x = 0; x < 200; ++x) CHECK(image.at(x, 100 - legend_height(200, 100) - 1) == white);
 }
 

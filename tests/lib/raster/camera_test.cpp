@@ -29,7 +29,8 @@ TEST_CASE("a camera in front sees x to the right, y upwards and depth along its 
   CHECK(std::abs(camera.project({1, 2, 3}).z() - 10) < 1e-12);
   CHECK(std::abs(camera.project({5, -2, 6}).z() - 7) < 1e-12);
   CHECK((camera.center() - Vec3(1, 2, 13)).norm() < 1e-12);
-  // The shorter side spans 30 degrees: 30.5 pixels at 15 degrees.
+  // The shorter side, 61 pixels, spans 30 degrees. A point 15 degrees above the axis is thus 30.5
+  // pixels above the center, row 30.
   const double half = 10 * std::tan(15 * 3.14159265358979323846 / 180);
   CHECK(std::abs(pixel(camera, {1, 2 + half, 3}).y() - (30 - 30.5)) < 1e-12);
 }
@@ -63,7 +64,8 @@ TEST_CASE("an aim fits the points tightly into the image, in the middle") {
       low = low.min(pixel(camera, point).array());
       high = high.max(pixel(camera, point).array());
     }
-    // 4 % of the image is free on each side; one direction is filled.
+    // The points leave at least 4 % of the image free on each side, and exactly 4 % along width or
+    // height.
     const Eigen::Array2d free(0.04 * 300 - 0.5, 0.04 * 200 - 0.5);
     const Eigen::Array2d beyond(299 - free.x(), 199 - free.y());
     CHECK((low >= free - 1e-9).all());

@@ -35,12 +35,13 @@ TEST_CASE("distortion is that of the formulas, worked out by hand") {
   CHECK(none.is_none());
   CHECK(none.distorted(0.3, -0.2) == Eigen::Vector2d(0.3, -0.2));
   const LensDistortion radial{{0.1, 0.2, 0, 0, 0, 0}, {}};
-  // r^2 = 0.25: 1 + 0.025 + 0.0125.
+  // At r^2 = 0.25, the radial factor is 1 + k1 r^2 + k2 r^4 = 1 + 0.025 + 0.0125.
   CHECK(radial.distorted(0.3, 0.4).isApprox(1.0375 * Eigen::Vector2d(0.3, 0.4), 1e-14));
   const LensDistortion rational{{0, 0, 0, 1, 0, 0}, {}};
   CHECK(rational.distorted(0.3, 0.4).isApprox(0.8 * Eigen::Vector2d(0.3, 0.4), 1e-14));
   const LensDistortion tangential{{}, {0.1, 0.2}};
-  // x: 2 0.1 0.12 + 0.2 (0.25 + 0.18); y: 0.1 (0.25 + 0.32) + 2 0.2 0.12.
+  // The distortion moves x by 2 p1 x y + p2 (r^2 + 2 x^2) = 0.11, and y by p1 (r^2 + 2 y^2) + 2 p2
+  // x y = 0.105.
   CHECK(tangential.distorted(0.3, 0.4).isApprox(Eigen::Vector2d(0.41, 0.505), 1e-14));
 }
 

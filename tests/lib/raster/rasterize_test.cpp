@@ -62,7 +62,7 @@ TEST_CASE("a sphere covers the disc that geometry says, its pole at the right de
   const Mesh ball = moved(icosphere(5), {0, 0, 5});
   const Camera camera = camera_at_origin(401, 401, 800);
   const FaceBuffer buffer = rasterize(ball, camera);
-  // The cone that touches the sphere has sine 1/5.
+  // The sine of half the opening angle of the cone that touches the sphere is 1/5.
   const double radius = 800 / std::sqrt(5.0 * 5 - 1);
   const double area = std::numbers::pi * radius * radius;
   CHECK(std::abs(static_cast<double>(count_covered(buffer)) - area) < 0.003 * area);
@@ -114,7 +114,7 @@ TEST_CASE("faces that share an edge leave no gap, whatever the view") {
         orbit_camera({Vec3::Zero(), 6}, {azimuth, 0.5 * azimuth, Axis::y, 1}, 150, 150);
     CHECK(count_covered(rasterize(sheet, camera)) == 150 * 150);
   }
-  // Vertices exactly at pixel centers.
+  // All vertices of this grid are exactly at pixel centers.
   Mesh aligned = grid(10);
   for (Vec3& point : aligned.positions) point = {10 * point.x() - 5, 10 * point.y() - 5, 1};
   CHECK(count_covered(rasterize(aligned, camera_at_origin(11, 11, 1))) == 121);

@@ -121,11 +121,11 @@ TEST_CASE("on an ellipsoid edges are short where the curvature is large") {
     return p.x() * p.x() + p.y() * p.y() + p.z() * p.z() / 4;
   };
   const auto half_gradient = [](const Vec3& p) { return Vec3(p.x(), p.y(), p.z() / 4).norm(); };
-  // distance to first order, which suffices for this error
+  // The quotient is the distance from the ellipsoid to first order, which suffices for this error.
   CHECK(largest(mesh, [&](const Vec3& p) { return (implicit(p) - 1) / 2 / half_gradient(p); }) <
         error);
 
-  // curvature is 2 at the poles, 1 along the waist
+  // The largest curvature is 2 at the poles, and 1 along the waist.
   EdgeShares shares(mesh, [&](const Vec3& p) {
     const double stretch = 4 - 3 * p.z() * p.z() / 4;
     return allowed_edge(error, std::max(2 / std::pow(stretch, 1.5), 2 / std::sqrt(stretch)));
@@ -138,7 +138,7 @@ TEST_CASE("on an ellipsoid edges are short where the curvature is large") {
 TEST_CASE("lengths stay within the bounds") {
   Mesh mesh = icosphere(4);
   RemeshOptions options = within(0.05);
-  options.max_edge = 0.2;  // the error would allow 0.54
+  options.max_edge = 0.2;  // the error alone would allow edges of 0.54
   SUBCASE("from above") {
     remesh(mesh, options);
     CHECK(edge_lengths(mesh).maximum < 0.21);
@@ -154,7 +154,7 @@ TEST_CASE("lengths stay within the bounds") {
 }
 
 TEST_CASE("projected vertices lie on the input") {
-  // faces of `before` are at most `depth` below the sphere
+  // Faces of `before` are at most `depth` inside the sphere.
   const Mesh before = icosphere(5);
   const double depth = 1 - std::sqrt(1 - std::pow(edge_lengths(before).maximum, 2) / 3);
   RemeshOptions options;

@@ -33,7 +33,7 @@ TEST_CASE("a sphere has the curvature of its radius") {
   CHECK(regular.least == doctest::Approx(1).epsilon(0.03));
   CHECK(regular.largest == doctest::Approx(1).epsilon(0.03));
 
-  // the result does not depend on the triangles
+  // The result does not depend on the shapes of the triangles.
   Mesh irregular = icosphere(4);
   Random random(1);
   for (Vec3& point : irregular.positions) point = (point + random.point(-0.02, 0.02)).normalized();

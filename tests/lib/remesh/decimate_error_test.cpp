@@ -110,13 +110,14 @@ TEST_CASE("the error of decimation is not exceeded: 10 meshes, TM_ROUNDS=30 for 
 }
 
 TEST_CASE("an error without a number of faces leaves few faces") {
-  // Triangles with edges s are within s^2 / (8 R) of their arcs and s^2 / (6 R) of the sphere.
+  // Let the corners of an equilateral triangle with edges s be on the unit sphere. The midpoints of
+  // its edges are s^2 / 8 inside the sphere, and its center is s^2 / 6 inside.
   Mesh ball = test::icosphere(4);
   DecimateOptions options;
   options.error = 0.01;
   decimate(ball, options);
-  // The area of a face is sqrt(3) / 4 s^2. If s^2 is 0.06, there are 484 faces on the sphere. Faces
-  // on both sides of it may be almost twice as far.
+  // The error 0.01 allows s^2 = 0.06. Each face then has the area sqrt(3) / 4 s^2, and 484 faces
+  // cover the sphere. Fewer faces suffice if they extend to both sides of the sphere.
   CHECK(ball.faces.size() < 484);
   CHECK(ball.faces.size() > 100);
 }

@@ -61,7 +61,7 @@ TEST_CASE("a number of faces that cannot be reached is reported") {
   CHECK_THROWS_AS(decimate(mesh, {3}), UsageError);
   Mesh empty;
   CHECK_THROWS_AS(decimate(empty, {10}), InputError);
-  // Two balls take eight faces.
+  // Two balls need at least four faces each.
   Mesh pair = test::joined(mesh, test::moved(mesh, {3, 0, 0}));
   CHECK_THROWS_AS(decimate(pair, {4}), GoalError);
   CHECK(pair.faces.size() == 2 * mesh.faces.size());

@@ -80,8 +80,8 @@ void check_box(const Mesh& mesh, const Eigen::Matrix3d& back) {
     CHECK(place.outside < 1e-13);
     ++on[static_cast<std::size_t>(place.planes)];
   }
-  CHECK(on[0] == 0);  // every vertex on a side
-  CHECK(on[3] == 8);  // vertices at all corners
+  CHECK(on[0] == 0);  // every vertex is on a side
+  CHECK(on[3] == 8);  // every corner has a vertex
   const SharpEdges sharp(mesh, 40);
   CHECK(sharp.length == doctest::Approx(24).epsilon(1e-12));
   CHECK(sharp.corners() == 8);
@@ -166,7 +166,7 @@ TEST_CASE("a cylinder keeps its rims and flat caps") {
   CHECK(std::abs(volume(mesh) / before - 1) < 2e-3);
   CHECK(angles(mesh).minimum_deg > 15);
 
-  // two closed lines near the circles, in the planes of the caps
+  // The sharp edges form two closed lines near the circles, in the planes of the caps.
   const SharpEdges sharp(mesh, 40);
   CHECK(sharp.corners() == 0);
   CHECK(sharp.length == doctest::Approx(4 * std::numbers::pi).epsilon(5e-3));

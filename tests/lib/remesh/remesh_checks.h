@@ -16,7 +16,7 @@ namespace transformesh::test {
 /// form one umbrella.
 inline bool is_oriented_manifold(const Mesh& mesh) {
   std::set<std::pair<Index, Index>> directed;
-  // maps each corner to the next one
+  // Maps, for each vertex, the second corner of a face at the vertex to the third corner.
   std::vector<std::map<Index, Index>> links(mesh.positions.size());
   for (const Face& face : mesh.faces) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -28,7 +28,7 @@ inline bool is_oriented_manifold(const Mesh& mesh) {
   }
   for (const auto& link : links) {
     if (link.empty()) continue;
-    // the start of the open chain, if there is one
+    // Find the start of the open chain, if there is one.
     std::set<Index> reached;
     for (const auto& [from, to] : link) reached.insert(to);
     Index at = link.begin()->first;

@@ -70,7 +70,7 @@ TEST_CASE("a bad mesh becomes a good one") {
 }
 
 TEST_CASE("three quarters of the vertices of bad meshes come to have six neighbors") {
-  // the last digits of a single mesh change the result by a few hundredths
+  // Rounding errors change the result of a single mesh by a few hundredths.
   constexpr int count = 20;
   double sum = 0;
   for (int seed = 1; seed <= count; ++seed) {
@@ -94,7 +94,7 @@ TEST_CASE("edge lengths are brought into the interval") {
 }
 
 TEST_CASE("edges become eight times as long in one iteration") {
-  // sheets near each other stay apart at all stages
+  // Two surfaces near each other stay apart at all stages.
   Mesh mesh = joined(icosphere(5), scaled(reversed(icosphere(5)), 0.9));
   const Mesh before = mesh;
   RemeshOptions options = around(mesh, 1);
@@ -113,7 +113,7 @@ TEST_CASE("if edges become eight times as long, few stay short") {
   RemeshOptions options = around(mesh, 1);
   options.min_edge *= 8;
   options.max_edge *= 8;
-  // rotated spheres have other last digits, which change the shortest edge
+  // Rotated spheres have other rounding errors, which change the shortest edge.
   constexpr int count = 8;
   double sum = 0;
   Random random(1);
@@ -218,7 +218,7 @@ TEST_CASE("survivors keep their order") {
   options.max_edge = 10;  // no new vertices
   remesh(mesh, options);
   const std::vector<double>& ids = mesh.vertex_columns.find("id")->values;
-  // a merged vertex keeps its index, whichever end gave its `id`
+  // A merged vertex keeps its index, whichever end of the edge gave its `id`.
   std::size_t descents = 0;
   for (std::size_t v = 1; v < ids.size(); ++v) descents += ids[v] < ids[v - 1];
   CHECK(ids.size() < 642);
@@ -226,7 +226,7 @@ TEST_CASE("survivors keep their order") {
 }
 
 TEST_CASE("sheets close to each other never meet") {
-  // a thin plate, and two spheres a tenth of an edge apart
+  // The meshes are a thin plate, and two spheres a tenth of an edge apart.
   const auto check = [](Mesh mesh, double factor) {
     RemeshOptions options = around(mesh, 3);
     options.min_edge *= factor;
@@ -266,7 +266,8 @@ TEST_CASE("small components go at once, and nothing left is an error") {
 }
 
 TEST_CASE("a small film of large volume stays") {
-  // edges of 0.28 but a volume of four: above pi/6 e1^3 for e1 = 0.3
+  // All edges of the ball are shorter than `min_edge`. Its volume of about 4 is far above that of a
+  // ball with the diameter `min_edge`.
   Mesh mesh = icosphere(2);
   RemeshOptions options;
   options.min_edge = 0.35;
@@ -277,7 +278,7 @@ TEST_CASE("a small film of large volume stays") {
 }
 
 TEST_CASE("a thin plate that is wider than the shortest edge stays") {
-  // edges of 0.14 and a volume of .002, below pi/6 e1^3 = .0042 for e1 = 0.2
+  // The plate has edges of 0.14 and less volume than a ball with the diameter `min_edge`.
   Mesh plate = icosphere(3);
   for (Vec3& p : plate.positions) p = {0.5 * p.x(), 0.5 * p.y(), 0.001 * p.z()};
   RemeshOptions options;
@@ -310,7 +311,7 @@ TEST_CASE("what is removed is reported with its faces, area and volume") {
 
 TEST_CASE("triangles without area go") {
   Mesh mesh = icosphere(2);
-  // a cap: the apex of face 10 lies in the middle of the opposite edge
+  // Face 10 becomes a cap: its apex is in the middle of the opposite edge.
   const Face face = mesh.faces[10];
   const Index apex = face[0];
   mesh.positions[apex] = 0.5 * (mesh.positions[face[1]] + mesh.positions[face[2]]);

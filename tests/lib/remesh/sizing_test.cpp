@@ -55,7 +55,7 @@ TEST_CASE("edges follow the sizes of a column") {
   CHECK(find_intersections(mesh).empty());
   CHECK(angles(mesh).minimum_deg > 20);
 
-  // sizes at the final positions of the vertices
+  // Compare edges with the sizes at the final positions of the vertices.
   double least = 10;
   double longest = 0;
   double sum = 0;
@@ -96,7 +96,7 @@ TEST_CASE("a column of equal sizes equals that length") {
 }
 
 TEST_CASE("small components are judged by their own sizes") {
-  // the small ball is kept if its own sizes are small, and removed otherwise
+  // The small ball stays if its sizes are small, and is removed otherwise.
   Mesh mesh = joined(icosphere(3), moved(scaled(icosphere(2), 0.05), {3, 0, 0}));
   Column& column = mesh.vertex_columns.get("wanted", Scalar::float64, mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

@@ -61,7 +61,8 @@ TEST_CASE("components with a border stay if borders are kept") {
 }
 
 TEST_CASE("sizes of the mesh multiply the edge") {
-  // The limit for the cube is between 1.41 and 1.74. Sizes of 10 multiply edges of a tenth.
+  // A limit between 1.41 and 1.74 decides about the cube. Sizes of 10 multiply the given edge by
+  // 10.
   for (const auto& [edge, count] : {std::pair(0.141, 0U), std::pair(0.174, 1U)}) {
     EditableMesh editable(box({1, 1, 1}));
     editable.set_sizes(std::vector<double>(8, 10));

@@ -33,7 +33,8 @@ TEST_CASE("a needle that is longer than the edge is thin") {
 }
 
 TEST_CASE("the limit is the area of the sphere whose diameter is the edge") {
-  // Six squares of side 0.72 have an area of 3.11, those of side 0.73 have 3.20.
+  // The limit is 3.14, the area of a sphere with diameter 1. Cubes with edges of 0.72 and 0.73 have
+  // areas of 3.11 and 3.20.
   CHECK(removed_from(box({0.72, 0.72, 0.72}), 1).count == 1);
   CHECK(removed_from(box({0.73, 0.73, 0.73}), 1).count == 0);
   CHECK(removed_from(box({1.25, 1.25, 1e-6}), 1).count == 1);
@@ -44,8 +45,8 @@ TEST_CASE("a component without a short edge stays") {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
   mesh.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-  // Four equilateral triangles of side 1.414 have an area of 3.46, the sphere of diameter 1.41 has
-  // 6.25.
+  // The tetrahedron has edges of 1.414 and an area of 3.46. The area is below that of a sphere with
+  // diameter 1.41, which is 6.25, but no edge is shorter than 1.41.
   CHECK(removed_from(mesh, 1.41).count == 0);
   CHECK(removed_from(mesh, 1.42).count == 1);
 }
@@ -69,7 +70,7 @@ TEST_CASE("two needles are removed, and the rest of the mesh keeps its order") {
 
 TEST_CASE("sizes of the mesh multiply the edge of thin components") {
   for (const auto& [edge, count] : {std::pair(0.137, 0U), std::pair(0.139, 1U)}) {
-    // The sphere of the area of a unit cube has a diameter of 1.382.
+    // A sphere with the area of a unit cube has a diameter of 1.382.
     EditableMesh editable(box({1, 1, 1}));
     editable.set_sizes(std::vector<double>(8, 10));
     CHECK(remove_thin_components(editable, edge).count == count);

@@ -71,7 +71,7 @@ TEST_CASE("a sheet that cleaning drops is a loss with its share of the area and 
   steps.clean();
   const std::vector<RepairStep> all = steps.take_steps();
   REQUIRE(all.size() == 2);
-  // At that step the sheet has two sides.
+  // Filling closed the sheet, which then has two sides of area 1. The cube has the area 6.
   CHECK(all[1].lost_share == doctest::Approx(2.0 / (6 + 2)));
   CHECK((all[1].lost_place - Vec3(5.5, 5.5, 5)).norm() < 1);
 }

@@ -25,8 +25,8 @@ ImplicitSolid ball(double radius) {
 TEST_CASE("the smooth minimum is the minimum where the two differ by the width, and less between") {
   CHECK(shapes::smooth_minimum(1, 2, 0.5) == 1);
   CHECK(shapes::smooth_minimum(2, 1, 1) == 1);
-  CHECK(shapes::smooth_minimum(1, 1, 0.4) == doctest::Approx(0.9));      // a quarter of the width
-  CHECK(shapes::smooth_minimum(1, 1.2, 0.4) == doctest::Approx(0.975));  // a sixteenth of it
+  CHECK(shapes::smooth_minimum(1, 1, 0.4) == doctest::Approx(0.9));      // 1 - width / 4
+  CHECK(shapes::smooth_minimum(1, 1.2, 0.4) == doctest::Approx(0.975));  // 1 - width / 16
   for (double a = 0; a < 1; a += 0.01) {
     const double step =
         shapes::smooth_minimum(a + 0.01, 0.5, 0.3) - shapes::smooth_minimum(a, 0.5, 0.3);

@@ -80,7 +80,7 @@ TEST_CASE("genus and components are those of the kind") {
 }
 
 TEST_CASE("volumes are those of the smooth shapes, up to the flatness of faces") {
-  // Inscribed faces lose volume as one over their number.
+  // The fraction of volume that inscribed faces lack is inversely proportional to their number.
   const auto check = [](ShapeOptions options, double volume) {
     CAPTURE(options.kind);
     options.faces = 3000;

@@ -62,14 +62,15 @@ TEST_CASE("the clamp is alpha times the mean edge at the vertex") {
 }
 
 TEST_CASE("each vertex has its own clamp") {
-  // The corner at the origin has three edges of length 1, the others 1, sqrt 2 and sqrt 2.
+  // Vertex 0 has three edges of length 1. Each other vertex has edges of lengths 1, sqrt 2 and sqrt
+  // 2.
   Mesh mesh = test::tetrahedron();
   const std::vector<Vec3> velocities(4, Vec3(0, 0, 100));
   displace(mesh, velocities, {1, 0.5});
   CHECK(mesh.positions[0].z() == Approx(0.5));
   CHECK(mesh.positions[1].z() == Approx(0.5 * (1 + 2 * std::sqrt(2.0)) / 3));
 
-  // Half of the clamp at the first vertex, zero elsewhere.
+  // The first vertex moves by half of its clamp, and the others do not move.
   Mesh other = test::tetrahedron();
   const DisplaceResult result =
       displace(other, std::vector<Vec3>{{0.25, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {1, 0.5});

@@ -78,8 +78,9 @@ TEST_CASE("no step jumps over a body, and what is far from it goes its whole way
 TEST_CASE("movements are halved until they are smaller than the gap") {
   const Mesh plate = test::grid(10);
   const Mesh ceiling = test::moved(test::grid(3), Vec3(0, 0, 0.001));
-  // Ten halvings of .512 give .0005. If the gap is .0009, .0001 is free, and .0005 is the first
-  // movement below the gap.
+  // The ceiling is .001 above the plate. Ten halvings of .512 give .0005, which is allowed if the
+  // gap is 1e-6. If the gap is .0009, movements of up to .0001 are allowed. Halving ends at .0005,
+  // the first movement below the gap, so nothing moves.
   for (const auto& [gap, way] : {std::pair(1e-6, 0.0005), std::pair(0.0009, 0.0)}) {
     std::vector<Vec3> movements(plate.positions.size(), Vec3(0, 0, 0.512));
     const LimitedMovements limited =

@@ -67,7 +67,7 @@ TEST_CASE("the reference edge is used once a length refers to it") {
   const double edge = inputs.length({2, Length::Unit::reference_edge}) / 2;
   REQUIRE(inputs.used_reference_edge());
   CHECK(*inputs.used_reference_edge() == edge);
-  // An icosahedron in the unit sphere.
+  // The closed form is the edge of an icosahedron in the unit sphere.
   CHECK(edge == doctest::Approx(1 / std::sin(2 * std::numbers::pi / 5)));
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("stdin cannot be read twice") {
   try {
     inputs.read_bytes("-");
   } catch (const Error&) {
-    // The test may run without a standard input.
+    // The first reading may fail, because the test may run without standard input.
   }
   CHECK_THROWS_AS(inputs.read_bytes("-"), UsageError);
 }

@@ -31,7 +31,7 @@ TEST_CASE("signs from balls are right, and known for all but the closest cases")
     const int exponents = i % 2 == 0 ? 20 : 130;
     const double a = some_number(random, exponents), b = some_number(random, exponents);
     const double c = some_number(random, exponents), d = some_number(random, exponents);
-    // Nearly 0 in half of the cases: (a b + c) / d - e, with e the quotient in doubles.
+    // In half of the cases, (a b + c) / d - e is nearly 0, because e is the quotient in doubles.
     const double e = i % 4 < 2 ? (a * b + c) / d : some_number(random, exponents);
     if (d == 0 || !std::isfinite(e)) continue;
     const Rational truth = (Rational(a) * Rational(b) + Rational(c)) / Rational(d) - Rational(e);

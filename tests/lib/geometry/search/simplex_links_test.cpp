@@ -56,7 +56,8 @@ Mesh flat_fan() {
   return mesh;
 }
 
-/// Returns the number of pairs that are apart. Checks that none of them intersects.
+/// Returns the number of pairs of faces that the links find to be apart. Checks that no such pair
+/// intersects.
 std::size_t count_apart(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   const SimplexLinks links = find_simplex_links(welded.points, welded.faces);

@@ -63,7 +63,7 @@ TEST_CASE("no contact is missed, and triangles apart in general position are fou
     const Counts counts = compare(common, 0, 2000);
     CAPTURE(common);
     CHECK(counts.missed == 0);
-    CHECK(counts.certainly_apart >= counts.apart - 2);  // nearly folded ones count as contact
+    CHECK(counts.certainly_apart >= counts.apart - 2);  // nearly folded pairs count as contact
     CHECK(counts.apart > 500);
   }
 }

@@ -55,7 +55,7 @@ TEST_CASE("a triangle over the edge of two faces is cut there, however small the
 
 TEST_CASE("a triangle over a gap is covered if its half is within the distance, with some room") {
   Triangle apart = upper;
-  for (Vec3& p : apart) p += Vec3(-0.1, 0.1, 0);  // half of the gap is 0.0707
+  for (Vec3& p : apart) p += Vec3(-0.1, 0.1, 0);  // makes a gap whose half is 0.0707
   const Triangle triangle{Vec3(0.2, 0.7, 0), Vec3(0.6, 0.1, 0), Vec3(0.9, 0.3, 0)};
   CHECK(cover({apart, lower}, triangle, 0.08).is_covered);
   CHECK_FALSE(cover({apart, lower}, triangle, 0.0705).is_covered);

@@ -103,7 +103,7 @@ TEST_CASE("a tetrahedron cannot lose an edge, nor flip one") {
 }
 
 TEST_CASE("a torus with three vertices around does not lose its hole") {
-  // the ends of every edge around the hole have a common neighbor that forms no face with them
+  // The ends of every edge have a common neighbor that forms no face with the edge.
   const EditableMesh mesh(torus(2, 1, 3, 3));
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) CHECK_FALSE(mesh.can_collapse(h));
 }
@@ -139,11 +139,11 @@ TEST_CASE("columns follow splits, collapses and faces") {
   for (std::size_t f = 0; f < 20; ++f) label.values[f] = static_cast<double>(f);
 
   EditableMesh editable(mesh);
-  editable.split(0, Vec3(0, 1, 1));  // between 0 and 11
+  editable.split(0, Vec3(0, 1, 1));  // the new vertex is between vertices 0 and 11
   Mesh split = editable.to_mesh();
   CHECK(split.vertex_columns.find("value")->values.back() == 5.5);
   CHECK(split.face_columns.find("label")->values[20] == 0);
-  editable.collapse(0, Vec3(0, 1, 0), 0.25);  // vertex 0 is merged into the new one
+  editable.collapse(0, Vec3(0, 1, 0), 0.25);  // vertex 0 is merged into the new vertex
   split = editable.to_mesh();
   CHECK(split.positions.size() == 12);
   CHECK(split.vertex_columns.find("value")->values.back() == doctest::Approx(0.75 * 5.5));

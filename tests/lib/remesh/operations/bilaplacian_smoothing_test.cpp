@@ -31,7 +31,7 @@ double roughness(const Mesh& mesh) {
 
 TEST_CASE("vertices a little off a sphere come nearer to it, and it does not shrink") {
   const Mesh sphere = icosphere(4);
-  CHECK(roughness(evened(sphere)) < 2e-5);  // chords of its edges are 5e-4 inside
+  CHECK(roughness(evened(sphere)) < 2e-5);  // midpoints of edges are 5e-4 inside the sphere
   Mesh rough = sphere;
   Random random(7);
   for (Vec3& point : rough.positions) point *= random.uniform(0.998, 1.002);

@@ -104,11 +104,12 @@ TEST_CASE("no flip makes an edge longer than allowed") {
 }
 
 TEST_CASE("no flip bends the surface, and none takes a border or a sharp edge") {
-  // The two faces of a cube's side are coplanar; those at its edges are at right angles.
+  // The two faces of a cube's side are coplanar; two faces at an edge of the cube are at right
+  // angles.
   const Mesh box = cube();
   CHECK(flips(box, 2, 1));
   CHECK_FALSE(flips(box, 0, 1));
-  CHECK_FALSE(flips(kite(), 2, 0));  // a border
+  CHECK_FALSE(flips(kite(), 2, 0));  // this edge is a border
   EditableMesh mesh(kite());
   EmbeddingGuard guard(mesh, 0);
   const Index edge = halfedge_of(mesh, 0, 1);
@@ -116,7 +117,7 @@ TEST_CASE("no flip bends the surface, and none takes a border or a sharp edge") 
   CHECK_FALSE(flip_edge(mesh, guard, edge));
   mesh.set_feature(edge, false);
   CHECK(flip_edge(mesh, guard, edge));
-  CHECK_FALSE(flips(kite(2), 0, 1));  // its faces meet at 2 atan 2 = 127 degrees
+  CHECK_FALSE(flips(kite(2), 0, 1));  // the edge bends by 2 atan 2 = 127 degrees
 }
 
 TEST_CASE("a flip that would intersect another part of the surface is refused") {

@@ -25,7 +25,8 @@ Mesh square_with_cap(double height) {
   return mesh;
 }
 
-/// Edges are so short that only spacings count.
+/// A shortest edge that is so short that only coordinate spacings decide whether a face is a
+/// sliver.
 constexpr double any_edge = 1e-12;
 
 Slivers slivers_of(const EditableMesh& mesh, double shortest = any_edge) {

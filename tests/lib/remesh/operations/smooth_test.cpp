@@ -36,7 +36,8 @@ double mean_radius(const Mesh& mesh) {
 }  // namespace
 
 TEST_CASE("the regular octahedron shrinks by exactly the factor") {
-  // neighbors of (1,0,0) are the four in the plane x = 0, with equal weights: dv = v
+  // The neighbors of each vertex v are the four vertices around the origin in the plane
+  // perpendicular to v, with equal weights. Hence v minus their mean is dv = v.
   Mesh mesh;
   mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   mesh.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
@@ -45,7 +46,7 @@ TEST_CASE("the regular octahedron shrinks by exactly the factor") {
   for (std::size_t v = 0; v < 6; ++v) {
     CHECK((once.positions[v] - 0.9 * mesh.positions[v]).norm() < 1e-15);
   }
-  // dv = v for all, so d2v = v as well
+  // The first operator gives dv = v for all vertices, so the second operator gives d2v = v, too.
   const Mesh twice = smoothed(mesh, 0.1, 0.04);
   for (std::size_t v = 0; v < 6; ++v) {
     CHECK((twice.positions[v] - 0.94 * mesh.positions[v]).norm() < 1e-15);
@@ -79,7 +80,7 @@ TEST_CASE("noise shrinks under the Laplacian") {
     return std::sqrt(sum / static_cast<double>(m.positions.size()));
   };
   CHECK(roughness(smoothed(mesh, 0.5)) < 0.6 * roughness(mesh));
-  // the second operator alone keeps the size better for the same noise
+  // The second operator alone reduces noise as well, and changes the radius less.
   CHECK(roughness(smoothed(mesh, 0, -0.4)) < 0.7 * roughness(mesh));
   CHECK(std::abs(mean_radius(smoothed(mesh, 0, -0.4)) - mean_radius(mesh)) <
         std::abs(mean_radius(smoothed(mesh, 0.5)) - mean_radius(mesh)));

@@ -84,7 +84,7 @@ TEST_CASE("beside border edges that stay and are far too long, splits end") {
 }
 
 TEST_CASE("sheets of floats one rounding apart do not cross where edges are split") {
-  // without settle_midpoints() a tenth of the pairs intersect
+  // Without settle_midpoints(), a tenth of the pairs would intersect.
   std::size_t tried = 0;
   std::size_t crossed = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {

@@ -93,19 +93,21 @@ TEST_CASE("a vertex goes all the way, or half of it, or not at all") {
   CHECK(scene.move(0, {0.5, 0, 0}));
   CHECK(scene.mesh.position(0) == Vec3(0.5, 0, 0));
 
-  // Beyond the rim triangles turn over; half of the way leaves triangles of roundness 0.62.
+  // A movement beyond the rim would turn triangles over. Half of this movement leaves triangles of
+  // roundness 0.62 or more, so the vertex makes it.
   Scene half(hexagon());
   CHECK(half.move(0, {1.2, 0, 0}));
   CHECK(half.mesh.position(0) == Vec3(0.6, 0, 0));
 
-  // Half of this way would leave a triangle of roundness 0.32, where all had 1.
+  // Half of this movement would leave a triangle of roundness 0.32, although all triangles had 1
+  // before.
   Scene none(hexagon());
   CHECK_FALSE(none.move(0, {1.6, 0, 0}));
   CHECK(none.mesh.position(0) == Vec3(0, 0, 0));
 }
 
 TEST_CASE("no normal turns by more than 60 degrees") {
-  // At height h the slope against the side of a triangle is h / (sqrt 3 / 2).
+  // If vertex 0 is at height h, the slope of each triangle is h / (sqrt 3 / 2).
   const double steepest = std::tan(std::numbers::pi / 3) * std::sqrt(3) / 2;
   Scene below(hexagon());
   CHECK(below.move(0, {0, 0, 0.98 * steepest}));
