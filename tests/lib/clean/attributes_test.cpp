@@ -121,7 +121,7 @@ void check_columns(const Mesh& plain, const CleanOptions& options = {}) {
   REQUIRE(result.changed);
   const double scale = largest_coordinate(input);
   const double digits = options.coordinate == Scalar::float32 ? 24 : 53;
-  // largest movement when vertices merge
+  // The largest movement of a vertex when vertices merge.
   const double rounding = scale * std::ldexp(1, 5 - static_cast<int>(digits));
 
   double worst_height = 0;

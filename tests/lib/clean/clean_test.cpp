@@ -19,8 +19,8 @@ Mesh overlapping_boxes() {
                       test::cuboid(Vec3::Constant(.5), Vec3::Constant(1.5)));
 }
 
-/// Two boxes that touch along an edge. Cleaning leaves two copies of its vertices at the same
-/// positions.
+/// Two boxes that touch along an edge. Cleaning leaves two copies of the edge's vertices at the
+/// same positions.
 Mesh touching_boxes() {
   return test::joined(test::cuboid(Vec3::Zero(), Vec3::Ones()), test::cuboid({1, 1, 0}, {2, 2, 1}));
 }

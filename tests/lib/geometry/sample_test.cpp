@@ -93,7 +93,7 @@ TEST_CASE("points by area are even: chi-square over faces of very different size
     const double expected = count * face_area(mesh, static_cast<Index>(f)) / surface_area(mesh);
     chi_square += (found[f] - expected) * (found[f] - expected) / expected;
   }
-  // With 479 degrees of freedom, the sum for independent points has the mean 479 and the standard
+  // The sum for independent points has 479 degrees of freedom, the mean 479 and the standard
   // deviation 31. The tested points are more even than independent points.
   CHECK(chi_square < 479 + 4 * 31);
 }

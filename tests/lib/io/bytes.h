@@ -59,7 +59,7 @@ inline std::string read_error(const std::string& bytes, const std::string& name 
   return "read";
 }
 
-/// The same for strict reading.
+/// Returns the message with which strict reading fails, or "read".
 inline std::string strict_error(const std::string& bytes, const std::string& name = "input") {
   return read_error(bytes, name, {.strict = true});
 }

@@ -33,7 +33,7 @@ std::vector<std::string> valid_files() {
   }
   document.mesh.face_columns.columns.clear();
   document.style.format = Format::ply_little;
-  files.push_back(write_mesh(document).bytes);  // the fast path
+  files.push_back(write_mesh(document).bytes);  // read by the fast path
   return files;
 }
 

@@ -258,7 +258,7 @@ TEST_CASE("a piece of an open mesh of many magnitudes may turn by rounding") {
 TEST_CASE("patches are bounded by the faces that meet others") {
   const Mesh balls = two_balls();
   const UncutPatches patches = find_uncut_patches(balls, Progress());
-  // The outer and the inner part of each ball.
+  // Each ball has two patches: one outside of the other ball and one inside.
   CHECK(patches.faces.size() == 4);
   std::size_t cut = 0;
   for (const char is_cut : patches.is_cut) cut += is_cut != 0 ? 1U : 0U;

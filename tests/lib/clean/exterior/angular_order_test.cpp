@@ -45,8 +45,8 @@ Book random_book(test::Random& random, int pages) {
   return book;
 }
 
-/// Returns the angle of each page about the edge, counterclockwise as seen against its direction,
-/// starting at the first page.
+/// Returns the angle of each face of the book about the edge, relative to the first face. Angles
+/// are counterclockwise if viewed against the direction of the edge.
 std::vector<double> angles_of(const Book& book) {
   const auto& p = book.mesh.positions;
   const Vec3 axis = (p[1] - p[0]).normalized();
@@ -59,7 +59,7 @@ std::vector<double> angles_of(const Book& book) {
   return angles;
 }
 
-/// Returns the halfedges of a book, sorted by `before`, which compares page numbers.
+/// Returns the halfedges of a book, sorted by `before`, which compares indices of its faces.
 template <class Before>
 std::vector<Index> halfedges_by(const Book& book, const Before& before) {
   std::vector<Index> order(book.halfedges.size());

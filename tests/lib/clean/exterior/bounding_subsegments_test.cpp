@@ -37,7 +37,7 @@ class Curves {
         add_segment(to, from, -jump);
     }
   }
-  /// The curve leads from the first edge to the last.
+  /// Adds a curve from the first edge of the triangle to the last edge.
   void add_chord(double x, double y, int jump) {
     const auto first = static_cast<Index>(in.points.size());
     add_point({x, 0, 0}, 0);
@@ -144,7 +144,7 @@ TEST_CASE("touching segments, and three through one point, are left undecided") 
   };
   CHECK(chords({{2, 4}, {4, 2}}));
   CHECK_FALSE(chords({{2, 4}, {2, 5}}));  // two points at one position on an edge
-  // One edge of a polygon without the next edge.
+  // The last edge of the polygon is missing, so that the curve has an end inside of the face.
   Curves curves(2);
   curves.add_polygon({3, 3, 0}, 1, 5, 1);
   curves.in.segments.pop_back();

@@ -40,7 +40,7 @@ TEST_CASE("w in front of corners agrees with solid angles") {
     for (Index f = 0; f < welded.faces.size(); ++f) {
       for (Index i = 0; i < 3; ++i) {
         const std::optional<int> found = windings.at(f, i);
-        REQUIRE(found.has_value());  // in general position
+        REQUIRE(found.has_value());  // the mesh is in general position
         const Triangle t = welded.triangle(f);
         const Vec3 middle = (t[0] + t[1] + t[2]) / 3;
         REQUIRE(*found == winding_in_front(mesh, t, t[i] + 1e-5 * (middle - t[i])));

@@ -19,8 +19,8 @@ namespace {
 using Cell = std::array<int, 3>;
 /// The number of the room of each cell that is in one. Walls separate cells of different rooms.
 using Rooms = std::map<Cell, int>;
-/// The copies of the wall from a cell to the next along an axis: true for each copy that faces the
-/// next cell, false for each that faces the cell.
+/// Returns the copies of the wall between a cell and the next cell along an axis. An entry is true
+/// if the copy faces the next cell, and false if it faces the cell.
 using Walls = std::function<std::vector<bool>(const Cell&, int axis)>;
 
 class Builder {

@@ -66,7 +66,8 @@ Assembly cube_with_spike(double width) {
   return assembly;
 }
 
-/// A cube with a tower of `storeys` storeys, with three corners each, on its first face.
+/// A cube with a tower on its first face. The tower consists of `storeys` triangular prisms of
+/// height `storey`.
 Assembly cube_with_tower(double width, double storey, Index storeys) {
   Assembly assembly = cube_with_spike(width);
   Mesh& mesh = assembly.mesh;
@@ -144,8 +145,8 @@ TEST_CASE("displacements of consecutive collapses add up") {
   const Vec3 up = face_normal(test::cube(), 0).normalized();
   for (const Vec3& p : assembly.mesh.positions)
     height = std::max(height, up.dot(p - test::cube().positions[test::cube().faces[0][0]]));
-  // The removal of each storey moves the top face up, so the body keeps its full height with few
-  // faces.
+  // Only few faces are left of the tower, but its full height. Consecutive collapses have moved
+  // faces by this height in total.
   CHECK(assembly.mesh.faces.size() == 14);
   CHECK(height == doctest::Approx(storeys * storey));
   CHECK(moved.length >= height);

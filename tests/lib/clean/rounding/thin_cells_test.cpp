@@ -17,7 +17,8 @@ namespace {
 using test::cuboid;
 using test::joined;
 
-/// The arrangement of a mesh and its kept pieces, before and after thin cells are given away.
+/// The arrangement of a mesh and its kept pieces, before or after thin cells have become inside or
+/// outside.
 struct Cells {
   explicit Cells(const Mesh& mesh) {
     const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));

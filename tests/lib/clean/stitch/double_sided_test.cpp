@@ -52,7 +52,7 @@ TEST_CASE("a surface with one side only stays") {
   Mesh mesh = test::joined(test::icosphere(1), test::moved(test::icosphere(1), {3, 0, 0}));
   CHECK(count_double_sided(mesh) == 0);
   CHECK(drop_reverses(mesh) == 0);
-  // Copies are not reverses.
+  // A face and a copy in the same orientation do not count as double-sided.
   Mesh twice = test::joined(test::cube(), test::cube());
   CHECK(count_double_sided(twice) == 0);
   CHECK(turn_outwards(mesh) == 0);

@@ -32,13 +32,14 @@ class AllPairs {
           if (a != b && sum != 0 && other != 0) agreement_[a][b] -= sum * other;
   }
 
-  /// Repeatedly follows the strongest link from a sheet of the group to one outside of it.
+  /// Collects the group of a sheet. Repeatedly adds the sheet with the strongest agreement, of
+  /// either sign, with a sheet of the group.
   std::vector<Index> align(Index first, std::vector<char>& is_reversed) const {
     std::vector<Index> group{first};
     std::set<Index> members{first};
     is_reversed[first] = 0;
     for (;;) {
-      // weaker links and later sheets are larger
+      // The least tuple has the strongest agreement; ties are broken by the lowest sheet.
       std::tuple<int, Index, char> best{0, no_index, 0};
       for (const Index a : group)
         for (const auto& [b, sum] : agreement_[a])

@@ -15,11 +15,11 @@ namespace {
 
 struct Parts {
   std::vector<Mesh> meshes;
-  // for each part, its faces by their numbers in the whole mesh
+  // For each part, the numbers of its faces in the whole mesh.
   std::vector<std::vector<Index>> faces;
 };
 
-/// Each part has its own vertices.
+/// Cuts the mesh into parts, each with its own vertices.
 Parts cut(const Mesh& mesh, const std::vector<int>& part_of, int count) {
   Parts parts;
   for (int p = 0; p < count; ++p) {

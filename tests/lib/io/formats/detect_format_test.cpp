@@ -72,8 +72,8 @@ TEST_CASE("binary STL is detected by its size, also where the header says solid"
 }
 
 TEST_CASE("a written file is detected as its format, for any comment") {
-  // After headers of any length, the count of a binary STL with exactly as many bytes as it
-  // announces.
+  // Some comments put a number to the place at which binary STL has the count of facets. The files
+  // then have exactly the size of a binary STL with that count.
   std::vector<std::pair<std::string, std::size_t>> comments{
       {"OFF OFF\xb6", 0}, {"ply", 0}, {"solid", 0}, {"v 0 0 0", 0}, {"\rOFF 0 0 0", 0}};
   for (std::size_t padding = 60; padding < 80; ++padding) {

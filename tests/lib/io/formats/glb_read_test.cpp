@@ -58,7 +58,7 @@ TEST_CASE("glb: mirrored nodes turn faces, and their normals stay outside") {
   CHECK(document.mesh.positions[1] == Vec3(-2, 0, 0));
   CHECK(document.mesh.faces[0] == Face{0, 1, 2});
   CHECK(document.style.coordinate == Scalar::float64);
-  // The inverse transpose of the scaling takes (0.6, 0, 0.8) to (-0.3, 0, 0.8).
+  // The inverse transpose of the scaling maps (0.6, 0, 0.8) to (-0.3, 0, 0.8).
   const Vec3 expected = Vec3(-0.3, 0, 0.8).normalized();
   CHECK(column(document.mesh.vertex_columns, "nx").values[0] == doctest::Approx(expected.x()));
   CHECK(column(document.mesh.vertex_columns, "nz").values[0] == doctest::Approx(expected.z()));

@@ -53,7 +53,7 @@ TEST_CASE("gltf: attributes become columns") {
   const Columns& columns = result.document.mesh.vertex_columns;
   CHECK(column(columns, "red").values == std::vector<double>{0, 1, 2, 3});
   CHECK(column(columns, "red").type == Scalar::uint8);
-  CHECK(columns.find("alpha") == nullptr);  // all are opaque
+  CHECK(columns.find("alpha") == nullptr);  // all colors are opaque
   CHECK(column(columns, "quality").values == std::vector<double>{0, 0.5, 1, 1.5});
   CHECK(column(columns, "t").values == std::vector<double>{1, 0, -1, -2});
   CHECK(has_note(result.notes, "glb: 1 vertex attribute of an unsupported type left out"));
@@ -69,7 +69,7 @@ TEST_CASE("gltf: materials color faces, and white stands for none") {
   other["material"] = 0;
   json["meshes"][0]["primitives"].push_back(other);
   const Mesh mesh = read(json).document.mesh;
-  CHECK(mesh.positions.size() == 4);  // both share them
+  CHECK(mesh.positions.size() == 4);  // both primitives share the positions
   CHECK(mesh.faces.size() == 8);
   CHECK(column(mesh.face_columns, "green").values ==
         std::vector<double>{255, 255, 255, 255, 0, 0, 0, 0});

@@ -23,7 +23,7 @@ TEST_CASE("gltf: nodes move what is below them") {
                    {{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 5, 6, 7, 1}}}});
   const auto instances = instances_of(json);
   REQUIRE(instances.size() == 2);
-  // A quarter turn about z takes x to y.
+  // A quarter turn about z maps x to y.
   CHECK((instances[0].to_scene * Vec3(1, 0, 0)).isApprox(Vec3(1, 2, 0)));
   CHECK(instances[1].to_scene * Vec3(1, 1, 1) == Vec3(7, 7, 6));
 }

@@ -45,7 +45,8 @@ TEST_CASE("pcd: binary points") {
 }
 
 TEST_CASE("pcd: points compressed by LZF, field by field") {
-  // 28 bytes: x of both points, y, z, then i; the repetition of y by z is a reference 8 bytes back.
+  // The 28 bytes are x of both points, then y, z and i. z equals y, and is thus packed as a
+  // reference to the bytes 8 before.
   Bytes packed;
   packed.u8(15).f32(1).f32(5).f32(2).f32(6).u8(6 * 32).u8(7).u8(3).u16(9).u16(8);
   const auto file = [&](std::size_t size) {
@@ -58,7 +59,7 @@ TEST_CASE("pcd: points compressed by LZF, field by field") {
   CHECK(column(document.mesh.vertex_columns, "i").values == std::vector<double>{9, 8});
   CHECK(contains(read_error(file(27)), "2 points"));
   std::string damaged = file(28);
-  damaged[damaged.size() - 6] = 100;  // refers to bytes before the first
+  damaged[damaged.size() - 6] = 100;  // the reference is to bytes before the first byte
   CHECK(contains(read_error(damaged), "the compressed data of PCD is damaged"));
 }
 

@@ -163,7 +163,7 @@ TEST_CASE("ply: polygons become fans with their columns; small faces are dropped
 
 TEST_CASE("ply: the fast path and the general one read the same") {
   // Faces have a property before and one after the corners. If `has_quad`, a face in the middle is
-  // a quad.
+  // a quadrilateral.
   for (const bool has_quad : {false, true}) {
     std::vector<std::string> results;
     for (const std::string count_type : {"uchar", "int"}) {
@@ -238,7 +238,7 @@ TEST_CASE(
       "nan nan nan 0 0 1 0 0 0\n0 0 1 0 0 1 0 0 0\n";
   for (const Format format : {Format::ply_ascii, Format::ply_little, Format::ply_big}) {
     std::string bytes = text;
-    // written by hand, because the library does not write such values
+    // The file is written by hand, because the library does not write such values.
     if (format != Format::ply_ascii) {
       bytes = binary_with_bad_values(format == Format::ply_big);
     }

@@ -24,7 +24,7 @@ TEST_CASE("3mf: items and components are joined where their transforms put them"
   const Mesh& mesh = result.document.mesh;
   REQUIRE(mesh.positions.size() == 6);
   CHECK(mesh.positions[4] == Vec3(-1, 0, 7));
-  // faces of the mirror image are reversed
+  // Faces of the mirror image are reversed.
   CHECK(mesh.faces == std::vector<Face>{{0, 1, 2}, {3, 5, 4}});
   CHECK(result.document.style.comments == std::vector<std::string>{"tm:unit inch"});
   CHECK(has_note(result.notes, "3mf: 2 objects read as one mesh"));

@@ -48,7 +48,7 @@ TEST_CASE("a star of n tips has 2n - 2 triangles with its area") {
     CHECK(result.is_complete);
     CHECK(result.triangles.size() == points.size() - 2);
     CHECK(result.folds == 0);
-    // n kites of two triangles with sides 2 and 1 and the angle pi / n between them.
+    // The star consists of 2 n triangles with sides 2 and 1 and the angle pi / n between them.
     CHECK(signed_area(points, result.triangles) ==
           doctest::Approx(2 * n * std::sin(std::numbers::pi / n)));
   }

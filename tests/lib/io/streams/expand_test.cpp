@@ -50,7 +50,7 @@ TEST_CASE("gzip: damage, a missing end and a bomb") {
   for (std::size_t size = 2; size < bytes.size(); ++size)
     CHECK(contains(read_error(bytes.substr(0, size)), "the compressed data is "));
   std::string damaged = bytes;
-  damaged[bytes.size() - 6] ^= 1;  // in the checksum
+  damaged[bytes.size() - 6] ^= 1;  // a bit of the checksum
   CHECK(contains(read_error(damaged), "damaged"));
   const std::string bomb = compressed(std::string(std::size_t{65} << 20U, '\n'));
   CHECK(contains(read_error(bomb), "expands to more than 64 MB"));

@@ -34,7 +34,7 @@ TEST_CASE("cameras without an image, and images without a camera, are left out w
   sources.needs_all_images = true;
   CHECK(says(refusal(sources), "c.png"));
   sources.needs_all_images = false;
-  // Fewer than three are most likely a mistake.
+  // If fewer than three cameras have an image, the folder is most likely wrong.
   std::filesystem::remove(folder.at("images/a.pgm"));
   CHECK(says(refusal(sources), "a.png"));
 

@@ -6,8 +6,8 @@ using test::refuses;
 
 namespace {
 
-/// Columns of the 3x5 matrix are the axes down, right and backwards, the center, and height, width
-/// and focal length; two depths follow.
+/// Returns a row: a 3x5 matrix and two depths. Columns of the matrix are the camera's axes down,
+/// right and backwards, the center, and height, width and focal length.
 std::vector<double> row(double focal) {
   const test::TruePose pose;
   Eigen::Matrix<double, 3, 5> m;

@@ -5,7 +5,7 @@ using test::refuses;
 
 namespace {
 
-/// Meshroom writes numbers as text, and rotations column by column.
+/// Returns the numbers of a matrix as Meshroom writes them: as texts, column by column.
 std::string texts(const Eigen::MatrixXd& matrix) {
   return "[\"" + test::joined(matrix, "\",\"") + "\"]";
 }
@@ -44,7 +44,7 @@ TEST_CASE("Meshroom: pixels of every version of the file") {
                      expected);
   test::check_pixels(read("1", R"("pxFocalLength":["500","250"],)" + radial + R"(["2","-5"])"),
                      expected);
-  // 28.125 mm on a sensor of 36 mm. The ratio changed its meaning.
+  // The focal length is 28.125 mm on a sensor that is 36 mm wide. Revision 5 inverted `pixelRatio`.
   const std::string mm = R"("sensorWidth":"36","focalLength":"28.125","pixelRatio":)";
   test::check_pixels(read("4", mm + R"("2",)" + radial + R"(["2","-5"])"), expected);
   test::check_pixels(read("5", mm + R"("0.5",)" + radial + R"(["2","-5"])"), expected);

@@ -64,7 +64,7 @@ TEST_CASE("without a common name the order decides, unless names must agree") {
 }
 
 TEST_CASE("names of which only some have a partner are refused, from either side") {
-  // Numbered from 0 on one side and from 1 on the other, all pairs would be shifted.
+  // One list is numbered from 0 and the other from 1. Pairs by order would all be wrong.
   CHECK(
       refusal({"v0.png", "v1.png"}, {"v1.png", "v2.png"}).find("v0.png: there is no silhouette") ==
       0);

@@ -5,7 +5,7 @@ using test::refuses;
 
 namespace {
 
-/// Columns of the matrix are the axes right, up and backwards, and the center.
+/// Returns a matrix whose columns are the camera's axes right, up and backwards, and the center.
 std::string matrix() {
   const test::TruePose pose;
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();

@@ -60,7 +60,7 @@ TEST_CASE("views are read smaller, with their cameras") {
   CHECK(views[0].image.at(1, 0) == doctest::Approx(10));
   CHECK(views[0].silhouette.width == 2);
   CHECK(views[0].camera.intrinsics(0, 0) == doctest::Approx(50));
-  // The corners of the image keep their directions: column -.5 stays, 3.5 becomes 1.5.
+  // The borders of the image keep their directions: column -.5 stays, and column 3.5 becomes 1.5.
   CHECK(views[0].camera.intrinsics(0, 2) == doctest::Approx((2 + 0.5) / 2 - 0.5));
 }
 

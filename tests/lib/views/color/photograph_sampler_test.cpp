@@ -14,7 +14,7 @@ const Vec3 eye(6, 0, 0);
 /// Length of a pixel at the surface in front of the camera.
 const double pixel = 5 / frame.focal_length;
 
-/// Red grows to the right, green downwards.
+/// Returns an image in which red grows to the right and green grows downwards.
 Image gradient() {
   Image image(frame.width, frame.height);
   for (int y = 0; y < frame.height; ++y)

@@ -46,7 +46,7 @@ std::vector<View> views_of_other_places() {
 
 struct Known {
   double share = 0;  ///< fraction of the pixels that show the block
-  // fraction of these that are correct to within one pixel in the nearest neighbor, 0.06
+  // Fraction of these pixels whose depth is right up to 0.06, one pixel in the nearest neighbor.
   double right = 0;
 };
 

@@ -56,8 +56,8 @@ TEST_CASE("every distance is that of the nearest contour point, by brute force")
   const GrayImage distances = signed_distance(mask);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      // Intersections with the grid lines; the contour connects neighbors, which are at most 1
-      // apart.
+      // Find the nearest intersection of the contour with a grid line. The contour connects such
+      // intersections, which are at most 1 apart.
       double nearest = 1e9;
       for (int v = 0; v < height; ++v)
         for (int u = 0; u < width; ++u) {

@@ -11,7 +11,8 @@ using namespace transformesh;
 
 namespace {
 
-/// Looks along z from a distance of 5 with focal length 50: pixel = 32 + 50 x / z.
+/// Returns a view along z from (0, 0, -5) with the focal length 50. A point at depth d has column
+/// 32 + 50 x / d and row 24 + 50 y / d.
 View bright_view(bool is_packed) {
   View view;
   view.name = "bright";
@@ -30,7 +31,8 @@ View bright_view(bool is_packed) {
 TEST_CASE("pixels outside of the box become background, except for a margin of a pixel") {
   for (const bool is_packed : {false, true}) {
     std::vector<View> views{bright_view(is_packed)};
-    // The nearest side is at z 4: from pixel 32 - 12.5 to 32 + 25, and 24 - 6.25 to 24 + 12.5.
+    // The nearest side of the box is at depth 4. Its image has the columns from 19.5 to 57 and the
+    // rows from 17.75 to 36.5.
     keep_in_box(views, {Vec3(-1, -0.5, -1), Vec3(2, 1, 1)});
     CHECK(views[0].image.is_packed() == is_packed);
     for (int y = 0; y < 48; ++y) {

@@ -17,7 +17,7 @@ std::vector<View> views_of_ball(const std::vector<Vec3>& eyes, const Vec3& cente
   return views;
 }
 
-/// Around all pixels inside, one pixel wider.
+/// The bounding rectangle of all pixels inside, enlarged by one pixel.
 struct Rectangle {
   Eigen::Array2d low = Eigen::Array2d::Constant(1e9);
   Eigen::Array2d high = Eigen::Array2d::Constant(-1e9);

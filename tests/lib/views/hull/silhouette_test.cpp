@@ -101,7 +101,7 @@ TEST_CASE("dark marks on the object become part of it, wide gaps do not") {
   fill(10, 12, 40, 14, 0);
   fill(5, 20, 20, 35, 0);
   const GrayImage closed =
-      binary_silhouette(threshold_silhouette(photograph, {100, 0, 0.05}));  // 3.2
+      binary_silhouette(threshold_silhouette(photograph, {100, 0, 0.05}));  // radius 3.2
   CHECK(closed.at(20, 12) == 255);
   CHECK(closed.at(12, 27) == 0);
   // Pixels outside stay outside, also where the bar leaves the image.

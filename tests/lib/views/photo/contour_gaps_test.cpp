@@ -18,7 +18,7 @@ namespace {
 constexpr double focal = 500;
 constexpr double distance = 10;
 
-/// Looks along z at the origin; pixels are 0.02 wide there.
+/// Returns a view along z towards the origin, where a pixel is 0.02 wide.
 View view_of_disk(double radius, double shift = 0) {
   View view;
   view.camera.intrinsics << focal, 0, 79.5 + shift, 0, focal, 59.5, 0, 0, 1;

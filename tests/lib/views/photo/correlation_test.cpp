@@ -154,7 +154,7 @@ TEST_CASE("a robust loss does not change the measure, and weakens outliers") {
   CHECK(robust.weight == plain.weight);
   CHECK(plain.loss == plain.energy);
   CHECK(correlate_images(images, {3, 25, 25, 1000}).sums.loss == Approx(plain.loss).epsilon(1e-3));
-  // The cost of a window is at most s.
+  // The robust loss of a window is below 0.1, the option `robust`, times its weight.
   for (float& intensity : images.second) intensity = -intensity;
   const CorrelationSums against = correlate_images(images, {3, 25, 25, 0.1}).sums;
   CHECK(against.energy > 1.5 * against.weight);

@@ -73,7 +73,7 @@ TEST_CASE("the alpha that is found fits the points: tight, but not between them"
     check_surface(ring.mesh);
     REQUIRE(connected_components(ring.mesh).components.size() == 1);
     CHECK(connected_components(ring.mesh).components[0].genus() == 1);
-    // Pappus: 2 pi^2 R r^2.
+    // The volume of a torus is 2 pi^2 R r^2, by Pappus's theorem.
     CHECK(volume(ring.mesh) == doctest::Approx(1.7765).epsilon(0.15));
     CHECK(ring.alpha < before);
     before = ring.alpha;
@@ -88,7 +88,8 @@ TEST_CASE("an alpha of millions of faces is refused before it takes its time") {
     CHECK_THROWS_WITH_AS(alpha_wrap(cloud.points, {.alpha = alpha, .offset = 0.1}),
                          doctest::Contains("too small"), UsageError);
   }
-  // One ball; and many small ones, each separate.
+  // The first wrap would be one ball with too many faces. The second wrap consists of small
+  // separate balls, which have few faces.
   CHECK_THROWS_AS(alpha_wrap(std::vector<Vec3>{Vec3::Zero()}, {.alpha = 1e-4, .offset = 1}),
                   UsageError);
   check_surface(alpha_wrap(cloud.points, {.alpha = 1e-4, .offset = 1e-4}).mesh);

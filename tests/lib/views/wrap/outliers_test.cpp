@@ -136,7 +136,7 @@ TEST_CASE("no point of an even cloud is an outlier, and of uneven ones hardly an
     }
   constexpr int most_touched = 3;  // out of 60 clouds
   CHECK(touched <= most_touched);
-  // Two bodies; a grid; copies of one point.
+  // Two bodies, a grid, and copies of one point have no outliers.
   std::vector<Vec3> points = test::sphere_cloud(500).points;
   for (const Vec3& point : test::sphere_cloud(50).points) points.push_back(point + Vec3(40, 0, 0));
   CHECK(find_outliers(points).empty());
