@@ -1,4 +1,4 @@
-# Hausdorff distance from the exact surface over CPU seconds, a plot for each case.
+# Plots the Hausdorff distance from the exact surface against CPU seconds, for each case.
 set terminal svg size 1200,700 background 'white'
 set output output
 set datafile separator '\t'

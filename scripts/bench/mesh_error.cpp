@@ -1,9 +1,9 @@
 // mesh-error X Y Z RADIUS MESH
 //
 // Measures of a closed mesh by arithmetic that shares nothing with the library. Prints volume,
-// area, and distances from an exact sphere in closed form. `encloses` is how often the mesh goes
-// around the center. If that is once, every ray from the center meets the mesh. No point of the
-// sphere is then farther from the mesh than the farthest point of the mesh is from the sphere.
+// area, and distances from an exact sphere in closed form. `encloses` is the winding number of the
+// mesh at the center. If it is 1, every ray from the center meets the mesh. No point of the sphere
+// is then farther from the mesh than the farthest point of the mesh is from the sphere.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-# The page of scripts/bench/thingi: rows as its table.csv has them; $folder, the name of the folder of the
-# meshes, and $style.
+# Makes the page of scripts/bench/thingi from the rows of its table.csv. $folder is the name of the folder of
+# the meshes, and $style the style sheet.
 def rounded: if . == null then "" else . * 1000 | round / 1000 end;
 def row($cells; $kind): "<tr>" + ($cells | map("<\($kind)>\(. // "" | tostring | @html)</\($kind)>") | join("")) + "</tr>";
 def table($head): "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"\($head[0])\"><table>", row($head; "th"), (.[] | row(.; "td")), "</table></div>";

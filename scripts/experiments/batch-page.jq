@@ -1,4 +1,4 @@
-# The page of a batch: rows as `batch collect` writes them, $title, $style, and $files: the names
+# Makes the page of a batch from the rows that `batch collect` writes, $title and $style. $files has the names
 # of existing pictures and pages.
 def unique_in_order: reduce .[] as $one ([]; if index([$one]) then . else . + [$one] end);
 def counted($noun): "\(.) \($noun)\(if . == 1 then "" else "s" end)";

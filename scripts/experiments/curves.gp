@@ -1,4 +1,4 @@
-# Distances and topology over the iterations of log.csv: a person sees the merge happen.
+# Plots distances and topology against the iterations of log.csv, so that merges are visible.
 set terminal pngcairo size 900,640
 set output 'curves.png'
 set datafile separator ','

@@ -1,4 +1,4 @@
-# Runs batches of scripts/experiments with the file `table` in the current folder.
+# Runs batches of scripts/experiments; the table is the file `table` in the current folder.
 
 # batch TARGET...: runs the shipped Makefile, with results in the current folder.
 batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD" TABLE="$PWD/table" "$@"; }

@@ -16,7 +16,8 @@
 
 namespace transformesh::test {
 
-/// A pose that is no symmetry of any axis: maps the world to x right, y down, z forward.
+/// A pose in general position. Maps world coordinates to camera coordinates: x right, y down, z
+/// forward.
 struct TruePose {
   Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.7, Vec3(1, 2, -2) / 3).toRotationMatrix();
   Vec3 center{0.3, -0.4, -5};
@@ -44,7 +45,7 @@ inline std::string exact(double value) {
   return text.data();
 }
 
-/// The coefficients row by row with a separator between them.
+/// Returns the coefficients of a matrix as text, row by row, with a separator between them.
 inline std::string joined(const Eigen::MatrixXd& matrix, const std::string& separator) {
   std::string text;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
@@ -71,7 +72,8 @@ inline void check_pixels(const CameraRecord& record,
   }
 }
 
-/// Reads damaged copies of a file: each is refused with its name, or gives cameras that are some.
+/// Checks that each damaged copy of a file is read as valid cameras, or refused with a message that
+/// names the file.
 inline void check_damaged(const std::string& bytes, int rounds = 1500) {
   Random random(4);
   const std::string_view replacements("\0 \n{}[],:\"-.0e9n\xff", 18);
@@ -92,7 +94,7 @@ inline void check_damaged(const std::string& bytes, int rounds = 1500) {
   }
 }
 
-/// True if the file is refused with these words and its name.
+/// Checks that the file is refused, and that the message contains these words and names the file.
 inline bool refuses(const std::string& bytes, const std::string& words) {
   std::string message;
   try {

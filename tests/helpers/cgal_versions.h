@@ -1,5 +1,5 @@
-/// Optional values and alternatives in results of CGAL: those of the standard library since CGAL 6,
-/// and those of Boost before.
+/// Access to optional values and variants in results of CGAL. Their types are those of the standard
+/// library since CGAL 6, and those of Boost before.
 #pragma once
 
 #include <CGAL/version.h>

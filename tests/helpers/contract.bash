@@ -153,7 +153,7 @@ wait_until_interruptible() {
   for _ in $(seq 1000); do
     kill -0 "$1" || fail "process $1 has ended early"
     caught=$(awk '/^SigCgt:/ { print substr($2, length($2)) }' "/proc/$1/status" 2>/dev/null)
-    # Signal 2 is the second bit.
+    # SIGINT is signal 2, the second bit of the mask of caught signals.
     if [[ $caught == [2367abef] ]]; then return; fi
     sleep 0.01
   done

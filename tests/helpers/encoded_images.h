@@ -42,7 +42,7 @@ struct TiffKind {
   int sample_format = 1;
   const char* mode = "w";  ///< "wb": big-endian; "w8": with offsets of 8 bytes
 };
-/// Palettes map i to (257 i, 0, 0).
+/// Palettes map index i to the color (257 i, 0, 0).
 std::string tiff_of(const TiffKind& kind, int width, int height, Rows rows);
 
 /// Returns the error message for a file; empty if it is decoded.

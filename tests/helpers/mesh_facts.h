@@ -93,7 +93,7 @@ inline Count count(const Mesh& mesh) {
 
   std::map<Index, long> edges;  // halfedges per component: each edge counts twice
   for (const auto& [halfedge, apex] : halfedges.third) ++edges[component[halfedge.first]];
-  // 3 F = 2 E = H, so V - E + F = V - H / 6.
+  // Let H be the number of halfedges. Then 3 F = 2 E = H, so V - E + F = V - H / 6.
   for (const auto& [root, number] : vertices)
     result.genera.push_back((2 - number + edges[root] / 6) / 2);
   std::sort(result.genera.begin(), result.genera.end());

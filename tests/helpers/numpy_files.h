@@ -9,7 +9,7 @@
 
 namespace transformesh::test {
 
-/// The numbers as the bytes of a little-endian machine.
+/// Returns the bytes of the numbers, in the order of this machine, which must be little-endian.
 template <class Number>
 std::string bytes_of(const std::vector<double>& values) {
   std::string bytes;

@@ -77,7 +77,7 @@ inline Profile dumbbell_profile(double neck, int count) {
     return std::min(to_ball, to_neck) - overlap * overlap * blend / 4;
   };
   return pole_to_pole(-center - ball, center + ball, count, [=](double z) {
-    double low = 0, high = 1;  // the distance grows with r
+    double low = 0, high = 1;  // bounds of the radius at which the distance is 0
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;
       (distance(middle, z) < 0 ? low : high) = middle;

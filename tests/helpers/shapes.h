@@ -1,4 +1,4 @@
-/// Small meshes for tests, closed and oriented outwards unless they say otherwise.
+/// Small meshes for tests, closed and oriented outwards unless their comments say otherwise.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,7 +11,7 @@ needs_try() {
   has_try || skip "there is no WebAssembly module: scripts/wasm"
 }
 
-# try_page NAME [WORD...]: a check of tests/try/checks.mjs on the page in the folder `site`.
+# try_page NAME [WORD...]: runs a check of tests/try/checks.mjs on the page in the folder `site`.
 try_page() {
   timeout 300 node "$tm_root/tests/try/checks.mjs" "$BATS_FILE_TMPDIR/site" "$@" 3>&-
 }

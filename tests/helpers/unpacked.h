@@ -17,7 +17,7 @@ namespace transformesh::test {
 struct Unpacked {
   nlohmann::json header;
   Mesh mesh;                                 ///< vertices in the order of the block
-  std::vector<std::vector<double>> columns;  ///< in header order; three for a color
+  std::vector<std::vector<double>> columns;  ///< in header order; a color has three
   bool is_complete = false;                  ///< all bytes were decoded
 };
 

@@ -1,4 +1,4 @@
-/// Folders of cameras and photographs, for tests of what reads them.
+/// Folders of cameras and photographs, for tests of functions that read them.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@
 
 namespace transformesh::test {
 
-/// A folder of files that goes with its object.
+/// A temporary folder of files, which the destructor removes.
 class Folder {
  public:
   Folder() {

@@ -1,9 +1,9 @@
 #!/usr/bin/env bats
-# The targets of the paper's authors. A sphere around each is morphed until it has the components, the
-# genus, and a two-way Hausdorff distance below one mean edge.
+# Morphs a sphere to each target of the paper's authors. The result must have the components and the genus of
+# the target, and a symmetric Hausdorff distance below one mean edge.
 load ../helpers/common
 
-# morphs NAME FACES COMPONENTS GENUS
+# morphs NAME FACES COMPONENTS GENUS: morphs a sphere of FACES faces to a target, and checks the result.
 morphs() {
   needs_shared "meshes/transformesh/$1.off"
   cd "$BATS_TEST_TMPDIR"

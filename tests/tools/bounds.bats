@@ -87,11 +87,12 @@ tetrahedron_with() {
 @test "images take memory for their bytes, not for their headers" {
   local names=(huge interlaced plain baseline progressive gray color)
   mkdir "${names[@]}"
-  # Images of 60000 x 60000 pixels, 20000 x 20000 interlaced, and the latter as rows; their data is invalid.
+  # PNG images of 60000 x 60000 pixels, of 20000 x 20000 pixels interlaced, and of 20000 x 20000 pixels as rows.
+  # Their data is invalid.
   printf '\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\352\140\000\000\352\140\010\000\000\000\000\245\271\052\236' >huge/a.png
   printf '\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\116\040\000\000\116\040\010\000\000\000\001\261\034\051\163' >interlaced/a.png
   printf '\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\116\040\000\000\116\040\010\000\000\000\000\306\033\031\345' >plain/a.png
-  # Images of 20000 x 20000 pixels as well; the last one has samples of 16 bits.
+  # JPEG and PNM images of 20000 x 20000 pixels; the last one has samples of 16 bits.
   printf '\377\330\377\300\000\013\010\116\040\116\040\001\001\021\000' >baseline/a.png
   printf '\377\330\377\302\000\013\010\116\040\116\040\001\001\021\000' >progressive/a.png
   printf 'P5 20000 20000 255\n' >gray/a.png

@@ -42,7 +42,8 @@ links() { "$tm_root/scripts/links" "$@"; }
   mkdir bin
   printf '#!/bin/sh\nexit 3\n' >bin/tm-render
   chmod +x bin/tm-render
-  # Programs of the build take precedence: a folder with all but one of them.
+  # Programs of the build folder TM_BUILD take precedence. This folder has the failing tm-render instead of the
+  # real one.
   mkdir -p build/bin
   ln -s "$tm_build"/bin/tm* build/bin
   ln -sf "$PWD/bin/tm-render" build/bin/tm-render
@@ -87,7 +88,7 @@ HTML
     [ -e "site/man/$(basename "$page" .md).html" ] || fail "$page has no page"
   done
   grep -q 'href="tm-stitch.1.html"' site/man/tm-clean.1.html
-  # Contracts have links to types, and functions have their arguments.
+  # Comments of headers have links to types, and functions are shown with their arguments.
   grep -q 'TransforMesh (paper 3)' site/reference/cpp/clean.html
   grep -q 'href="mesh.html#_CPPv44Mesh"' site/reference/cpp/clean.html
   grep -q 'id="transformesh.evolve"' site/reference/python.html

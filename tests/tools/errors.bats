@@ -65,7 +65,7 @@ takes() {
   tm-convert -o soup.stl ball.ply
   run --separate-stderr tm-info soup.stl
   [[ $stderr == *"read as a soup of separate triangles; join them with tm-stitch" ]] || fail "$stderr"
-  # tm-clean merges them itself.
+  # tm-clean joins the faces of a soup itself, and does not advise tm-stitch.
   run --separate-stderr tm-clean soup.stl -o clean.ply
   [[ $stderr != *"join them with tm-stitch"* ]] || fail "$stderr"
   run --separate-stderr tm-checkmanifold --closed soup.stl

@@ -63,7 +63,7 @@ column() {
     --step 'tm-displace --alpha 1 --normal-speed 0.04'
   [ "$(column kind events.csv)" = merge ]
   [ "$(column time events.csv)" = "$(column iteration events.csv)" ]
-  # Each surface approaches the other by 0.04 in an iteration; the gap is 0.3.
+  # Both surfaces move by 0.04 in an iteration, so the gap of 0.3 closes in iteration 4.
   [ "$(column iteration events.csv)" -eq 4 ]
 }
 

@@ -58,8 +58,8 @@ distance_from_turned() {
     [ "$(value iterations $integrator.json)" = 10 ]
     distance_from_turned $integrator.ply 1 >>distances
   done
-  # Errors after ten steps are about 1/20, 1/600 and 1e-6, plus the error of the center of the rotated
-  # mesh's box.
+  # After ten steps, the errors of Euler's method, midpoint and rk4 are about 1/20, 1/600 and 1e-6. The center
+  # of the rotated mesh's box adds an error.
   awk 'NR == 1 { euler = $1 } NR == 2 { mid = $1 } END { exit !(euler > 0.03 && mid < 0.01 && $1 < 0.01) }' distances
 }
 
@@ -179,7 +179,8 @@ END
       !is_body { print; next }
       row++ < 2 * half { print $0, (row > half ? -1 : 1), 0, 0; next }
       { print $0, (row - 2 * half > faces) }' >start.ply
-  # distance CONTACT: of the planes that face each other, which would overlap by 0.5 without contact.
+  # distance CONTACT: prints the distance of the two planes that face each other. Without --contact they would
+  # overlap by 0.5.
   distance() {
     tm-evolve -q --curved --bodies body --contact "$1" --reference-edge 0.3 --velocity cat --time 0.4 --time-step 0.01 -o end.ply start.ply
     tm-intersect --check end.ply >pairs
@@ -196,7 +197,7 @@ END
 
 @test "edges that adapt to curvature bring a sphere that was a film nearer to where it began" {
   tm-shape sphere --double --radius 0.15 --center 0.35,0.35,0.35 --faces 1280 -o ball.ply
-  # distance OPTION...: the largest one from the sphere, in edges, after Enright's test.
+  # distance OPTION...: prints the largest distance from the sphere after Enright's test, in edge lengths.
   distance() {
     tm-evolve -q --curved "$@" --flow deformation --period 3 --time 3 --time-step 0.03 --integrator rk4 ball.ply |
       tm-convert -q --format off | awk -v edge="$(tm-info --get edge_mean ball.ply)" '

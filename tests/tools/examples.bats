@@ -77,7 +77,7 @@ setup() {
       xargs -n 1 | grep -v '[{}#]' | sort)
 }
 
-# The examples of these two pages print movements that agree with their velocities.
+# In the examples of these two pages, no movement is clamped.
 clamps_nothing() {
   run ! grep clamped log
 }

@@ -71,7 +71,7 @@ table() { cut -d, -f1-4,7- "$1/table.csv" | tr -d '"'; }
   table small | grep -q '^none,quick,2,shape,tm-shape: genus: '
   [ "$(tm-info --get genus small/genus-2,quick/result.ply)" -eq 2 ]
   [ -z "$(find small -name '*.unfinished' -o -name '*.lock')" ]
-  # Runs the same one by one, and from the file's own folder.
+  # Makes the same runs one by one, in another folder.
   batch -j1 batch TABLE="$PWD/small.table" BATCH="$PWD/again"
   cmp <(table small) <(table again)
   cmp small/genus-1,quick/result.ply again/genus-1,quick/result.ply
@@ -105,12 +105,12 @@ TABLE
   grep -oE '(src|href)="[^"]*"' "$page" | sed -E 's/^[a-z]*="(.*)"$/\1/' | while read -r file; do
     [ -e "kept/$file" ] || fail "$file is linked and not there"
   done
-  # What failed is beside it, and cannot be taken for HTML.
+  # The page has the messages of failed runs, in which HTML is escaped.
   grep -q 'failed</strong>, exit code 3 of the run:<br>tm-clean: .*&lt;a &amp; &quot;b&quot;&gt;' "$page"
   grep -q '<li>none, plain: exit code 4 of the shape' "$page"
   # The report in the folder of a loop is collected like that of a filter.
   grep -q '^"torus","one-3",0,"",[0-9.]*,[0-9]*,"",' kept/table.csv
-  # Six runs turn side by side, and the seventh on the next page.
+  # A 3D page shows six runs side by side; the seventh run is on the next page.
   if [ -e "$tm_build/share/transformesh/viewer.html" ]; then
     [ "$(ls kept/3d)" = $'torus,2.html\ntorus.html' ]
     grep -q '"name":"one-6"' kept/3d/torus.html
@@ -118,7 +118,7 @@ TABLE
   else
     grep -q 'the viewer is not installed' messages
   fi
-  # What has been drawn stays.
+  # Existing pictures stay.
   touch -d '1 hour' "kept/pictures/torus,plain.png"
   before=$(stat -c %Y "kept/pictures/torus,plain.png")
   "$tm_root/scripts/experiments/batch" collect kept.table kept
@@ -173,7 +173,8 @@ TABLE
 
 @test "balls that pulsate and drift merge and part in physical time" {
   /usr/bin/python3 -c 'import numpy' 2>/dev/null || skip "without NumPy"
-  # Once every collapse that leaves an edge of 0.8 of the longest was refused on curves: faces multiplied.
+  # A former fault: with --curved, all collapses that leave an edge of 0.8 of the longest edge were refused, and
+  # the number of faces grew without limit.
   for options in "" --curved; do
     run --separate-stderr batch pulsating STEPS=160 OPTIONS="$options"
     assert_status 0
@@ -215,7 +216,7 @@ TABLE
   awk -v a="$accuracy" -v s="$start" -v p="$pixel" 'BEGIN { exit !(a < s && a < p / 2) }'
   awk -v a="$accuracy" -v e="$even" 'BEGIN { exit !(a < 1.05 * e && e < 1.05 * a) }'
   [ "$(head -c 4 out/gain/sheet.png | tail -c 3)" = PNG ]
-  # From a wrapping of few points, which has no hole, to a ring.
+  # The initial mesh is a wrap of few points without a hole; the result is a ring.
   IFS=, read -r scene start _ topology _ <out/rough/row.csv
   [ "$scene $start $topology" = "rough 1/0 1/1" ]
   run "$tm_root/scripts/experiments/synthetic-mvs" out nothing
@@ -224,7 +225,7 @@ TABLE
 
 @test "a movie is photographed, reconstructed per time step and compared with the true shapes" {
   SIZE=160x120 TM_BUILD=$tm_build "$tm_root/scripts/experiments/sequence" out >table
-  # Two balls meet and part; only the third one is made from its hull.
+  # Two balls merge and split. Only the time step of the third ball is reconstructed from its hull.
   [ "$(cut -d, -f2 out/table.csv | tail -n +2 | tr '\n' ' ')" = \
     "hull before before before before before before before hull " ]
   [ "$(cut -d, -f5 out/table.csv | tail -n +2 | tr '\n' ' ')" = \

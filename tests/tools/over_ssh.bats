@@ -31,7 +31,7 @@ TABLE
     cmp "$mesh" "by-ssh/${mesh#by-make/}"
   done
   [ "$(ls -d by-ssh/*/result.ply | wc -l)" -eq 6 ]
-  # A machine that is not there.
+  # This host does not exist.
   run batch ssh BATCH="$PWD/nowhere" HOSTS=1/nowhere.invalid OPTIONS="--ssh '$ssh_command'"
   [ "$status" -ne 0 ]
   [[ $output == *"8 runs have not ended"* ]]

@@ -1,5 +1,5 @@
-# The promises of the man pages: tests/PROMISES.md names the test of each. Tests that belong to no other
-# file are here. The oracle of the chains, which shares no code, judges the meshes.
+# Tests of promises of the man pages that belong to no other file. tests/PROMISES.md names the test of each
+# promise. Meshes are judged by `bin-test/chains`, which shares no code with the library.
 
 load ../helpers/common
 load ../helpers/contract

@@ -97,7 +97,7 @@ run_line() {
   [ "$(grep -c '^\$ ' session)" -ge 4 ]
   while IFS= read -r -u 7 line; do
     printf '%s\n' "$line"
-    # The check of the tangle answers no by its exit code.
+    # A command of the session that finds an intersection does not end with exit code 0.
     bash -c "${line#\$ }" 2>&1 </dev/null || true
   done 7< <(grep '^\$ ' session) | diff session -
 }

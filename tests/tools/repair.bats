@@ -90,7 +90,7 @@ refused() {
   refused "the difference of its parts is empty" none.ply
   tm-stitch --flip small.ply | tm-cat small.ply - -o itself.ply
   refused "an empty difference, and in double-sided models" itself.ply
-  # The same body with another triangulation.
+  # The second mesh is the same body with another triangulation.
   tm-shape box 1 1 1 --faces 12 | tm-stitch --flip | tm-cat small.ply - -o other.ply
   refused "as in an empty difference" other.ply
 }
@@ -143,7 +143,7 @@ cracked() {
   tm-checkmanifold --closed joined.ply
   tm-clean -q joined.ply -o solid.ply
   is_solid solid.ply 3
-  # The effect of a tolerance larger than the edges.
+  # A tolerance that is larger than the edges makes faces collapse.
   tm-stitch -q --tolerance 0.5 cracked.off -o lost.ply --report r.json
   jq -e '.result.dropped_faces > 0' r.json
 }

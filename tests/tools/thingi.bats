@@ -59,7 +59,7 @@ row() {
   mkdir -p fake/bin
   ln -s "$tm_build"/bin/tm-* fake/bin
   rm fake/bin/tm-clean in/text.off in/turned.ply
-  # fake_clean LINE: the programs are the real ones, but for tm-clean, which is this line.
+  # fake_clean LINE: replaces tm-clean in the folder `fake` by a script of this line.
   fake_clean() { printf '#!/bin/bash\n%s\n' "$1" >fake/bin/tm-clean && chmod +x fake/bin/tm-clean && rm -rf out; }
   fake_clean 'while [ "$1" != -o ]; do shift; done; tm-stitch -q "$3" -o "$2"'
   TM_BUILD=$PWD/fake run --separate-stderr thingi

@@ -164,7 +164,7 @@ volume_of() {
   tm-shape sphere --radius 1.2 --faces 500 -o b.ply
   tm-boolean difference a.ply b.ply --source-operand -o c.ply
   tm-select --where 'source_operand>0' c.ply -o inner.ply
-  # All corners that come from the ball are on it, up to the height of its facets.
+  # All faces that come from the ball are on its facets.
   tm-compare --reference b.ply --json inner.ply >report
   awk -F'[:,]' '/"accuracy"/ { exit !($2 < 1e-12) }' report
   run tm-info --get faces inner.ply

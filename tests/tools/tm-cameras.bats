@@ -40,7 +40,8 @@ raw_middlebury() {
   }' "$1"
 }
 
-# raw_colmap FOLDER: prints the same for one PINHOLE camera and quaternions, shifted by half a pixel.
+# raw_colmap FOLDER: prints K [R | t] for each image of a model with one PINHOLE camera. Pixels are shifted by
+# half a pixel.
 raw_colmap() {
   awk '
     /^#/ { next }
@@ -161,7 +162,7 @@ agree() {
   one_line "$stderr"
   [[ $stderr == *"behind all cameras"*"--center"* ]]
   [ "$(tm-cameras -q --json --center 0,0,0 in.txt | jq .pixel_size)" = null ]
-  # The option that the message names helps.
+  # The remedy that the message names works.
   run --separate-stderr tm-cameras --list --center 5,0,0 in.txt
   assert_status 0
   [ -z "$stderr" ]

@@ -71,11 +71,11 @@ facts() {
 
 @test "concave polygons and polygons with bridges to holes have no folds" {
   printf '%s\n' '2 0' '2 2' '1 1' '0 2' '0 0' | prism concave
-  # two faces of area 3, and sides of length 6 + 2 sqrt(2)
+  # The prism has two bases of area 3, and sides with a total area of 6 + 2 sqrt(2).
   [[ $(facts concave.obj) == "1 0 14.82842712474"*" 3 " ]] || fail "$(facts concave.obj)"
   printf '%s\n' '0 0' '4 0' '4 4' '0 4' '1 1' '3 1' '3 3' '1 3' | prism ring 1 2 3 4 1 5 8 7 6 5
   [ "$(facts ring.obj)" = '1 1 48 12 ' ] || fail "$(facts ring.obj)"
-  # The same lids in OFF and PLY.
+  # The prism has the same measures in OFF and PLY.
   for format in off ply; do
     tm-convert -q --no-provenance --format "$format" ring.obj >"ring.$format"
     [ "$(facts "ring.$format")" = '1 1 48 12 ' ]
@@ -107,7 +107,7 @@ facts() {
     print 2 * n, -1, 0; print 0, -1, 0
     printf "%d", 4 * n + 2; for (i = 4 * n + 1; i >= 0; --i) printf " %d", i; print ""
   }' >comb.off
-  # The teeth, and the bar, which has one slanted end.
+  # The area is that of the teeth and of the bar, which has one slanted end.
   [ "$(timeout 30 tm-info -q --get area comb.off)" = 274999.5 ]
 }
 

@@ -65,7 +65,7 @@ AWK
     fail "$stderr"
   [ "$(value clamped_iterations r.json)" -eq 8 ]
   value clamped_share r.json | awk '{ exit !($1 > 0.1 && $1 <= 1) }'
-  # The largest share is that of the worst row.
+  # The report has the largest clamped fraction of all rows of the log.
   awk -F, -v most="$(value clamped_share r.json)" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "clamped_fraction") at = i }
     NR > 1 && $at > share { share = $at } END { exit !(at && (share - most) ^ 2 < 1e-8) }' log.csv
   for options in "--iterations 40 --time-step 0.005" "--iterations 8 --time-step 0.025 --alpha 3"; do

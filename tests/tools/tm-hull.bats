@@ -45,7 +45,7 @@ refused() {
   awk -v v="$(tm-info --get volume hull.ply)" 'BEGIN { exit !(v > 8 && v < 9.3) }'
   run --separate-stderr tm-hull --cameras par.txt --silhouettes masks --box 1,1,1,0,0,0
   assert_status 2
-  # Two squares in each view: at most eight places belong to the hull.
+  # Each mask has two squares, so that the hull has at most eight components.
   for name in a b c; do
     paste -d' ' <(mask 1 2) <(mask 6 7) | awk 'NR == 1 { print "P2 9 9 255"; next }
       { for (x = 1; x <= 9; ++x) printf "%d ", $x + $(x + 9); print "" }' >masks/$name.pgm

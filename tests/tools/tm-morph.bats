@@ -92,7 +92,7 @@ wait_for_rows() { # COUNT
   for _ in {1..10}; do
     slow_run --resume
     sleep 0."$((RANDOM % 3))$((RANDOM % 10))"
-    # Slower machines have not started by then.
+    # On slow machines, the run may not have begun yet.
     wait_for_rows 1
     kill -KILL $! 2>/dev/null || true
     wait $! || true
@@ -261,7 +261,7 @@ frames_are_piped() {
   below 1 "$(value max_distance_from_target r.json)"
   [ "$(tm-info --get components out.ply)" -eq 1 ]
   grep -q "begin with a source that overlaps all of the target, for example from tm-shape sphere --around" messages
-  # The advice, if followed, finds both.
+  # If the advice is followed, the morph finds both components.
   tm-shape sphere --around two.ply --faces 1500 -o start.ply
   tm-morph start.ply --target two.ply -o out.ply --require-convergence -q
   [ "$(tm-info --get components out.ply)" -eq 2 ]
@@ -336,7 +336,7 @@ plate_with_window() { # WIDTH
   plate_with_window 0.5 >plate.off
   tm-checkmanifold --closed plate.off
   tm-shape sphere --around plate.off --faces 4000 -o start.ply
-  # Within the window sizes are a third, and far from it the reference edge.
+  # Sizes are 0.5 / 1.5 = 1/3 at the window, and the reference edge far from it.
   tm-morph-step plate.off --target plate.off --gap-edges 1.5 --reference-edge 1.28 --alpha 0 -q \
     --format ply-ascii | awk '
       NF == 4 && $1 + 0 == $1 && $1 != 3 {
@@ -358,7 +358,8 @@ plate_with_window() { # WIDTH
   tm-shape two-spheres --gap 0.2 --faces 3000 -o two.ply
   tm-shape sphere --around two.ply --faces 1500 -o start.ply
   tm-morph start.ply --target two.ply -o out.ply --report r.json 2>messages
-  # A single body with all its vertices near the target: a rule that only tests vertices would accept it.
+  # The result is a single body whose vertices are all near the target. A rule that only tests vertices would
+  # accept it.
   [ "$(tm-info --get components out.ply)" -eq 1 ]
   edge=$(value mean_edge r.json)
   below "$(value max_distance_to_target r.json)" "$(awk -v e="$edge" 'BEGIN { print e / 2 }')"
@@ -373,7 +374,7 @@ plate_with_window() { # WIDTH
   # The advice, if followed, resolves the gap.
   tm-morph start.ply --target two.ply -o out.ply --gap-edges 1.5 --report r.json -q
   [ "$(value converged r.json)" = true ]
-  # Edges of a third resolve the gap.
+  # Edges of about a third of the reference edge resolve the gap.
   tm-morph start.ply --target two.ply -o out.ply --min-edge 0.2x --max-edge 0.5x --report r.json -q
   [ "$(value converged r.json)" = true ]
   [ "$(tm-info --get components out.ply)" -eq 2 ]

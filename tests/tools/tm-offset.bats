@@ -74,7 +74,7 @@ setup() {
     assert_status 0
     jq -e --argjson before "$before" '.result.missed_max < $before' "$BATS_TEST_TMPDIR/r.json"
   done
-  # a box of .2 by 2.2 by 4.2
+  # The exact result is a box of .2 x 2.2 x 4.2, with the volume 1.848.
   tm-info --get volume "$BATS_TEST_TMPDIR/plate.ply" | awk '{ exit !($1 > 1.7 && $1 < 1.87) }'
 }
 
@@ -87,7 +87,7 @@ setup() {
 0.25 13.125
 -0.25 1.875
 TABLE
-  # At 0.6 a box is inside out in one direction, a bar in two.
+  # An inward offset by 0.6 turns sides of length 1 inside out: one side of the first box, two of the second.
   for size in '1 2 3' '1 1 3'; do
     # shellcheck disable=SC2086
     tm-shape box $size --faces 500 -o box.ply
@@ -102,7 +102,7 @@ TABLE
   tm-shape box 1 2 3 --faces 500 | tm-select --box -9,-9,-9,9,9,1.4 -o tray.ply
   tm-offset --thicken 0.1 tray.ply -o solid.ply
   tm-checkmanifold --closed --intersections solid.ply >/dev/null
-  # Mitered corners gain outside the volume that they lose inside.
+  # Mitered corners gain as much volume outside as they lose inside.
   awk -v a="$(tm-info --get area tray.ply)" -v v="$(tm-info --get volume solid.ply)" \
     'BEGIN { d = v / (0.1 * a) - 1; exit !(d < 0.01 && d > -0.01) }'
   run --separate-stderr tm-offset --thicken 0.1 solid.ply

@@ -105,7 +105,7 @@ setup() {
 @test "COLMAP's names with folders: images are found, and written, in folders" {
   tm-photograph "${size[@]}" --write-images images --write-silhouettes masks -o par.txt truth.ply
   tm-cameras --format colmap --images images --folder colmap par.txt
-  # Two rigs that give their images the same numbers.
+  # Two rigs of cameras give the same numbers to their images, which are in different folders.
   sed -i 's/view0003/left\/0001/; s/view0004/left\/0002/; s/view0005/left\/0003/
     s/view0000/right\/0001/; s/view0001/right\/0002/; s/view0002/right\/0003/' colmap/images.txt
   for folder in images masks; do

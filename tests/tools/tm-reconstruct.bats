@@ -119,7 +119,7 @@ compared() { # KEY MESH
   below "$(compared accuracy "$scene/whole.ply")" \
     "$(awk "BEGIN { print 0.75 * $(compared accuracy plain.ply) }")"
   below "$(compared hausdorff "$scene/whole.ply")" "$(compared hausdorff plain.ply)"
-  # The sweeps before are the same, and the later ones are at full scale.
+  # Sweeps before the robust ones are the same, and the robust sweeps are at full scale.
   for log in "$scene/whole.csv" half.csv; do
     [ -e "$log" ] || "${reconstruct[@]}" --robust 0.5 -q -o half.ply --csv half.csv
     count=$(wc -l <plain.csv)

@@ -239,7 +239,7 @@ SHAPES
     tm-compare --reference sphere.ply --samples 0 $mesh.ply |
       awk '/^hausdorff_to_reference/ { print $2 }'
   done | paste -s | awk '{ exit !($1 < 1e-14 && $2 > 1e-4) }'
-  # Faces between such vertices lie inside, the more so the larger they are.
+  # Faces between vertices of the sphere lie inside of the sphere, and larger faces lie farther inside.
   for line in "--project --iterations 5" "--iterations 5"; do
     read -ra words <<<"$line"
     tm-remesh "${words[@]}" sphere.ply -o mesh.ply

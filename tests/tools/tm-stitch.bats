@@ -121,7 +121,7 @@ is_solid() {
   tm-clean open.off -o clean.off
   tm-fill -q --allow-crossings open.off -o closed.off
   [ "$(tm-info --get boundary_loops closed.off)" -eq 0 ]
-  # Between the strip and its patch there is no room with five faces, but there is with twenty-four.
+  # A strip of five faces and its patch enclose no volume, but a strip of twenty-four faces and its patch do.
   awk 'BEGIN {
     print "OFF\n24 24 0"
     for (i = 0; i < 12; i++) for (side = -0.3; side < 0.4; side += 0.6) {

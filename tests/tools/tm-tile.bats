@@ -196,7 +196,7 @@ is_whole() {
     assert_status 0
     [[ $stderr == *"is a tile of a larger mesh, cut at its borders" ]]
   done
-  # A comment that describes no tile does not keep a mesh from being looked at.
+  # tm-info also reads a mesh whose tile comment is malformed.
   sed 's/^comment tm:tile .*/comment tm:tile none/' tiles/tile-1.ply >bad.ply
   run --separate-stderr tm-info bad.ply
   assert_status 0

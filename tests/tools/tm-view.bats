@@ -96,11 +96,11 @@ code_of() {
   for method in POST PUT DELETE OPTIONS; do
     [ "$(code_of -X "$method" "$address")" = 405 ]
   done
-  # Foreign host names that were made to point here.
+  # Requests with foreign host names are refused, because such names may have been made to point here.
   for host in example.org localhost.example.org:80 127.0.0.1.example.org example.org:127.0.0.1; do
     [ "$(code_of -H "Host: $host" "$address")" = 403 ] || fail "$host"
   done
-  # A tunnel whose other end has another port.
+  # Requests for this machine are accepted with any port, because the other end of a tunnel has its own port.
   for host in localhost:9000 LOCALHOST:80 127.0.0.1:1 localhost; do
     [ "$(code_of -H "Host: $host" "$address")" = 200 ] || fail "$host"
   done
@@ -155,7 +155,7 @@ code_of() {
   for block in $(jq -r '.runs[0].meshes[].block' page.json); do
     [ "$(code_of "${address}block/$block")" = 200 ]
   done
-  # A new run in the same folder.
+  # A new run begins in the same folder.
   tm-evolve -q --step cat --iterations 1 --every 1 --run r b.ply
   wait_for 2
   end_server

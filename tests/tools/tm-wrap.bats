@@ -97,7 +97,7 @@ setup() {
   assert_status 2
   one_line "$stderr"
   [ ! -e wrap.ply ]
-  # The wrap of a single point is a ball of radius 1, which would also have too many faces.
+  # The wrap of this point would be a ball of radius 1 with too many faces, so the program must refuse it.
   echo 0 0 0 >one.xyz
   run --separate-stderr timeout 20 tm-wrap one.xyz --alpha 0.0001 --offset 1 -o wrap.ply
   assert_status 2
@@ -126,7 +126,7 @@ setup() {
 }
 
 @test "points that CGAL finds no surface for: exit 4 and one line, not CGAL's" {
-  # A flat ring.
+  # The points form a flat ring, which encloses no volume.
   awk 'BEGIN { for (i = 0; i < 200; ++i) print cos(i), sin(i), 1e-15 * (i % 3), 0, 0, 1 }' >flat.xyz
   run --separate-stderr tm-wrap flat.xyz -o wrap.ply
   assert_status 4
@@ -221,7 +221,7 @@ colmap_points() {
   [[ $stderr == *"10 points in fewer than three photographs left out"* ]]
   jq -e '.result | .points == 500 and .large_errors == 5 and .short_tracks == 10 and
     .outliers == 0 and .components == 1' r.json
-  # The remaining points as text, compared with all of them.
+  # Wrapping only the remaining points, as text, gives the same result.
   awk '!/^#/ && $9 != "" && $8 < 5 && NF == 14 { print $2, $3, $4 }' points3D.txt >left.xyz
   [ "$(wc -l <left.xyz)" -eq 485 ]
   tm-wrap left.xyz | cmp - wrap.ply

@@ -1,4 +1,4 @@
-# Nix. Not tried here, as Nix was not there: nix-build scripts/packaging/recipes/default.nix
+# Nix expression, for nix-build scripts/packaging/recipes/default.nix. Untested, because Nix was not available.
 { pkgs ? import <nixpkgs> { } }:
 
 pkgs.stdenv.mkDerivation {

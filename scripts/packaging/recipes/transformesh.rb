@@ -1,5 +1,5 @@
-# Homebrew formula. Not tried here: neither Homebrew nor macOS was there, and no build with clang++ of macOS is
-# known. Replace addresses and hash by those of the release's source archive.
+# Homebrew formula. Untested, because neither Homebrew nor macOS was available, and no build with clang++ of
+# macOS is known. Replace addresses and hash by those of the release's source archive.
 class Transformesh < Formula
   desc "Mesh evolution as Unix filters: exact removal of self-intersections, remeshing"
   homepage "https://example.org/transformesh"

@@ -35,8 +35,8 @@ TEST_CASE("on a torus the curvature flow is that of the closed form") {
     const Vec3& p = torus.positions[v];
     const double ring = std::hypot(p.x(), p.y());
     const Vec3 normal = (p - Vec3(p.x() / ring, p.y() / ring, 0)) / 0.35;
-    // The mean curvature is half the sum of the principal curvatures, 1 / tube and cos / ring. cos
-    // is that of the angle around the tube, and `ring` is the distance from the axis.
+    // The principal curvatures are 1 / tube and cos / ring. The cosine is that of the angle around
+    // the tube, and `ring` is the distance from the axis.
     const double mean_curvature = (1 / 0.35 + (ring - 1) / 0.35 / ring) / 2;
     worst = std::max(worst, (velocities[v] + mean_curvature * normal).norm() / mean_curvature);
   }
@@ -64,8 +64,8 @@ TEST_CASE("mean curvature is that of the closed forms, with the sign of the side
   for (const double curvature : mean_curvatures(sphere))
     CHECK(curvature == Approx(-0.5).epsilon(0.03));
 
-  // The mean curvature of a thick torus has both signs. It is half the sum of 1 / tube and cos /
-  // radius, where cos is that of the angle around the tube.
+  // The mean curvature of a thick torus has both signs. The principal curvatures are 1 / tube and
+  // cos / radius. The cosine is that of the angle around the tube.
   const double tube = 0.7;
   const Mesh ring = test::torus(1, tube, 200, 150);
   const std::vector<double> curvatures = mean_curvatures(ring);
