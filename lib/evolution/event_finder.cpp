@@ -90,8 +90,8 @@ void EventFinder::watch(IterationOptions& options) {
 }
 
 /// True if a part separated and was removed in the same step. Remeshing removes parts that are too
-/// small; such a split is not reported. A cavity that closes and is filled is reported, unless it
-/// is smaller than the parts that remeshing removes.
+/// small; the split of such a part is not reported. A cavity that closes and is filled is reported,
+/// unless it is smaller than the parts that remeshing removes.
 bool EventFinder::is_brief(const Event& event, const std::set<long>& labels) const {
   if (!separates(event) || labels.contains(event.after.back().label)) return false;
   return event.kind == EventKind::split || std::abs(event.after.back().volume) < least_volume_;

@@ -25,8 +25,8 @@ constexpr double least_eigenvalue = 1e-3;
 /// spikes are cut off.
 constexpr double miter_limit = 4;
 /// A component is removed if all of it is closer to the source than this fraction of the offset
-/// distance. Parts of the source that were turned inside out twice form such components. An offset
-/// of a curved surface loses less than 5 % of the distance between its vertices.
+/// distance. Such components result from parts of the source that were turned inside out twice. An
+/// offset of a curved surface loses less than 5 % of the distance between its vertices.
 constexpr double least_distance = 0.95;
 
 struct Planes {

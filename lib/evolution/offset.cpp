@@ -126,8 +126,8 @@ OffsetDeviation Offset::deviation(const Mesh& mesh, const Progress& progress) co
   return result;
 }
 
-// Measures the deviation at sample points of the faces too: vertices were moved onto the offset
-// surface, so that deviations are larger between them.
+// Measures the deviation at sample points of the faces as well as at vertices. Vertices were moved
+// onto the offset surface, so that deviations are larger between them.
 void Offset::measure_excess(const Mesh& mesh, OffsetDeviation& result) const {
   const std::vector<Vec3> points = surface_samples(mesh, samples, 1);
   std::vector<double> off(points.size() + mesh.positions.size());

@@ -23,7 +23,7 @@ std::vector<char> find_new_vertices(const Mesh& before, const Mesh& cleaned) {
 }
 
 /// Marks vertices at which faces with different labels meet. Surfaces that touch exactly at
-/// vertices are joined there without new vertices.
+/// vertices are joined at these vertices without new ones.
 void mark_where_labels_meet(const Mesh& mesh, const std::vector<long>& labels,
                             std::vector<char>& is_marked) {
   std::vector<long> first(mesh.positions.size(), 0);

@@ -74,7 +74,7 @@ class Search {
     }
   }
 
-  /// Returns the label of the largest earlier component among those of the faces of a part.
+  /// Returns the label of the largest earlier component that faces of the part come from.
   std::optional<long> source_of(const ComponentState& part) const {
     std::optional<long> source;
     for (const long label : part.labels) {

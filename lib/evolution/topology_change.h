@@ -20,8 +20,8 @@ bool is_same_topology(const LabeledStates& before, std::span<const ComponentStat
 
 /// Labels the components, the largest first. A component takes a label of its faces that is not yet
 /// taken; if there are several, that of the largest component before the change. A solid takes no
-/// label of a cavity, nor a cavity that of a solid. If no label is left, the component gets
-/// `next_label`, which is incremented. Only labels in `before` count.
+/// label of a cavity, and a cavity takes no label of a solid. If no label is left, the component
+/// gets `next_label`, which is incremented. Only labels in `before` count.
 void assign_labels(const LabeledStates& before, std::span<ComponentState> after, long& next_label);
 
 /// Returns the events without iteration and time. `after` must be labeled, and `seams` must be

@@ -12,7 +12,7 @@ namespace transformesh {
 /// A path from one point to another: along x, then along y, then along z.
 class AxisPath {
  public:
-  /// Coordinates of `to` may be infinite if those of `from` are finite.
+  /// Coordinates of `to` may be infinite if the coordinates of `from` are finite.
   AxisPath(const Vec3& from, const Vec3& to) : from_(from), to_(to) {}
 
   /// Adds a face. Faces without area are ignored.

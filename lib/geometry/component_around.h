@@ -2,11 +2,11 @@
 /// closest one is selected, which is the innermost of nested components. If no component contains
 /// the point, the closest of all is selected.
 ///
-/// A component contains the point if its winding number there, rounded to an integer, is not 0. It
-/// also contains points on its surface, up to rounding. This is exact for closed components of any
-/// orientation. It tolerates holes that are small when viewed from the point; open sheets contain
-/// no point. Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation
-/// using generalized winding numbers", ACM TOG 32(4), 2013.
+/// A component contains the point if its winding number at the point, rounded to an integer, is not
+/// 0. It also contains points on its surface, up to rounding. This is exact for closed components
+/// of any orientation. It tolerates holes that are small when viewed from the point; open sheets
+/// contain no point. Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside
+/// segmentation using generalized winding numbers", ACM TOG 32(4), 2013.
 ///
 /// Components are connected by vertex indices. Deterministic; ties are broken by the lowest
 /// component. Cost: O(n).

@@ -3,7 +3,7 @@
 /// are source_face (int), source_u and source_v (double). The place is (1 - u - v) a + u b + v c,
 /// where a, b and c are the corners of the face in their order. Faces are numbered from 0; polygons
 /// count as the triangles into which they are read. A vertex column contains the place of the
-/// vertex, a face column that of the centroid of the face.
+/// vertex, a face column the place of the face's centroid.
 ///
 /// Each vertex and face has a source point. A source point at a vertex of the source is exact. If a
 /// vertex comes from an edge, or if several faces are equally close, its source point is on the

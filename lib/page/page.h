@@ -28,8 +28,8 @@ struct PageViews {
 };
 
 /// A run, or meshes that are shown one at a time. A mesh is shown with the target and the views of
-/// its number. If these do not exist, those of the next larger number are shown, or else the last
-/// ones.
+/// its number. If these do not exist, target and views of the next larger number are shown, or else
+/// the last ones.
 struct PageRun {
   std::string name, tool, version;        ///< tool and version are empty if there is no run
   std::vector<std::string> commands;      ///< commands of the run

@@ -14,7 +14,8 @@ namespace transformesh {
 struct ChangePictureOptions {
   int width = 1600;   ///< pixels of the picture; >= 2
   int height = 1200;  ///< >= 2, even
-  /// Per face, true if the color is that of a lost face (before) or a new face (after).
+  /// For each face of the mesh before: true if it is lost. For each face of the mesh after: true if
+  /// it is new.
   std::vector<char> is_lost{}, is_new{};
 };
 

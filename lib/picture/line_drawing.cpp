@@ -115,7 +115,8 @@ std::vector<std::vector<Piece>> visible_pieces(const Panel& panel, const std::ve
   return pieces;
 }
 
-/// Joins pieces into chains. Each end is extended by the first unused piece that begins there.
+/// Joins pieces into chains. Each end of a chain is extended by the first unused piece that begins
+/// at this end.
 class Chains {
  public:
   explicit Chains(const std::vector<Piece>& pieces) : pieces_(pieces), is_taken_(pieces.size()) {

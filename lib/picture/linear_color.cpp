@@ -11,7 +11,8 @@ namespace {
 
 constexpr int steps = 4096;  ///< entries of the table of srgb_byte()
 
-/// Tabulates sRGB at equidistant square roots of light, because the curve is nearly linear there.
+/// Tabulates sRGB at equidistant square roots of linear light, of which sRGB is nearly a linear
+/// function.
 std::array<float, steps + 1> make_bytes() {
   std::array<float, steps + 1> bytes{};
   for (int i = 0; i <= steps; ++i) {

@@ -1,7 +1,7 @@
 /// Exact hidden-line removal: computes the visible parts of segments without rasterization.
 /// Reference: Appel, "The notion of quantitative invisibility and the machine rendering of solids",
-/// ACM National Conference 1967. Unlike there, a Bvh of projected faces yields the faces in front
-/// of a line.
+/// ACM National Conference 1967. Unlike in this reference, a Bvh of projected faces yields the
+/// faces in front of a line.
 ///
 /// A face hides the points behind its plane in the cone from the camera through the face. For a
 /// segment, these are the points where four linear functions are positive, which form one interval.

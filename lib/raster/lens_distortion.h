@@ -29,7 +29,7 @@ struct LensDistortion {
 /// not change. O(pixels), parallel.
 GrayImage undistorted(const GrayImage& image, const Eigen::Matrix3d& intrinsics,
                       const LensDistortion& distortion);
-/// Undistorts each color channel likewise.
+/// Undistorts each color channel like a gray image.
 Image undistorted(const Image& image, const Eigen::Matrix3d& intrinsics,
                   const LensDistortion& distortion);
 

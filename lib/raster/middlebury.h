@@ -11,7 +11,7 @@
 
 namespace transformesh {
 
-/// Throws InputError, naming file and line, if numbers are missing or are not those of a camera.
+/// Throws InputError, naming file and line, if numbers are missing or do not describe a camera.
 CameraList read_middlebury(const Source& source);
 
 /// Returns text that is read back as the same cameras. Throws InputError if a name contains blanks

@@ -63,8 +63,8 @@ void add_vertices(Mesh& mesh, const Ring& ring) {
 }
 
 /// Adds triangles between two rings, in order of angle. Both rings are convex polygons around the
-/// axis, and no chord of one reaches the other. Therefore no triangle is reversed as seen along the
-/// axis.
+/// axis, and no chord of one polygon reaches the other polygon. Therefore no triangle is reversed
+/// in the projection along the axis.
 void add_faces(Mesh& mesh, Index first, std::size_t low, Index second, std::size_t high) {
   std::size_t i = 0, j = 0;
   const auto at = [](Index start, std::size_t k, std::size_t count) {

@@ -13,7 +13,7 @@ class FolderLock {
   /// and no error is thrown.
   explicit FolderLock(std::string folder);
   /// Removes the folder if it is empty, and its parent if the constructor created it and it is
-  /// empty. A signal that ends the process does the same.
+  /// empty. The folders are also removed if a signal ends the process.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -86,7 +86,7 @@ class EarlyRemesh {
   std::exception_ptr error_;
 };
 
-/// Cleans and remeshes a document, and stores all parts of the result except those of the step.
+/// Cleans and remeshes a document. Stores all members of IterationResult except those of the step.
 class CleanAndRemesh {
  public:
   CleanAndRemesh(Document& document, const IterationOptions& options, const Progress& progress,

@@ -35,8 +35,8 @@ class Loop {
   /// Names all variables that determine the further iterations. Stores or restores them, depending
   /// on how `loop_state` was constructed (loop_state.h).
   virtual void remember(LoopState& loop_state) = 0;
-  /// Adds the other CSV columns of the last iteration. Also called before the first iteration, for
-  /// the header.
+  /// Adds all CSV columns of the last iteration after the first column. Also called before the
+  /// first iteration, for the header.
   virtual void measure(CsvRow& row) const = 0;
   /// Returns the text that follows the number of the last iteration in a message.
   virtual std::string message() const = 0;

@@ -52,7 +52,7 @@ class Record {
   }
   std::optional<std::string> find(const std::string& name) const;
 
-  /// Removes the state of an earlier run unless that run is continued. begin() does the same.
+  /// Removes the state of an earlier run unless that run is continued. Also done by begin().
   void forget_earlier_state() const;
 
   /// Call once, before the first iteration, with the header of the CSV file and the variables

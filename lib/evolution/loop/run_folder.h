@@ -4,7 +4,7 @@
 ///     start.ply             initial mesh, if there is one
 ///     target.ply            target of a morph; for a movie targets/00001.ply and so on
 ///     cameras.txt, photographs/   views of a reconstruction (run_views.h)
-///     views/00001/          the same for each time step of a movie, and so on
+///     views/00001/          cameras and photographs of a movie's time step, and so on
 ///     frames/frame-00000.ply, and so on, and log.csv: written while the loop runs (record.h)
 ///     events.csv            events of an evolution, written while the loop runs
 ///     result.ply, report.json     written at the end

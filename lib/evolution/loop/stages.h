@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-/// Returns the options. If their reference edge is 0, it is set to that of the mesh.
+/// Returns the options. A reference edge of 0 is replaced by the reference edge of the mesh.
 IterationOptions completed(IterationOptions options, const Mesh& mesh);
 
 /// Runs remesh() without pinching and rounds as written. `opposites` are the opposite halfedges, or

@@ -84,7 +84,7 @@ Fraction<Number> line_line_fraction(const Vec3& u, const Vec3& v, const Vec3& x,
                     turn(difference<Number>(v, u), other));
 }
 
-// Applies Cramer's rule relative to a corner of the first plane, whose offset is zero there.
+// Applies Cramer's rule relative to a corner of the first plane, so that its offset is zero.
 template <class Number>
 Fraction<Number> three_planes_fraction(const Triangle& f, const Triangle& g, const Triangle& h) {
   const Vector<Number> nf = normal<Number>(f);

@@ -25,7 +25,7 @@ using Exact = ExactNumber;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double bound_3d = (7.0 + 64.0 * epsilon) * epsilon;
 constexpr double bound_2d = (3.0 + 16.0 * epsilon) * epsilon;
-// Smaller products may have lost bits to underflow; no filter decides there.
+// Smaller products may have lost bits to underflow, so that no filter decides.
 constexpr double underflow_guard = 1e-280;
 
 // Returns the sign of a computed determinant, or 0 if its error bound is too large.
@@ -35,7 +35,7 @@ int filtered_sign(double determinant, double bound) {
   return 0;
 }
 
-/// True if determinants of such numbers neither overflow nor underflow as expansions.
+/// True if expansions of determinants of such coordinates neither overflow nor underflow.
 bool is_moderate(const Vec3& p) {
   const auto is_usual = [](double x) {
     return x == 0 || (std::abs(x) > 0x1p-200 && std::abs(x) < 0x1p200);

@@ -38,8 +38,8 @@ class OrientedPlane {
   Vec3 size_;  ///< sums of the absolute values of the products in `normal_`
 };
 
-/// Returns +1 if abc is counter-clockwise in the projection, -1 if clockwise, 0 if it is collinear
-/// there.
+/// Returns the orientation of the projected triangle abc: +1 if it is counter-clockwise, -1 if it
+/// is clockwise, 0 if it is collinear.
 int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection projection);
 
 /// True if the three points are on one line; also if two of them are equal.

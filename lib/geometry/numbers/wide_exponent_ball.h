@@ -89,7 +89,7 @@ class WideExponentBall {
 };
 
 /// True if sums of products of this size may have overflowed or underflowed in doubles. Then wide
-/// balls are more precise; otherwise they are not. A size of 0 means that all terms are zero.
+/// balls are more precise than balls of doubles. A size of 0 means that all terms are zero.
 inline bool leaves_double_range(double size) {
   return size != 0 && !(size > 1e-260 && size < 1e300);
 }

@@ -23,8 +23,8 @@ CameraList parse_cameras(std::string_view bytes, const std::string& name,
 
 /// Reads cameras from a file, a folder or a pattern, in the order of the files. Several files are
 /// sorted in natural order. In a folder, only files that look like camera files are read; they must
-/// have the same format. If a folder has none, they are searched where programs put them in
-/// subfolders (camera_place.h).
+/// have the same format. If a folder has no camera file, the subfolders are searched in which
+/// programs put camera files (camera_place.h).
 CameraList cameras_from(const std::string& where);
 
 }  // namespace transformesh

@@ -12,7 +12,7 @@ namespace transformesh {
 
 struct CameraReader {
   CameraFormat format;
-  const char* program;  ///< the program that writes such files, or the name of the format
+  const char* program;  ///< the program that writes files of this format, or the name of the format
   /// Cameras that have no name in the file are named after `stem`.
   CameraList (*read)(const Source& source, const std::string& stem);
 };

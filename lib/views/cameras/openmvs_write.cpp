@@ -24,7 +24,7 @@ void add_counted(const std::vector<std::string>& items, LittleEndianWriter& byte
   for (const std::string& item : items) bytes.add(std::string_view(item));
 }
 
-/// Writes a platform with one camera, whose coordinates are those of the platform.
+/// Writes a platform with one camera. Platform and camera have the same coordinate system.
 std::string platform_bytes(const CameraRecord& record) {
   LittleEndianWriter bytes;
   add_text("", bytes);

@@ -1,8 +1,8 @@
-/// Exposure compensation: gains with which photographs show the same intensities at the same places
+/// Exposure compensation. Multiplied by their gains, photographs agree on the intensities at places
 /// of a surface.
 /// Reference: the gain compensation of Brown & Lowe, "Automatic panoramic image stitching using
-/// invariant features", IJCV 74(1), 2007, section 6. Unlike there, each color channel has its own
-/// gain, so that white balances are compensated as well.
+/// invariant features", IJCV 74(1), 2007, section 6. Unlike in this reference, each color channel
+/// has its own gain, so that white balances are compensated as well.
 ///
 /// The gains minimize a sum over all pairs of good views of a place (BestViewColors). A pair
 /// contributes (g1 a - g2 b)^2 / 100, where a and b are the mean intensities of the two views over

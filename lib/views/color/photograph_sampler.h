@@ -1,7 +1,7 @@
-/// Samples a photograph at places of a surface: the color shown there and its quality.
+/// Samples a photograph at places of a surface: returns the color of a place and its quality.
 /// Reference: Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending: mapping dense
 /// photographic data set on high-resolution sampled 3D models", Computers & Graphics 32(4), 2008.
-/// Quality falls to zero towards contours and borders, so that blends have no seams there.
+/// Quality falls to zero towards contours and borders, so that blends have no seams along them.
 #pragma once
 
 #include <vector>

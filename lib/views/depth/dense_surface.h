@@ -36,7 +36,7 @@ struct DenseSurface {
   double scale = 1;                     ///< scale of the photographs whose depths were fused
   std::size_t pixels = 0;               ///< pixels of the photographs at that scale
   std::size_t consistent = 0;           ///< pixels whose depth other views confirm
-  std::vector<std::string> idle_views;  ///< views without such a pixel
+  std::vector<std::string> idle_views;  ///< names of views of which no depth is confirmed
   std::size_t dropped_components = 0;
 };
 

@@ -22,7 +22,7 @@ struct Witness {
   const GrayImage* depths;
 
   /// Returns the distance of a point from the visible surface, positive in front of it. Returns
-  /// nothing if the depth is not known there.
+  /// nothing if the depth is not known at the pixel of the point.
   std::optional<double> free_way(const Vec3& point) const {
     const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
     if (!(q.z() > 0)) return std::nullopt;

@@ -2,8 +2,8 @@
 /// the depths of each view. A depth stays if neighboring views have the same depth at that point.
 /// Then small patches are removed, because depths that agree by chance are scattered.
 /// Reference for the consistency check: Merrell et al., "Real-time visibility-based fusion of depth
-/// maps", ICCV 2007. Reference for the patches, called speckle filter there: Hirschmueller, "Stereo
-/// processing by semiglobal matching and mutual information", PAMI 30(2), 2008.
+/// maps", ICCV 2007. Reference for the removal of patches, known as speckle filter: Hirschmueller,
+/// "Stereo processing by semiglobal matching and mutual information", PAMI 30(2), 2008.
 #pragma once
 
 #include <span>

@@ -8,8 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Least cosine between ray and normal. Steeper surfaces are observed too inaccurately for their
-/// slope to be trusted; without a limit, such distances would vanish.
+/// Least cosine between ray and normal. The slopes of steeper surfaces are too inaccurate. Without
+/// a limit, distances from steep surfaces would vanish.
 constexpr double least_cosine = 0.2;
 /// Cosine of pixels without neighbors on the same surface.
 constexpr double unknown_cosine = 0.5;

@@ -5,8 +5,8 @@
 /// not depend on a hash function.
 ///
 /// The value of a node is the weighted mean of its distances from the surfaces of all views that
-/// have a depth there. A view does not count if the node is farther behind its surface than the
-/// truncation. Distances in front of a surface are truncated. Hence a view that sees through a
+/// have a depth at its pixel. A view does not count if the node is farther behind its surface than
+/// the truncation. Distances in front of a surface are truncated. Hence a view that sees through a
 /// wrong surface of another view votes against it. A node is unknown if few views observe it, and
 /// the surface is open there.
 #pragma once

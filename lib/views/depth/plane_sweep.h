@@ -7,8 +7,8 @@
 /// correlation of the two neighbors that agree best; other neighbors may be occluded.
 ///
 /// Costs are summed along paths (semiglobal_matching.h). The depth of a pixel is the one with the
-/// least sum, interpolated between planes by a parabola. If the correlation is low there, the depth
-/// is unknown. Other depths may still be wrong: see depth_maps.h.
+/// least sum, interpolated between planes by a parabola. If the correlation is low at this depth,
+/// the depth is unknown. Other depths may still be wrong: see depth_maps.h.
 #pragma once
 
 #include <span>

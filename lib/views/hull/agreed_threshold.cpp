@@ -60,8 +60,8 @@ std::vector<View> views_at(double intensity, const std::vector<SmallView>& small
   return views;
 }
 
-/// Returns the mean agreement of the silhouettes with those of their visual hull, or nothing if
-/// they do not bound a hull.
+/// Returns the mean agreement of the silhouettes with the silhouettes of their visual hull. Returns
+/// nothing if the silhouettes do not bound a hull.
 std::optional<double> hull_agreement(const std::vector<View>& views) {
   Mesh hull;
   try {

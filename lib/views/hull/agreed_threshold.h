@@ -1,7 +1,7 @@
 /// Finds the intensity threshold at which the silhouettes of all photographs agree best.
 ///
-/// One photograph alone does not distinguish dark regions of the object from the background.
-/// Several photographs do. If a threshold is too high, it cuts parts off the object in some views.
+/// One photograph alone does not distinguish dark regions of the object from the background, but
+/// several photographs do. If a threshold is too high, it cuts parts off the object in some views.
 /// The hull then no longer fills the silhouettes of the other views. If a threshold is too low, it
 /// adds background to some silhouettes, which the other views carve away from the hull.
 ///

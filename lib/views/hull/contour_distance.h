@@ -18,9 +18,9 @@ inline constexpr float contour_intensity = 127.5F;  ///< half-way between 0 and 
 /// Returns the distance of every pixel from the contour, in pixels, positive outside. Without a
 /// contour all distances are infinite. Distances are cut off at `limit`; `limit` does not change
 /// distances well below it.
-/// Reference: Danielsson, "Euclidean distance mapping", CGIP 14 (1980). Unlike there, the nearest
-/// contour segment is propagated, not the nearest pixel. Distances may be too large by a few
-/// hundredths of a pixel, because only neighbors are considered. O(pixels), two sweeps;
+/// Reference: Danielsson, "Euclidean distance mapping", CGIP 14 (1980). Unlike in this reference,
+/// the nearest contour segment is propagated, not the nearest pixel. Distances may be too large by
+/// a few hundredths of a pixel, because only neighbors are considered. O(pixels), two sweeps;
 /// deterministic.
 GrayImage signed_distance(const GrayImage& silhouette,
                           float limit = std::numeric_limits<float>::infinity());

@@ -40,7 +40,8 @@ GrayImage mesh_silhouette(const Mesh& mesh, const Camera& camera);
 /// photograph.
 GrayImage mesh_silhouette(const Mesh& mesh, const View& view);
 
-/// Returns for each view the silhouette_agreement() of its silhouette and that of the mesh.
+/// Returns for each view the silhouette_agreement() of its silhouette and the silhouette of the
+/// mesh.
 std::vector<double> silhouette_agreements(const Mesh& mesh, std::span<const View> views);
 
 }  // namespace transformesh

@@ -267,8 +267,8 @@ void Diagnosis::try_inverted() const {
     invert(view.silhouette);
     names.push_back(view.name);
   }
-  // If at most a third of the masks may be inverted and the options allow it, run() leaves out
-  // these views instead.
+  // If at most a third of the masks may be inverted, and the options allow to drop views, run()
+  // leaves out the views of these masks.
   const bool is_dropped = options_.drops_bad_views && 3 * names.size() <= views.size();
   if (names.empty() || is_dropped || !agree(views)) return;
   const bool are_all = names.size() == views.size();

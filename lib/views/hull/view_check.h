@@ -20,8 +20,8 @@
 namespace transformesh {
 
 struct ViewCheckOptions {
-  /// Least silhouette_agreement() of every silhouette with that of the hull, in [0, 1]; 0 disables
-  /// the check. Good sets reach 0.75.
+  /// Least silhouette_agreement() of every silhouette with the silhouette of the hull, in [0, 1]; 0
+  /// disables the check. Good sets reach 0.75.
   double least_agreement = 0.7;
   /// If true, views that disagree with the rest are left out: at most a third, and at least three
   /// stay.

@@ -64,7 +64,8 @@ void decode_jpeg(const Source& source, IntensityRows& rows);
 void decode_tiff(const Source& source, IntensityRows& rows);
 
 /// Throws InputError unless width and height are at least 1 and their product is at most 2^29. Also
-/// throws if the bytes cannot contain so many pixels, at `pixels_per_byte` at most.
+/// throws if the bytes cannot contain this number of pixels, even with `pixels_per_byte` pixels per
+/// byte.
 void check_size(const Source& source, std::uint64_t width, std::uint64_t height,
                 std::uint64_t pixels_per_byte);
 

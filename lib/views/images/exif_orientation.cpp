@@ -48,7 +48,7 @@ class TiffDirectory {
 std::string_view exif_of_jpeg(std::string_view bytes) {
   constexpr std::string_view title("Exif\0\0", 6);
   constexpr std::uint32_t application_1 = 0xe1;  // marker of the segment with Exif data
-  constexpr std::uint32_t start_of_scan = 0xda;  // marker after which no such segment follows
+  constexpr std::uint32_t start_of_scan = 0xda;  // marker after which no Exif segment follows
   std::size_t at = 2;
   while (at + 4 <= bytes.size() && byte_at(bytes, at) == 0xff) {
     const std::uint32_t marker = byte_at(bytes, at + 1);

@@ -1,8 +1,9 @@
 /// Distances of a surface from the silhouettes that it should have.
 ///
 /// A vertex outside any silhouette is outside the object. A vertex on the rim of the surface in a
-/// view borders on the background there, and should lie on the contour of the silhouette. A vertex
-/// has no distance in views that do not contain it, and none to silhouettes without a contour.
+/// view borders on the background in that view, and should lie on the contour of the silhouette. A
+/// vertex has no distance in views that do not contain it, and none to silhouettes without a
+/// contour.
 #pragma once
 
 #include <span>

@@ -50,8 +50,8 @@ Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double leas
 /// Returns the variance of the noise in a photograph of scale 1 (at_scale), in squared intensities.
 /// Uses pixels where `depth` is above 0; returns 0 if there are none. The variance is estimated
 /// from mixed second differences, which texture hardly affects unless it is as fine as the pixels.
-/// Reference: Immerkaer, "Fast noise variance estimation", CVIU 64(2), 1996. Unlike there, the
-/// median of the differences is used, not their mean. O(pixels).
+/// Reference: Immerkaer, "Fast noise variance estimation", CVIU 64(2), 1996. Unlike in this
+/// reference, the median of the differences is used, not their mean. O(pixels).
 double noise_variance(const GrayImage& image, const GrayImage& depth);
 
 }  // namespace transformesh

@@ -124,7 +124,7 @@ void smooth(Mesh& mesh, const UniformLaplacian& laplacian, double factor) {
 }
 
 /// Returns unit normals; zero at borders, which do not move. Windows at a border compare little of
-/// the surface, and steps there would tear it.
+/// the surface, and steps of border vertices would tear it.
 std::vector<Vec3> normals_off_borders(const Mesh& mesh, const UniformLaplacian& laplacian) {
   std::vector<Vec3> normals = vertex_normals(mesh);
   for (Index v = 0; v < normals.size(); ++v)

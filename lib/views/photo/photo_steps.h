@@ -1,4 +1,4 @@
-/// Several consecutive steps towards photographs (photo_step.h) with the same faces.
+/// Several consecutive steps towards photographs (photo_step.h), without remeshing in between.
 ///
 /// If `momentum` is above 0, each step except the last also repeats this fraction of the previous
 /// movement. Small steps in the same direction, which are typical of noisy photographs, add up; the

@@ -12,8 +12,8 @@ namespace transformesh {
 struct VisibleSurface {
   PixelBox box;
   FaceBuffer faces;
-  /// Depth of the pixels that are compared: those that show the front of a face, and at an angle
-  /// that is not too grazing (`least_cosine`).
+  /// Depth of the compared pixels. These are the pixels that show the front of a face, unless the
+  /// angle is too grazing (`least_cosine`).
   GrayImage depth;
   /// 1 / (r N) of the compared pixels, < 0. r is the pixel's PinholeCamera::ray, N the unit normal
   /// of the face.

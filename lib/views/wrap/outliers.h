@@ -20,10 +20,10 @@
 ///     lidar on a plane (at most .7 % of its points)    4     1    27     2
 ///     density jumping 100 : 1 (at most .8 %)          13     3    28     9
 ///
-/// Most outliers that were not found at 5 % were those of clouds of 500 and 5000 points, where
-/// chains of outliers near the surface connect others with the body. All outliers at 4 to 1000
-/// times the radius were found. Clouds of fewer than 100 points have no outliers. Equal points
-/// count once. Deterministic for any number of threads; O(n log n).
+/// Most outliers that were not found at 5 % belong to clouds of 500 and 5000 points, where chains
+/// of outliers near the surface connect others with the body. All outliers at 4 to 1000 times the
+/// radius were found. Clouds of fewer than 100 points have no outliers. Equal points count once.
+/// Deterministic for any number of threads; O(n log n).
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
-/// Steps that both ways of wrapping share. Points are normalized to about unit size, because
-/// otherwise squares and products would overflow or underflow. The result is checked. Internal to
-/// wrap.
+/// Steps that alpha wraps and Poisson wraps share. Points are normalized to about unit size,
+/// because otherwise squares and products could overflow or underflow. The result is checked.
+/// Internal to wrap.
 #pragma once
 
 #include <span>
