@@ -47,7 +47,8 @@ inline Triangle corners_of(const Arrangement& arrangement, const Piece& piece) {
 }
 
 /// Returns the winding number of a closed mesh in front of a triangle (`side` 1) or behind it
-/// (`side` -1). Empty for slivers, since no point is certainly next to such a triangle only.
+/// (`side` -1). Returns nothing for slivers, because every point near a sliver may be near other
+/// faces, too.
 inline std::optional<int> winding_beside(const Mesh& mesh, const Triangle& t, int side) {
   const Vec3 normal = normal_of(t[0], t[1], t[2]);
   double longest = 0;

@@ -129,7 +129,7 @@ inline Mesh soup_of(const Mesh& mesh) {
   return soup;
 }
 
-/// Returns a mesh with the faces of both, without columns.
+/// Returns a mesh with the faces of both meshes, without columns.
 inline Mesh joined(const Mesh& first, const Mesh& second) {
   Mesh mesh = first;
   const Index base = static_cast<Index>(first.positions.size());

@@ -86,7 +86,8 @@ TEST_CASE("two balls that grow press against each other and never meet") {
   CHECK(result.held_back > 0);
   CHECK(find_intersections(document.mesh).empty());
   // Each ball of radius 1.5 lacks the cap of height 0.3 beyond the plane x = 0. The balls move one
-  // after the other, so one may hold the other back farther; the sum of their volumes is compared.
+  // after the other, so the first ball may hold the second one back. Hence the sum of both volumes
+  // is compared.
   const double whole = 4 * std::numbers::pi / 3 * std::pow(1.5, 3);
   const double cap = std::numbers::pi * 0.3 * 0.3 / 3 * (3 * 1.5 - 0.3);
   const double both = volume_of(document, 0) + volume_of(document, 1);

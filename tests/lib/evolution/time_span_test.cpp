@@ -51,7 +51,7 @@ TEST_CASE("the last step ends at the end") {
 }
 
 TEST_CASE("the tolerance of the error shortens the span, and only as far as necessary") {
-  // The step differs from that of Euler's method by span^2 / 2.
+  // The step differs from a step of Euler's method by span^2 / 2.
   const TrialStep step = step_of(accelerating(), {.max_move = 1e9, .tolerance = 1e-4}, 10);
   CHECK(step.integrated.error <= 1e-4);
   CHECK(step.integrated.error > 0.5e-4);

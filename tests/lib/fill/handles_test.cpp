@@ -157,7 +157,7 @@ TEST_CASE("columns are kept, and thin limbs that are no handles stay") {
   CHECK(limb.positions == before.positions);
 }
 
-// Many patches of these loops are equally good.
+// The loops of this test have many equally good patches.
 TEST_CASE("positions are those that floats hold, and always the same, for any number of threads") {
   Mesh first;
   for (const int threads : {1, 2, 5}) {

@@ -110,8 +110,8 @@ TEST_CASE(
   const std::vector<double>& height = last.vertex_columns.find("height")->values;
   double squares = 0;
   for (std::size_t v = 0; v < last.positions.size(); ++v) {
-    // The value is exactly that of the source point. That point is where the vertex was before the
-    // motion, except at edges across the crease where the balls meet.
+    // The value is exactly the height of the source point. The source point is where the vertex was
+    // before the motion, except at edges across the crease where the balls meet.
     const Vec3 place = position_of(first, places.of_vertices[v]);
     CHECK(std::abs(height[v] - slope.dot(place)) < 1e-12);
     CHECK((3 * place - last.positions[v]).norm() < 0.3 * 0.35);

@@ -76,7 +76,7 @@ TEST_CASE("a surface whose coverage decreases in a scale is lost, not at rest") 
     CHECK_FALSE(verdict.is_at_rest);
     CHECK_FALSE(verdict.is_done);
   }
-  // The values at the beginning of the scale count, not those of the sweep.
+  // Values are compared with the values at the beginning of the scale, not of the sweep.
   ScaleRule rule;
   rule.add(moving(0.5));
   Sweep later = moving(0.4);

@@ -173,5 +173,5 @@ TEST_CASE("projected vertices lie on the input") {
     return result;
   };
   CHECK(farthest_out(true) < 1e-12);
-  CHECK(farthest_out(false) > 1e-3);  // without projection the volume is kept instead
+  CHECK(farthest_out(false) > 1e-3);  // without projection, vertices move out to keep the volume
 }

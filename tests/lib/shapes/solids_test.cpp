@@ -46,7 +46,7 @@ TEST_CASE("the balls of a dumbbell have their radius, its neck is there or turne
   CHECK(widest_at(plain, -0.7) == doctest::Approx(0.5).epsilon(0.002));
   CHECK(widest_at(plain, 0) == doctest::Approx(0.15).epsilon(0.02));
   CHECK(winding_number(plain, {0, 0, 0}) == doctest::Approx(1));
-  // The balls are those of the plain shape.
+  // Outside of the neck, the inverted dumbbell has the same balls as the plain one.
   const Mesh inverted = shapes::dumbbell(-0.15, 6000, {});
   CHECK(inverted.faces == plain.faces);
   CHECK(winding_number(inverted, {0, 0, 0}) == doctest::Approx(-1));

@@ -10,7 +10,7 @@ using namespace transformesh;
 
 namespace {
 
-// Makes a target without the checks of make_target(), which refuses some of these meshes.
+// Makes a target without the checks of make_target(), which would refuse some meshes of this test.
 Target target_of(Mesh mesh) {
   Target target;
   target.mesh = std::move(mesh);

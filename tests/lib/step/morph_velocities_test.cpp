@@ -207,8 +207,8 @@ TEST_CASE("far away the distance is estimated, and clamped steps stay the same")
     const double difference = (fast.velocities[v] - exact.velocities[v]).norm();
     const double distance = exact.velocities[v].norm();
     estimated += difference > 0;
-    // Each of both directions may be wrong by a quarter of the searched distance, of which at least
-    // three quarters remain.
+    // The directions of `fast` and `exact` may each be wrong by a quarter of the searched distance,
+    // and at least three quarters of this distance remain.
     CHECK(difference <= (distance > bound ? 2 * 0.25 / 0.75 * distance : 0));
     CHECK((fast.velocities[v].norm() > bound) == (distance > bound));
     CHECK(fast.velocities[v].dot(exact.velocities[v]) > 0);

@@ -23,7 +23,8 @@ std::vector<Element> elements(unsigned count, unsigned keys, bool is_sorted, std
 
 }  // namespace
 
-// The order must be that of the standard library of the native build.
+// Equal elements must have the order in which libstdc++, the library of the native build, leaves
+// them.
 TEST_CASE("selection for WebAssembly leaves equal elements where libstdc++ leaves them") {
   std::mt19937 random(1);
   const auto is_less = [](const Element& a, const Element& b) { return a.key < b.key; };

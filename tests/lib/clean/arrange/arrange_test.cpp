@@ -109,8 +109,8 @@ void check_conforming(const Arrangement& arrangement, const std::vector<Rational
   }
 }
 
-/// The area vectors of the pieces of a face add up to that of the face, and the multiplicity of
-/// each piece is that of its sources.
+/// Checks that the area vectors of a face's pieces add up to the area vector of the face, and that
+/// the multiplicity of each piece is the sum over its sources.
 void check_sources(const Mesh& mesh, const Arrangement& arrangement,
                    const std::vector<RationalPoint>& points) {
   std::vector<RationalPoint> sums(mesh.faces.size(), RationalPoint{0, 0, 0});
@@ -181,7 +181,7 @@ TEST_CASE("a wall and its reverse cancel out where they overlap") {
   CHECK(both.pieces.size() == 2);
   for (const Piece& piece : both.pieces) CHECK(piece.multiplicity == 0);
 
-  // Half of each wall coincides with the other.
+  // Half of each wall coincides with half of the other wall.
   Mesh moved = test::moved(test::reversed(wall), {0.5, 0, 0});
   const Arrangement half = arrange_mesh(test::joined(wall, moved));
   std::array<double, 2> area{};

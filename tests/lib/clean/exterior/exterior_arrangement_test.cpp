@@ -1,5 +1,5 @@
-/// Exterior pieces found alone, compared with those of the whole arrangement, whose winding numbers
-/// are counted by a ray for each piece.
+/// Exterior pieces of arrange_exterior(), compared with the exterior pieces of the whole
+/// arrangement. Winding numbers of the whole arrangement are counted by a ray for each piece.
 #include "clean/exterior/exterior_arrangement.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-/// The pieces that are kept, compared with winding numbers from solid angles on both of their
-/// sides.
+/// The pieces that are kept, compared with winding numbers by solid angles on both sides of each
+/// piece.
 #include "clean/exterior/exterior.h"
 
 #include <doctest/doctest.h>

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<char> none(const Patches& patches) { return std::vector<char>(patches.size(), 0); }
 
-/// Two adjacent rooms: the walls around both, and one wall of single faces between them.
+/// A box that a wall of single faces divides into two rooms.
 Mesh two_rooms() {
   Mesh mesh = test::cuboid({0, 0, 0}, {2, 1, 1});
   const auto base = static_cast<Index>(mesh.positions.size());

@@ -80,8 +80,7 @@ class Evolution {
   }
 
   // The smooth velocities change every ten rounds, so that the mesh moves far enough to merge and
-  // split.
-  // About every fifth round moves vertices independently instead.
+  // split. About every fifth round moves vertices independently of each other.
   void move(int round) {
     if (round % 10 == 0) wind_ = test::Random(random_.bits());
     const double speed = test::mean_edge(mesh_) / 2;

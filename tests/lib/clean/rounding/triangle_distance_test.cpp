@@ -1,5 +1,5 @@
-/// Distances near the origin, from triangles with corners so far away that coordinate differences
-/// lose all digits there.
+/// Distances of points near the origin from triangles. Some corners are so far away that
+/// differences of coordinates lose all digits of the points.
 #include "clean/rounding/triangle_distance.h"
 
 #include <doctest/doctest.h>

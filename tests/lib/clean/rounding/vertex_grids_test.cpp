@@ -1,4 +1,4 @@
-/// Grids are coarsened only at broken faces, and vertices move to grid points there.
+/// Grids are coarsened only at broken faces, and only vertices of these faces move to grid points.
 #include "clean/rounding/vertex_grids.h"
 
 #include <doctest/doctest.h>

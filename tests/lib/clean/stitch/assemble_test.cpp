@@ -1,4 +1,4 @@
-/// The kept pieces as a mesh. Positions decide which vertices and faces are those of the input and
+/// The kept pieces as a mesh. Positions decide which vertices and faces belong to the input and
 /// which are new.
 #include "clean/stitch/assemble.h"
 

@@ -128,7 +128,7 @@ TEST_CASE("bodies that share faces, edges or corners, and their copies, are orie
       test::joined(test::joined(ring, ring), ring), row_of_cubes(4),
       test::joined(row_of_cubes(3), row_of_cubes(3)),
       test::joined(cube, test::moved(cube, {1, 1, 0})), test::joined(apart, apart),
-      // A cube inside another with a common corner, and two copies of both.
+      // A cube inside of another cube with a common corner, and the same two cubes twice.
       test::joined(cube, test::scaled(cube, 0.5)),
       test::joined(test::joined(cube, test::scaled(cube, 0.5)),
                    test::joined(cube, test::scaled(cube, 0.5)))};

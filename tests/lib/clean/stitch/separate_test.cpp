@@ -142,8 +142,8 @@ TEST_CASE("a cavity that touches its wall and the wall move away from each other
   CHECK(test::winding_number(apart, {.5, .5, .98}) == doctest::Approx(1));
   CHECK(test::winding_number(apart, {.5, .5, .8}) == doctest::Approx(0));
 
-  // A body in the cavity that touches both surfaces; the vertex of the cavity, in the middle, does
-  // not move.
+  // A body in the cavity touches the cavity and the cube at one point. The vertex of the cavity is
+  // between the others and does not move.
   touching = clean(test::joined(test::joined(test::cube(), test::reversed(hanging(0.5, 0.3))),
                                 hanging(0.4, 0.1)))
                  .mesh;

@@ -108,7 +108,7 @@ TEST_CASE("ply: a column of every scalar type keeps its extremes, in both spelli
     }
     CHECK(write_mesh(document).bytes == file.str());
 
-    // The same mesh as text and in the other byte order.
+    // Text files and files with the other byte order give the same mesh.
     for (const Format format : {Format::ply_ascii, Format::ply_big}) {
       document.style.format = format;
       Document back = read_document(write_mesh(document).bytes);

@@ -62,7 +62,8 @@ TEST_CASE("a clockwise outline gives clockwise triangles") {
 }
 
 TEST_CASE("a bridge to a hole leaves the hole open") {
-  // A square of side 3 around one of side 1, with a bridge from corner to corner, there and back.
+  // The outline goes around a square of side 3, along a bridge to a square of side 1, around this
+  // square, and back along the bridge.
   const Points points{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0},
                       {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}};
   const PlanarTriangles result = triangulated(points);

@@ -97,7 +97,7 @@ TEST_CASE("triangles without area in the projection count if they have one in sp
   corners.remove_coincident();
   CHECK(corners.size() == 4);
   CHECK(corners.upright == 1);
-  corners.add_flat({0, 2, 3});  // collinear in space, too
+  corners.add_flat({0, 2, 3});  // the corners are collinear in space as well
   CHECK(corners.upright == 1);
   CHECK(corners.folds == 0);
 }

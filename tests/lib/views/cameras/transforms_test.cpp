@@ -47,7 +47,7 @@ TEST_CASE("transforms.json: pixels are those of OpenCV's model, counted from the
     return Eigen::Vector2d(500 * u + 322 - 0.5, 510 * v + 235 - 0.5);
   };
   test::check_pixels(read(lens), expected);
-  // Numbers of a frame take precedence over those of the file.
+  // Numbers of a frame take precedence over numbers at the top level of the file.
   test::check_pixels(read(R"("fl_x":1,"cx":7,"k1":9,)", lens), expected);
   CHECK(read(lens).width == 640);
 }

@@ -32,8 +32,8 @@ double signed_gap(const Vec3& low, const Vec3& high, const Vec3& point) {
   return (low - point).cwiseMax(point - high).maxCoeff();
 }
 
-/// Counts nodes farther than `slack` from the surface of the block that are open although the block
-/// is solid there, or the reverse.
+/// Counts nodes farther than `slack` from the surface of the block that are open inside of the
+/// block, or solid outside.
 std::size_t wrong_nodes(const ValueGrid& grid, double slack) {
   std::size_t count = 0;
   for (std::size_t z = 0; z < grid.nodes[2]; ++z) {

@@ -89,7 +89,7 @@ TEST_CASE("unbounded objects are refused") {
   CHECK_THROWS_WITH_AS(silhouette_box(views_of_ball(front, Vec3::Zero(), 40)),
                        doctest::Contains("name its box"), InputError);
 
-  // A silhouette at the border does not bound the object there; other views may.
+  // A silhouette that reaches the border of its image does not bound the object on this side.
   std::vector<View> views =
       views_of_ball({{600, 0, 0}, {0, 600, 0}, {0, 0, 600}}, Vec3::Zero(), 40);
   views[0] = ball_view({600, 0, 0}, Vec3::Zero(), 20);

@@ -61,8 +61,8 @@ TEST_CASE("a blur is the mean under the Gaussian, mirrored at the borders") {
 }
 
 TEST_CASE("sums are rounded to floats one product after the other") {
-  // Rounding is that of fused multiply-adds, from left to right in each row, and then outwards from
-  // the middle row.
+  // The blur is rounded like fused multiply-adds of floats: from left to right in each row, and
+  // then outwards from the middle row.
   const GrayImage image = noise(40, 30);
   const double deviation = 1.5;
   std::vector<float> weights;

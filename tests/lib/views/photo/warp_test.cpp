@@ -16,8 +16,8 @@ struct Rows {
   WarpedRow row() { return {is_seen.data(), reference.data(), other.data(), slope.data()}; }
 };
 
-/// Returns the mean difference of both intensities, and the fraction of pixels that are visible in
-/// the other view.
+/// Returns the mean difference between the intensities of both views at the same points, and the
+/// fraction of pixels that are visible in the other view.
 std::pair<double, double> compared(double angle_deg) {
   const Mesh mesh = test::icosphere(5);
   const std::vector<View> views{test::photograph(0, 1), test::photograph(angle_deg, 1)};
