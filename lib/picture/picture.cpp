@@ -39,7 +39,8 @@ double lowest(std::span<const Mesh* const> meshes, const Vec3& upright) {
   return height;
 }
 
-/// Returns the height on which a mesh stands. It is common to all meshes if they share one view.
+/// Returns the height of the floor under a mesh. All meshes have a common floor if all panels show
+/// the same box.
 double floor_of(const Mesh* mesh, std::span<const Mesh* const> meshes,
                 const PictureOptions& options, const Vec3& upright) {
   if (options.around != nullptr) return lowest({&options.around, 1}, upright);

@@ -7,10 +7,10 @@
 namespace transformesh {
 namespace {
 
-/// Fraction of the best quality above which a view counts as good and has a vote.
+/// Fraction of the best quality above which a view counts as good (count_good()).
 constexpr float voting_share = 0.6F;
-/// Usual difference of intensities between views of the same place. Larger values suppress fewer
-/// highlights; smaller ones also suppress correct views.
+/// Usual difference of intensities between views of the same surface point. Larger values suppress
+/// fewer highlights; smaller ones also suppress correct views.
 constexpr float usual_difference = 24;
 
 /// Qualities are coded as the leading bits of floats from 2^-16 to 2^16, with eleven bits of the

@@ -1,4 +1,5 @@
-/// Collects the colors of a place of a surface in the views that observe it best, and blends them.
+/// Collects the colors of a surface point in the views that observe the point best, and blends
+/// them.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +10,9 @@
 
 namespace transformesh {
 
-/// Color and quality of a place of a surface in one view.
+/// Color and quality of a surface point in one view.
 struct ViewColor {
-  /// Resolution relative to the usual pixel, foreshortened; 0 if the place is not visible.
+  /// Resolution relative to the usual pixel, foreshortened; 0 if the point is not visible.
   float quality = 0;
   std::array<std::uint8_t, 3> color{};
 };
@@ -19,10 +20,10 @@ struct ViewColor {
 /// Per-channel exposure correction: pixel values are multiplied by (r, g, b).
 using Gain = Eigen::Array3f;
 
-/// The four best view colors of a place. The blend weights them by the 16th power of their quality.
-/// It thus nearly equals the best view almost everywhere, and changes smoothly where another view
-/// becomes the best. If three or more views are good, views far from the median have hardly any
-/// weight, for example highlights and occluders. 32 bytes.
+/// The four best view colors of a surface point. The blend weights them by the 16th power of their
+/// quality. The blend thus nearly equals the best view almost everywhere, and changes smoothly
+/// where another view becomes the best. If three or more views are good, views far from the median
+/// have hardly any weight, for example highlights and occluders. 32 bytes.
 class BestViewColors {
  public:
   /// Ties are broken by insertion order. Indices of views above 65535 are stored as 65535.

@@ -15,7 +15,7 @@ constexpr float least_intensity = 8, largest_intensity = 247;
 constexpr float most_different = 1.5F;  ///< limit of the ratio of two comparable intensities
 constexpr double most_gain = 4;
 
-/// Sums of intensities over the places that are visible in both of two views.
+/// Sums of intensities over the surface points that are visible in both of two views.
 struct Overlap {
   double first = 0, second = 0;
   double count = 0;
@@ -51,8 +51,8 @@ Overlaps overlaps_of(std::span<const BestViewColors> seen, int channel) {
 /// The normal equations of all gains of a channel.
 class Equations {
  public:
-  /// Adds the equation gain = 1 for each view, with the weight of one place. This equation alone
-  /// determines the gain of a view that overlaps no other view.
+  /// Adds the equation gain = 1 for each view, with the weight of one surface point. This equation
+  /// alone determines the gain of a view that overlaps no other view.
   explicit Equations(std::size_t views)
       : matrix_(static_cast<Eigen::Index>(views), static_cast<Eigen::Index>(views)),
         right_(Eigen::VectorXd::Ones(matrix_.rows())) {

@@ -1,14 +1,14 @@
-/// Exposure compensation. Multiplied by their gains, photographs agree on the intensities at places
+/// Exposure compensation. Multiplied by their gains, photographs agree on the intensities at points
 /// of a surface.
 /// Reference: the gain compensation of Brown & Lowe, "Automatic panoramic image stitching using
 /// invariant features", IJCV 74(1), 2007, section 6. Unlike in this reference, each color channel
 /// has its own gain, so that white balances are compensated as well.
 ///
-/// The gains minimize a sum over all pairs of good views of a place (BestViewColors). A pair
-/// contributes (g1 a - g2 b)^2 / 100, where a and b are the mean intensities of the two views over
-/// all their common places. It also contributes (1 - g)^2 for both gains. Nearly black or white
-/// intensities are ignored. So are pairs whose intensities differ by more than half, such as
-/// highlights.
+/// The gains minimize a sum over all pairs of good views of a surface point (BestViewColors). A
+/// pair contributes (g1 a - g2 b)^2 / 100, where a and b are the mean intensities of the two views
+/// over all their common points. A pair also contributes (1 - g)^2 for both gains g. Nearly black or
+/// white intensities are ignored. Pairs whose intensities differ by more than half, such as
+/// highlights, are ignored, too.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-/// Samples a photograph at places of a surface: returns the color of a place and its quality.
+/// Samples a photograph at points of a surface: returns the color of a point and its quality.
 /// Reference: Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending: mapping dense
 /// photographic data set on high-resolution sampled 3D models", Computers & Graphics 32(4), 2008.
 /// Quality falls to zero towards contours and borders, so that blends have no seams along them.
@@ -17,7 +17,7 @@ namespace transformesh {
 struct Place {
   Vec3 point;
   Vec3 normal;         ///< unit normal
-  double spacing = 0;  ///< distance between places; finer detail is averaged
+  double spacing = 0;  ///< distance between sampled points; finer detail is averaged
 };
 
 class PhotographSampler {
@@ -25,7 +25,7 @@ class PhotographSampler {
   /// `pixel` is the length of a pixel's side of quality 1. Takes 11 bytes per pixel.
   PhotographSampler(const Mesh& mesh, const PinholeCamera& camera, Image picture, double pixel);
 
-  /// Returns quality 0 if the surface occludes the place, or if the place is observed from inside
+  /// Returns quality 0 if the surface occludes the point, or if the point is observed from inside
   /// or at a grazing angle. The quality is also 0 if the pixel is on a contour or on the border of
   /// the picture, and thus may show something else. Thread-safe.
   ViewColor at(const Place& place) const;

@@ -1,4 +1,4 @@
-/// Samples the colors of many places of a surface, from one photograph after the other. Internal to
+/// Samples the colors of many surface points, from one photograph after the other. Internal to
 /// color_vertices and texture_surface.
 #pragma once
 

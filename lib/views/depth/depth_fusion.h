@@ -25,8 +25,8 @@ namespace transformesh {
 struct DepthFusionOptions {
   double truncation = 3;  ///< distances are truncated at this value; cells, > 0
   double prior = 0.5;  ///< weight of the assumption that unobserved space is solid, in views; > 0
-  int blur = 1;        ///< radius of the neighborhood over which votes are averaged; cells, >= 0
-  int rounds = 200;    ///< rounds of diffusion, >= 0; each reaches one cell farther
+  int blur = 1;      ///< radius of the neighborhood over which distances are averaged; cells, >= 0
+  int rounds = 200;  ///< rounds of diffusion, >= 0; each reaches one cell farther
 };
 
 /// Returns at each node the maximum of the hull's value and the fused value. O(nodes * views),

@@ -20,12 +20,12 @@ class CompressedTiles {
   /// Returns the memory in bytes.
   std::size_t size() const { return tiles_.size() * sizeof(Tile) + bytes_.size(); }
   std::uint16_t at(int x, int y) const;
-  /// Writes all words, row by row.
+  /// Writes all 16-bit numbers of the image, row by row.
   void copy_to(std::vector<std::uint16_t>& words) const;
 
  private:
-  /// Word (x, y) of a tile is `start` + x `across` + y `down` plus a residual. Residuals begin at
-  /// `bytes` and have `bits` bits each. If `bits` is 16, the words themselves are stored.
+  /// The number at (x, y) in a tile is `start` + x `across` + y `down` plus a residual. Residuals
+  /// begin at `bytes` and have `bits` bits each. If `bits` is 16, the numbers themselves are stored.
   struct Tile {
     std::uint32_t bytes = 0;
     std::uint16_t start = 0;

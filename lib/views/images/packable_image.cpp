@@ -18,7 +18,7 @@ std::uint16_t word_of(float value) {
   return static_cast<std::uint16_t>(std::clamp(value + 0.5F, 0.0F, 65535.0F));
 }
 
-/// The first and the last word represent infinite distances.
+/// Encodes a distance in 16 bits. The first and the last code represent infinite distances.
 std::uint16_t word_of_distance(float distance) {
   if (std::isinf(distance)) return distance < 0 ? 0 : last_word;
   return word_of(std::clamp(no_distance + distances_per_unit * distance, 1.0F, 65534.0F));

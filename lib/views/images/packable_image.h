@@ -54,7 +54,8 @@ class PackableImage {
   float at(int x, int y) const;
   /// Requires that the image is not packed.
   float& at(int x, int y) { return floats_.at(x, y); }
-  /// Returns an image with fast access: itself, or its words in `room` if it is packed in tiles.
+  /// Returns an image with fast access: itself, or its 16-bit codes in `room` if it is packed in
+  /// tiles.
   const PackableImage& opened(PackableImage& room) const;
   /// Returns the largest of the four depths from (x, y) to (x + 1, y + 1). Requires opened().
   float largest_of_four(int x, int y) const {
@@ -86,7 +87,7 @@ class PackableImage {
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint16_t> words_;
   std::optional<ThreeTapBlur> blur_;
-  CompressedTiles tiles_;  ///< words of distances and depths
+  CompressedTiles tiles_;  ///< 16-bit codes of distances and depths
   float offset_ = 0;       ///< smallest depth; 0 if there is none
   float step_ = 0;
 };

@@ -109,8 +109,8 @@ void check_conforming(const Arrangement& arrangement, const std::vector<Rational
   }
 }
 
-/// Checks that the area vectors of a face's pieces add up to the area vector of the face, and that
-/// the multiplicity of each piece is the sum over its sources.
+/// Checks that the area vectors of a face's pieces add up to the area vector of the face. Also
+/// checks that the multiplicity of each piece is the sum over its sources.
 void check_sources(const Mesh& mesh, const Arrangement& arrangement,
                    const std::vector<RationalPoint>& points) {
   std::vector<RationalPoint> sums(mesh.faces.size(), RationalPoint{0, 0, 0});

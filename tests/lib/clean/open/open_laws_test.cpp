@@ -196,7 +196,7 @@ TEST_CASE("law 5: a body with a hole is united as if the hole were filled") {
   for (int round = 0; round < rounds(); ++round) {
     CAPTURE(round);
     const Mesh a = ball(random), b = ball(random);
-    // By law 2, a ball that encloses the other ball without intersecting it has no effect.
+    // A ball that encloses the other ball without intersecting it has no effect, by law 2.
     if (find_intersections(test::joined(a, b)).empty()) continue;
     const auto whole = cleaned(test::joined(a, b));
     if (!whole) continue;
