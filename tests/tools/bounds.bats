@@ -1,5 +1,5 @@
-# Small inputs cost little time and memory, whatever sizes they announce and however repetitive they are.
-# The limits are wide for slow machines; a program without these bounds would take minutes or gigabytes.
+# Small inputs cost little time and memory, even if they announce large sizes or are repetitive. The limits are
+# wide for slow machines; a program without these bounds would take minutes or gigabytes.
 
 load ../helpers/common
 

@@ -1,4 +1,4 @@
-# The command-line contract: the same checks over every program.
+# Runs the checks of the command-line contract for every program.
 
 load ../helpers/common
 load ../helpers/contract

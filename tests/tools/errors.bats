@@ -36,7 +36,8 @@ takes() {
       done
       [ -n "$programs" ] || fail "$kind: no program has --$own"
     fi
-    # An option belongs to the program named before it, or to the programs that offer the remedy.
+    # An option belongs to the program that the text names before the option, or else to the programs that offer
+    # the remedy.
     for word in $(grep -oE -- '\btm-[a-z-]+|--[a-z][a-z-]*' <<<"$text"); do
       case $word in
         tm-*)

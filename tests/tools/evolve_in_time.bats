@@ -3,7 +3,7 @@ load ../helpers/common
 setup_file() {
   cd "$BATS_FILE_TMPDIR"
   tm-shape sphere --faces 1000 --center 1,0,0 --double -o ball.ply
-  # Rotates about the z axis. One command runs once per stage, the other stays alive for all stages.
+  # Two commands that rotate about the z axis. The first runs once per stage, the second runs for all stages.
   cat >turn.awk <<'AWK'
 BEGIN { OFMT = "%.17g" }
 /^element vertex/ { count = $3 }

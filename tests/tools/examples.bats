@@ -119,7 +119,7 @@ clamps_nothing() {
       fail "$program --help ends with no example"
     case $program in
       tm) if ! command -v man || ! command -v pandoc; then continue; fi >/dev/null ;;
-      # The page's example is the same command, which takes minutes.
+      # The examples of tm-reconstruct take minutes, so they are not run here.
       tm-reconstruct) continue ;;
       tm-report | tm-view) [ -e "$tm_build/share/transformesh/viewer.html" ] || continue ;;
     esac

@@ -4,7 +4,7 @@ load ../helpers/common
 
 page=$tm_root/docs/features.md
 
-# Prints the second cell of every row, which is that of this suite.
+# Prints the second cell of every row, which is about this suite.
 our_cells() {
   awk -F' *[|] *' '/^\| [^|]/ && $3 != "tm" { print $3 }' "$page"
 }

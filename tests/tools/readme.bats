@@ -74,7 +74,7 @@ run_line() {
     echo "# ffmpeg is not installed: $1" >&3
     return
   fi
-  # Commands that serve until they are stopped are run by tm-view.bats.
+  # tm-view --serve runs until it is stopped; tm-view.bats tests it.
   if [[ $1 == 'tm-view --serve '* ]]; then return; fi
   bash -euo pipefail -c "$1" >log 2>&1 </dev/null || fail "$1: $(cat log)"
 }

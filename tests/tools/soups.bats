@@ -1,5 +1,5 @@
 # Soups and seams. In a soup, as STL is, every triangle has its own vertices; a seam is a row of edges whose
-# faces have their own vertices. Programs that follow faces by vertex indices find borders there.
+# faces have their own vertices. For programs that use vertex indices, all edges of a soup or seam are borders.
 load ../helpers/common
 
 setup_file() {

@@ -1,4 +1,4 @@
-# scripts/bench/thingi: every mesh of a folder has a row with the outcome that it should have.
+# Tests scripts/bench/thingi: every mesh of a folder has a row with the right outcome.
 
 load ../helpers/common
 

@@ -38,7 +38,7 @@ volume_of() {
   [ "$(volume_of intersection a.off b.off)" = 1 ]
   [ "$(volume_of difference a.off b.off)" = 7 ]
   [ "$(volume_of xor a.off b.off)" = 14 ]
-  # The pairwise intersections have volumes 1, 3.375 and 3.375, and that of all three has 1.
+  # The intersections of two cubes have the volumes 1, 3.375 and 3.375; the intersection of all three has 1.
   [ "$(volume_of union a.off b.off c.off)" = 17.25 ]
   [ "$(volume_of intersection a.off b.off c.off)" = 1 ]
   [ "$(volume_of difference a.off b.off c.off)" = 4.625 ]

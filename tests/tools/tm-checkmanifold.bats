@@ -214,7 +214,7 @@ edit() {
 
 @test "tm-checkmanifold: cracks are distinguished from holes, and the advice closes them" {
   tm-shape sphere --faces 500 --double -o ball.ply
-  # Each face has corners of its own, up to 1e-6 from those of its neighbors.
+  # Each face has its own vertices, which are up to 1e-6 from the vertices of neighboring faces.
   tm-convert --format off ball.ply | grep -v '^#' | awk 'BEGIN { srand(1); faces = 0 }
     NR == 2 { count = $1 }
     NR > 2 && NR <= 2 + count { for (i = 1; i < 4; ++i) place[NR - 3, i] = $i }

@@ -156,7 +156,7 @@ AWK
   # Both balls move by 0.02 per step, so the gap of 0.2 closes after 5 steps, or 6 with rounding.
   steps=$(value iterations r.json)
   [ "$steps" -ge 5 ] && [ "$steps" -le 7 ] || fail "$steps iterations"
-  # One iteration earlier there are two components.
+  # The mesh has two components one iteration before the merge.
   tm-evolve two.ply -o before.ply -q --iterations $((steps - 1)) --step 'tm-displace --normal-speed 0.02'
   [ "$(tm-info --get components before.ply)" -eq 2 ]
   tm-shape torus --radius 1 --tube 0.7 --faces 1000 -o ring.ply

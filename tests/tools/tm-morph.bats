@@ -308,7 +308,7 @@ frames_are_piped() {
   [ "$(value target_left_out r.json)" -eq 1 ]
   below "$(value max_distance_from_target r.json)" 0.1
   below "$(tail -n 1 log.csv | cut -d, -f11)" 0.1
-  # tm-morph moves towards the same target as the filters, which make the same meshes.
+  # tm-morph and the filters of its printed pipeline make the same meshes.
   tm-morph start.ply --target hollow.ply -o piped.ply --iterations 3 --print-pipeline >loop
   bash loop
   tm-morph start.ply --target hollow.ply -o own.ply --iterations 3 --no-provenance -q
@@ -367,11 +367,11 @@ plate_with_window() { # WIDTH
   [ "$(value converged r.json)" = false ]
   [ "$(value stop r.json)" = stalled ]
   [ "$(value target_components r.json)" -eq 2 ]
-  # The connectivity of the body depends on where the bridge froze; the message must describe it correctly.
+  # The genus of the body depends on the place at which the bridge stopped; the message must state the genus.
   genus=$(tm-info --get genus out.ply)
   [ "$(value genus r.json)" = "$genus" ]
   grep -q "components 1 and genus $genus, but those of the target are 2 and 0.*the target is 0.* wide at .*--gap-edges 1.5" messages
-  # The advice, if followed, resolves the gap.
+  # If the advice is followed, the morph resolves the gap.
   tm-morph start.ply --target two.ply -o out.ply --gap-edges 1.5 --report r.json -q
   [ "$(value converged r.json)" = true ]
   # Edges of about a third of the reference edge resolve the gap.

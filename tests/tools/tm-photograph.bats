@@ -93,7 +93,7 @@ setup() {
   one_line "$stderr"
   [[ $stderr == *"view0000.png (par.txt line 2)"*"--size WxH" ]]
   [ ! -e new ] && [ ! -e out.txt ]
-  # COLMAP's cameras state the size of the images, and masks to compare with have it.
+  # COLMAP's cameras state the size of the images, which is also the size of the masks.
   tm-cameras --format colmap --images masks --folder colmap par.txt
   tm-photograph --cameras colmap --write-silhouettes again -o /dev/null truth.ply
   diff -r masks again

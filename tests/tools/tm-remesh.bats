@@ -364,7 +364,7 @@ border() {
   run tm-remesh --error 0.01 --faces 20 in.ply -o out.ply
   assert_status 0
   [[ $output == *" faces left, more than the 20 wanted: "*"a larger --error leaves fewer"* ]]
-  # The advice is true.
+  # The advice of the message works.
   run tm-remesh --error 1 --faces 20 in.ply -o out.ply
   [ -z "$output" ]
   [ "$(tm-info --get faces out.ply)" -eq 20 ]
@@ -493,7 +493,7 @@ far_pairs() {
   [[ $output == *"1 component of "*" dropped: smaller than the shortest edge 0.2; a smaller --min-edge keeps more"* ]]
   [ "$(value components_dropped r.json)" -eq 1 ]
   [ "$(value components_dropped_faces r.json)" -eq "$(tm-info --get faces speck.ply)" ]
-  # The advice of the message is true.
+  # If the advice of the message is followed, the small component stays.
   pipe "tm-shape sphere --faces 1000 | tm-cat - speck.ply |
     tm-remesh --min-edge 0.02 --max-edge 0.4 | tm-info --get components"
   assert_status 0

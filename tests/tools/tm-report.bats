@@ -94,6 +94,6 @@ block_of() {
   frame=$(data_of knot.html | jq '[.runs[0].meshes[].faces] | add / length | floor')
   [ "$frame" -gt 5000 ]
   size=$(($(wc -c <knot.html) - $(wc -c <"$tm_build/share/transformesh/viewer.html")))
-  # The size is that of ten frames; a million faces take less than 29 MB.
+  # The page has ten frames. Its size per million faces is below 29 MB.
   awk -v size="$size" -v faces="$frame" 'BEGIN { exit !(size / (10 * faces) * 1e6 < 29e6) }'
 }

@@ -55,7 +55,7 @@ setup() {
   tm-select --split volume --by volume --invert --box 99,99,99,100,100,100 two.ply
   tm-info --get volume volume-001.ply | awk '{ exit !($1 > 26.99 && $1 < 27.01) }'
   [ "$(echo faces-* volume-*)" = "faces-001.ply faces-002.ply volume-001.ply volume-002.ply" ]
-  # The facts of a collection are those of its parts.
+  # tm-info prints the same for two files together as for the mesh that was divided into them.
   tm-cat faces-001.ply faces-002.ply | tm-info --json >parts
   cmp parts <(tm-info --json two.ply)
 }

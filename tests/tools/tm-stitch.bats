@@ -114,7 +114,7 @@ is_solid() {
     [[ $stderr == *"only one side, like a Moebius strip; cut it open with tm-stitch without --orient, then close its borders with tm-fill --allow-crossings" ]]
     [ ! -e out.off ]
   done
-  # The advice is true, and tm-stitch does not refer back to --orient.
+  # The advice works, and the message of tm-stitch does not advise --orient again.
   run --separate-stderr tm-stitch strip.off -o open.off
   assert_status 0
   [[ $stderr == *"however faces are reversed: they stay apart"* && $stderr != *"--orient"* ]]

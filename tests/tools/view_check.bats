@@ -195,7 +195,7 @@ PY
   [[ $stderr == *"'view3' is left out"* ]]
   grep -q '"dropped_views": 1' r.json
   grep -q '"views": 8' r.json
-  # The result is the same as without the view.
+  # The result equals that of a run without the bad view.
   mv masks/view3.pgm photos/*view3* .
   sed -i -e '1s/9/8/' -e /view3/d par.txt
   "${step[@]}" -o right.ply

@@ -1,4 +1,4 @@
-# The oracle as bats files call it: which results it accepts, which faults it finds, and its exit codes.
+# Tests winding_oracle, as bats files call it: accepted results, faults that it finds, and exit codes.
 
 load ../helpers/common
 

@@ -6,8 +6,8 @@
 ///
 /// The gains minimize a sum over all pairs of good views of a surface point (BestViewColors). A
 /// pair contributes (g1 a - g2 b)^2 / 100, where a and b are the mean intensities of the two views
-/// over all their common points. A pair also contributes (1 - g)^2 for both gains g. Nearly black or
-/// white intensities are ignored. Pairs whose intensities differ by more than half, such as
+/// over all their common points. A pair also contributes (1 - g)^2 for both gains g. Nearly black
+/// or white intensities are ignored. Pairs whose intensities differ by more than half, such as
 /// highlights, are ignored, too.
 #pragma once
 

@@ -6,9 +6,9 @@
 ///
 /// The value of a node is the weighted mean of its distances from the surfaces of all views that
 /// have a depth at its pixel. A view does not count if the node is farther behind its surface than
-/// the truncation. Distances in front of a surface are truncated. Hence a view that observes a point
-/// behind a wrong surface of another view makes the distances at the wrong surface larger. A node is
-/// unknown if few views observe it. The surface is open at unknown nodes.
+/// the truncation. Distances in front of a surface are truncated. Hence a view that observes a
+/// point behind a wrong surface of another view makes the distances at the wrong surface larger. A
+/// node is unknown if few views observe it. The surface is open at unknown nodes.
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,8 @@ class CompressedTiles {
 
  private:
   /// The number at (x, y) in a tile is `start` + x `across` + y `down` plus a residual. Residuals
-  /// begin at `bytes` and have `bits` bits each. If `bits` is 16, the numbers themselves are stored.
+  /// begin at `bytes` and have `bits` bits each. If `bits` is 16, the numbers themselves are
+  /// stored.
   struct Tile {
     std::uint32_t bytes = 0;
     std::uint16_t start = 0;
