@@ -1,9 +1,9 @@
 /// Tests whether one mesh is the boundary of the region { p : w(p) >= winding level } of another,
 /// where w is the winding number. Only sample points are tested: the winding number of the output
 /// must be 1 if that of the input is at least the winding level, and 0 otherwise. Shares no code
-/// with lib/clean, which computes such boundaries. Half of the samples lie in the bounding box, half
-/// close to faces of both meshes, on both sides. Samples on or too close to a surface are undecided.
-/// Deterministic for a seed.
+/// with lib/clean, which computes such boundaries. Half of the samples lie in the bounding box,
+/// half close to faces of both meshes, on both sides. Samples on or too close to a surface are
+/// undecided. Deterministic for a seed.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ namespace {
 constexpr int most_iterations = 20;
 constexpr double residual_share = 0.05;
 /// Diagonal entry of L^T L if every vertex has six neighbors. L is the uniform Laplacian; its
-/// column of a vertex has one entry 1 and six entries 1 / 6.
+/// column of a vertex has one entry -1 and six entries 1 / 6.
 constexpr double bending_diagonal = 7.0 / 6;
 constexpr std::size_t vertices_per_task = 4096;
 
