@@ -43,8 +43,7 @@ class Composition {
                                                : mean_on_surface(place, corners, normal);
   }
 
-  /// Returns the source point of a face. The result is exact if the intermediate face and its
-  /// corners come from one face.
+  /// Returns the source point of a face. Exact if the face and its corners come from one face.
   SourcePoint of_face(const SourcePoint& place) const {
     const std::array<SourcePoint, 3> corners = corners_of(place.face);
     const Index own = on_first_.of_faces[place.face].face;
