@@ -19,15 +19,15 @@ struct CleanResult {
   std::size_t new_vertices = 0, copied_vertices = 0;
   /// Patches of a mesh with borders (0 for closed meshes); rays cast to find the exterior.
   std::size_t patches = 0, rays = 0;
-  std::size_t decided_by_number = 0;  ///< patches that a generalized winding number decided
-  double least_margin = 0.5;  ///< least distance of such a number from the decision threshold
+  std::size_t decided_by_number = 0;  ///< patches decided by a generalized winding number
+  double least_margin = 0.5;  ///< least distance of such a number from its rounding threshold
   std::size_t dropped_components = 0;                     ///< components that `outermost` dropped
   std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds of repair; repaired places
   /// Broken faces and intersecting pairs, summed over all rounds of repair.
   std::size_t rounding_faces = 0, rounding_pairs = 0;
   std::size_t rounding_level = 0;  ///< largest number of times that a rounding grid was coarsened
-  /// Bound on the movement of the surface by rounding and repair: input units; and spacings of the
-  /// coordinates at the place.
+  /// Bound on the movement of the surface by rounding and repair, in input units and in spacings of
+  /// the coordinates there.
   double rounding_displacement = 0;
   double rounding_spacings = 0;
   std::size_t merged_faces = 0;        ///< faces that `merge_flat` saved

@@ -22,7 +22,7 @@ namespace transformesh {
 struct UntilRule {
   double least_movement = 0;
   bool is_stalled = false;
-  std::optional<long> components = {}, genus = {};  ///< ends when the mesh has this many
+  std::optional<long> components = {}, genus = {};  ///< ends at this number or genus
 };
 
 /// Ends when no vertex moved by `length`, in input units, or farther.

@@ -44,7 +44,7 @@ struct Topology {
 };
 
 struct IterationResult {
-  std::size_t vertices = 0;  ///< vertices that took the step
+  std::size_t vertices = 0;  ///< number of vertices before the step
   std::size_t faces = 0;     ///< after the iteration
   std::size_t pairs = 0;     ///< intersecting pairs of faces that were removed
   bool was_cleaned = false;  ///< clean() changed the mesh

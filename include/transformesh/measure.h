@@ -21,7 +21,7 @@ Box bounding_box(const Mesh& mesh);
 
 /// Area of one face; 0 if the face is degenerate.
 double face_area(const Mesh& mesh, Index face);
-/// Twice the area times the unit normal.
+/// Returns the unit normal times twice the area.
 Vec3 face_normal(const Mesh& mesh, Index face);
 /// Sum of the areas of all faces.
 double surface_area(const Mesh& mesh);
@@ -39,7 +39,7 @@ EdgeLengths edge_lengths(const Mesh& mesh);
 
 struct Angles {
   double minimum_deg = 0;       ///< smallest angle of any face
-  double minimum_mean_deg = 0;  ///< mean over faces of their smallest angle
+  double minimum_mean_deg = 0;  ///< mean of the smallest angles of all faces
 };
 Angles angles(const Mesh& mesh);
 

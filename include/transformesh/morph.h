@@ -1,9 +1,9 @@
 /// Evolves a surface until it coincides with a target (paper 5.2) by repeating morph_step(),
-/// clean() and remesh(). It merges, splits, and reaches the target's components that it overlaps.
+/// clean() and remesh(). Parts merge and split. Components of the target are reached if overlapped.
 ///
-/// The morph has converged if nothing improves, mesh and target are near each other everywhere, and
-/// their topology is the same; otherwise it has stalled. The final mesh is aligned with sharp edges
-/// and cleaned. Columns are carried. Deterministic for any number of threads.
+/// A morph ends if no measure improves. It has converged if mesh and target are near each other
+/// everywhere and have the same topology; otherwise it has stalled. The final mesh is aligned with
+/// sharp edges and cleaned. Columns are carried. Deterministic for any number of threads.
 #pragma once
 
 #include <functional>
@@ -21,10 +21,10 @@ namespace transformesh {
 enum class Features { automatic, on, off };
 
 struct MorphOptions {
-  MorphStepOptions step;       ///< `gap_edges`: the target's thickness is measured if absent
+  MorphStepOptions step;       ///< with `gap_edges`: missing thickness of the target is measured
   IterationOptions iteration;  ///< `reference_edge` 0: mean edge of the source
   Features features = Features::automatic;
-  int scales = 1;  ///< begin with edges 2^(scales - 1) times as long; 1 to 10
+  int scales = 1;  ///< edges are 2^(scales - 1) times as long at the beginning; 1 to 10
 };
 
 enum class MorphStop { iteration_limit, stalled, converged };

@@ -34,12 +34,13 @@ struct RepairOptions {
 struct RepairStep {
   /// The options of stitch(), fill_holes(), clean() or select().
   std::variant<StitchOptions, FillOptions, CleanOptions, SelectionOptions> operation;
-  std::vector<std::string> findings;          ///< counts and actions, such as "3 holes filled"
-  std::size_t count = 0;                      ///< sum of the counts in `findings`
-  Vec3 place = Vec3::Zero();                  ///< corner of the first face that changed
-  double area_change = 0, volume_change = 0;  ///< value after minus before the step; input units
-  double lost_share = 0;                      ///< fraction of the area of removed faces; [0, 1]
-  Vec3 lost_place = Vec3::Zero();             ///< corner of a removed face
+  std::vector<std::string> findings;  ///< counts and actions, such as "3 holes filled"
+  std::size_t count = 0;              ///< sum of the counts in `findings`
+  Vec3 place = Vec3::Zero();          ///< corner of the first face that changed
+  /// Values after the step minus values before; input units.
+  double area_change = 0, volume_change = 0;
+  double lost_share = 0;           ///< fraction of the area of removed faces; [0, 1]
+  Vec3 lost_place = Vec3::Zero();  ///< corner of a removed face
 };
 
 struct RepairResult {

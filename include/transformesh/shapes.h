@@ -30,7 +30,7 @@ struct ShapeOptions {
   std::optional<double> radius;      ///< radius of a sphere or dented sphere, or of the ring of a
                                      ///< torus or knot; > 0
   std::optional<double> tube;        ///< tube radius of a torus or knot; > 0
-  std::optional<double> gap;         ///< two-spheres, tori; negative: the two overlap
+  std::optional<double> gap;         ///< two-spheres, tori; negative: both parts overlap
   std::optional<double> neck;        ///< radius of a dumbbell's neck; negative: inverted
   std::optional<std::size_t> count;  ///< many-spheres, boxes
   std::optional<double> noise;       ///< amplitude; >= 0; default 0, folded: 38 % of the diagonal
@@ -53,8 +53,8 @@ Mesh make_shape(const ShapeOptions& options, const Progress& progress = {});
 /// Returns the diagonal of the shape's bounding box, estimated from a coarse mesh.
 double shape_diagonal(ShapeOptions options);
 
-/// Returns an icosahedron whose faces are divided into n^2 each (geodesic, class I), n chosen for
-/// `faces` = 20 n^2.
+/// Returns an icosahedron whose faces are divided into n^2 each (geodesic, class I), with n such
+/// that 20 n^2 is about `faces`.
 Mesh make_sphere(const Vec3& center, double radius, std::size_t faces);
 
 }  // namespace transformesh

@@ -19,8 +19,8 @@ struct Target {
   bool has_estimated_normals = false;  ///< normals were computed from neighboring points
   std::vector<double> thickness;       ///< local thickness at each vertex if measured, else empty
   bool has_spatial_order = false;      ///< faces are sorted for quick searches
-  std::vector<std::string> notes;      ///< changes while reading, one line each
-  bool is_prepared = false;            ///< read from a file of a target that was already checked
+  std::vector<std::string> notes;      ///< changes made while reading, one line each
+  bool is_prepared = false;            ///< the target was checked before it was written to its file
 
   bool is_mesh() const { return !mesh.faces.empty(); }
 };

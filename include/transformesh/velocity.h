@@ -1,5 +1,5 @@
-/// Velocities from columns of the mesh, and those of offsetting and of mean-curvature flow.
-/// Cost: O(n log n); deterministic.
+/// Velocities from columns of the mesh, of offsetting, and of mean-curvature flow. Cost: O(n log
+/// n); deterministic.
 #pragma once
 
 #include <optional>
@@ -19,9 +19,9 @@ struct VelocityOptions {
   std::string mask;                        ///< vertex column that multiplies the sum; empty: none
 };
 
-/// Returns the sum of the given velocities, or else of the columns if the mesh has them, and of
-/// those of the two speeds. Throws InputError (no_velocity) if there are none of these, or if a
-/// speed is set and border edges of the mesh coincide. Throws UsageError for a wrong number of
+/// Returns the sum of the velocities of both speeds and of `given`, or else of the columns if the
+/// mesh has them. Throws InputError (no_velocity) if there is neither a velocity nor a speed, or if
+/// a speed is set and border edges of the mesh coincide. Throws UsageError for a wrong number of
 /// velocities.
 std::vector<Vec3> velocities_of(const Mesh& mesh, const VelocityOptions& options);
 

@@ -47,8 +47,8 @@ struct ViewSources {
   bool mirror = false;      ///< the cameras' world is left-handed
   /// Called with notes on how masks were read, and on images and cameras that were left out.
   std::function<void(const std::string& note)> on_note = {};
-  bool needs_all_images = false;  ///< throws if a named image is missing, instead of leaving it out
-  double reduction = 1;  ///< photographs and silhouettes are read so many times smaller, >= 1
+  bool needs_all_images = false;  ///< throw if a named image is missing; else skip its camera
+  double reduction = 1;           ///< factor by which photographs and silhouettes are reduced; >= 1
 };
 
 /// Reads views in the order of the cameras. If the camera file names images, images are paired with
