@@ -21,7 +21,7 @@ namespace transformesh {
 enum class Features { automatic, on, off };
 
 struct MorphOptions {
-  MorphStepOptions step;       ///< with `gap_edges`: missing thickness of the target is measured
+  MorphStepOptions step;       ///< needs no measured thickness: morph() measures it
   IterationOptions iteration;  ///< `reference_edge` 0: mean edge of the source
   Features features = Features::automatic;
   int scales = 1;  ///< edges are 2^(scales - 1) times as long at the beginning; 1 to 10

@@ -52,7 +52,7 @@ struct Arrangement {
   }
 };
 
-/// Reverses the orientation of a piece; updates the `reversed` flags of its sources.
+/// Reverses the orientation of a piece, and updates the `reversed` flags of its sources.
 void reverse_piece(Arrangement& arrangement, Piece& piece);
 
 /// Arranges the welded faces along `meetings`, the sorted meetings of all intersecting pairs.

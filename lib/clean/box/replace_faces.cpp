@@ -26,7 +26,7 @@ class Placing {
   const std::vector<bool>& is_replaced_;
   const CleanedFaces& cleaned_;
   std::vector<bool> is_uncut_;
-  /// Per cleaned vertex: its vertex in the mesh; new ones follow all others.
+  /// Index in the mesh of each cleaned vertex. New vertices follow those of the mesh.
   std::vector<Index> vertex_of_;
   std::vector<bool> is_claimed_;
   std::vector<Index> new_vertices_;  ///< indices of cleaned vertices

@@ -21,7 +21,7 @@ namespace transformesh {
 struct ExteriorArrangement {
   Arrangement arrangement;
   std::vector<char> kept;       ///< per piece
-  std::size_t whole_faces = 0;  ///< faces that take part in no intersection, kept or not
+  std::size_t whole_faces = 0;  ///< faces that take part in no intersection, whether kept or not
   std::size_t rays = 0;
   bool has_surface = false;  ///< false if all coincident faces cancel out
 };

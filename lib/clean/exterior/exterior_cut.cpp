@@ -25,9 +25,9 @@ class ExteriorCutter::FaceCut {
     for (const Index v : cutter.welded_.faces[face_]) corners_.push_back(geometry_.given(v));
   }
 
-  /// Collects the segments. Returns false if a face does more than cross this one.
+  /// Collects the segments. Returns false if another face does more than cross this face.
   bool gather(const Plane& plane);
-  /// Finds points with known w. Returns false if there are none.
+  /// Finds points with known winding number w. Returns false if there are none.
   bool find_known(std::size_t& rays);
   std::optional<PlaneCut> cut();
 

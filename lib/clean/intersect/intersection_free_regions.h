@@ -1,8 +1,9 @@
 /// Finds intersection-free regions: parts of a mesh in which no two faces meet outside shared
 /// corners and edges. No pairs of faces are tested. A region is a disk of faces that all have
 /// positive projected area in one axis direction, and whose projected outline is a simple polygon.
-/// The number of faces above a point is the number of turns of the outline around the point, which
-/// is one. Two parts that touch sideways would have outlines that touch.
+/// The number of faces above a point of the projection is the number of turns of the outline around
+/// the point, which is one. If two parts of the region touched sideways, their outlines would
+/// touch.
 ///
 /// Reference: Volino & Magnenat-Thalmann, "Efficient self-collision detection on smoothly
 /// discretized surface animations using geometrical shape regularity", Computer Graphics Forum
