@@ -17,11 +17,13 @@ struct Assembly {
   Mesh mesh;
   /// For each vertex the input vertex at its position, or no_index.
   std::vector<Index> input_vertex;
-  std::vector<char> vertex_is_new;  ///< per vertex: 1 unless it is an input vertex or a copy of one
-  std::vector<char> face_is_new;    ///< per face: 1 unless it is a whole input face
-  std::vector<Index> source_face;   ///< per face: the input face that it is, or that it is cut from
-  std::size_t copies = 0;           ///< vertices duplicated at singular vertices and edges
-  std::size_t split_edges = 0;      ///< singular edges split at their midpoints
+  /// 1 for each vertex that is neither an input vertex nor a copy of one.
+  std::vector<char> vertex_is_new;
+  std::vector<char> face_is_new;  ///< 1 for each face that is not a whole input face
+  /// For each face the input face that it is, or that it is cut from.
+  std::vector<Index> source_face;
+  std::size_t copies = 0;       ///< vertices duplicated at singular vertices and edges
+  std::size_t split_edges = 0;  ///< singular edges split at their midpoints
 };
 
 /// Assembles the pieces with a nonzero `kept` entry.

@@ -1,5 +1,6 @@
-/// Border edges (edges of one face), with a search for those near a vertex. Vertices are equal if
-/// their indices are. Cost: O(n) to build, O(log n) per query on usual meshes. Deterministic.
+/// Border edges (edges of one face), with a search for border edges near a vertex. Vertices are
+/// equal if their indices are. Cost: O(n) to build, O(log n) per query on usual meshes.
+/// Deterministic.
 #pragma once
 
 #include <functional>

@@ -8,8 +8,8 @@
 
 namespace transformesh {
 
-/// Returns the area divided by the sum of the squared edge lengths, scaled so that it is 1 for an
-/// equilateral triangle. It is 0 for a degenerate triangle.
+/// Returns the area divided by the sum of the squared edge lengths, scaled to 1 for an equilateral
+/// triangle. The roundness of a degenerate triangle is 0.
 inline double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
