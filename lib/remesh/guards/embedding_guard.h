@@ -11,8 +11,8 @@
 ///   neighborhood is one bitwise AND.
 /// - If the first test fails, for example between the two sides of a thin plate, the certificate is
 /// tested with the single faces around the bounding box of the patch.
-/// - If the second test fails too, or if a border or a second component is near, every new triangle
-/// is tested against all triangles nearby and against the other triangles of its patch
+/// - The last test is also used near borders and near a second component. It tests every new
+/// triangle against all triangles nearby and against the other triangles of its patch
 /// (triangle_contact.h).
 ///
 /// The width of cells is proportional to the longest edge, so a cell of a mesh of slivers may have

@@ -62,7 +62,7 @@ std::optional<std::vector<Index>> quick_opposites(const Mesh& mesh) {
     Index larger;  ///< the larger vertex of the edge
     Index next;    ///< next halfedge in the list of the smaller vertex
   };
-  constexpr std::size_t usual_steps = 16;  // per halfedge, on average
+  constexpr std::size_t usual_steps = 16;  // largest mean number of search steps per halfedge
   const auto halfedges = static_cast<Index>(3 * mesh.faces.size());
   std::size_t steps_left = usual_steps * halfedges;
   std::vector<Index> first_at(mesh.positions.size(), no_index);

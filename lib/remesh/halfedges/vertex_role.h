@@ -1,6 +1,6 @@
-/// Roles of vertices, which decide how they may move and merge. A vertex is free inside a smooth
-/// part, bound to a line (a border or a chain of sharp edges), or fixed at a place where lines
-/// meet, end or turn.
+/// Roles of vertices, which decide how they may move and merge. A vertex inside a smooth part is
+/// free. A vertex on a line (a border or a chain of sharp edges) is bound to it. A vertex at which
+/// lines meet, end or turn is fixed.
 #pragma once
 
 #include "remesh/halfedges/editable_mesh.h"
