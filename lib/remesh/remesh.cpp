@@ -50,9 +50,9 @@ constexpr double adaptive_longest = 0.95;
 /// of an evolution, which need no smoothing.
 constexpr int iterations_anew = 3;
 constexpr double usual_feature_angle_deg = 40;
-/// With RemeshOptions::curved, a new vertex leaves its edge by up to a fifth of the length, which
-/// makes edges longer by up to this factor. The guard allows such edges. Without the factor, the
-/// new vertices of the longest edges would stay on the straight edge.
+/// If RemeshOptions::curved is set, a new vertex leaves its edge by up to a fifth of the length,
+/// which makes edges longer by up to this factor. The guard allows such edges. Without the factor,
+/// the new vertices of the longest edges would stay on the straight edge.
 constexpr double lifted_edge = 1.05;
 
 /// Throws InputError if fourth powers of lengths, from which areas are computed, could overflow.

@@ -17,7 +17,7 @@ constexpr double growth = 0.3;
 
 double size_for(double curvature, const SizeBounds& bounds) {
   const double error = bounds.error;
-  // With curvature k and error e, the squared size is 6 e / k - 3 e^2. It is multiplied by k to
+  // The squared size for curvature k and error e is 6 e / k - 3 e^2. The code multiplies it by k to
   // avoid a division by zero.
   const double square_times_curvature = 6 * error - 3 * error * error * curvature;
   if (square_times_curvature <= bounds.shortest * bounds.shortest * curvature)

@@ -8,8 +8,8 @@
 
 namespace transformesh {
 
-/// Parses the whole text as a number; integers in the given base. Returns nothing if the text is
-/// not a number.
+/// Parses the whole text as a number. Integers may have a base. Returns nothing if the text is not
+/// a number.
 template <typename Number, typename... Base>
 std::optional<Number> number_in(std::string_view text, Base... base) {
   Number number{};

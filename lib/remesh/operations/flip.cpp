@@ -88,8 +88,8 @@ void Flipper::count_valences() {
 /// Returns the decrease, by a flip, of the sum of squared deviations from ideal valences. The
 /// arguments are the signed deviations before the flip.
 int deviation_gain(int from, int to, int left, int right) {
-  // With x the deviation, the decrease is x^2 - (x - 1)^2 at each end and x^2 - (x + 1)^2 at each
-  // apex.
+  // If x is a vertex's deviation, the decrease is x^2 - (x - 1)^2 at each end and x^2 - (x + 1)^2
+  // at each apex.
   return 2 * (from + to - left - right) - 4;
 }
 
