@@ -47,7 +47,7 @@ class LocalBoolean {
 
  private:
   struct Change {
-    std::vector<Index> removed;  ///< faces of the solid
+    std::vector<Index> removed;  ///< faces of the solid that are removed
     std::vector<Index> added;    ///< faces of the assembly that are added
     /// For each vertex of the assembly its vertex in the solid, or no_index.
     std::vector<Index> vertex_of;

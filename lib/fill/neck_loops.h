@@ -4,8 +4,8 @@
 ///
 /// Shortest paths are grown from every vertex up to half the length of a loop. If the reached
 /// vertices lie around a neck, the faces between them form a ring instead of a disk. Such a ring
-/// has an edge in neither a tree of paths nor a tree of faces, and this edge closes a loop
-/// (Erickson and Whittlesey, Greedy optimal homotopy and homology generators, SODA 2005).
+/// has an edge in neither a tree of paths nor a tree of faces, and this edge closes a loop.
+/// Reference: Erickson and Whittlesey, Greedy optimal homotopy and homology generators, SODA 2005.
 ///
 /// A loop is around a neck if the surface widens on both sides. The surface on each side is divided
 /// into bands by the distance from the loop, each half the loop's length wide. The surface widens

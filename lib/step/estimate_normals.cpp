@@ -76,7 +76,8 @@ class Orientation {
   }
 
  private:
-  using Candidate = std::tuple<double, Index, Index>;  // cost, to, from
+  // Cost of an edge, its new point, its point in the tree.
+  using Candidate = std::tuple<double, Index, Index>;
 
   void settle(Index point) {
     is_done_[point] = true;

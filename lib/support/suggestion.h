@@ -12,7 +12,8 @@ namespace transformesh {
 /// first of equally near candidates is returned; the result is empty if there is no candidate.
 std::string nearest_name(std::string_view text, const std::vector<std::string>& candidates);
 
-/// True if `name` is a plausible correction of `text`: at most half of the characters are edited.
+/// True if `name` is a plausible correction of `text`: `name` begins with `text`, or needs fewer
+/// edits than half of the characters of `text`.
 bool is_near(std::string_view text, std::string_view name);
 
 }  // namespace transformesh

@@ -53,8 +53,8 @@ class MarkedCells {
 // Returns the i-th sample. Multiples of the golden section modulo 1 are spread evenly for any
 // number of samples.
 Index sampled_face(std::size_t i, std::size_t faces) {
-  constexpr std::uint64_t golden_section =
-      0x9e3779b97f4a7c15ULL;  // the fraction of the golden section, times 2^64
+  // The fraction of the golden section, times 2^64.
+  constexpr std::uint64_t golden_section = 0x9e3779b97f4a7c15ULL;
   const auto share = static_cast<double>(i * golden_section) * 0x1p-64;
   return static_cast<Index>(
       std::min(share * static_cast<double>(faces), static_cast<double>(faces - 1)));

@@ -226,8 +226,8 @@ bool EditableMesh::can_collapse(Index halfedge) const {
 
 /// Returns the number of common neighbors of two adjacent vertices.
 Index EditableMesh::count_common_neighbors(Index from, Index to) const {
-  constexpr std::size_t usual =
-      24;  // number of neighbors that need no allocation; affects time only
+  // Number of neighbors that need no allocation; affects time only.
+  constexpr std::size_t usual = 24;
   std::array<Index, usual> ring;
   std::size_t count = 0;
   for_each_neighbor(to, [&](Index neighbor, Index) {
