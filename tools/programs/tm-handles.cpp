@@ -9,8 +9,8 @@ namespace {
 
 using namespace transformesh;
 
-// Default of --max-length: handles from the noise of scans, and thin webs in reconstructions, have
-// few triangles around. A larger value also removes thin handles of the object.
+// Default of --max-length. Few triangles surround handles from the noise of scans and thin webs in
+// reconstructions. A larger value also removes thin handles of the object.
 constexpr Length short_loop{5, Length::Unit::reference_edge};
 
 struct Choices {

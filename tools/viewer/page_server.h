@@ -17,7 +17,7 @@ struct Answer {
 
 class PageServer {
  public:
-  /// Listens on a port; 0 chooses a free one. Throws GoalError if that fails.
+  /// Listens on a port; 0 chooses a free port. Throws GoalError if listening fails.
   explicit PageServer(int port);
   ~PageServer();
   PageServer(const PageServer&) = delete;

@@ -107,8 +107,8 @@ bool is_utf16(std::string_view bytes) {
     if (bytes[i] == '\0') ++zeros[i % 2];
     if (bytes[i] >= '\t' && bytes[i] <= '~') ++letters[i % 2];
   }
-  constexpr std::size_t half =
-      looked_at / 2;  // number of tested bytes at even places, and at odd places
+  // Number of tested bytes at even places, and at odd places.
+  constexpr std::size_t half = looked_at / 2;
   return (zeros[0] == half && letters[1] == half) || (zeros[1] == half && letters[0] == half);
 }
 

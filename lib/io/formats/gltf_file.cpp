@@ -54,9 +54,8 @@ std::string without_escapes(std::string_view uri) {
 }  // namespace
 
 bool is_gltf_text(std::string_view bytes) {
-  constexpr std::size_t searched =
-      1U
-      << 16U;  // bytes that are searched for `asset`, which writers put first or after a few nodes
+  // Bytes that are searched for `asset`, which writers put first or after a few nodes.
+  constexpr std::size_t searched = 1U << 16U;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || bytes[first] != '{') return false;
   const std::string_view start = bytes.substr(0, searched);

@@ -118,8 +118,8 @@ class MeshReader {
       add_colors(found, columns);
     } else if (key == "TEXCOORD_0" && found.width == 2) {
       add_group({"s", "t"}, found, columns);
-      for (double& value : columns.find("t")->values)
-        value = 1 - value;  // in glTF, v runs downwards
+      // In glTF, v runs downwards.
+      for (double& value : columns.find("t")->values) value = 1 - value;
     } else if (key.starts_with('_') && key.size() > 1 && found.width == 1) {
       const std::string name = column_name(lower_case(key.substr(1)));
       add_group({name.c_str()}, found, columns);

@@ -71,8 +71,8 @@ int orientation(const Point& a, const Point& b, const Point& c) {
   return CGAL::orientation(Exact(a[0], a[1]), Exact(b[0], b[1]), Exact(c[0], c[1]));
 }
 
-/// Tests the triangle fan from the first corner: its triangles must have one orientation in a
-/// projection and an area in space, and it must turn by less than 360 degrees.
+/// Tests the triangle fan from the first corner. Its triangles must have one orientation in a
+/// projection and an area in space. The fan must turn by less than 360 degrees.
 class FanCheck {
  public:
   FanCheck(std::span<const Vec3> positions, const Projection& projected)
