@@ -22,8 +22,8 @@
 namespace transformesh {
 
 struct CheckMeshOptions {
-  bool closed = false;                  ///< a border is a problem
-  bool intersections = false;           ///< a self-intersection is a problem
+  bool closed = false;                  ///< report a border as a problem
+  bool intersections = false;           ///< report a self-intersection as a problem
   const Mesh* certified = nullptr;      ///< the other mesh; if set, no face may lack area
   int winding_level = 1;                ///< level of `certified`; >= 1
   Scalar coordinate = Scalar::float64;  ///< the type in which positions were stored
@@ -35,7 +35,7 @@ struct Certificate {
   std::size_t undecided = 0;
   std::size_t wrong = 0;
   double margin = 0;    ///< bound on how far rounding may have moved a face unnoticed; input units
-  std::string problem;  ///< the first wrong sample, or too many undecided ones; empty if none
+  std::string problem;  ///< the first wrong sample, or too many undecided samples; else empty
 
   double undecided_share() const;
   bool holds() const { return problem.empty(); }
@@ -46,9 +46,10 @@ struct MeshCheck {
   std::size_t degenerate_faces = 0;  ///< faces without area
   std::size_t components = 0;
   long genus = 0;                                      ///< sum over all components
-  std::optional<std::vector<FacePair>> intersections;  ///< set if searched for
+  std::optional<std::vector<FacePair>> intersections;  ///< set if they were searched
   std::optional<Certificate> certificate;              ///< set if there was another mesh
-  std::vector<Problem> problems;  ///< ordered: manifold, intersections, closedness, area, winding
+  /// In this order: manifold, intersections, closedness, area, winding.
+  std::vector<Problem> problems;
 };
 
 /// Checks a mesh. Throws UsageError for a winding level below 1.

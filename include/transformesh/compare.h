@@ -30,7 +30,7 @@ struct Comparison {
   double completeness = 0;  ///< fraction of the reference within `distance` of the mesh; [0, 1]
   double mean = 0;          ///< mean of the mean distances in both directions
   double rms = 0;           ///< root of the mean of the mean squared distances in both directions
-  double hausdorff = 0;     ///< the larger of the following two
+  double hausdorff = 0;     ///< larger of the following two distances
   double hausdorff_to_reference = 0;    ///< largest distance from the mesh to the reference
   double hausdorff_from_reference = 0;  ///< largest distance from the reference to the mesh
   double volume_difference = 0;         ///< volume of the mesh minus that of the reference

@@ -39,7 +39,7 @@ struct DecimateResult {
   double error_bound = 0;    ///< bound on the distance between both surfaces; 0 without `error`
   std::size_t kept_out = 0;  ///< collapses refused because of `keep_out`
   std::size_t near_keep_out = 0;  ///< input faces that are nearer to `keep_out` than its gap
-  StaleColumns columns;           ///< normals, and lists of texture coordinates, as in remesh()
+  StaleColumns columns;           ///< normals and texture coordinates are treated as in remesh()
 };
 
 /// Throws UsageError for options out of range, and InputError if the mesh is no oriented manifold

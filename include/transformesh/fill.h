@@ -33,13 +33,13 @@ struct FillOptions {
 
 /// A hole that stays open.
 struct OpenHole {
-  Index vertex = 0;       ///< a vertex on its border
-  std::size_t edges = 0;  ///< edges of its border
-  double length = 0;      ///< length of its border; input units
+  Index vertex = 0;       ///< a vertex on the border of the hole
+  std::size_t edges = 0;  ///< number of edges of the border
+  double length = 0;      ///< length of the border; input units
 };
 
 struct FillResult {
-  std::size_t holes = 0;    ///< holes of the input
+  std::size_t holes = 0;    ///< number of holes of the input
   std::size_t faired = 0;   ///< holes closed by a faired patch
   std::size_t refined = 0;  ///< holes closed by a refined patch that is not faired
   std::size_t plain = 0;    ///< holes closed by a patch without new vertices

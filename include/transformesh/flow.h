@@ -31,8 +31,8 @@ struct FlowOptions {
   std::optional<double> period = {};       ///< > 0; default: rotation 1, vortex 8, deformation 3
   std::optional<Vec3> center = {};         ///< default (.5, .5, .5), the center of the unit cube
   std::optional<Vec3> direction = {};      ///< rotation: axis, z; translation: x; any length > 0
-  std::optional<std::string> column = {};  ///< normal: vertex column of speeds
-  std::vector<FlowGrid> grids = {};        ///< grid: velocities; normal: speeds; any order
+  std::optional<std::string> column = {};  ///< flow `normal`: vertex column of speeds
+  std::vector<FlowGrid> grids = {};        ///< flow `grid`: velocities; `normal`: speeds
 };
 
 struct FlowKind {

@@ -22,7 +22,7 @@ struct RecordOptions {
   bool restart = false;    ///< delete the state of an interrupted run and begin again
   std::string frames;      ///< folder for frame-00000.ply and so on; empty meshes are not written
   std::size_t every = 10;  ///< iterations from one frame to the next
-  std::string csv;         ///< CSV file
+  std::string csv;         ///< CSV file with a row for each iteration
   std::string events;      ///< CSV file of the events (events.h) of loops that find them
   bool is_alone = false;   ///< fail if another process uses the state
   bool keep_state_at_end = false;  ///< the caller calls remove_state() after saving the result

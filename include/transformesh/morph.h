@@ -21,7 +21,7 @@ namespace transformesh {
 enum class Features { automatic, on, off };
 
 struct MorphOptions {
-  MorphStepOptions step;       ///< needs no measured thickness: morph() measures it
+  MorphStepOptions step;       ///< morph() measures the target's thickness if `gap_edges` needs it
   IterationOptions iteration;  ///< `reference_edge` 0: mean edge of the source
   Features features = Features::automatic;
   int scales = 1;  ///< edges are 2^(scales - 1) times as long at the beginning; 1 to 10
@@ -30,7 +30,7 @@ struct MorphOptions {
 enum class MorphStop { iteration_limit, stalled, converged };
 struct MorphResult {
   MorphStop stop = MorphStop::iteration_limit;
-  std::size_t iterations = 0;  ///< including earlier runs
+  std::size_t iterations = 0;  ///< number of iterations, including earlier runs
   Topology topology;
   std::optional<Topology> expected;  ///< target's topology without cavities, if known
   std::size_t left_out = 0;          ///< components of the target that are cavities or inside them

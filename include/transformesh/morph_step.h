@@ -17,7 +17,7 @@
 
 namespace transformesh {
 
-/// Definition of phi(p).
+/// Definition of the signed distance phi(p).
 enum class MorphDistance {
   surface,  ///< distance to the closest point of the target's faces
   vertex,   ///< ((q - p) . n) for the nearest vertex q and its normal n, as in the paper; needs a

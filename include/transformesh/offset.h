@@ -17,9 +17,9 @@
 namespace transformesh {
 
 struct OffsetOptions {
-  double distance = 0;           ///< input units; negative: inwards; not 0
+  double distance = 0;           ///< distance of the offset; input units; negative: inwards; not 0
   double edge = 0;               ///< edges are 0.7 to 1.5 times this; input units; 0: offset_edge()
-  std::size_t iterations = 500;  ///< limit
+  std::size_t iterations = 500;  ///< limit of iterations
 };
 
 /// Deviation of the result from the true offset, at sample points of both surfaces. Input units.

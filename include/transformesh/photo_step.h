@@ -15,7 +15,7 @@ enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient`: the paper
 enum class PairOrder { both, rising, falling };       ///< rising: the reference has the lower index
 
 struct CorrelationOptions {    ///< comparison of windows by normalized cross-correlation cc
-  int radius = 3;              ///< pixels; 1 to 5
+  int radius = 3;              ///< radius of windows; pixels; 1 to 5
   double noise_variance = 25;  ///< added to both variances; squared intensities; > 0
   double contrast = 25;        ///< variance at which a window has weight 1/2; 0: equal weights
   double robust = 0;  ///< value of 1 - cc that reduces a window's pull to 1/4; 0: no reduction

@@ -25,7 +25,7 @@ namespace transformesh {
 /// A connected set of vertices with a doubt above 0.5.
 struct DoubtfulPlace {
   Vec3 center = Vec3::Zero();
-  double area = 0;       ///< squared pixels, >= 25
+  double area = 0;       ///< area of the place in squared pixels, >= 25
   bool is_thin = false;  ///< most of the place has an opposite sheet within six pixels
 };
 
@@ -45,7 +45,7 @@ struct ReconstructionResult {
   double disagreement = 0;      ///< mean disagreement of photographs beyond noise; [0, 1]
   double noise_floor = 0;       ///< mean dissimilarity that noise explains
   double doubtful = 0;          ///< fraction of the observed area in doubtful places
-  std::vector<DoubtfulPlace> doubtful_places;  ///< the largest first
+  std::vector<DoubtfulPlace> doubtful_places;  ///< doubtful places, the largest first
 };
 
 /// Reconstructs into `document`, which contains the initial mesh if one is given. Views without

@@ -21,7 +21,8 @@
 namespace transformesh {
 
 enum class Smoothing { none, tangential, laplace, bilaplace };
-enum class FlipRule { none, valence, angle };  ///< prefers valence 6; maximizes the least angle
+/// `valence`: towards 6; `angle`: larger least angles.
+enum class FlipRule { none, valence, angle };
 
 struct RemeshOptions {
   double min_edge = 0;        ///< shorter edges are collapsed; input units, > 0
@@ -34,7 +35,7 @@ struct RemeshOptions {
   Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
   double smooth_first = 0;                      ///< b in v - b dv, or b1; in [0, 1]
   double smooth_second = 0;        ///< b2 in v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
-  double feature_angle_deg = 180;  ///< sharper edges stay; [0, 180]; 0: 40 if there are any
+  double feature_angle_deg = 180;  ///< sharper edges stay; [0, 180]; 0: 40 if edges are sharp
   bool keep_border = false;        ///< border vertices and edges stay
   bool project = false;            ///< move relaxed vertices onto the input surface
   bool curved = false;             ///< new vertices lie on quadrics or cubics, as described above

@@ -24,7 +24,7 @@
 namespace transformesh {
 
 struct RepairOptions {
-  bool keep_open = false;  ///< fill no holes
+  bool keep_open = false;  ///< leave holes open
   /// Largest distance of the result from the surface of the input; input units; > 0.
   double max_change = std::numeric_limits<double>::infinity();
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
@@ -48,8 +48,8 @@ struct RepairResult {
   std::vector<RepairStep> steps;  ///< empty if the input is a solid
   bool same_triangles = false;    ///< nothing was done, or only vertices were joined
   double crack_width = 0;         ///< largest distance between the sides of cracks; input units
-  double area_before = 0, area_after = 0;      ///< input units squared
-  double volume_before = 0, volume_after = 0;  ///< closed components only; input units cubed
+  double area_before = 0, area_after = 0;      ///< in squared input units
+  double volume_before = 0, volume_after = 0;  ///< of closed components; in cubic input units
 };
 
 RepairResult repair(const Mesh& mesh, const RepairOptions& options = {},

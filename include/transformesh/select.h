@@ -19,7 +19,7 @@ namespace transformesh {
 
 /// Conditions on faces. Conditions that are not set hold for every face.
 struct SelectionOptions {
-  std::optional<std::size_t> largest;       ///< number of components to keep, largest first
+  std::optional<std::size_t> largest;       ///< number of the largest components to keep
   double at_least = 0;                      ///< least size of a component; 0: any size
   ComponentSize by = ComponentSize::faces;  ///< measure of the size of a component
   /// `COLUMN OP NUMBER`, with OP one of < <= = != >= >. COLUMN is a face column, else a vertex

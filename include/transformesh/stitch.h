@@ -38,7 +38,7 @@ struct StitchOptions {
 };
 
 struct StitchResult {
-  std::size_t joined_vertices = 0;  ///< positions that several vertices had
+  std::size_t joined_vertices = 0;  ///< positions that more than one input vertex had
   std::size_t copied_vertices = 0;  ///< duplicates made at singular vertices, edges, triangles
   std::size_t split_borders = 0;    ///< border edges split by `tolerance` at vertices near them
   std::size_t split_edges = 0;      ///< singular edges split in the middle

@@ -15,7 +15,7 @@ namespace transformesh {
 struct Target {
   Mesh mesh;
   std::vector<Vec3>
-      normals;  ///< one per point, of unit length or zero; empty for a mesh with faces
+      normals;  ///< normal of each point, of unit length or zero; empty for a mesh with faces
   bool has_estimated_normals = false;  ///< normals were computed from neighboring points
   std::vector<double> thickness;       ///< local thickness at each vertex if measured, else empty
   bool has_spatial_order = false;      ///< faces are sorted for quick searches

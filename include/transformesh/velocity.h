@@ -13,10 +13,12 @@
 namespace transformesh {
 
 struct VelocityOptions {
-  std::optional<std::vector<Vec3>> given;  ///< replaces the columns vx, vy and vz
-  std::optional<double> normal_speed;      ///< input units per time; negative: inwards
-  double curvature_speed = 0;              ///< squared input units per time
-  std::string mask;                        ///< vertex column that multiplies the sum; empty: none
+  std::optional<std::vector<Vec3>> given;  ///< velocities instead of the columns vx, vy and vz
+  /// Speed along normals; input units per time; negative: inwards.
+  std::optional<double> normal_speed;
+  /// Factor of mean curvature; squared input units per time.
+  double curvature_speed = 0;
+  std::string mask;  ///< vertex column that multiplies the sum; empty: none
 };
 
 /// Returns the sum of the velocities of both speeds and of `given`, or else of the columns if the

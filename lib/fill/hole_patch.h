@@ -26,7 +26,7 @@ inline constexpr std::size_t most_edges_of_all = 200;
 struct HolePatch {
   PatchKind kind = PatchKind::plain;
   std::vector<Vec3> points;  ///< new points; indexed after the vertices of the mesh
-  std::vector<Face> faces;   ///< oriented as the faces around the hole
+  std::vector<Face> faces;   ///< faces, oriented like the faces around the hole
 };
 
 struct HolePatches {

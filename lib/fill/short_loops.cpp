@@ -52,7 +52,7 @@ class Paths {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
-// Paths longer than half the best loop cannot close a shorter one.
+// Paths longer than half of the best loop cannot close a shorter loop.
 Paths::Paths(const Surface& surface, Index base, double max_length)
     : surface_(surface), shortest_(max_length) {
   reached_[base] = {};

@@ -35,7 +35,7 @@ class SlitClearance {
 
   const Mesh& mesh_;
   const HalfedgeStars& stars_;
-  Bvh faces_;  ///< built at the first call of is_free()
+  Bvh faces_;  ///< tree of the faces, built at the first call of is_free()
   std::vector<std::vector<Triangle>> taken_;
 };
 

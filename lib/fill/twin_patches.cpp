@@ -41,7 +41,7 @@ bool has_chord(const HolePatch& patch, const SlitSides& sides) {
   return false;
 }
 
-/// Replaces vertex indices of the neighborhood by those of the whole mesh.
+/// Replaces vertex indices of the neighborhood by vertex indices of the whole mesh.
 void rename(HolePatch& patch, const HoleNeighborhood& part, std::size_t vertices) {
   const auto known = static_cast<Index>(part.vertices.size());
   for (Face& face : patch.faces)

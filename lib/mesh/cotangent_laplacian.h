@@ -29,7 +29,7 @@ struct CotangentLaplacian {
     double weight = 0;  ///< sum of the cotangents opposite of the edge
   };
 
-  std::vector<WeightedEdge> edges;  ///< in the order of Edges
+  std::vector<WeightedEdge> edges;  ///< edges with weights, in the order of Edges
   /// Mixed area of each vertex; 0 if no face at the vertex has an area.
   std::vector<double> areas;
   std::vector<char> is_border;  ///< 1 for each vertex at an edge of only one face

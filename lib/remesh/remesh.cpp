@@ -34,7 +34,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_faces = 500e6;  ///< chosen by hand, to limit memory
+constexpr double most_faces = 500e6;  ///< largest number of faces; chosen by hand, to limit memory
 /// Largest extent at which squares of areas are below the largest double.
 constexpr double largest_extent = 1e75;
 /// If edges are far too short, they are collapsed in stages. Each stage collapses edges shorter
@@ -133,12 +133,12 @@ bool survey_faces(const EditableMesh& mesh, double max_edge) {
   return has_degenerate;
 }
 
-/// The data that all iterations share.
+/// Data that all iterations of one call share.
 struct Task {
   EditableMesh& mesh;
   const RemeshOptions& options;
   EdgeLimits limits;
-  const ClosestPointQuery* surface;  ///< projection target, or null
+  const ClosestPointQuery* surface;  ///< surface onto which vertices are projected, or null
   const KeepOut* keep_out;
   const Progress& progress;
   RemeshResult& result;

@@ -36,7 +36,7 @@ struct MorphVelocityOptions {
 };
 
 struct MorphVelocities {
-  std::vector<Vec3> velocities;  ///< one per vertex of the mesh
+  std::vector<Vec3> velocities;  ///< velocity of each vertex of the mesh
   DistanceSummary to_target;     ///< summary of |phi| over the vertices of the mesh
   /// Thickness of the target at the face or vertex closest to each vertex; infinity beyond
   /// `exact_within`. Empty if the target's thickness is not measured.

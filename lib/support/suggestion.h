@@ -1,4 +1,4 @@
-/// Suggests a name for a misspelled one.
+/// Suggests a name in place of a misspelled name.
 #pragma once
 
 #include <string>

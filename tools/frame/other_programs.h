@@ -12,7 +12,7 @@ struct OtherProgram {
   std::string_view command;  ///< program with this option, and the name of its option if it differs
 };
 
-/// All rows, sorted by option.
+/// Table of such options, sorted by option.
 extern const std::array<OtherProgram, 30> other_programs;
 
 /// Returns the program that has this option or an equivalent option. Returns an empty text if there

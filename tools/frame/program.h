@@ -16,7 +16,7 @@ class Run;
 /// The exit codes of all programs. A signal gives 128 plus its number. The codes 124 to 127 and 137
 /// are not used, because `timeout` and the shell use them.
 enum ExitCode {
-  exit_done = 0,  ///< success; for a predicate: yes
+  exit_done = 0,  ///< success, or a predicate's positive answer
   /// A predicate's negative answer, or an evolution that must converge did not converge.
   exit_no = 1,
   exit_usage = 2,
@@ -30,10 +30,10 @@ enum ExitCode {
 enum class Reads {
   nothing,  ///< no arguments
   words,    ///< any number of words; no input is read
-  mesh,     ///< at most one mesh; stdin if none is named
-  meshes,   ///< any number of meshes; stdin if none is named
-  file,     ///< at most one file, which the body reads; stdin if none is named
-  files     ///< any number of files, which the body reads; stdin if none is named
+  mesh,     ///< at most one mesh; stdin if no mesh is named
+  meshes,   ///< any number of meshes; stdin if no mesh is named
+  file,     ///< at most one file, which the body reads; stdin if no file is named
+  files     ///< any number of files, which the body reads; stdin if no file is named
 };
 
 /// Treatment of soups: meshes whose faces meet but share no vertices (touching_borders.h).
@@ -69,7 +69,7 @@ enum class Writes {
   mesh,
   evolved_mesh,  ///< result of an evolution: always PLY, whatever the input's format
   picture,       ///< binary data, which are not written to a terminal
-  page,          ///< HTML
+  page,          ///< an HTML page
   text,
   report,  ///< `key: value` lines, or JSON with --json
   answer   ///< a report; the exit code is 1 for a negative answer
@@ -107,7 +107,7 @@ struct Program {
   std::string epilog = {};   ///< shown after the options: formulas, pipelines
   std::string example = {};  ///< a complete command, shown at the end of the help
   OptionSet options = {};
-  CommonValues common = CommonValues();  // {} would make GCC 12 warn
+  CommonValues common = CommonValues();  // explicit, because GCC 12 warns about {}
   /// Called after parsing, to derive some options from others. May throw UsageError.
   std::function<void()> settle = {};
   std::string word = {};                  ///< the command (WordRules::choices); may be empty

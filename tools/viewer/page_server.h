@@ -11,7 +11,7 @@
 namespace transformesh::tool {
 
 struct Answer {
-  std::string type;  ///< media type
+  std::string type;  ///< media type of the content
   std::string body;
 };
 

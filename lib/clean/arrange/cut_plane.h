@@ -37,7 +37,7 @@ struct PlaneCut {
   /// listed.
   std::vector<PieceSource> sources;
   std::vector<Index> numbers;  ///< for each facet its index in `PlaneFacets`
-  /// One entry per facet; empty if all faces are closed.
+  /// Classification of each facet; empty if all faces are closed.
   std::vector<OpenFacet> open{};
 };
 

@@ -22,7 +22,7 @@ namespace transformesh {
 class PlanarTriangulation {
  public:
   struct Facet {
-    std::array<Index, 3> v;     ///< points, counter-clockwise in the projection
+    std::array<Index, 3> v;     ///< corners, counter-clockwise in the projection
     std::array<Index, 3> next;  ///< facet across the edge from v[i] to v[i + 1], or no_index
     std::array<Index, 3> line;  ///< list of the constraints on the edge from v[i], or no_index
   };

@@ -61,7 +61,7 @@ class BoxPart {
   const CleanOptions& options_;
   const Progress& progress_;
   CellGrid grid_;
-  std::vector<bool> is_complete_;  ///< per face of the mesh
+  std::vector<bool> is_complete_;  ///< true for each complete face of the mesh
   CellMarks covered_;              ///< cells of the complete faces and of the rings around them
   Box own_box_;  ///< bounding box of the first vertices of own faces, with a margin
   BoxSubmesh part_;

@@ -33,7 +33,7 @@ struct FaceSide {
   int side = 1;
 };
 
-/// Both meshes, scaled such that products of coordinates neither overflow nor underflow.
+/// Input and output, scaled such that products of coordinates neither overflow nor underflow.
 struct Meshes {
   Mesh input, output;
   double unit = 1;  ///< length of one scaled unit in input coordinates; a power of two

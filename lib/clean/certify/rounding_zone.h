@@ -35,7 +35,7 @@ class RoundingZone {
 
  private:
   std::vector<Triangle> triangles_;
-  std::vector<Vec3> margins_;  ///< per triangle
+  std::vector<Vec3> margins_;  ///< margins of each triangle along the axes
   Bvh bvh_;                    ///< boxes around triangles and their margins
 };
 

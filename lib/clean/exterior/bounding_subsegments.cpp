@@ -194,9 +194,9 @@ bool BoundingSubsegments::spread_over(const Crossing& crossing) {
   const std::optional<int> here = crossings_.change_before(crossing),
                            beyond = crossings_.change_before(*back);
   if (!here || !beyond) return false;
-  int w = left_[s] + *here;  // left of s, on the side of `other` at which s starts
-  if (crossing.side < 0) w -= segment(other).jump;  // left of both segments
-  // Left of `other`, on the side of s at which `other` starts.
+  int w = left_[s] + *here;  // w to the left of s, on the side of `other` at which s starts
+  if (crossing.side < 0) w -= segment(other).jump;  // w to the left of both segments
+  // Now w to the left of `other`, on the side of s at which `other` starts.
   if (back->side < 0) w += segment(s).jump;
   return visit(other, w - *beyond);
 }

@@ -25,7 +25,7 @@ Problem nothing_kept(const WeldedMesh& welded, bool has_surface, int winding_lev
 /// considered). Drops components that bound cavities, and components inside cavities. Returns the
 /// number of dropped components.
 std::size_t drop_enclosed_components(Mesh& mesh);
-/// Uses precomputed components of `mesh`.
+/// Does the same with the known components of `mesh`.
 std::size_t drop_enclosed_components(Mesh& mesh, const Components& components);
 
 }  // namespace transformesh

@@ -135,7 +135,7 @@ class ExteriorArranger {
   Planes planes_;
   WindingJumps jumps_;
   RegionGrowingWinding windings_;
-  std::vector<char> is_visible_;  ///< per plane: 1 if it is cut
+  std::vector<char> is_visible_;  ///< 1 for each plane that is cut
   RayCastFrontWinding ray_;
   std::atomic<std::size_t> rays_;
   std::atomic<bool> has_surface_ = false;

@@ -39,7 +39,7 @@ class RegionGrowingWinding {
   /// Changes of the winding number w in front along the edges of a cut face.
   struct CutFace {
     std::array<int, 3> along{};    ///< change of w from corner i to the next corner
-    std::array<bool, 3> is_met{};  ///< other faces meet corner i
+    std::array<bool, 3> is_met{};  ///< true if other faces meet corner i
   };
 
   CutFace trace(const Plane& plane) const;

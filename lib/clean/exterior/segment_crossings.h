@@ -29,7 +29,8 @@ struct SegmentsInFace {
   Index face = no_index;
   PlaneProjection projection;      ///< projection in which the face is counter-clockwise
   std::vector<ExactPoint> points;  ///< ends of the segments
-  std::vector<Index> edge_of;  ///< per point: the edge of the face that contains it, or no_index
+  /// For each point the edge of the face that contains it, or no_index.
+  std::vector<Index> edge_of;
   std::vector<PlanarSegment> segments;
 
   bool is_corner(Index p) const {
@@ -91,8 +92,9 @@ class SegmentCrossings {
 
   const ExactGeometry& geometry_;
   const SegmentsInFace& in_;
-  std::vector<Eigen::AlignedBox2d> boxes_;   ///< per segment
-  std::vector<Crossing> found_, crossings_;  ///< in order of detection; sorted by segment
+  std::vector<Eigen::AlignedBox2d> boxes_;  ///< projected box of each segment
+  /// Crossings in order of detection; crossings sorted by segment.
+  std::vector<Crossing> found_, crossings_;
   std::vector<Index> first_;
   /// Planes of the intersecting faces, each computed on demand.
   mutable std::vector<std::optional<ExactPlane>> planes_;

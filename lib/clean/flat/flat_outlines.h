@@ -21,7 +21,7 @@ namespace transformesh {
 struct FlatSurface {
   const Mesh& mesh;
   std::span<const Index> opposites;
-  std::span<const char> has_copy;  ///< per vertex: 1 if another vertex has its position
+  std::span<const char> has_copy;  ///< 1 for each vertex with the position of another vertex
   double spacings;                 ///< tolerance in spacings of type `coordinate`
   Scalar coordinate;
 };

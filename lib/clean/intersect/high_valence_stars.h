@@ -40,7 +40,7 @@ class HighValenceStars {
     PlaneProjection projection;
     std::vector<Index> faces;
     std::vector<Index> rim;     ///< for each face its first corner after the center
-    std::vector<char> is_late;  ///< per face: 1 if the angle from rim[0] is pi or more
+    std::vector<char> is_late;  ///< 1 for each face at an angle of pi or more from rim[0]
     FloatBox box;
   };
   /// A range of `count` sectors from `first` on, modulo the number of sectors.

@@ -19,7 +19,7 @@ namespace transformesh {
 
 struct IntersectionFreeRegions {
   std::vector<Index> of_face;  ///< region of each face, or no_index
-  std::vector<char> is_seam;   ///< per point: 1 unless all faces around it are in one region
+  std::vector<char> is_seam;   ///< 1 for each point whose faces are not all in one region
 };
 
 /// Finds the regions. O(n log n) time for sorting outlines, usually O(n); deterministic.

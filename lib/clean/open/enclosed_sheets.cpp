@@ -19,7 +19,7 @@ class Sheets {
   /// Keeps a reference to `welded`.
   explicit Sheets(const WeldedMesh& welded);
 
-  std::vector<Index> sheet_of;  ///< per face: the first face of its sheet
+  std::vector<Index> sheet_of;  ///< for each face the first face of its sheet
   /// Returns the number of forward minus backward faces along an edge, without the faces in
   /// `left_out`.
   int sum_along(std::size_t edge, const std::vector<char>& left_out) const;

@@ -29,7 +29,7 @@
 namespace transformesh {
 
 struct OpenPatches {
-  std::vector<char> kept;             ///< per piece: 1 if it is exterior
+  std::vector<char> kept;             ///< 1 for each exterior piece
   std::size_t patches = 0;            ///< number of patches
   std::size_t decided_by_number = 0;  ///< patches for which a generalized winding number was needed
   /// Least distance of a generalized winding number from the value at which its rounding changes.

@@ -23,7 +23,7 @@ struct Displacement {
     spacings = std::max(spacings, other.spacings);
     length = std::max(length, other.length);
   }
-  /// Adds a movement that follows the previous ones: takes the sum.
+  /// Adds a movement that follows the earlier movements: takes the sum.
   Displacement& operator+=(const Displacement& next) {
     spacings += next.spacings;
     length += next.length;

@@ -109,7 +109,7 @@ class SnapRounder {
   Progress repair_progress_;  ///< reports the phases of further clean passes as repair
   Assembly assembly_;
   VertexGrids grids_;
-  std::vector<char> is_broken_;    ///< per input face: 1 if rounding broke a part of it
+  std::vector<char> is_broken_;    ///< 1 for each input face of which rounding broke a part
   std::size_t broken_before_ = 0;  ///< broken faces of the previous round; 0 if there was none
   bool is_restarted_ = false;
   std::optional<Vec3> place_;  ///< a corner of the first broken face

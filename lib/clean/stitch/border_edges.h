@@ -18,7 +18,7 @@ class BorderEdges {
   explicit BorderEdges(const Mesh& mesh);
 
   const std::vector<Index>& halfedges() const { return halfedges_; }
-  /// The vertices of the border edges, ascending.
+  /// Returns the vertices of the border edges, ascending.
   const std::vector<Index>& vertices() const { return vertices_; }
 
   /// A border halfedge near a vertex, with the parameter of the nearest point along it, in [0, 1].

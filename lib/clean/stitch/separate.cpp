@@ -20,7 +20,7 @@ constexpr int most_halvings = 10;
 struct Cone {
   struct Side {
     Vec3 first, second;  ///< unit vectors along the two edges
-    Vec3 normal;         ///< unit normal
+    Vec3 normal;         ///< unit normal of the face
   };
   std::vector<Side> sides;
   Vec3 normal = Vec3::Zero();  ///< unit mean of the normals, weighted by angle
@@ -281,7 +281,7 @@ class Separator {
   VertexFaces faces_at_;
   std::vector<char> is_border_;
   std::vector<char> was_moved_;
-  Bvh bvh_;  ///< built from the initial positions
+  Bvh bvh_;  ///< tree of the faces, built from the initial positions
   /// Try both directions of the normal and of the axis, because no side could be determined.
   bool tries_all_ = false;
   /// Upper bound of the distance of any vertex from its first position, including the next step.

@@ -10,7 +10,7 @@
 
 namespace transformesh {
 
-/// Result of the splits. Indices of faces are those before splitting.
+/// Result of the splits. Indices of faces are the indices before splitting.
 struct EdgeSplits {
   struct Midpoint {
     Index face;                 ///< a face that contains the midpoint

@@ -72,7 +72,7 @@ class HeapWeld {
   using Key = std::array<double, 3>;
   struct Cell {
     std::vector<Index> points;
-    std::unique_ptr<KdTree> tree;  ///< built on demand
+    std::unique_ptr<KdTree> tree;  ///< tree of the cell's points, built on demand
   };
   using Place = std::map<Key, Cell>::iterator;
 

@@ -28,7 +28,8 @@ constexpr Index rings = rings_of_complete + rings_around_complete;
 /// Width of a coarse cell, in cells. With 4 or 16, tiles of a million folded faces are the same,
 /// and the time differs by less than a tenth.
 constexpr double cells_per_coarse_cell = 8;
-constexpr std::size_t faces_per_report = std::size_t{1} << 16;  ///< interval of progress reports
+/// Number of faces between two reports of progress.
+constexpr std::size_t faces_per_report = std::size_t{1} << 16;
 
 class Splitter {
  public:
@@ -285,7 +286,7 @@ SplitResult split_tiles(const PlyRows& rows, std::size_t count, const std::strin
   try {
     return Splitter(rows, count, folder, progress).split();
   } catch (...) {
-    std::error_code ignored;  // a folder that is not empty stays
+    std::error_code ignored;  // the error that the folder is not empty is ignored
     std::filesystem::remove(folder, ignored);
     throw;
   }

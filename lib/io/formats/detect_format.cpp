@@ -23,7 +23,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t stl_header_size = 84;  ///< bytes: 80 bytes of text and the count of facets
-constexpr std::size_t stl_facet_size = 50;   ///< 12 floats and a 16-bit attribute
+constexpr std::size_t stl_facet_size = 50;   ///< bytes of 12 floats and a 16-bit attribute
 
 std::string lower_case(std::string_view text) {
   std::string result(text);

@@ -21,8 +21,8 @@ constexpr TextRows::Rules rules{'#', false};
 struct Field {
   std::string name;
   char kind = 'F';             ///< kind of number: F floating, I signed, U unsigned
-  std::size_t bytes = 4;       ///< size of a number
-  std::size_t count = 1;       ///< numbers per point
+  std::size_t bytes = 4;       ///< size of a value in bytes
+  std::size_t count = 1;       ///< number of values for each point
   std::size_t offset = 0;      ///< offset of the first number in a point; bytes
   std::vector<double> values;  ///< the first number of each point
 

@@ -19,7 +19,7 @@ struct OutProperty {
   std::optional<Scalar> count_type;
   const double* values = nullptr;  ///< values of the rows, `step` apart; or all lists, concatenated
   std::size_t step = 1;
-  const std::size_t* offsets = nullptr;  ///< starts of the lists
+  const std::size_t* offsets = nullptr;  ///< start of each row's list in `values`
   const Face* faces = nullptr;           ///< corners of the faces, used instead of `values`
 };
 

@@ -12,9 +12,9 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t header_size = 80;   ///< bytes of text
+constexpr std::size_t header_size = 80;   ///< size of the header: 80 bytes of text
 constexpr std::size_t facets_start = 84;  ///< offset of the facets, after the header and the count
-constexpr std::size_t facet_size = 50;    ///< 12 floats and a 16-bit attribute
+constexpr std::size_t facet_size = 50;    ///< bytes of 12 floats and a 16-bit attribute
 /// Limit, because each facet has three new vertices.
 constexpr std::size_t most_facets = no_index / 3;
 

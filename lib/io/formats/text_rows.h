@@ -80,8 +80,8 @@ class TextRows {
   const Source* source_;
   Rules rules_;
   char terminator_;
-  const char* place_;     ///< last word or number, for messages
-  const char* next_;      ///< rest of the row
+  const char* place_;     ///< start of the last word or number, for messages
+  const char* next_;      ///< start of the unread rest of the row
   const char* row_end_;   ///< end of the row, before a comment
   const char* line_end_;  ///< end of the text line
 };

@@ -31,7 +31,7 @@ struct VtkPiece {
   VtkCells polygons;
   VtkCells strips;
   std::size_t cells = 0;        ///< number of cells of all kinds
-  std::size_t other_cells = 0;  ///< lines and volume cells
+  std::size_t other_cells = 0;  ///< number of lines and volume cells, which are not read
   std::vector<VtkArray> point_arrays;
   std::vector<VtkArray> cell_arrays;
 };

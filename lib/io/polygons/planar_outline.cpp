@@ -137,7 +137,7 @@ class OutlineTriangulation {
     return parts;
   }
 
-  /// Returns true if no edges intersect and few pass through other corners.
+  /// Returns true if no edges intersect and few edges pass through other corners.
   bool insert_edges() {
     std::size_t touches = 0;
     for (std::size_t place = 0; place < outline_.size(); ++place) {

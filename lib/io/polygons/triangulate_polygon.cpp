@@ -101,7 +101,7 @@ class FanCheck {
     if (turn != 0 && turn != sign_) return false;
     last_ = corner;
     const int side = sign_ * orientation(apex_, *first_, corner);
-    if (is_beyond_half_ && side >= 0) return false;  // more than 360 degrees
+    if (is_beyond_half_ && side >= 0) return false;  // the fan turns by more than 360 degrees
     is_beyond_half_ = side < 0;
     return true;
   }

@@ -49,7 +49,7 @@ class AtomicFile {
   bool is_direct_;
   std::string bytes_;      ///< bytes to be written directly by commit()
   std::string temporary_;  ///< name of the temporary file; empty if there is none
-  int descriptor_ = -1;    ///< open while bytes are appended
+  int descriptor_ = -1;    ///< descriptor of the temporary file, open while bytes are appended
   bool is_finished_ = false;
 };
 

@@ -101,7 +101,7 @@ class EmbeddingGuard {
   const KeepOut* keep_out_;
   std::size_t kept_out_ = 0;
   double longest_allowed_;
-  double longest_edge_;  ///< longest edge so far
+  double longest_edge_;  ///< length of the longest edge so far
   VertexCells cells_;
   /// Finds near faces instead of the cells; set if cells were too slow.
   std::optional<FaceTree> tree_;

@@ -61,7 +61,7 @@ class ErrorBound {
   double error_;
   double distance_;  ///< error minus the bound of rounding errors
   WitnessLinks links_;
-  ProjectedFaces projected_;    ///< faces of the input
+  ProjectedFaces projected_;    ///< certificates by projection onto input faces
   std::vector<Index> nearest_;  ///< nearest input face of each vertex of the result
   Index nearest_center_ = no_index;
   std::size_t refused_ = 0;

@@ -55,7 +55,8 @@ bool are_apart(const Triangle& first, const Triangle& second) {
 
 /// The unit directions of the four edges at the common corner of two triangles.
 struct Wedges {
-  std::array<Vec3, 4> rays;  ///< two edges of the first triangle, then two of the second
+  /// Directions of two edges of the first triangle, then two edges of the second.
+  std::array<Vec3, 4> rays;
 
   /// Returns the signed distance of a ray's end from the plane with normal `axis`. The sign is
   /// reversed for the second triangle, so all distances are positive if the plane separates the

@@ -246,7 +246,7 @@ Index EditableMesh::count_common_neighbors(Index from, Index to) const {
   return common;
 }
 
-/// Joins the two remaining edges of a face that vanishes into one.
+/// Makes one edge of the two remaining edges of a face that vanishes.
 void EditableMesh::close_gap(Index removed, Index other_removed) {
   const Index first = opposites_[removed];
   const Index second = opposites_[other_removed];

@@ -111,7 +111,8 @@ class EditableMesh {
   bool has_features() const { return !features_.empty(); }
   bool is_feature(Index halfedge) const { return !features_.empty() && features_[halfedge]; }
 
-  /// Sets a wanted edge length per vertex. The operations interpolate it like attributes.
+  /// Sets a wanted edge length at each vertex. The operations interpolate these lengths like
+  /// attributes.
   void set_sizes(std::vector<double> sizes) { sizes_ = std::move(sizes); }
   bool has_sizes() const { return !sizes_.empty(); }
   double mean_size(Index first, Index second) const {

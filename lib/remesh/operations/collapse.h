@@ -10,7 +10,7 @@ namespace transformesh {
 
 struct CollapseCounts {
   std::size_t done = 0;
-  std::size_t refused = 0;     ///< remaining short edges
+  std::size_t refused = 0;     ///< number of short edges that remain
   std::size_t films_kept = 0;  ///< collapses refused only because of ShapeRules::min_film
 };
 

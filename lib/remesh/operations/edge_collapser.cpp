@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_turn_cosine = 0.5;  ///< 60 degrees; chosen by hand, not measured
+constexpr double least_turn_cosine = 0.5;  ///< cosine of 60 degrees; chosen by hand, not measured
 /// A collapse is allowed if all its triangles have at least this roundness, or if none becomes less
 /// round.
 constexpr double round_enough = 0.3;

@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_cosine = 0.5;          ///< 60 degrees; chosen by hand, not measured
+/// Cosine of 60 degrees; chosen by hand, not measured.
+constexpr double least_cosine = 0.5;
 constexpr std::size_t faces_per_task = 2048;  ///< affects time only
 /// The cosine of 20 degrees. A flip for valence may not decrease the least angle below 20 degrees.
 constexpr double narrow = 0.9396926207859084;

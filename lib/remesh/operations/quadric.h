@@ -35,7 +35,7 @@ class Quadric {
     // Eigenvalues below this fraction of the largest eigenvalue count as 0; chosen by hand, not
     // measured.
     constexpr double least_share = 1e-4;
-    constexpr int steps = 3;  // chosen by hand; not measured
+    constexpr int steps = 3;  // number of correction steps; chosen by hand, not measured
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_);
     const Vec3& values = solver.eigenvalues();
     if (!(values[2] > 0)) return start;

@@ -29,7 +29,7 @@ class SliverTest {
 };
 
 struct Slivers {
-  std::size_t degenerate = 0;    ///< degenerate faces
+  std::size_t degenerate = 0;    ///< number of degenerate faces
   std::size_t kept = 0;          ///< degenerate faces that are slivers
   std::size_t without_area = 0;  ///< slivers whose corners are exactly collinear
   Vec3 place = Vec3::Zero();     ///< a corner of the first sliver

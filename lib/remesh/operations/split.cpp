@@ -17,7 +17,7 @@ namespace {
 /// A midpoint that touches other faces is moved along its normal by these distances, in spacings of
 /// its largest coordinate.
 constexpr std::array<double, 3> roundings{1, 2, 4};
-constexpr int most_rounds = 4;  ///< chosen by hand; not measured
+constexpr int most_rounds = 4;  ///< largest number of rounds; chosen by hand, not measured
 /// Edges shorter than this many spacings are not split. Rounding moves midpoints by up to half the
 /// square root of 3 spacings. If the edge is longer, all edges to its midpoint are shorter than the
 /// edge itself; otherwise splits might not end.

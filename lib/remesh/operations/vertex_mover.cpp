@@ -5,7 +5,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_turn_cosine = 0.5;  ///< 60 degrees; chosen by hand, not measured
+constexpr double least_turn_cosine = 0.5;  ///< cosine of 60 degrees; chosen by hand, not measured
 /// The normal of a triangle of at most this roundness is mostly rounding error.
 constexpr double normal_roundness = 0.02;
 /// Triangles with a smaller squared roundness have no reliable normal (normal_cone.h).

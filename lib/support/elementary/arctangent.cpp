@@ -13,7 +13,7 @@
 namespace transformesh::elementary {
 namespace {
 
-constexpr int steps = 64;      ///< table intervals from 0 to 1
+constexpr int steps = 64;      ///< number of table intervals from 0 to 1
 constexpr int first_step = 8;  ///< the series is used below this entry
 
 constexpr DoubleDouble arctangent_series(const DoubleDouble& x) {

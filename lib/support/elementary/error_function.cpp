@@ -10,7 +10,7 @@
 namespace transformesh::elementary {
 namespace {
 
-constexpr int steps = 8;       ///< table intervals per unit
+constexpr int steps = 8;       ///< number of table intervals per unit
 constexpr double limit = 6;    ///< erf(x) rounds to 1 for larger x
 constexpr int last_step = 48;  ///< index of the last table entry, at the limit
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int steps = 64;                     ///< table intervals from 1 to 2
+constexpr int steps = 64;                     ///< number of table intervals from 1 to 2
 constexpr double largest_argument = 709.79;   ///< exp(x) overflows for larger x
 constexpr double smallest_argument = -745.2;  ///< exp(x) rounds to 0 for smaller x
 
@@ -61,7 +61,7 @@ double exp_of(const DoubleDouble& x) {
 }
 
 constexpr int pieces = 128;      ///< intervals of the numbers from 1 to 2
-constexpr int first_piece = 90;  ///< interval of the square root of 1/2
+constexpr int first_piece = 90;  ///< index of the interval that contains the square root of 1/2
 constexpr int last_piece = 182;  ///< just above the interval of the square root of 2
 
 /// A number with few bits near the inverse of an interval's center, and minus the logarithm of this

@@ -13,7 +13,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double negligible = 0x1p-27;  ///< sin(x) and tan(x) round to x if |x| is smaller
 
-constexpr int steps = 32;      ///< table intervals per radian
+constexpr int steps = 32;      ///< number of table intervals per radian
 constexpr int last_step = 26;  ///< index of the last table entry, just above pi/4
 
 struct SineAndCosine {
