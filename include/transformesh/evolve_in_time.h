@@ -28,7 +28,7 @@ struct TimeOptions {
   /// Largest distance of a vertex from its position by the embedded method (Euler in midpoint,
   /// midpoint in rk4); input units; 0: no limit. Used only if `span` is 0.
   double tolerance = 0;
-  /// Longest span not repeated; 0: repeats none; negative: `end` / 1000.
+  /// Longest time of a step that is never repeated; 0: repeats no step; negative: `end` / 1000.
   double event_tolerance = -1;
   /// Restores the volume after remeshing: vertices move along normals, in proportion to their step.
   bool keep_volume = false;

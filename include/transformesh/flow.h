@@ -16,7 +16,7 @@ namespace transformesh {
 struct FlowGrid {
   Vec3 origin = Vec3::Zero();                ///< position of the first node, in input units
   Vec3 spacing = Vec3::Ones();               ///< distance of neighboring nodes; > 0
-  std::array<std::size_t, 3> size{1, 1, 1};  ///< nodes per axis; 1: constant values on the axis
+  std::array<std::size_t, 3> size{1, 1, 1};  ///< nodes on each axis; 1: constant values
   std::size_t components = 3;                ///< 3: velocities; 1: speeds
   std::vector<double> values;                ///< the components of a node are side by side
   std::optional<double> time = {};

@@ -1,5 +1,6 @@
 /// Evolves a surface until it coincides with a target (paper 5.2) by repeating morph_step(),
-/// clean() and remesh(). Parts merge and split. Components of the target are reached if overlapped.
+/// clean() and remesh(). Parts merge and split. The surface reaches all target components that it
+/// overlaps.
 ///
 /// A morph ends if no measure improves. It has converged if mesh and target are near each other
 /// everywhere and have the same topology; otherwise it has stalled. The final mesh is aligned with

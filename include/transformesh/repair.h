@@ -49,7 +49,7 @@ struct RepairResult {
   bool same_triangles = false;    ///< nothing was done, or only vertices were joined
   double crack_width = 0;         ///< largest distance between the sides of cracks; input units
   double area_before = 0, area_after = 0;      ///< in squared input units
-  double volume_before = 0, volume_after = 0;  ///< of closed components; in cubic input units
+  double volume_before = 0, volume_after = 0;  ///< sums over closed components; cubic units
 };
 
 RepairResult repair(const Mesh& mesh, const RepairOptions& options = {},

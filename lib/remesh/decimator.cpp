@@ -25,8 +25,8 @@ constexpr double border_weight = 10;
 /// only on flat surfaces, where short edges are collapsed first.
 constexpr double shortness = 3e-8;
 /// Decimation within an error ends after a stage that removes at most 1/200 of the faces, and
-/// refuses at most this number of collapses because of edge lengths. A larger fraction leaves more
-/// faces; a smaller one repeats refusals.
+/// refuses at most as many collapses because of edge lengths. A larger fraction leaves more faces;
+/// a smaller one repeats refusals.
 constexpr std::size_t few_share = 200;
 
 /// A stage ends after this number of collapses was refused because edges would be too long. All

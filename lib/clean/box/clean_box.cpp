@@ -64,8 +64,8 @@ std::size_t count_new_vertices(const Mesh& mesh, const std::vector<bool>& is_own
 void count_faces(const Mesh& mesh, const std::vector<bool>& is_own, const CleanedFaces& cleaned,
                  CleanResult& counts) {
   const std::vector<bool> is_uncut = find_uncut(mesh, cleaned);
-  std::vector<char> pieces(mesh.faces.size(),
-                           0);  // for each face 0 if it is removed, 1 if cut, 2 if whole
+  // For each face 0 if it is removed, 1 if cut, 2 if whole.
+  std::vector<char> pieces(mesh.faces.size(), 0);
   for (std::size_t p = 0; p < is_uncut.size(); ++p)
     pieces[cleaned.source_face[p]] = is_uncut[p] ? 2 : 1;
   counts.cut_faces = counts.removed_faces = 0;
