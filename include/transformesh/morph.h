@@ -1,6 +1,5 @@
-/// Evolves a surface until it coincides with a target (paper 5.2) by repeating morph_step(),
-/// clean() and remesh(). Parts merge and split. The surface reaches all target components that it
-/// overlaps.
+/// Evolves a surface until it coincides with a target (paper 5.2): repeats morph_step(), clean()
+/// and remesh(). Parts merge and split. Target components that it overlaps are reached.
 ///
 /// A morph ends if no measure improves. It has converged if mesh and target are near each other
 /// everywhere and have the same topology; otherwise it has stalled. The final mesh is aligned with
