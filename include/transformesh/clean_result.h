@@ -33,7 +33,7 @@ struct CleanResult {
   double rounding_displacement = 0;
   double rounding_spacings = 0;
   std::size_t merged_faces = 0;        ///< faces by which `merge_flat` reduced the mesh
-  std::size_t merge_refused = 0;       ///< flat regions left as they were to avoid intersections
+  std::size_t merge_refused = 0;       ///< flat regions that stay to avoid intersections
   double merge_displacement = 0;       ///< bound on the movement by `merge_flat`; input units
   std::size_t separated_vertices = 0;  ///< vertices that `separate` moved
   std::size_t separation_refused = 0;  ///< vertices that still coincide with a copy

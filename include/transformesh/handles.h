@@ -1,9 +1,9 @@
 /// Removes thin handles: cuts through bridges and closes narrow tunnels, the shortest loop first.
 /// The shape alone decides whether a loop goes around a bridge or a tunnel. Reference: Guskov &
-/// Wood, "Topological noise removal", Graphics Interface 2001. Removes handles that noise, or webs
-/// between near parts, leave. Wide tunnels stay, and so do thin parts that are not handles. Slits
-/// the surface along the loop (short_loops.h), moves both sides apart by a third of an edge length,
-/// and closes each side by a patch (hole_patch.h).
+/// Wood, "Topological noise removal", Graphics Interface 2001. Removes handles that noise, or thin
+/// bridges between near parts, cause. Wide tunnels stay, and so do thin parts that are not handles.
+/// Slits the surface along the loop (short_loops.h), moves both sides apart by a third of an edge
+/// length, and closes each side by a patch (hole_patch.h).
 ///
 /// Guarantees: the result is a closed oriented manifold with as many components. Every removed
 /// handle lowers the genus by one. Input vertices and faces stay, with order and columns; only the

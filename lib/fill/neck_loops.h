@@ -9,9 +9,9 @@
 ///
 /// A loop is around a neck if the surface widens on both sides. The surface on each side is divided
 /// into bands by the distance from the loop, each half the loop's length wide. The surface widens
-/// if a band has twice the area that it would have on a cylinder of the loop's length. Cost: n
-/// times the size of a ball of half the length, and for each loop the faces up to where the surface
-/// widens. Deterministic for any number of threads.
+/// if a band has twice the area that it would have on a cylinder whose circumference is the loop's
+/// length. Cost: n times the size of a ball of half the length, and for each loop the faces up to
+/// where the surface widens. Deterministic for any number of threads.
 #pragma once
 
 #include <unordered_set>

@@ -20,7 +20,7 @@ namespace {
 using BorderEdges = std::multimap<Index, Index>;
 
 // Splits the border edges into loops. Each point has equally many outgoing and incoming border
-// edges, so each walk closes.
+// edges, so each path along border edges closes.
 std::vector<std::vector<Index>> walk(BorderEdges border) {
   std::vector<std::vector<Index>> loops;
   while (!border.empty()) {

@@ -153,8 +153,8 @@ bool EdgeCollapser::try_curved_positions() {
   });
 }
 
-/// True if the collapse would move the surface farther than the limits for films or curved shapes
-/// allow.
+/// True if the collapse would move the surface farther than ShapeRules::min_film or the limit for
+/// curved shapes allows.
 bool EdgeCollapser::moves_too_far(const Vec3& position) const {
   const bool has_film = shape_.min_film > 0;
   if (!has_film && !shape_.curved) return false;
