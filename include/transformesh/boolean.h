@@ -31,7 +31,7 @@ enum class BooleanOperation {
 };
 struct Operand {
   const Mesh* mesh = nullptr;
-  std::string name{};  ///< name in messages
+  std::string name{};  ///< name of the operand in messages
 };
 struct BooleanOptions {
   bool merge_flat = true;               ///< merge coplanar pieces at cuts (clean.h)
@@ -42,8 +42,8 @@ struct BooleanOptions {
 
 struct BooleanResult : CleanResult {
   std::optional<ErrorKind> reason{};      ///< kind of error of clean(), if the result is empty
-  std::vector<std::size_t> inside_out{};  ///< operands that enclose nothing, with w < 0
-  std::vector<std::size_t> canceling{};   ///< operands with faces that enclose nothing, with w = 0
+  std::vector<std::size_t> inside_out{};  ///< operands with w < 0 somewhere, and w > 0 nowhere
+  std::vector<std::size_t> canceling{};   ///< operands that have faces, but w = 0 everywhere
 };
 
 /// All counts are sums over the operands. `operands` must not be empty.

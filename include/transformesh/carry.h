@@ -27,7 +27,7 @@ struct SourcePoint {
 
 struct SourcePoints {
   std::vector<SourcePoint> of_vertices;
-  std::vector<SourcePoint> of_faces;  ///< source points of the middles of faces
+  std::vector<SourcePoint> of_faces;  ///< source points of face centers
 };
 
 /// Returns the closest points of the source to a mesh that lies near it. Only faces whose normals
@@ -52,7 +52,7 @@ struct CarryOptions {
 };
 
 /// Carries columns along a chain of meshes, each with source points on the mesh before it. `last`
-/// is the last mesh of the chain. It gets the columns, and source points on the first mesh. Throws
+/// is the last mesh of the chain; it gets the columns, and source points on the first mesh. Throws
 /// InputError (no_source_points) if a mesh has no source points, unless `closest` is set.
 CarryResult carry_along(std::span<const Mesh* const> before, Mesh& last,
                         const CarryOptions& options = {});

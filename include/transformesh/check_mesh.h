@@ -2,10 +2,11 @@
 /// free of self-intersections, and the boundary of { p : w(p) >= winding level } of another mesh.
 /// The code that checks a property is independent of the operations that establish it.
 ///
-/// The last property is tested at sample points in front of and behind faces. The winding number of
-/// the mesh at a sample must be 1 if that of the other mesh is >= winding level, else 0. A sample
-/// is undecided if rounding may have moved faces across it. If the other mesh is open, its winding
-/// numbers are not integers. Then each face must be a piece of a face of the other mesh.
+/// The winding number is tested at sample points in front of and behind faces. The winding number
+/// of the mesh at a sample must be 1 if the winding number of the other mesh is >= winding level,
+/// else 0. A sample is undecided if rounding may have moved faces across it. If the other mesh is
+/// open, its winding numbers are not integers, and each face must be a piece of a face of the other
+/// mesh.
 ///
 /// Cost: O(n) for the manifold, that of find_intersections(), and O(log n) per sample on usual
 /// meshes. Deterministic for any number of threads.
@@ -21,9 +22,9 @@
 namespace transformesh {
 
 struct CheckMeshOptions {
-  bool closed = false;                  ///< a border is a problem
-  bool intersections = false;           ///< a self-intersection is a problem
-  const Mesh* certified = nullptr;      ///< the other mesh; a face without area is a problem, too
+  bool closed = false;                  ///< report a border as a problem
+  bool intersections = false;           ///< report a self-intersection as a problem
+  const Mesh* certified = nullptr;      ///< the other mesh; if set, no face may lack area
   int winding_level = 1;                ///< level of `certified`; >= 1
   Scalar coordinate = Scalar::float64;  ///< the type in which positions were stored
 };
@@ -34,7 +35,7 @@ struct Certificate {
   std::size_t undecided = 0;
   std::size_t wrong = 0;
   double margin = 0;    ///< bound on how far rounding may have moved a face unnoticed; input units
-  std::string problem;  ///< the first wrong sample, or too many undecided ones; empty if none
+  std::string problem;  ///< the first wrong sample, or too many undecided samples; else empty
 
   double undecided_share() const;
   bool holds() const { return problem.empty(); }
@@ -45,9 +46,10 @@ struct MeshCheck {
   std::size_t degenerate_faces = 0;  ///< faces without area
   std::size_t components = 0;
   long genus = 0;                                      ///< sum over all components
-  std::optional<std::vector<FacePair>> intersections;  ///< if they were searched for
-  std::optional<Certificate> certificate;              ///< if there was another mesh
-  std::vector<Problem> problems;  ///< ordered: manifold, intersections, closedness, area, winding
+  std::optional<std::vector<FacePair>> intersections;  ///< set if they were searched
+  std::optional<Certificate> certificate;              ///< set if there was another mesh
+  /// In this order: manifold, intersections, closedness, area, winding.
+  std::vector<Problem> problems;
 };
 
 /// Checks a mesh. Throws UsageError for a winding level below 1.

@@ -30,7 +30,7 @@ struct Comparison {
   double completeness = 0;  ///< fraction of the reference within `distance` of the mesh; [0, 1]
   double mean = 0;          ///< mean of the mean distances in both directions
   double rms = 0;           ///< root of the mean of the mean squared distances in both directions
-  double hausdorff = 0;     ///< the larger of the following two
+  double hausdorff = 0;     ///< larger of the following two distances
   double hausdorff_to_reference = 0;    ///< largest distance from the mesh to the reference
   double hausdorff_from_reference = 0;  ///< largest distance from the reference to the mesh
   double volume_difference = 0;         ///< volume of the mesh minus that of the reference
@@ -41,7 +41,7 @@ Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions
                    const Progress& progress = {});
 
 /// Returns the distances of all vertices from the faces of the reference, or from its vertices if
-/// it has no faces. Signed distances are negative inside; they need faces. Throw as compare() does.
+/// it has no faces. Signed distances are negative inside, and need faces. Throw like compare().
 std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
                                      const Progress& progress = {});
 std::vector<double> signed_vertex_distances(const Mesh& mesh, const Mesh& reference,
@@ -52,8 +52,8 @@ struct Farthest {
   double distance = 0;
   Vec3 point = Vec3::Zero();
 };
-/// Returns the farthest of the points of compare() on `mesh` from the faces of the reference;
-/// faster.
+/// Returns the sample or vertex of `mesh` farthest from the reference's faces. Faster than
+/// compare().
 Farthest farthest_from(const ClosestPointQuery& reference, const Mesh& mesh,
                        const CompareOptions& options = {});
 

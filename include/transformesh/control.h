@@ -33,8 +33,8 @@ class Progress {
 std::size_t allowed_thread_count();
 
 /// Limits operations to `count` threads while it exists; 0 changes nothing. `count` may be larger
-/// than the number of cores. Without any limit there is one thread per core. The innermost limit
-/// counts. Results do not depend on the number of threads.
+/// than the number of cores. Without any limit there is one thread per core. The innermost of
+/// nested limits counts. Results do not depend on the number of threads.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int count);

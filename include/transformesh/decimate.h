@@ -19,11 +19,11 @@
 namespace transformesh {
 
 struct DecimateOptions {
-  std::size_t faces = 0;  ///< wanted number; >= 4; with `error` also 0: as few as the error allows
+  std::size_t faces = 0;  ///< wanted number; >= 4; 0 with `error`: as few as the error allows
   double feature_angle_deg = 180;  ///< sharper edges are kept; in (0, 180]; 180: no edge is sharp
   bool keep_border = false;        ///< keep border vertices and edges
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
-  KeepOutOptions keep_out = {};         ///< collapses keep this gap
+  KeepOutOptions keep_out = {};         ///< collapses keep this distance from the obstacle
   /// Largest distance between input and result in both directions; input units; >= 0. With 0, only
   /// flat faces are merged, which moves the surface by rounding errors.
   std::optional<double> error = {};
@@ -39,7 +39,7 @@ struct DecimateResult {
   double error_bound = 0;    ///< bound on the distance between both surfaces; 0 without `error`
   std::size_t kept_out = 0;  ///< collapses refused because of `keep_out`
   std::size_t near_keep_out = 0;  ///< input faces that are nearer to `keep_out` than its gap
-  StaleColumns columns;           ///< normals, and lists of texture coordinates, as in remesh()
+  StaleColumns columns;           ///< normals and texture coordinates are treated as in remesh()
 };
 
 /// Throws UsageError for options out of range, and InputError if the mesh is no oriented manifold

@@ -18,9 +18,10 @@
 namespace transformesh {
 
 struct DisplaceOptions {
-  double time_step = 1;  ///< t; finite, either sign
+  double time_step = 1;  ///< factor of velocities; finite, either sign
   double alpha = 0.2;    ///< clamp as a fraction of e_avg(p); >= 0; the paper uses 0.1 to 0.3
-  KeepOutOptions keep_out = {};         ///< faces keep this gap (limit_movements.h)
+  /// Faces keep this distance from the obstacle (limit_movements.h).
+  KeepOutOptions keep_out = {};
   Scalar coordinate = Scalar::float64;  ///< new positions near `keep_out` are rounded to this type
 };
 

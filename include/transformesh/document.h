@@ -25,8 +25,8 @@ struct OtherElement {
 struct Style {
   Format format = Format::ply_little;
   Scalar coordinate = Scalar::float64;       ///< float32 or float64
-  std::vector<std::string> comments;         ///< without the keyword `comment `
-  std::vector<std::string> obj_info;         ///< without the keyword `obj_info `
+  std::vector<std::string> comments;         ///< texts of comments, without the keyword `comment `
+  std::vector<std::string> obj_info;         ///< texts of obj_info lines, without this keyword
   std::string face_list = "vertex_indices";  ///< vertex_indices or vertex_index
   Scalar face_list_count = Scalar::uint8;
   Scalar face_list_index = Scalar::int32;

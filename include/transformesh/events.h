@@ -1,10 +1,10 @@
 /// Events of an evolution: the changes of topology in its steps. Each component has a label, a
-/// number in the face column `component_label` from 1 on, that it keeps as long as it exists. If
+/// number from 1 in the face column `component_label`, as long as the component exists. If
 /// components merge, the largest one's label stays. If one splits, its largest part keeps the
 /// label, and the others get new labels. A cavity is a component that encloses no solid (its volume
 /// is negative).
 ///
-/// An event is found from the labels of faces before and after cleaning, which carries them, and
+/// An event is found from the labels of faces before and after cleaning, which carries labels, and
 /// from the genus of components. Changes that cancel out within one step are not events.
 #pragma once
 
@@ -22,7 +22,7 @@ enum class EventKind {
   split,               ///< a part of a component separated from it
   handle_opened,       ///< the genus increased by one
   handle_closed,       ///< the genus decreased by one
-  component_vanished,  ///< shrank to nothing, or to less than remeshing keeps
+  component_vanished,  ///< a component shrank to nothing, or to a size that remeshing removes
   cavity_opened,       ///< a cavity was connected to the outside
   cavity_closed        ///< a cavity was separated from the outside
 };
@@ -37,15 +37,15 @@ struct LabeledVolume {
 
 struct Event {
   std::size_t iteration = 0;
-  double time = 0;  ///< at the end of the step; the iteration in an evolution without time
+  double time = 0;  ///< end of the step; number of the iteration in an evolution without time
   EventKind kind = EventKind::merge;
   Vec3 place = Vec3::Zero();
-  /// Diameter of the neck. If surfaces were joined: twice the root mean square distance from its
-  /// center of the curve along which they meet. If a part separated: diameter of the largest ball
+  /// Diameter of the neck. If surfaces were joined: twice the root mean square distance of their
+  /// intersection curve from the curve's center. If a part separated: diameter of the largest ball
   /// around `place` that was free of the surface before the step. If a component vanished: twice
   /// the root mean square distance of its vertices from their center before the step.
   double size = 0;
-  std::vector<LabeledVolume> before, after;  ///< the components that take part
+  std::vector<LabeledVolume> before, after;  ///< components of the event before and after the step
 };
 
 }  // namespace transformesh

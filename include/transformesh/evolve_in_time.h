@@ -21,16 +21,16 @@ enum class Integrator { euler, midpoint, rk4 };
 
 struct TimeOptions {
   double end = 1;   ///< the evolution lasts from time 0 to this; > 0
-  double span = 0;  ///< time of a step; 0: as long as `max_move` and `tolerance` permit
+  double span = 0;  ///< duration of a step; 0: as long as `max_move` and `tolerance` permit
   Integrator integrator = Integrator::midpoint;
   double max_move =
-      0.5;  ///< largest movement in a step, in mean edges at the vertex, if `span` is 0
-  /// Largest difference of a vertex to the embedded method (Euler in midpoint, midpoint in rk4), in
-  /// input units, if `span` is 0; 0: no limit.
+      0.5;  ///< largest movement in a step, in mean edges at the vertex; used if `span` is 0
+  /// Largest distance of a vertex from its position by the embedded method (Euler in midpoint,
+  /// midpoint in rk4); input units; 0: no limit. Used only if `span` is 0.
   double tolerance = 0;
-  double event_tolerance = -1;  ///< time; 0: no step is repeated; negative: `end` / 1000
-  /// Restores by a motion along the normals the volume that cleaning and remeshing change. It is
-  /// spread in proportion to how far vertices moved.
+  /// Longest time of a step that is never repeated; 0: repeats no step; negative: `end` / 1000.
+  double event_tolerance = -1;
+  /// Restores the volume after remeshing: vertices move along normals, in proportion to their step.
   bool keep_volume = false;
   std::string bodies = {};  ///< face column that numbers bodies which may not meet; empty: none
   double gap = 0;           ///< least distance of two bodies; input units; > 0 with `bodies`
@@ -40,10 +40,10 @@ struct TimeResult {
   double time = 0;            ///< at the end of this run
   EvolveResult evolution;     ///< `is_done`: the end of time or the rule was reached
   double volume = 0;          ///< volume of the result, in cubic input units
-  double volume_drift = 0;    ///< sum of what cleaning and remeshing changed and was not restored
+  double volume_drift = 0;    ///< volume change by cleaning and remeshing that was not restored
   double max_move = 0;        ///< largest movement in a step, in mean lengths of a vertex's edges
-  std::size_t held_back = 0;  ///< largest number of vertices in a step that other bodies held back
-  std::size_t repeated = 0;   ///< steps repeated with a shorter span, with those of earlier runs
+  std::size_t held_back = 0;  ///< most vertices whose movement other bodies shortened, in one step
+  std::size_t repeated = 0;   ///< steps repeated with a shorter span, including earlier runs
 };
 
 /// A run that continues replaces the document by its state. `options.iteration.remesh` smooths by

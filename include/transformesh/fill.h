@@ -8,7 +8,7 @@
 /// is an oriented manifold. Numeric columns of new vertices are the mean of the three nearest
 /// border vertices, weighted by inverse distance. Columns of new faces are 0, and empty for lists.
 /// Deterministic for any number of threads. Throws InputError if the mesh is not an oriented
-/// manifold, with place and remedy. Cost: that of the patches, and O(n) for each hole.
+/// manifold, naming the place. Cost: that of the patches, and O(n) for each hole.
 #pragma once
 
 #include <cstddef>
@@ -25,30 +25,30 @@ struct FillOptions {
                                                                     ///< edges; >= 3
   double max_diameter = std::numeric_limits<double>::infinity();  ///< largest diagonal of a hole's
                                                                   ///< box; > 0
-  bool refine = true;  ///< add vertices, as dense as around the hole
+  bool refine = true;  ///< add vertices, as dense as those around the hole
   bool fair = true;    ///< continue the surrounding surface smoothly; needs `refine`
-  bool allow_self_intersections = false;  ///< close holes that no patch fits
+  bool allow_self_intersections = false;  ///< close holes by an intersecting patch if no other fits
   Scalar coordinate = Scalar::float64;    ///< the type in which positions will be written
 };
 
 /// A hole that stays open.
 struct OpenHole {
-  Index vertex = 0;       ///< a vertex on its border
-  std::size_t edges = 0;  ///< edges of its border
-  double length = 0;      ///< length of its border; input units
+  Index vertex = 0;       ///< a vertex on the border of the hole
+  std::size_t edges = 0;  ///< number of edges of the border
+  double length = 0;      ///< length of the border; input units
 };
 
 struct FillResult {
-  std::size_t holes = 0;    ///< holes of the input
-  std::size_t faired = 0;   ///< closed by a faired patch
-  std::size_t refined = 0;  ///< closed by a refined patch that is not faired
-  std::size_t plain = 0;    ///< closed by a patch without new vertices
-  std::size_t crossed = 0;  ///< closed by an intersecting patch (`allow_self_intersections`)
+  std::size_t holes = 0;    ///< number of holes of the input
+  std::size_t faired = 0;   ///< holes closed by a faired patch
+  std::size_t refined = 0;  ///< holes closed by a refined patch that is not faired
+  std::size_t plain = 0;    ///< holes closed by a patch without new vertices
+  std::size_t crossed = 0;  ///< holes closed by an intersecting patch (`allow_self_intersections`)
   std::size_t new_vertices = 0, new_faces = 0;
   bool dropped_source_points = false;  ///< source points were dropped (carry.h)
-  std::vector<OpenHole> too_large;     ///< larger than the limits
-  std::vector<OpenHole> crossing;      ///< each patch would intersect a face
-  /// Each patch would have a face without area or an edge that already has two faces.
+  std::vector<OpenHole> too_large;     ///< holes larger than `max_edges` or `max_diameter`
+  std::vector<OpenHole> crossing;      ///< holes for which each patch would intersect a face
+  /// Holes for which each patch would have a face without area or an edge that has two faces.
   std::vector<OpenHole> flat;
   std::size_t filled() const { return faired + refined + plain + crossed; }
 };

@@ -16,7 +16,7 @@ namespace transformesh {
 struct FlowGrid {
   Vec3 origin = Vec3::Zero();                ///< position of the first node, in input units
   Vec3 spacing = Vec3::Ones();               ///< distance of neighboring nodes; > 0
-  std::array<std::size_t, 3> size{1, 1, 1};  ///< nodes per axis; values are constant along 1 node
+  std::array<std::size_t, 3> size{1, 1, 1};  ///< nodes on each axis; 1: constant values
   std::size_t components = 3;                ///< 3: velocities; 1: speeds
   std::vector<double> values;                ///< the components of a node are side by side
   std::optional<double> time = {};
@@ -25,14 +25,14 @@ struct FlowGrid {
 /// Reads VTK ImageData (.vti) or NRRD with this number of components. Throws InputError.
 FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::size_t components);
 
-/// Each flow has some of these. Setting one that a flow does not have is a UsageError.
+/// Each flow has some of these options. Setting one that a flow lacks is a UsageError.
 struct FlowOptions {
   double speed = 1;                        ///< factor of the velocity; > 0 in flows by curvature
   std::optional<double> period = {};       ///< > 0; default: rotation 1, vortex 8, deformation 3
   std::optional<Vec3> center = {};         ///< default (.5, .5, .5), the center of the unit cube
   std::optional<Vec3> direction = {};      ///< rotation: axis, z; translation: x; any length > 0
-  std::optional<std::string> column = {};  ///< normal: vertex column of speeds
-  std::vector<FlowGrid> grids = {};        ///< grid: velocities; normal: speeds; any order
+  std::optional<std::string> column = {};  ///< flow `normal`: vertex column of speeds
+  std::vector<FlowGrid> grids = {};        ///< flow `grid`: velocities; `normal`: speeds
 };
 
 struct FlowKind {
@@ -42,11 +42,11 @@ struct FlowKind {
 };
 const std::vector<FlowKind>& flow_kinds();
 
-/// Counts what evaluations of a flow met.
+/// Counts of vertices that evaluations of a flow treated specially.
 struct FlowCounts {
   std::size_t outside = 0;       ///< most vertices outside of the grids in one evaluation
   bool is_time_outside = false;  ///< a time was before the first grid or after the last one
-  std::size_t fixed = 0;         ///< most border vertices that a flow by curvature held fast
+  std::size_t fixed = 0;         ///< most border vertices fixed in one evaluation
 };
 
 struct Flow {

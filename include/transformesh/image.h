@@ -12,7 +12,7 @@
 
 namespace transformesh {
 
-/// Rows of pixels from the top.
+/// A rectangular array of pixels, stored row by row from the top.
 template <typename Value>
 struct Raster {
   int width = 0;

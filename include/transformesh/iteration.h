@@ -29,7 +29,7 @@ struct IterationOptions {
   Length min_edge{0.7, Length::Unit::reference_edge};
   Length max_edge{1.5, Length::Unit::reference_edge};
   double reference_edge = 0;                ///< input units; 0: mean edge of the initial mesh
-  double edge_factor = 1;                   ///< both lengths are multiplied by this
+  double edge_factor = 1;                   ///< factor of `min_edge` and `max_edge`
   RemeshOptions remesh = smoothed_by(0.1);  ///< lengths and type of coordinates are not used
   bool outermost = true;                    ///< CleanOptions::outermost
   bool expects_changes = false;  ///< clean() probably changes the mesh; affects only the speed
@@ -44,11 +44,11 @@ struct Topology {
 };
 
 struct IterationResult {
-  std::size_t vertices = 0;  ///< vertices that took the step
-  std::size_t faces = 0;     ///< after the iteration
+  std::size_t vertices = 0;  ///< number of vertices before the step
+  std::size_t faces = 0;     ///< number of faces after the iteration
   std::size_t pairs = 0;     ///< intersecting pairs of faces that were removed
   bool was_cleaned = false;  ///< clean() changed the mesh
-  Topology topology;         ///< after the iteration
+  Topology topology;         ///< topology after the iteration
   DisplaceResult displaced;
   double seconds_step = 0, seconds_clean = 0, seconds_remesh = 0, seconds = 0;
 };

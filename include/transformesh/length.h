@@ -12,18 +12,17 @@ namespace transformesh {
 struct Length {
   enum class Unit { absolute, diagonal, reference_edge };
 
-  double value = 0;  ///< in units of the basis: 1% is 0.01
+  double value = 0;  ///< multiple of the unit: 1% is 0.01
   Unit unit = Unit::absolute;
 
-  /// Returns the length in input units, given both bases. A basis that the unit does not use is
-  /// ignored.
+  /// Returns the length in input units. Ignores arguments that the unit does not need.
   double resolve(double diagonal, double reference_edge) const;
   /// Returns text that parse_length() reads as the same length.
   std::string text() const;
 };
 
-/// Parses a finite number with an optional `%` or `x`. Throws UsageError, naming the text,
-/// otherwise. Accepts negative numbers. Independent of the locale.
+/// Parses a finite number with an optional `%` or `x`. Throws UsageError, naming the text, if it is
+/// anything else. Accepts negative numbers. Independent of the locale.
 Length parse_length(std::string_view text);
 
 }  // namespace transformesh

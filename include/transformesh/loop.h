@@ -1,4 +1,4 @@
-/// Controls the loop of an evolution and its files: the state, a CSV file with a row for each
+/// Controls the loop of an evolution, and its files: a state, a CSV file with a row for each
 /// iteration, and meshes as frames.
 ///
 /// The state is a folder with the last mesh and the variables of the loop. It is replaced
@@ -15,13 +15,14 @@ namespace transformesh {
 
 /// Files with an empty name are not written.
 struct RecordOptions {
-  std::string state;       ///< folder of the state
-  std::string settings;    ///< text that determines the result; runs continue only with equal text
+  std::string state;  ///< folder of the state
+  /// Text of all settings; a run continues only if its state has equal text.
+  std::string settings;
   bool resume = false;     ///< continue from the state if there is one
   bool restart = false;    ///< delete the state of an interrupted run and begin again
   std::string frames;      ///< folder for frame-00000.ply and so on; empty meshes are not written
   std::size_t every = 10;  ///< iterations from one frame to the next
-  std::string csv;         ///< CSV file
+  std::string csv;         ///< CSV file with a row for each iteration
   std::string events;      ///< CSV file of the events (events.h) of loops that find them
   bool is_alone = false;   ///< fail if another process uses the state
   bool keep_state_at_end = false;  ///< the caller calls remove_state() after saving the result

@@ -19,18 +19,18 @@ double diagonal_of(const Box& box);
 /// is no vertex, both corners are the origin.
 Box bounding_box(const Mesh& mesh);
 
-/// Area of one face; 0 if the face is degenerate.
+/// Returns the area of one face; 0 if the face is degenerate.
 double face_area(const Mesh& mesh, Index face);
-/// Twice the area times the unit normal.
+/// Returns the unit normal times twice the area.
 Vec3 face_normal(const Mesh& mesh, Index face);
-/// Sum of the areas of all faces.
+/// Returns the sum of the areas of all faces.
 double surface_area(const Mesh& mesh);
 /// Signed enclosed volume, by the divergence theorem; positive for faces that are oriented
 /// outwards.
 double volume(const Mesh& mesh);
 
 struct EdgeLengths {
-  std::size_t count = 0;  ///< distinct edges
+  std::size_t count = 0;  ///< number of distinct edges
   double mean = 0;
   double minimum = 0;
   double maximum = 0;
@@ -39,11 +39,12 @@ EdgeLengths edge_lengths(const Mesh& mesh);
 
 struct Angles {
   double minimum_deg = 0;       ///< smallest angle of any face
-  double minimum_mean_deg = 0;  ///< mean over faces of their smallest angle
+  double minimum_mean_deg = 0;  ///< mean of the smallest angles of all faces
 };
 Angles angles(const Mesh& mesh);
 
-/// Unit normals per vertex, weighted by angle (Baerentzen & Aanaes 2005); zero where undefined.
+/// Returns unit normals of vertices, weighted by angle (Baerentzen & Aanaes 2005), zero if
+/// undefined.
 std::vector<Vec3> vertex_normals(const Mesh& mesh);
 
 /// Fraction of interior vertices with six edges; [0, 1].

@@ -15,7 +15,7 @@ namespace transformesh {
 
 using Vec3 = Eigen::Vector3d;
 using Index = std::uint32_t;
-using Face = std::array<Index, 3>;  ///< counter-clockwise seen from outside
+using Face = std::array<Index, 3>;  ///< corners, counter-clockwise seen from outside
 
 inline constexpr Index no_index = 0xffffffffU;
 

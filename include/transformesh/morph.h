@@ -1,9 +1,9 @@
-/// Evolves a surface until it coincides with a target (paper 5.2) by repeating morph_step(),
-/// clean() and remesh(). It merges, splits, and reaches the target's components that it overlaps.
+/// Evolves a surface until it coincides with a target (paper 5.2): repeats morph_step(), clean()
+/// and remesh(). Parts merge and split. Target components that it overlaps are reached.
 ///
-/// The morph has converged if nothing improves, mesh and target are near each other everywhere, and
-/// their topology is the same; otherwise it has stalled. The final mesh is aligned with sharp edges
-/// and cleaned. Columns are carried. Deterministic for any number of threads.
+/// A morph ends if no measure improves. It has converged if mesh and target are near each other
+/// everywhere and have the same topology; otherwise it has stalled. The final mesh is aligned with
+/// sharp edges and cleaned. Columns are carried. Deterministic for any number of threads.
 #pragma once
 
 #include <functional>
@@ -21,16 +21,16 @@ namespace transformesh {
 enum class Features { automatic, on, off };
 
 struct MorphOptions {
-  MorphStepOptions step;       ///< `gap_edges`: the target's thickness is measured if absent
+  MorphStepOptions step;       ///< morph() measures the target's thickness if `gap_edges` needs it
   IterationOptions iteration;  ///< `reference_edge` 0: mean edge of the source
   Features features = Features::automatic;
-  int scales = 1;  ///< begin with edges 2^(scales - 1) times as long; 1 to 10
+  int scales = 1;  ///< edges are 2^(scales - 1) times as long at the beginning; 1 to 10
 };
 
 enum class MorphStop { iteration_limit, stalled, converged };
 struct MorphResult {
   MorphStop stop = MorphStop::iteration_limit;
-  std::size_t iterations = 0;  ///< including earlier runs
+  std::size_t iterations = 0;  ///< number of iterations, including earlier runs
   Topology topology;
   std::optional<Topology> expected;  ///< target's topology without cavities, if known
   std::size_t left_out = 0;          ///< components of the target that are cavities or inside them

@@ -3,9 +3,9 @@
 /// displace(). The part of a surface outside of the target shrinks, the part inside grows.
 /// Reference: Breen & Whitaker, "A level-set approach for the metamorphosis of solid models", TVCG
 /// 2001. A component of the target that the source does not overlap is not reached; a component of
-/// the source outside of the target shrinks. Distances at which every movement is clamped are
-/// estimated to a few percent; movements are those of exact distances. Cost: O(n log m).
-/// Deterministic for any number of threads.
+/// the source outside of the target shrinks. Distances so large that movements are clamped have
+/// errors of a few percent, without effect on movements. Cost: O(n log m). Deterministic for any
+/// number of threads.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@
 
 namespace transformesh {
 
-/// Definition of phi(p).
+/// Definition of the signed distance phi(p).
 enum class MorphDistance {
   surface,  ///< distance to the closest point of the target's faces
   vertex,   ///< ((q - p) . n) for the nearest vertex q and its normal n, as in the paper; needs a
@@ -33,8 +33,8 @@ struct MorphStepOptions {
   /// Number of edges across narrow places. If > 0 and the target's thickness is measured, the
   /// vertex column `size` is set to an edge length.
   double gap_edges = 0;
-  double largest_size = 0;  ///< largest value of `size`; input units; the least is 1/20 of this
-  const Target* goal = nullptr;  ///< vertices to reach, for `from_target`; null: all of the target
+  double largest_size = 0;  ///< largest value of `size`; input units; the smallest is 1/20 of this
+  const Target* goal = nullptr;  ///< vertices to measure for `from_target`; null: all of the target
 };
 
 struct DistanceSummary {

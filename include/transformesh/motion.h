@@ -19,7 +19,7 @@ namespace transformesh {
 /// The point of time for which a motion is evaluated.
 struct Moment {
   double time = 0;  ///< time of the stage
-  double span = 0;  ///< time of the whole step; 0 while the evolution still chooses the span
+  double span = 0;  ///< time of the whole step; 0 if the evolution has not chosen the span yet
   int stage = 0;    ///< number of the stage within the step, from 0
 };
 

@@ -1,7 +1,7 @@
-/// The offset surface of a closed surface: outwards the boundary of the union of balls around all
-/// points, inwards that of the points that are that far inside. A self-intersecting source is
-/// cleaned first. The surface moves along the gradient of its distance from the source in the
-/// iterations of an evolution (iteration.h). Parts merge, split and vanish, and outer corners
+/// The offset surface of a closed surface. Outwards: the boundary of the union of balls around all
+/// its points. Inwards: the boundary of the points at least as deep inside. A self-intersecting
+/// source is cleaned first. The surface moves along the gradient of its distance from the source in
+/// the iterations of an evolution (iteration.h). Parts merge, split and vanish, and outer corners
 /// become round.
 ///
 /// Guarantees: the result is an oriented manifold without self-intersections, subject to the limits
@@ -17,17 +17,17 @@
 namespace transformesh {
 
 struct OffsetOptions {
-  double distance = 0;           ///< input units; negative: inwards; not 0
+  double distance = 0;           ///< distance of the offset; input units; negative: inwards; not 0
   double edge = 0;               ///< edges are 0.7 to 1.5 times this; input units; 0: offset_edge()
-  std::size_t iterations = 500;  ///< limit
+  std::size_t iterations = 500;  ///< limit of iterations
 };
 
 /// Deviation of the result from the true offset, at sample points of both surfaces. Input units.
 struct OffsetDeviation {
   double rms = 0;     ///< root mean square of |distance from the source - `distance`|, by area
-  double most = 0;    ///< largest such difference, including vertices
+  double most = 0;    ///< largest such difference at sample points and vertices
   double missed = 0;  ///< largest distance of a point on the true offset from the result
-  Vec3 missed_at = Vec3::Zero();  ///< the point at this distance
+  Vec3 missed_at = Vec3::Zero();  ///< the point of the true offset at the distance `missed`
 };
 
 struct OffsetResult {

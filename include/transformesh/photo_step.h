@@ -15,27 +15,27 @@ enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient`: the paper
 enum class PairOrder { both, rising, falling };       ///< rising: the reference has the lower index
 
 struct CorrelationOptions {    ///< comparison of windows by normalized cross-correlation cc
-  int radius = 3;              ///< pixels; 1 to 5
+  int radius = 3;              ///< radius of windows; pixels; 1 to 5
   double noise_variance = 25;  ///< added to both variances; squared intensities; > 0
   double contrast = 25;        ///< variance at which a window has weight 1/2; 0: equal weights
-  double robust = 0;  ///< 1 - cc at which the pull is reduced to a quarter; 0: no reduction
+  double robust = 0;  ///< value of 1 - cc that reduces a window's pull to 1/4; 0: no reduction
 };
 struct PhotoconsistencyOptions {
   CorrelationOptions correlation;
   Interpolation interpolation = Interpolation::catmull_rom;
-  double depth_tolerance = 0.005;  ///< relative depth by which occluded points are behind; >= 0
+  double depth_tolerance = 0.005;  ///< points are occluded if deeper by this fraction; >= 0
 };
 struct PairOptions {          ///< pairs of views to compare; angles at the scene
-  std::size_t neighbors = 4;  ///< largest number for each view
+  std::size_t neighbors = 4;  ///< largest number of partners of each view
   double minimum_angle_deg = 4, maximum_angle_deg = 50;
-  double spread = std::numeric_limits<double>::infinity();  ///< largest over best angle; >= 1
+  double spread = std::numeric_limits<double>::infinity();  ///< largest / best angle; >= 1
 };
 struct PhotoStepOptions {
   PhotoStepRule rule = PhotoStepRule::gauss_newton;
   double alpha = 0.5;      ///< clamp as a fraction of the local mean edge; >= 0; 0.1 in the paper
   double stiffness = 1;    ///< weight of the thin plate, in median curvatures of the energy; >= 0
   double damping = 0.006;  ///< regularization; compared pixels per squared pixel of movement; >= 0
-  double time_step = 0.001, smoothing = 0.1;  ///< for `gradient`: length^4, >= 0; and [0, 1]
+  double time_step = 0.001, smoothing = 0.1;  ///< only for `gradient`: in length^4, >= 0; in [0, 1]
   double silhouettes = 1;                     ///< weight of silhouettes against photographs; >= 0
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   PairOrder order = PairOrder::both;
@@ -46,7 +46,7 @@ struct PhotoStepResult {
   double energy = 0, dissimilarity = 0;  ///< sum and mean of 1 - cc before the step
   std::size_t pixels = 0;                ///< compared pixels, summed over all pairs
   double coverage = 0;                   ///< `pixels` over the pixels that show the surface; [0, 1]
-  std::size_t unseen = 0, outside = 0;   ///< vertices in no pair; outside of a silhouette
+  std::size_t unseen = 0, outside = 0;   ///< vertices: in no pair; outside of a silhouette
   double mean_share = 0;                 ///< mean movement as a fraction of the local mean edge
   DisplaceResult displaced;
 };

@@ -15,8 +15,8 @@ namespace transformesh {
 
 struct PinholeCamera {
   Eigen::Matrix3d intrinsics = Eigen::Matrix3d::Identity();  ///< K: last row 0 0 1, focals > 0
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();    ///< R, determinant 1
-  Vec3 translation = Vec3::Zero();                           ///< t
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();    ///< R, with determinant 1
+  Vec3 translation = Vec3::Zero();                           ///< t, in input units
 
   Vec3 center() const;
   Vec3 ray(double x, double y) const;

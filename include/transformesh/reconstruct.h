@@ -25,15 +25,15 @@ namespace transformesh {
 /// A connected set of vertices with a doubt above 0.5.
 struct DoubtfulPlace {
   Vec3 center = Vec3::Zero();
-  double area = 0;       ///< squared pixels, >= 25
+  double area = 0;       ///< area of the place in squared pixels, >= 25
   bool is_thin = false;  ///< most of the place has an opposite sheet within six pixels
 };
 
 struct ReconstructionResult {
   std::size_t sweeps = 0;  ///< sweeps, with those of earlier runs
-  std::string fault;       ///< reason why the result is not converged; empty if it is
-  std::string kept;        ///< reason why the given initial mesh is the result; empty if it is not
-  double restored = 0;     ///< share of the vertices at which a given initial mesh came back
+  std::string fault;       ///< reason why the result is not converged; empty if it is converged
+  std::string kept;        ///< reason why the given initial mesh is the result, else empty
+  double restored = 0;     ///< fraction of vertices moved back onto a given initial mesh; [0, 1]
   Topology topology;
   std::size_t crumbs = 0;   ///< components that were dropped at the end
   std::size_t handles = 0;  ///< handles that were removed
@@ -42,10 +42,10 @@ struct ReconstructionResult {
   PhotoStepResult first, last;  ///< measures of the initial surface and of the result
   double first_agreement = 1;   ///< mean intersection over union of initial and exact silhouettes
   double agreement = 1;         ///< mean intersection over union of resulting and exact silhouettes
-  double disagreement = 0;      ///< mean, between photographs beyond their noise; 0 to 1
+  double disagreement = 0;      ///< mean disagreement of photographs beyond noise; [0, 1]
   double noise_floor = 0;       ///< mean dissimilarity that noise explains
   double doubtful = 0;          ///< fraction of the observed area in doubtful places
-  std::vector<DoubtfulPlace> doubtful_places;  ///< the largest first
+  std::vector<DoubtfulPlace> doubtful_places;  ///< doubtful places, the largest first
 };
 
 /// Reconstructs into `document`, which contains the initial mesh if one is given. Views without

@@ -15,9 +15,9 @@ struct InitialMeshOptions {
   std::string name = {};      ///< name of the given mesh in messages
   bool clips_by_hull = true;  ///< intersect the given mesh with the hull of exact silhouettes
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
-  /// For views without silhouettes. Default: Otsu's scale, or no silhouettes if a mesh is given.
+  /// Threshold for views without silhouettes. Default: Otsu's; no silhouettes if a mesh is given.
   std::optional<ThresholdOptions> threshold = std::nullopt;
-  std::optional<double> keep = std::nullopt;  ///< HullOptions::keep; default: what masks show
+  std::optional<double> keep = std::nullopt;  ///< HullOptions::keep; default: from the masks
   bool opens_hollows = true;                  ///< carve hollows of the hull by depth maps
   double least_agreement =
       0.7;  ///< least overlap of thresholded silhouettes with their hull; [0, 1]
@@ -25,7 +25,7 @@ struct InitialMeshOptions {
 
 /// Scales: factors by which photographs are reduced.
 struct ScaleOptions {
-  std::optional<double> coarsest = std::nullopt;  ///< >= 1; default: photographs 28 pixels wide
+  std::optional<double> coarsest = std::nullopt;  ///< first scale, >= 1; default: 28 pixels wide
   double edge = 3;                                ///< edge length in pixels of the scale; >= 1
   double last_edge = 3;                           ///< edge length in pixels at the end; >= 1
   double largest = 11.3;                          ///< limit of the default of `coarsest`
@@ -43,15 +43,15 @@ struct ReconstructionOptions {
   ScaleOptions scales;
   PairOptions pairs;
   WindowRadii windows;
-  std::optional<int> iterations = std::nullopt;  ///< steps of a sweep; default: 5, opened hull: 8
-  std::size_t sweeps = 4;  ///< sweeps at a scale, at most; twice while the topology changes
-  std::optional<double> pull = std::nullopt;  ///< weight of silhouettes; default: 0.5 or 1.5
+  std::optional<int> iterations = std::nullopt;  ///< steps of a sweep; default: 5; opened hull: 8
+  std::size_t sweeps = 4;  ///< limit of sweeps at a scale; twice as many if the topology changes
+  std::optional<double> pull = std::nullopt;  ///< weight of silhouettes; default: 0.5; 1.5 if wide
   double momentum = 0.7;      ///< fraction of the last movement that a step adds; [0, 1)
   PhotoStepOptions step;      ///< only `stiffness`, `damping` and `alpha` are used
   bool spends_views = false;  ///< crop and finally clear the views, to save memory
-  double robust = 1;          ///< last sweeps: factor of the mean for CorrelationOptions::robust
+  double robust = 1;          ///< CorrelationOptions::robust / mean dissimilarity in last sweeps
   double crumbs = 0.001;      ///< drop components below this fraction of the largest volume; [0, 1]
-  double handles = 5;         ///< remove handles of this length in last edges; 0: none
+  double handles = 5;         ///< limit of loops around removed handles, in last edges; 0: none
   std::function<void(const std::string& message)> on_sweep = {};   ///< called after each sweep
   std::function<void(const std::string& message)> on_note = {};    ///< called for problems
   std::function<void(const std::string& message)> on_detail = {};  ///< called for details

@@ -21,12 +21,12 @@ struct RemeshResult {
     double area = 0, volume = 0;  ///< sums of absolute values
   } components_removed;           ///< components that are too small for the edge lengths
   std::size_t splits = 0, collapses = 0, flips = 0;
-  std::size_t refused = 0;             ///< steps of the last iteration that would break a guarantee
+  std::size_t refused = 0;             ///< steps refused in the last iteration to keep guarantees
   std::size_t kept_out = 0;            ///< steps refused because of `keep_out`
-  std::size_t films_kept = 0;          ///< collapses of the last iteration refused by `min_film`
+  std::size_t films_kept = 0;          ///< collapses that `min_film` refused in the last iteration
   std::size_t pinched = 0;             ///< loops that were cut and capped
   std::size_t pinch_refused = 0;       ///< loops around which no caps fit
-  std::size_t near_keep_out = 0;       ///< faces of the input that are nearer than its gap
+  std::size_t near_keep_out = 0;       ///< input faces nearer to `keep_out` than its gap
   std::size_t degenerate_faces = 0;    ///< remaining faces with height < longest edge / 1000
   std::size_t slivers_kept = 0;        ///< degenerate faces whose height is a few spacings
   Vec3 first_sliver = Vec3::Zero();    ///< a corner of the first sliver

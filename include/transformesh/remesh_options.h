@@ -1,15 +1,16 @@
 /// Options of remesh() (remesh.h).
 ///
 /// `curved` is for surfaces that a flow carries. The new vertex of a split edge lies on the quadric
-/// that fits the vertices around the edge. A collapse ends at either end or at such a place,
-/// whichever is nearest to the planes of the old faces. Sliding vertices stay on such quadrics.
-/// Creases are borders, features and edges that turn by more than 40 degrees; vertices on them lie
-/// on cubics. Without smoothing no other vertex moves. Closed components with an edge shorter than
-/// `min_edge` are removed if they have less area than the sphere of that diameter, however long
-/// they are. An iteration of an evolution (iteration.h) also pinches loops shorter than `min_edge`
-/// if clean() changed a closed mesh. With `min_film`, films and components that are thicker stay,
-/// however short the edges across them are. With `pinch` the mesh must be closed (InputError); if
-/// what closes the cuts intersects the surface, the mesh is cleaned.
+/// that fits the vertices around the edge. A collapsed edge becomes one of its ends or a point on
+/// such a quadric, whichever is nearest to the planes of the old faces. Sliding vertices stay on
+/// such quadrics. Creases are borders, features and edges that turn by more than 40 degrees;
+/// vertices on them lie on cubics. Without smoothing no other vertex moves. Closed components with
+/// an edge shorter than `min_edge` are removed if they have less area than the sphere of that
+/// diameter, however long they are. An iteration of an evolution (iteration.h) also pinches loops
+/// shorter than `min_edge` if clean() changed a closed mesh. With `min_film`, thin walls and
+/// components that are thicker than `min_film` stay, however short their edges are. With `pinch`
+/// the mesh must be closed (InputError); if the caps of cuts intersect the surface, the mesh is
+/// cleaned.
 #pragma once
 
 #include <string>
@@ -20,7 +21,8 @@
 namespace transformesh {
 
 enum class Smoothing { none, tangential, laplace, bilaplace };
-enum class FlipRule { none, valence, angle };  ///< prefers valence 6; maximizes the least angle
+/// `valence`: towards 6; `angle`: larger least angles.
+enum class FlipRule { none, valence, angle };
 
 struct RemeshOptions {
   double min_edge = 0;        ///< shorter edges are collapsed; input units, > 0
@@ -33,12 +35,12 @@ struct RemeshOptions {
   Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
   double smooth_first = 0;                      ///< b in v - b dv, or b1; in [0, 1]
   double smooth_second = 0;        ///< b2 in v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
-  double feature_angle_deg = 180;  ///< sharper edges stay; [0, 180]; 0: 40 if there are any
+  double feature_angle_deg = 180;  ///< sharper edges stay; [0, 180]; 0: 40 if edges are sharp
   bool keep_border = false;        ///< border vertices and edges stay
   bool project = false;            ///< move relaxed vertices onto the input surface
-  bool curved = false;  ///< new vertices lie on curves, merged ones at the best of three places
-  double min_film = 0;  ///< > 0: no collapse moves the surface by more than half of this
-  double pinch = 0;     ///< > 0: cut necks and handles with a loop up to this long around them
+  bool curved = false;             ///< new vertices lie on quadrics or cubics, as described above
+  double min_film = 0;             ///< > 0: no collapse moves the surface by more than half of this
+  double pinch = 0;  ///< > 0: cut necks and handles around which a loop is at most this long
   Scalar coordinate = Scalar::float64;  ///< type to which new positions are rounded
   KeepOutOptions keep_out = {};
 };

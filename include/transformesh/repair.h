@@ -24,7 +24,7 @@
 namespace transformesh {
 
 struct RepairOptions {
-  bool keep_open = false;  ///< fill no holes
+  bool keep_open = false;  ///< leave holes open
   /// Largest distance of the result from the surface of the input; input units; > 0.
   double max_change = std::numeric_limits<double>::infinity();
   Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
@@ -34,12 +34,13 @@ struct RepairOptions {
 struct RepairStep {
   /// The options of stitch(), fill_holes(), clean() or select().
   std::variant<StitchOptions, FillOptions, CleanOptions, SelectionOptions> operation;
-  std::vector<std::string> findings;          ///< counts and actions, such as "3 holes filled"
-  std::size_t count = 0;                      ///< sum of the counts in `findings`
-  Vec3 place = Vec3::Zero();                  ///< corner of the first face that changed
-  double area_change = 0, volume_change = 0;  ///< value after minus before the step; input units
-  double lost_share = 0;                      ///< fraction of the area of removed faces; [0, 1]
-  Vec3 lost_place = Vec3::Zero();             ///< corner of a removed face
+  std::vector<std::string> findings;  ///< counts and actions, such as "3 holes filled"
+  std::size_t count = 0;              ///< sum of the counts in `findings`
+  Vec3 place = Vec3::Zero();          ///< corner of the first face that changed
+  /// Values after the step minus values before; input units.
+  double area_change = 0, volume_change = 0;
+  double lost_share = 0;           ///< fraction of the area of removed faces; [0, 1]
+  Vec3 lost_place = Vec3::Zero();  ///< corner of a removed face
 };
 
 struct RepairResult {
@@ -47,8 +48,8 @@ struct RepairResult {
   std::vector<RepairStep> steps;  ///< empty if the input is a solid
   bool same_triangles = false;    ///< nothing was done, or only vertices were joined
   double crack_width = 0;         ///< largest distance between the sides of cracks; input units
-  double area_before = 0, area_after = 0;      ///< input units squared
-  double volume_before = 0, volume_after = 0;  ///< closed components only; input units cubed
+  double area_before = 0, area_after = 0;      ///< in squared input units
+  double volume_before = 0, volume_after = 0;  ///< sums over closed components; cubic units
 };
 
 RepairResult repair(const Mesh& mesh, const RepairOptions& options = {},

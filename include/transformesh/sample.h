@@ -1,15 +1,15 @@
 /// Samples a surface by points with normals and columns: a number of points uniform by area, or a
-/// maximal Poisson-disk sampling. In the latter no two points are nearer than a distance, and no
-/// further point fits.
+/// maximal Poisson-disk sampling. In a Poisson-disk sampling no two points are nearer than a given
+/// distance, and no further point fits.
 ///
 /// Points have the unit normal of their face in the vertex columns nx ny nz (zero if the face has
-/// none). They have the vertex columns, interpolated, and the face columns whose names no vertex
-/// column has. Corner lists are dropped. Distances are Euclidean, not geodesic. Floating point;
-/// deterministic in mesh, options and seed.
+/// no normal). Points get the interpolated vertex columns, and the face columns whose names no
+/// vertex column has. Corner lists are dropped. Distances are Euclidean, not geodesic. Floating
+/// point; deterministic in mesh, options and seed.
 ///
 /// Reference: Cline, Jeschke, White, Razdan & Wonka, "Dart throwing on surfaces", Computer Graphics
-/// Forum 28(4), 2009. Darts are thrown, then parts of faces that no disk covers are split until
-/// none is left. The disks of half the distance cover .55 of a plane, .60 of the densest packing
+/// Forum 28(4), 2009. Random points are tried; then parts of faces that no disk covers are split
+/// until none is left. Disks of half the distance cover .55 of a plane, .60 of the densest packing
 /// (Renyi's random sequential addition). Cost: O(n + count); Poisson disk: O(n + points), about .02
 /// ms per point.
 #pragma once

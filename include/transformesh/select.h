@@ -19,14 +19,14 @@ namespace transformesh {
 
 /// Conditions on faces. Conditions that are not set hold for every face.
 struct SelectionOptions {
-  std::optional<std::size_t> largest;       ///< number of components to keep, largest first
-  double at_least = 0;                      ///< least size of a component; 0: any
+  std::optional<std::size_t> largest;       ///< number of the largest components to keep
+  double at_least = 0;                      ///< least size of a component; 0: any size
   ComponentSize by = ComponentSize::faces;  ///< measure of the size of a component
-  /// `COLUMN OP NUMBER`, with OP one of < <= = != >= >, for a face column, else for a vertex column
-  /// at all three corners of a face.
+  /// `COLUMN OP NUMBER`, with OP one of < <= = != >= >. COLUMN is a face column, else a vertex
+  /// column: then all three corners must meet the condition.
   std::string where;
-  std::optional<Box> box;  ///< contains all corners of a selected face; closed box
-  /// Selects the innermost component that contains this point, or the closest one.
+  std::optional<Box> box;  ///< closed box that must contain all corners of a selected face
+  /// Selects the innermost component that contains this point, or else the closest component.
   std::optional<Vec3> around;
   std::optional<std::vector<bool>> mask;  ///< true for each face that may be selected
   bool invert = false;                    ///< select the faces that do not meet the conditions
@@ -48,10 +48,10 @@ struct CutPlane {
   double offset;
 };
 
-/// Cuts faces along the plane. Drops lists of texture coordinates and returns whether there were
-/// any. Both cuts throw UsageError for a normal of length 0, and GoalError if nothing is left.
+/// Cuts faces along the plane. Drops lists of texture coordinates; returns true if there were any.
+/// Both cuts throw UsageError for a normal of length 0, and GoalError if nothing is left.
 bool cut_open(Mesh& mesh, const CutPlane& plane);
-/// Cuts, and closes the cut as clean() does. Throws InputError if the mesh is not closed.
+/// Cuts and closes the cut as clean() does. Throws InputError if the mesh is not closed.
 void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate = Scalar::float64,
                 const Progress& progress = Progress());
 /// Returns the segments in which faces meet the plane; closed curves if the mesh is closed.

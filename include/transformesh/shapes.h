@@ -30,9 +30,9 @@ struct ShapeOptions {
   std::optional<double> radius;      ///< radius of a sphere or dented sphere, or of the ring of a
                                      ///< torus or knot; > 0
   std::optional<double> tube;        ///< tube radius of a torus or knot; > 0
-  std::optional<double> gap;         ///< two-spheres, tori; negative: the two overlap
+  std::optional<double> gap;         ///< gap of two-spheres and tori; negative: parts overlap
   std::optional<double> neck;        ///< radius of a dumbbell's neck; negative: inverted
-  std::optional<std::size_t> count;  ///< many-spheres, boxes
+  std::optional<std::size_t> count;  ///< number of many-spheres or boxes
   std::optional<double> noise;       ///< amplitude; >= 0; default 0, folded: 38 % of the diagonal
   std::uint64_t seed = 1;            ///< seed of the noise and of random shapes
   std::optional<Box> around;         ///< the sphere contains this box with a margin of at least 5 %
@@ -53,8 +53,8 @@ Mesh make_shape(const ShapeOptions& options, const Progress& progress = {});
 /// Returns the diagonal of the shape's bounding box, estimated from a coarse mesh.
 double shape_diagonal(ShapeOptions options);
 
-/// Returns an icosahedron whose faces are divided into n^2 each (geodesic, class I), n chosen for
-/// `faces` = 20 n^2.
+/// Returns an icosahedron whose faces are divided into n^2 each (geodesic, class I), with n such
+/// that 20 n^2 is about `faces`.
 Mesh make_sphere(const Vec3& center, double radius, std::size_t faces);
 
 }  // namespace transformesh

@@ -23,8 +23,9 @@ struct StitchOptions {
   /// Join positions within this distance, and split border edges at border vertices within it;
   /// input units; 0: join equal positions only.
   double tolerance = 0;
-  bool orient = false;  ///< reverse faces so that neighbors agree; then orient changed closed parts
-                        ///< outwards, and changed open ones as most of their faces were
+  /// Reverse faces so that neighbors agree; then orient changed closed parts outwards, and changed
+  /// open parts as most of their faces were.
+  bool orient = false;
   /// Drop all but the first of coincident faces with the same direction.
   bool drop_copies = false;
   bool one_side = false;  ///< drop faces whose reverse is present (double_sided.h), orient, and
@@ -37,19 +38,19 @@ struct StitchOptions {
 };
 
 struct StitchResult {
-  std::size_t joined_vertices = 0;  ///< positions that several vertices had
+  std::size_t joined_vertices = 0;  ///< positions that more than one input vertex had
   std::size_t copied_vertices = 0;  ///< duplicates made at singular vertices, edges, triangles
   std::size_t split_borders = 0;    ///< border edges split by `tolerance` at vertices near them
   std::size_t split_edges = 0;      ///< singular edges split in the middle
   std::size_t dropped_faces = 0;
-  std::size_t dropped_copies = 0;     ///< faces that `drop_copies` dropped
-  std::size_t dropped_reverses = 0;   ///< reverses dropped by `one_side`
-  std::size_t reversed_faces = 0;     ///< faces reversed by `orient`, `one_side` or `outwards`
-  std::size_t misoriented_edges = 0;  ///< edges at which several faces of one direction have no
-                                      ///< partner
-  std::size_t border_edges = 0;       ///< edges at which one face has no partner
-  bool new_normals = false;           ///< normals were recomputed after `orient` or `one_side`
-  std::string misorientation;         ///< sentence on the first misoriented edge: faces and place
+  std::size_t dropped_copies = 0;    ///< faces that `drop_copies` dropped
+  std::size_t dropped_reverses = 0;  ///< reverses dropped by `one_side`
+  std::size_t reversed_faces = 0;    ///< faces reversed by `orient`, `one_side` or `outwards`
+  /// Edges that several faces without partner traverse in the same direction.
+  std::size_t misoriented_edges = 0;
+  std::size_t border_edges = 0;  ///< edges at which one face has no partner
+  bool new_normals = false;      ///< normals were recomputed after `orient` or `one_side`
+  std::string misorientation;    ///< sentence on the first misoriented edge: faces and place
   bool can_be_oriented = false;  ///< there are misoriented edges, and `orient` would remove them
 };
 

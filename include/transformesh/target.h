@@ -15,12 +15,12 @@ namespace transformesh {
 struct Target {
   Mesh mesh;
   std::vector<Vec3>
-      normals;  ///< one per point, of unit length or zero; empty for a mesh with faces
+      normals;  ///< normal of each point, of unit length or zero; empty for a mesh with faces
   bool has_estimated_normals = false;  ///< normals were computed from neighboring points
   std::vector<double> thickness;       ///< local thickness at each vertex if measured, else empty
   bool has_spatial_order = false;      ///< faces are sorted for quick searches
-  std::vector<std::string> notes;      ///< changes while reading, one line each
-  bool is_prepared = false;            ///< read from a file of a target that was already checked
+  std::vector<std::string> notes;      ///< changes made while reading, one line each
+  bool is_prepared = false;            ///< the target was checked before it was written to its file
 
   bool is_mesh() const { return !mesh.faces.empty(); }
 };

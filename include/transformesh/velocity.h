@@ -1,5 +1,5 @@
-/// Velocities from columns of the mesh, and those of offsetting and of mean-curvature flow.
-/// Cost: O(n log n); deterministic.
+/// Velocities from columns of the mesh, of offsetting, and of mean-curvature flow. Cost: O(n log
+/// n); deterministic.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,17 @@
 namespace transformesh {
 
 struct VelocityOptions {
-  std::optional<std::vector<Vec3>> given;  ///< replaces the columns vx, vy and vz
-  std::optional<double> normal_speed;      ///< input units per time; negative: inwards
-  double curvature_speed = 0;              ///< squared input units per time
-  std::string mask;                        ///< vertex column that multiplies the sum; empty: none
+  std::optional<std::vector<Vec3>> given;  ///< velocities instead of the columns vx, vy and vz
+  /// Speed along normals; input units per time; negative: inwards.
+  std::optional<double> normal_speed;
+  /// Factor of mean curvature; squared input units per time.
+  double curvature_speed = 0;
+  std::string mask;  ///< vertex column that multiplies the sum; empty: none
 };
 
-/// Returns the sum of the given velocities, or else of the columns if the mesh has them, and of
-/// those of the two speeds. Throws InputError (no_velocity) if there are none of these, or if a
-/// speed is set and border edges of the mesh coincide. Throws UsageError for a wrong number of
+/// Returns the sum of the velocities of both speeds and of `given`, or else of the columns if the
+/// mesh has them. Throws InputError (no_velocity) if there is neither a velocity nor a speed, or if
+/// a speed is set and border edges of the mesh coincide. Throws UsageError for a wrong number of
 /// velocities.
 std::vector<Vec3> velocities_of(const Mesh& mesh, const VelocityOptions& options);
 

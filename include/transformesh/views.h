@@ -12,7 +12,7 @@
 
 namespace transformesh {
 
-struct View;  // private
+struct View;  // private to the library
 
 /// Photographs with their cameras. A photograph takes 4 bytes per pixel, 1 if read_views() read it.
 class Views {
@@ -41,14 +41,14 @@ class Views {
 
 /// Paths of input files. Each is a file, a folder or a pattern.
 struct ViewSources {
-  std::string cameras;      ///< any format that tm-cameras(1) lists
-  std::string images;       ///< empty: no photographs
-  std::string silhouettes;  ///< empty: no silhouettes
+  std::string cameras;      ///< camera file, in any format that tm-cameras(1) lists
+  std::string images;       ///< photographs; empty: none
+  std::string silhouettes;  ///< silhouettes; empty: none
   bool mirror = false;      ///< the cameras' world is left-handed
   /// Called with notes on how masks were read, and on images and cameras that were left out.
   std::function<void(const std::string& note)> on_note = {};
-  bool needs_all_images = false;  ///< throws if a named image is missing, instead of leaving it out
-  double reduction = 1;  ///< photographs and silhouettes are read so many times smaller, >= 1
+  bool needs_all_images = false;  ///< throw if a named image is missing; else skip its camera
+  double reduction = 1;           ///< factor by which photographs and silhouettes are reduced; >= 1
 };
 
 /// Reads views in the order of the cameras. If the camera file names images, images are paired with

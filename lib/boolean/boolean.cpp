@@ -20,7 +20,8 @@ constexpr std::array empty_region_kinds{ErrorKind::no_positive_winding, ErrorKin
                                         ErrorKind::canceling_faces, ErrorKind::no_area,
                                         ErrorKind::thinner_than_rounding};
 
-/// Returns the signs of the only operand if the operation failed with an error of this kind.
+/// Returns the signs of the winding numbers of a single operand whose cleaning failed with an error
+/// of this kind.
 WindingSigns signs_of_one(ErrorKind kind) {
   return {false, kind == ErrorKind::no_positive_winding};
 }
@@ -42,10 +43,11 @@ class SolidChooser : public PieceChooser {
   BooleanOperation operation_;
   const std::vector<Operand>& operands_;
   const JoinedOperands& joined_;
-  std::vector<WindingSigns>& signs_;  ///< per operand; set when pieces are chosen
+  /// Signs of the winding numbers of each operand; set when pieces are chosen.
+  std::vector<WindingSigns>& signs_;
 };
 
-// Returns true if the sum s of the winding numbers w of all operands decides the operation:
+// Returns true if s, the sum of the winding numbers w of all operands, decides the operation:
 // - Union: if no w is negative, s >= 1 exactly in the union.
 // - Intersection: if every w is 0 or 1, s equals the number of operands exactly in the
 // intersection.
@@ -72,7 +74,8 @@ bool SolidChooser::is_level_set(const WeldedMesh& welded,
   return false;
 }
 
-/// Chooses the faces of the first operand, a sheet, on one side of a solid, and the cap if wanted.
+/// Chooses the faces of a sheet, the first operand, on one side of a solid. Also chooses the cap if
+/// it is wanted.
 class SheetChooser : public PieceChooser {
  public:
   SheetChooser(SheetSide side, bool cap, const JoinedOperands& joined)

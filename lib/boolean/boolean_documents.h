@@ -17,8 +17,8 @@ const std::vector<std::string>& boolean_commands();
 const std::string& cut_command();
 
 struct DocumentsBoolean {
-  BooleanResult result;            ///< without the mesh
-  std::vector<Problem> problems;   ///< problems_of() the result
+  BooleanResult result;            ///< result of the operation, without its mesh
+  std::vector<Problem> problems;   ///< problems that problems_of() returns for the result
   std::vector<std::string> notes;  ///< lines that append() returns
 };
 
@@ -30,8 +30,9 @@ DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
                                    const std::vector<std::string>& names, BooleanOptions options,
                                    const Progress& progress);
 
-/// Copies the unit of `read` to `all` if `all` has none, and keeps the larger bound of how far
-/// flat faces moved. Returns false if both documents have units and these differ.
+/// Copies the length unit of `read` to `all` if `all` has no unit, and keeps the larger bound on
+/// the displacement by merged flat faces. Returns false if both documents have units and these
+/// differ.
 bool unite_length_comments(Document& all, const Document& read);
 
 }  // namespace transformesh

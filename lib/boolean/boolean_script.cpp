@@ -52,8 +52,9 @@ ScriptLine line_of(const std::vector<std::string>& words, std::size_t number) {
 /// EditedSolid, which can be changed in place.
 struct Value {
   Mesh mesh;
-  std::optional<EditedSolid> solid;  ///< if set, the value; `mesh` is empty then
-  double displacement = 0;           ///< bound of how far merging moved the surface
+  std::optional<EditedSolid> solid;  ///< the value, if set; then `mesh` is empty
+  /// Bound on the displacement of the surface by merged flat faces.
+  double displacement = 0;
 
   Mesh& whole() {
     if (solid) mesh = solid->take();
@@ -82,7 +83,7 @@ class ScriptRun {
   const std::function<Mesh(const std::string&)>& read_;
   const BooleanOptions& options_;
   const Progress& progress_;
-  std::map<std::string, std::size_t> last_use_;  ///< per operand: the last line that uses it
+  std::map<std::string, std::size_t> last_use_;  ///< the last line that uses each operand
   std::map<std::string, Value> values_;
   ScriptResult result_;
 };

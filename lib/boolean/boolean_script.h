@@ -32,8 +32,8 @@ const std::vector<std::string>& boolean_operation_names();
 /// Returns the operation of a name in boolean_operation_names().
 BooleanOperation boolean_operation(std::string_view name);
 
-/// Returns a problem for each operand that encloses nothing, and one if rounding leaves nothing of
-/// the result. `names` has a name for each operand.
+/// Returns a problem for each operand that encloses nothing, and a problem if rounding leaves
+/// nothing of the result. `names` has a name for each operand.
 std::vector<Problem> problems_of(const BooleanResult& result,
                                  const std::vector<std::string>& names);
 
@@ -45,9 +45,10 @@ struct ScriptResult {
   Mesh mesh;
   std::vector<Problem> problems;     ///< problems of the results, as problems_of() returns
   std::size_t pairs = 0;             ///< intersecting pairs of faces, sum over the operations
-  std::size_t rounding_repairs = 0;  ///< sum over the operations
+  std::size_t rounding_repairs = 0;  ///< rounds of repair, sum over the operations
   std::size_t in_place = 0;          ///< operations that changed only a part of a mesh
-  double merge_displacement = 0;     ///< bound of how far merging flat faces moved the surface
+  /// Bound on the displacement of the surface by merged flat faces.
+  double merge_displacement = 0;
 };
 
 /// Runs the lines. `read` returns the mesh in a file. Throws the errors of boolean(), with the line

@@ -14,12 +14,13 @@ namespace {
 
 std::array<double, 3> array_of(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
 
-/// True if a piece belongs to the solid, and is in its boundary: outside in front, inside behind.
+/// True if a piece belongs to the boundary of the solid: the outside is in front of the piece, and
+/// the inside behind it.
 bool is_surface(const Piece& piece) {
   return !piece.is_open && piece.front < 1 && piece.front + piece.multiplicity >= 1;
 }
 
-/// Sets the multiplicity of all pieces to 0 except those of the sheet on `side` and those in the
+/// Sets the multiplicity of a piece to 0 unless the piece belongs to the sheet on `side` or to the
 /// boundary of the solid. Returns true if pieces of the sheet remain.
 bool keep_dividing(SheetSide side, Arrangement& arrangement) {
   bool has_sheet = false;
@@ -32,7 +33,7 @@ bool keep_dividing(SheetSide side, Arrangement& arrangement) {
 }
 
 // Throws InputError if an edge has only one remaining piece. The boundary of the solid has no such
-// edge, so that this is a border of the sheet off the solid's surface.
+// edge, so the edge is a border of the sheet that is not on the solid's surface.
 void refuse_borders(SheetSide side, const Arrangement& arrangement) {
   std::vector<char> counts(arrangement.pieces.size());
   for (std::size_t p = 0; p < counts.size(); ++p)
@@ -73,9 +74,10 @@ class CellsBehind {
   const Arrangement& arrangement_;
   const Patches& patches_;
   DisjointSets sides_;
-  Index outermost_;              ///< a side of the unbounded cell
-  std::vector<char> is_front_;   ///< at the representative side of each cell: in front of the sheet
-  std::vector<char> is_behind_;  ///< at the representative side of each cell: behind the sheet
+  Index outermost_;  ///< a side of the unbounded cell
+  /// 1 at the representative side of each cell in front of the sheet.
+  std::vector<char> is_front_;
+  std::vector<char> is_behind_;  ///< 1 at the representative side of each cell behind the sheet
 };
 
 void CellsBehind::mark(Index patch) {

@@ -11,9 +11,9 @@
 namespace transformesh {
 namespace {
 
-/// Number of faces in a block. With 1.5 million faces, a query tests the boxes of 23,000 blocks,
-/// and those of the faces in the few blocks that it touches. Larger blocks test more faces, smaller
-/// ones more blocks. The result does not depend on the size.
+/// Number of faces in a block. In a solid of 1.5 million faces, a query tests the boxes of 23,000
+/// blocks, and the faces in the few blocks that it touches. With larger blocks, more faces are
+/// tested; with smaller blocks, more blocks. The result does not depend on the size.
 constexpr std::size_t block_size = 64;
 
 }  // namespace

@@ -16,20 +16,21 @@ class EditedSolid {
  public:
   explicit EditedSolid(Mesh mesh);
 
-  /// The mesh as it is stored: with removed faces, and with vertices that no face uses.
+  /// Returns the stored mesh, which contains removed faces and vertices that no face uses.
   const Mesh& mesh() const { return mesh_; }
-  /// Number of faces that are not removed.
+  /// Returns the number of faces that are not removed.
   std::size_t faces() const { return mesh_.faces.size() - gone_; }
   /// Returns the faces whose bounding boxes touch `box`, ascending. Cost: O(n) with a small factor:
   /// consecutive faces are usually neighbors, so that most blocks of faces are skipped.
   std::vector<Index> faces_touching(const Box& box) const;
 
-  /// Returns the winding number at a point, found by axis-parallel rays. Empty if rounding leaves
-  /// all three rays undecided, which happens only near the surface.
+  /// Returns the winding number at a point, found by axis-parallel rays. Returns nothing if
+  /// rounding leaves all three rays undecided, which happens only near the surface.
   std::optional<int> winding_at(const Vec3& point) const;
 
-  /// Removes faces and appends those of `added`, which must have the same columns as the solid.
-  /// `vertex_of` maps each vertex of `added` to a vertex of the solid, or to no_index if it is new.
+  /// Removes the faces `removed`, and appends the faces of `added`, which must have the same
+  /// columns as the solid. `vertex_of` maps each vertex of `added` to a vertex of the solid, or to
+  /// no_index if it is new.
   void replace(const std::vector<Index>& removed, const Mesh& added, std::vector<Index> vertex_of);
 
   /// Returns the solid without the removed faces, and leaves this object empty.
@@ -43,7 +44,7 @@ class EditedSolid {
 
   Mesh mesh_;
   BoxFrame frame_;
-  std::vector<FloatBox> boxes_;   ///< bounding box per face; empty if the face is removed
+  std::vector<FloatBox> boxes_;   ///< bounding box of each face; empty if the face is removed
   std::vector<FloatBox> blocks_;  ///< bounding box of each block of `block_size` faces
   std::size_t gone_ = 0;          ///< number of removed faces
 };

@@ -16,9 +16,9 @@
 namespace transformesh {
 namespace {
 
-/// Least ratio of the number of faces of the solid to that of the part and the operand together.
-/// For larger parts boolean() takes less time, since it cuts only faces at the exterior. The ratio
-/// decides which of the two runs.
+/// Least ratio of the number of faces of the solid to the number of faces of part and operand
+/// together. If the ratio is smaller, boolean() runs instead: it takes less time, because it cuts
+/// only faces at the exterior.
 constexpr std::size_t least_ratio = 4;
 
 /// Temporary vertex column with the index of the vertex in the solid; -1 for other vertices.
@@ -47,9 +47,10 @@ class LocalBoolean {
 
  private:
   struct Change {
-    std::vector<Index> removed;    ///< faces of the solid
-    std::vector<Index> added;      ///< faces of the assembly
-    std::vector<Index> vertex_of;  ///< per vertex of the assembly: vertex of the solid, or no_index
+    std::vector<Index> removed;  ///< faces of the solid that are removed
+    std::vector<Index> added;    ///< faces of the assembly that are added
+    /// For each vertex of the assembly its vertex in the solid, or no_index.
+    std::vector<Index> vertex_of;
   };
 
   bool find_part();
@@ -69,9 +70,9 @@ class LocalBoolean {
   Box reach_;                    ///< the part consists of all faces that touch this box
   std::vector<Index> faces_;     ///< faces of the solid in the part; ascending
   std::vector<Index> vertices_;  ///< vertices of `faces_` in the solid; ascending
-  std::vector<char> is_inner_;   ///< per vertex of the part: all faces around it are in the part
+  std::vector<char> is_inner_;   ///< 1 for each vertex of the part whose faces are all in the part
   JoinedOperands joined_;        ///< the part and the operand
-  std::vector<char> kept_;       ///< per piece
+  std::vector<char> kept_;       ///< 1 for each piece that is kept
   Assembly assembly_;
   LocalBooleanResult result_;
 };
@@ -144,9 +145,9 @@ bool LocalBoolean::assemble_chosen(Arrangement& arrangement) {
 }
 
 // Assigns vertices of the solid to the vertices of the assembly. The assembly has a copy of a
-// vertex for each umbrella of faces. Around a vertex that is not inner, the part lacks faces, so
-// that one umbrella may appear as several: all copies keep the vertex. Otherwise only the first
-// copy does.
+// vertex for each umbrella of faces. The part lacks faces around a vertex that is not inner, so
+// that one umbrella may appear as several; then all copies keep the vertex. Of an inner vertex only
+// the first copy keeps it.
 void LocalBoolean::number_vertices() {
   std::vector<double>& numbers = assembly_.mesh.vertex_columns.find(vertex_number)->values;
   std::vector<char> is_taken(vertices_.size(), 0);
@@ -200,8 +201,8 @@ LocalBoolean::Change LocalBoolean::find_change() const {
   return change;
 }
 
-// Returns true if no added face intersects the rest of the solid. Merged faces can reach beyond the
-// part and differ from the faces that they replace by rounding.
+// Returns true if no added face intersects the rest of the solid. Added faces may intersect it
+// because merged faces can reach beyond the part, and rounding moves them.
 bool LocalBoolean::is_clear_of_rest(const Change& change) const {
   Mesh both = mesh_of_faces(assembly_.mesh, change.added);
   const Box box = bounding_box(both);

@@ -2,12 +2,12 @@
 /// operand. These faces are called the part. The arrangement contains the part and the operand
 /// only; the rest of the solid stays as it is.
 ///
-/// The rest is not needed to find winding numbers: in front of every face of the solid the winding
-/// number is 0. A ray finds the winding number at an operand that meets no face. The solid stays
-/// unchanged if the operand is not a simple solid (operand_kinds.h) or has other columns. It also
-/// stays unchanged if the part is a large share of the solid or if rounding would need repairs.
-/// Cost: that of boolean() for the part, and a scan of the boxes of all faces. Exact as boolean()
-/// is; deterministic.
+/// The rest is not needed to find winding numbers, because the winding number in front of every
+/// face of the solid is 0. If the operand meets no face of the solid, a ray finds the winding
+/// number at the operand. The solid stays unchanged if the operand is not a simple solid
+/// (operand_kinds.h) or has other columns. The solid also stays unchanged if the part is a large
+/// share of it, or if rounding would need repairs. Cost: that of boolean() for the part, and a scan
+/// of the boxes of all faces. Exact as boolean() is; deterministic.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ namespace transformesh {
 
 struct LocalBooleanResult {
   std::size_t pairs = 0;          ///< intersecting pairs of faces
-  double merge_displacement = 0;  ///< bound of how far merging flat faces moved the surface
+  double merge_displacement = 0;  ///< bound on the displacement of the surface by merged flat faces
 };
 
 /// Changes the solid, or returns nothing and leaves it unchanged. `operation` must be unite or

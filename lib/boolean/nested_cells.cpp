@@ -8,10 +8,10 @@
 namespace transformesh {
 namespace {
 
-/// A cell of the arrangement of one connected set of patches alone.
+/// A cell of the arrangement of a single connected set of patches.
 struct Cell {
-  Index side = no_index;  ///< the representative of its sides
-  Index set = no_index;   ///< the representative of the connected set of patches
+  Index side = no_index;  ///< representative of the cell's sides
+  Index set = no_index;   ///< representative of the connected set of patches
   double volume = 0;      ///< six times the signed volume; negative if unbounded
   Mesh surface{};         ///< the cell lies behind these faces
   Box box{};

@@ -1,8 +1,9 @@
 /// Joins the sides of patches that bound the same cell of space but belong to different connected
-/// sets of patches. Each connected set has one outer cell. This cell is part of the smallest cell
-/// of another set that contains the set, or of the unbounded cell of the arrangement. Cost: O(n)
-/// for each set in the bounding box of a cell of another set. Volumes and winding numbers are
-/// floating point: sets of patches must be farther apart than rounding errors. Deterministic.
+/// sets of patches. Each connected set has one outer cell. If cells of other sets contain the
+/// connected set, the outer cell is part of the smallest of them; otherwise it is part of the
+/// unbounded cell of the arrangement. Cost: O(n) for each set in the bounding box of a cell of
+/// another set. Volumes and winding numbers are floating point: sets of patches must be farther
+/// apart than rounding errors. Deterministic.
 #pragma once
 
 #include "clean/exterior/patches.h"

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Finds the connected components of operands, and facts from which the kind of each follows.
+/// Finds the connected components of operands, and facts that determine the kind of each operand.
 class OperandParts {
  public:
   OperandParts(const WeldedMesh& welded, const JoinedOperands& operands)
@@ -20,12 +20,14 @@ class OperandParts {
 
  private:
   struct Facts {
-    bool is_open = false;       ///< faces traverse an edge more often in one direction
+    /// An edge is traversed more often in one direction than in the other.
+    bool is_open = false;
     bool is_crowded = false;    ///< an edge has more than two faces: components end there
     bool has_copies = false;    ///< two faces have the same three points
     bool meets_part = false;    ///< two faces of one component intersect
     bool meets_itself = false;  ///< two faces intersect, of one component or of two
-    int least = 0, most = 0;    ///< w in front of components, as oriented before join_operands()
+    /// Range of the winding numbers in front of components, in their original orientation.
+    int least = 0, most = 0;
   };
 
   Index operand_of(Index face) const { return operands_.operand_of[welded_.face_of[face]]; }
@@ -44,10 +46,12 @@ class OperandParts {
   const WeldedMesh& welded_;
   const JoinedOperands& operands_;
   std::vector<Facts> operand_;
-  std::vector<Index> opposites_;     ///< per halfedge, in its operand; no_index if none or several
-  std::vector<Index> component_of_;  ///< per face
+  /// Opposite of each halfedge in its operand; no_index if there is none or several.
+  std::vector<Index> opposites_;
+  std::vector<Index> component_of_;  ///< component of each face
   std::vector<Index> seeds_;         ///< the first face of each component
-  std::unordered_map<Index, std::set<Index>> copies_;  ///< faces with equal corners, per first face
+  /// Maps the first of several faces with equal corners to all of them.
+  std::unordered_map<Index, std::set<Index>> copies_;
 };
 
 // Pairs the halfedges at an edge, separately for each operand.

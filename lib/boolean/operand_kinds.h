@@ -13,9 +13,9 @@
 namespace transformesh {
 
 enum class OperandKind {
-  simple,        ///< w is 0 or 1 everywhere
-  not_negative,  ///< w >= 0 everywhere
-  unknown        ///< w may have any value, and the operand may be open
+  simple,        ///< the winding number is 0 or 1 everywhere
+  not_negative,  ///< the winding number is >= 0 everywhere
+  unknown        ///< the winding number may have any value, and the operand may be open
 };
 
 /// Returns the kind of each operand. `meetings` are the intersecting pairs of `welded`, the welded

@@ -8,7 +8,8 @@
 
 namespace transformesh {
 
-/// True if the winding number of an operand is positive in any cell, and negative in any cell.
+/// Signs of the winding numbers of an operand: whether any cell has a positive one, and whether any
+/// cell has a negative one.
 struct WindingSigns {
   bool is_positive = false, is_negative = false;
 };
@@ -22,12 +23,12 @@ class OperandWindings {
   /// Adds `by` to the winding number of an operand. O(1).
   void change(Index operand, int by);
   bool is_selected() const;
-  /// Returns the signs of all winding numbers that each operand has had so far.
+  /// Returns for each operand the signs of all winding numbers that it has had so far.
   const std::vector<WindingSigns>& signs() const { return signs_; }
 
  private:
   BooleanOperation operation_;
-  std::vector<int> winding_;  ///< per operand
+  std::vector<int> winding_;  ///< winding number of each operand in the current cell
   std::vector<WindingSigns> signs_;
   std::size_t inside_of_ = 0;  ///< number of operands with winding number >= 1
 };

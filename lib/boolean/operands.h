@@ -10,8 +10,8 @@ namespace transformesh {
 
 struct JoinedOperands {
   Mesh mesh;
-  std::vector<Index> operand_of;  ///< per face of `mesh`
-  std::vector<char> is_reversed;  ///< per operand
+  std::vector<Index> operand_of;  ///< operand of each face of `mesh`
+  std::vector<char> is_reversed;  ///< 1 for each operand that is reversed
 };
 
 /// Joins the operands. BooleanOperation::subtract reverses all operands except the first.

@@ -15,8 +15,8 @@ namespace {
 /// Sorted by operand; operands without a change are left out.
 using Jumps = std::vector<std::pair<Index, int>>;
 
-/// Numbers the different jumps in an arrangement. The constructor stores the number of its jumps as
-/// the multiplicity of each piece, so that all pieces of a patch have the same jumps.
+/// Numbers the different jumps in an arrangement. The constructor stores the number of a piece's
+/// jumps as its multiplicity, so that all pieces of a patch have the same jumps.
 class PieceJumps {
  public:
   PieceJumps(const JoinedOperands& operands, Arrangement& arrangement);
@@ -30,7 +30,7 @@ class PieceJumps {
 
  private:
   std::map<Jumps, std::int32_t> numbers_;
-  std::vector<const Jumps*> numbered_;  ///< per number; number 0 has no jump
+  std::vector<const Jumps*> numbered_;  ///< jumps with each number; number 0 stands for no jump
 };
 
 PieceJumps::PieceJumps(const JoinedOperands& operands, Arrangement& arrangement) {
@@ -57,8 +57,8 @@ class SelectedCells {
  public:
   SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
                 const WindingAt& first_at, Arrangement& arrangement);
-  /// Returns for each side of a patch (patches.h) whether its cell is selected. Empty if `first_at`
-  /// returned no winding number.
+  /// Returns for each side of a patch (patches.h) whether its cell is selected. Returns an empty
+  /// list if `first_at` returned no winding number.
   std::vector<char> find();
   const Patches& patches() const { return patches_; }
   /// Returns the signs of the winding numbers of each operand; call find() first.
@@ -80,20 +80,22 @@ class SelectedCells {
   bool spread_from(Index side);
   void enter(Index cell, const OperandWindings& windings);
 
-  static constexpr char unknown = 2;  ///< neither 0 nor 1, the two answers
+  static constexpr char unknown = 2;  ///< a value other than 0 (not selected) and 1 (selected)
 
   BooleanOperation operation_;
   const JoinedOperands& operands_;
-  const WindingAt& first_at_;  ///< null if the first operand is whole
+  /// Winding numbers of the first operand; null if the operand is whole.
+  const WindingAt& first_at_;
   Arrangement& arrangement_;
   PieceJumps jumps_;
   Patches patches_;
   RayCastFrontWinding ray_;
-  std::vector<Index> cell_of_;             ///< per side
-  std::vector<std::vector<Index>> sides_;  ///< at the representative side of each cell: its sides
-  std::vector<char> is_selected_;          ///< per cell: 0, 1 or `unknown`
-  std::vector<WindingSigns> signs_;        ///< per operand
-  std::vector<Step> way_;                  ///< stack of the cells from the first to the current one
+  std::vector<Index> cell_of_;             ///< cell of each side
+  std::vector<std::vector<Index>> sides_;  ///< sides of each cell, at its representative side
+  std::vector<char> is_selected_;          ///< for each cell 0, 1 or `unknown`
+  std::vector<WindingSigns> signs_;        ///< signs of the winding numbers of each operand
+  /// Stack of the cells from the first to the current cell.
+  std::vector<Step> way_;
 };
 
 SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
@@ -118,7 +120,7 @@ SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& o
   is_selected_.assign(sides_.size(), unknown);
 }
 
-// Changes the winding numbers from those of the cell at `side` to those of the cell on the other
+// Changes the winding numbers of the cell at `side` to the winding numbers of the cell on the other
 // side of the patch. A `sign` of -1 reverses the change.
 void SelectedCells::cross(OperandWindings& windings, Index side, int sign) const {
   const Piece& piece = piece_at(side);
@@ -130,7 +132,8 @@ const Piece& SelectedCells::piece_at(Index side) const {
   return arrangement_.pieces[patches_.pieces[side / 2].front()];
 }
 
-// True if the jumps of the first operand cancel at an edge. At borders of a part they do not.
+// True if the jumps of the first operand cancel at an edge. They do not cancel at borders of a part
+// of a solid.
 bool SelectedCells::is_whole_edge(std::span<const Index> halfedges) const {
   int sum = 0;
   for (const Index h : halfedges) {
@@ -140,8 +143,8 @@ bool SelectedCells::is_whole_edge(std::span<const Index> halfedges) const {
   return sum == 0;
 }
 
-// Returns the winding number of the first operand at a patch that does not belong to it. The
-// operand does not intersect the patch, so that all corners have the same winding number.
+// Returns the winding number of the first operand at a patch that does not belong to it. The first
+// operand does not intersect the patch, so all corners of the patch have the same winding number.
 std::optional<int> SelectedCells::first_at_patch(Index patch) const {
   const std::size_t given = arrangement_.welded->points.size();
   for (const Index piece : patches_.pieces[patch])

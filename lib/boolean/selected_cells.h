@@ -15,13 +15,15 @@
 
 namespace transformesh {
 
-/// Returns the winding number at a point of a solid of which the arrangement contains only a part.
-/// Empty near the surface. The solid has winding number 0 in front of its faces and 1 behind them.
+/// Returns the winding number of a solid at a point, if the arrangement contains only a part of the
+/// solid. Returns nothing near the surface. The solid has winding number 0 in front of its faces
+/// and 1 behind them.
 using WindingAt = std::function<std::optional<int>(const Vec3& point)>;
 
 struct Selection {
-  bool is_known = true;               ///< false if `first_at` returned nothing where needed
-  std::vector<WindingSigns> signs{};  ///< per operand
+  /// False if `first_at` returned nothing for a point where the winding number was needed.
+  bool is_known = true;
+  std::vector<WindingSigns> signs{};  ///< signs of the winding numbers of each operand
 };
 
 /// Implements PieceChooser::choose(). If `first_at` is not null, the first operand is a part of a

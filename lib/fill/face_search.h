@@ -1,6 +1,6 @@
 /// Finds the faces near a box in a mesh that grows. Maintains several bounding volume hierarchies
-/// (bvh.h), each over at least twice as many faces as the next. Cost: amortized O(log n) to add a
-/// face; a search visits O(log n) trees. Deterministic.
+/// (bvh.h). Each hierarchy has at least twice as many faces as the next hierarchy. Cost: amortized
+/// O(log n) to add a face; a search visits O(log n) trees. Deterministic.
 #pragma once
 
 #include <vector>
@@ -18,13 +18,13 @@ class FaceSearch {
 
   /// Adds the faces that were appended to the mesh since the last call.
   void update();
-  /// Appends the faces whose boxes touch the given box, unordered. May also append faces just
-  /// beside it.
+  /// Appends the faces whose boxes touch the given box, unordered. May also append faces whose
+  /// boxes are just beside the given box.
   void append_near(const Vec3& low, const Vec3& high, std::vector<Index>& faces) const;
 
  private:
   struct Tree {
-    Index first;  ///< first face
+    Index first;  ///< index of the first face of the tree
     Index count;
     Bvh bvh;
   };

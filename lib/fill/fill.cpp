@@ -22,7 +22,8 @@
 namespace transformesh {
 namespace {
 
-using Loop = std::vector<Index>;  ///< border halfedges; each starts where the previous one ends
+/// Border halfedges; each halfedge starts where the previous one ends.
+using Loop = std::vector<Index>;
 
 void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& options) {
   if (options.max_edges < 3) throw UsageError("a hole has at least 3 edges");
@@ -67,8 +68,8 @@ class Filler {
  private:
   bool fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const;
   bool crosses(const HolePatch& patch, const HoleNeighborhood& part) const;
-  /// Adds the first patch that fits and returns whether there is one. A patch that may intersect is
-  /// added only if the options allow self-intersections.
+  /// Adds the first patch that fits, and returns true if there is one. A patch that may intersect
+  /// is added only if the options allow self-intersections.
   bool try_patches(const Loop& loop, const HoleNeighborhood& part, const HolePatches& found,
                    bool may_intersect = false);
   HolePatches patches_of(const HoleNeighborhood& part, Index border, PatchKind finest,
@@ -125,7 +126,8 @@ bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
 
-  // Append the triangles of the patch as a soup; equal positions count as one point.
+  // Appends the triangles of the patch as a soup. The intersection test treats equal positions as
+  // one point.
   Mesh both = neighborhood_of(mesh_, near).mesh;
   const std::size_t old_faces = both.faces.size();
   for (const Face& face : patch.faces) {
@@ -143,7 +145,7 @@ bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may
   joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
   joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
 
-  // An edge of the patch may already exist in the mesh.
+  // The patch does not fit if one of its edges already exists in the mesh.
   const ManifoldReport found = check_manifold(joined);
   if (!found.nonmanifold_edges.empty() || !found.misoriented_edges.empty()) return false;
   const std::vector<Index> flat = degenerate_faces(joined);

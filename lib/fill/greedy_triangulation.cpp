@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-/// Cuts off corners, in order of the length of the new edge.
+/// Cuts off corners of a polygon, in order of the length of the new edge.
 class GreedyTriangulation {
  public:
   explicit GreedyTriangulation(const HoleBorder& border) : border_(border) {
@@ -64,7 +64,8 @@ class GreedyTriangulation {
   const HoleBorder& border_;
   std::vector<Index> next_, previous_;
   std::set<Corner> waiting_;
-  std::map<std::pair<Index, Index>, Index> apex_;  ///< third corner of the triangle at an edge
+  /// Maps each edge to the third corner of its triangle.
+  std::map<std::pair<Index, Index>, Index> apex_;
 };
 
 }  // namespace

@@ -14,10 +14,10 @@ class HalfedgeStars {
   HalfedgeStars(const Mesh& mesh, std::vector<Index> opposites);
 
   const std::vector<Index>& opposites() const { return opposites_; }
-  /// Whether the vertex has faces.
+  /// True if the vertex has faces.
   bool has(Index vertex) const { return leaving_[vertex] != no_index; }
 
-  /// Calls visit(halfedge) for each outgoing halfedge, starting anywhere.
+  /// Calls visit(halfedge) for each outgoing halfedge, counter-clockwise from an unspecified one.
   template <class Visit>
   void visit(Index vertex, const Visit& visit) const {
     Index h = leaving_[vertex];

@@ -17,8 +17,8 @@ std::vector<Index> checked_opposites(const Mesh& mesh) {
                             manifold_problem(mesh, check_manifold(mesh), true)));
 }
 
-/// Cuts that are made at the same time: far enough from each other that each finds the surface as
-/// it was, and such that handles remain for all of them.
+/// Makes one round of cuts. The cuts of a round are far from each other, so that no cut changes the
+/// surface around another one. Their loops are independent, so that each cut removes a handle.
 HandleResult remove_round(Mesh& mesh, const HandleOptions& options, const Progress& progress) {
   LoopCutter cutter(mesh, options.coordinate, checked_opposites(mesh));
   HandleResult result;

@@ -17,7 +17,7 @@ struct HoleNeighborhood {
 /// Extracts `faces`, which must be in ascending order. Vertices keep their order. O(k log k).
 HoleNeighborhood neighborhood_of(const Mesh& mesh, const std::vector<Index>& faces);
 
-/// Maps a halfedge of the whole mesh to the neighborhood. `faces` are the extracted ones.
+/// Maps a halfedge of the whole mesh to the neighborhood. `faces` are the extracted faces.
 Index halfedge_in_neighborhood(const std::vector<Index>& faces, Index halfedge);
 
 /// Appends the faces at a vertex.

@@ -24,10 +24,11 @@ using Vertex = Surface::Vertex_index;
 using Halfedge = Surface::Halfedge_index;
 using FaceNumber = Surface::Face_index;
 
-/// Up to this size a search among all triangles takes about 1 ms.
+/// For borders of at most this number of edges, a search among all triangles takes about 1 ms.
 constexpr std::size_t few_edges = 64;
-/// Above these sizes a search among all triangles is slow. Flat borders are slow earlier: all their
-/// triangulations are equally good up to rounding, so that no candidate can be skipped.
+/// For borders of more edges than this, a search among all triangles is slow. Flat borders have a
+/// lower limit: all their triangulations are equally good up to rounding, so that no candidate can
+/// be skipped.
 constexpr std::size_t many_edges = 512, many_flat_edges = 256;
 
 Surface surface_of(const Mesh& mesh) {
@@ -44,7 +45,7 @@ std::vector<Halfedge> border_of(const Surface& surface, Halfedge first) {
   return border;
 }
 
-/// Returns the border; nothing if the hole passes twice through a vertex.
+/// Returns the border. Returns nothing if the border passes through a vertex twice.
 std::optional<HoleBorder> describe(const Surface& surface, const std::vector<Halfedge>& border) {
   const auto position = [&](Vertex v) -> Vec3 {
     const Point& p = surface.point(v);
@@ -74,7 +75,7 @@ std::optional<HoleBorder> describe(const Surface& surface, const std::vector<Hal
 std::vector<FaceNumber> add_triangles(Surface& surface, const std::vector<Halfedge>& border,
                                       const std::vector<HoleTriangle>& triangles) {
   std::vector<FaceNumber> faces;
-  std::vector<Halfedge> open;  // upper edges of patches whose next triangle follows
+  std::vector<Halfedge> open;  // edges at which the next triangle of the patch is added
   const auto side = [&](Index from, Index to) {
     if (from + 1 == to) return border[to];
     const Halfedge h = open.back();
@@ -138,8 +139,8 @@ std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search sea
   return add_triangles(surface, border, triangles);
 }
 
-/// Prepends the vertices and faces that were added to the mesh as a patch, if all points are
-/// finite.
+/// Inserts a patch before the others: the vertices and faces that were added to the mesh. Does
+/// nothing if a point is not finite.
 void add_patch(const Surface& surface, const Mesh& mesh, PatchKind kind,
                std::vector<HolePatch>& patches) {
   HolePatch patch{kind, {}, {}};

@@ -17,8 +17,8 @@ bool is_chord(const HoleBorder& border, std::size_t i, std::size_t k) {
                             std::pair<Index, Index>(i, k));
 }
 
-/// Dynamic programming over all pairs of points i < k, in order of k - i: the best triangulation of
-/// the polygon from i to k.
+/// Finds the best triangulation of the polygon from point i to point k by dynamic programming, for
+/// all pairs i < k in order of k - i.
 class LeastTriangulation {
  public:
   explicit LeastTriangulation(const HoleBorder& border)
@@ -52,9 +52,9 @@ class LeastTriangulation {
   const HoleBorder& border_;
   HoleWeights weigher_;
   std::size_t size_;
-  std::vector<HoleSubpolygon> subpolygons_;  ///< sorted by first, then second point
-  /// Angles of the subpolygons, copied for fast searches: by first, then second point; and by
-  /// second, then first point.
+  std::vector<HoleSubpolygon> subpolygons_;  ///< subpolygons sorted by first, then second point
+  /// Copies of the subpolygons' angles for fast searches. `angles_` is sorted by first, then second
+  /// point; `angles_before_` is sorted by second, then first point.
   std::vector<double> angles_, angles_before_;
 };
 
@@ -67,7 +67,8 @@ HoleSubpolygon LeastTriangulation::best_between(std::size_t i, std::size_t k) co
     if (m != best.apex && first.weight.is_there() && second.weight.is_there())
       weigher_.improve(i, m, k, first, second, best);
   };
-  // The apexes of shorter subpolygons are often good, and a good candidate excludes most others.
+  // The apexes of shorter subpolygons are tried first: they are often good, and a good candidate
+  // excludes most others.
   for (const Index m : {subpolygon(i, k - 1).apex, subpolygon(i + 1, k).apex})
     if (m != no_index) attempt(m);
   for (std::size_t m = i + 1; m < k; ++m)
@@ -75,8 +76,8 @@ HoleSubpolygon LeastTriangulation::best_between(std::size_t i, std::size_t k) co
   return best;
 }
 
-/// The same dynamic programming over pairs that are edges, either given or of the greedy
-/// triangulation, in order of k - i.
+/// Dynamic programming as in LeastTriangulation, restricted to pairs (i, k) that are given edges or
+/// edges of the greedy triangulation.
 class SparseTriangulation {
  public:
   using Edge = std::pair<Index, Index>;
@@ -125,8 +126,9 @@ class SparseTriangulation {
   HoleWeights weigher_;
   Index size_;
   std::vector<Edge> edges_;
-  std::vector<SubpolygonsTo> to_;    ///< per first point, by ascending second point
-  std::vector<SubpolygonsTo> from_;  ///< per second point, by descending first point
+  std::vector<SubpolygonsTo> to_;  ///< subpolygons of each first point, by ascending second point
+  /// Subpolygons of each second point, by descending first point.
+  std::vector<SubpolygonsTo> from_;
 };
 
 HoleSubpolygon SparseTriangulation::best_between(Index i, Index k) const {

@@ -12,8 +12,8 @@
 
 namespace transformesh {
 
-/// Largest angle between normals of neighboring triangles, in degrees, infinite if there is no
-/// triangulation; ties are decided by the area.
+/// Weight of a triangulation: its largest angle between normals of neighboring triangles, in
+/// degrees, then its area. The angle is infinite if there is no triangulation.
 struct HoleWeight {
   double angle = std::numeric_limits<double>::infinity();
   double area = 0;
@@ -24,7 +24,8 @@ struct HoleWeight {
 };
 
 /// The best triangulation of the polygon from one point to another: its weight, and the third
-/// corner of its triangle at the edge between both. The edge to the next point has no triangle.
+/// corner of its triangle at the edge between both. A subpolygon from a point to the next point has
+/// no triangle.
 struct HoleSubpolygon {
   HoleWeight weight;
   Index apex = no_index;
@@ -39,7 +40,7 @@ class HoleWeights {
   }
 
   /// Combines two subpolygons with the triangle (i, m, k), and replaces `best` if the result is
-  /// better, or equally good with a lower apex. The cheapest rejections come first.
+  /// better, or equally good with a lower apex. The tests are ordered by their cost.
   void improve(std::size_t i, std::size_t m, std::size_t k, const HoleSubpolygon& left,
                const HoleSubpolygon& right, HoleSubpolygon& best) const {
     HoleWeight weight{std::max(left.weight.angle, right.weight.angle),

@@ -33,19 +33,19 @@ class Trees {
 
   const Mesh& mesh_;
   const std::vector<Index>& opposites_;
-  std::vector<char> is_taken_;  ///< per halfedge: its edge is in the vertex tree, or the face tree
-                                ///< crosses it
-  std::vector<Index> up_;       ///< per face: its halfedge towards the root; no_index for the root
-  std::vector<Index> depth_;    ///< per face
+  /// 1 for each halfedge whose edge is in the vertex tree or is crossed by the face tree.
+  std::vector<char> is_taken_;
+  std::vector<Index> up_;     ///< halfedge of each face towards the root; no_index for the root
+  std::vector<Index> depth_;  ///< depth of each face in the face tree
 };
 
-// Breadth first: short paths give fewer nonzero words.
+// The search is breadth-first, because short paths give fewer nonzero words.
 void Trees::grow_over_vertices() {
   std::vector<char> is_reached(mesh_.positions.size(), 0);
   for (Index root = 0; root < opposites_.size(); ++root) {
     if (is_reached[halfedge_source(mesh_, root)]) continue;
     is_reached[halfedge_source(mesh_, root)] = 1;
-    std::vector<Index> queue{root};  // a halfedge from each vertex
+    std::vector<Index> queue{root};  // a halfedge from each reached vertex
     for (std::size_t i = 0; i < queue.size(); ++i) {
       Index h = queue[i];
       do {

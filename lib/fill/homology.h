@@ -1,7 +1,7 @@
-/// Decides which loops of edges separate a closed surface. Every halfedge gets a word, equal to
-/// that of its opposite. A loop separates its component if the exclusive or of its words is 0, with
-/// an error probability of 2^-64. Most words are 0. The surface stays connected if it is cut along
-/// several loops whose words are linearly independent over GF(2).
+/// Decides which loops of edges separate a closed surface. Every halfedge gets a 64-bit word, equal
+/// to the word of its opposite. A loop separates its component if the exclusive or of the words of
+/// its halfedges is 0, with an error probability of 2^-64. Most words are 0. The surface stays
+/// connected if it is cut along several loops whose words are linearly independent over GF(2).
 ///
 /// A spanning tree of vertices and a spanning tree of faces that do not cross leave two edges per
 /// handle. Each of these edges defines a loop of faces, whose words are accumulated. Reference:
@@ -31,7 +31,8 @@ class IndependentWords {
  private:
   HomologyWord remainder(HomologyWord word) const;
 
-  std::vector<HomologyWord> reduced_;  ///< descending; with distinct leading bits
+  /// Basis of the added words: descending, with distinct leading bits.
+  std::vector<HomologyWord> reduced_;
 };
 
 }  // namespace transformesh

@@ -16,7 +16,7 @@ bool LoopCutter::has_room(const std::vector<Index>& loop) const {
   return std::none_of(loop.begin(), loop.end(), [&](Index v) { return is_near_[v]; });
 }
 
-// Before the loop is slit.
+// Marks the vertices of the loop and their neighbors. Must be called before the loop is slit.
 void LoopCutter::take_room(const std::vector<Index>& loop) {
   for (const Index vertex : loop) {
     is_near_[vertex] = 1;

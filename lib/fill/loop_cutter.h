@@ -1,8 +1,8 @@
 /// Cuts a closed surface along loops of edges and caps both sides. The surface is slit (slit.h),
-/// and both sides are drawn back by a third of an edge. Each is closed by a patch (twin_patches.h)
-/// that keeps clear of all other parts (slit_clearance.h). Loops that one object cuts keep clear of
-/// each other, so that each finds the surface as it was. Cost: O(n) to make, and that of the
-/// patches. Deterministic.
+/// and both sides are drawn back by a third of an edge. Each side is closed by a patch
+/// (twin_patches.h) that meets no other part of the surface (slit_clearance.h). Loops that one
+/// LoopCutter cuts have no vertices near each other, so that each loop finds an unchanged surface.
+/// Cost: O(n) to make, and that of the patches. Deterministic.
 #pragma once
 
 #include <vector>
@@ -14,20 +14,21 @@ namespace transformesh {
 enum class CutOutcome {
   done,
   no_patch,   ///< no two patches fit
-  in_the_way  ///< the patches would reach into another part of the surface
+  in_the_way  ///< the patches would intersect another part of the surface
 };
 
 class LoopCutter {
  public:
-  /// Pre: a closed oriented manifold, and its opposites. Keeps a reference to the mesh, which
-  /// grows.
+  /// Pre: `mesh` is a closed oriented manifold, and `opposites` are its opposite halfedges. Keeps a
+  /// reference to the mesh, to which cuts add faces.
   LoopCutter(Mesh& mesh, Scalar coordinate, std::vector<Index> opposites);
 
-  /// Connectivity before the first cut, which stays right away from all cuts.
+  /// Returns the connectivity before the first cut. It stays valid for vertices that are not near a
+  /// cut.
   const HalfedgeStars& stars() const { return stars_; }
-  /// Whether no vertex of the loop is at a loop that was tried, or next to one that was cut.
+  /// True if no vertex of the loop is on a loop that was tried, or next to a loop that was cut.
   bool has_room(const std::vector<Index>& loop) const;
-  /// Pre: has_room(). The mesh stays as it is unless the outcome is `done`.
+  /// Cuts along a loop. Pre: has_room(loop). The mesh does not change unless the outcome is `done`.
   CutOutcome cut(const std::vector<Index>& loop);
 
  private:
@@ -37,7 +38,7 @@ class LoopCutter {
   Scalar coordinate_;
   HalfedgeStars stars_;
   SlitClearance clearance_;
-  std::vector<char> is_near_;  ///< per vertex before the first cut
+  std::vector<char> is_near_;  ///< 1 for each vertex on a tried loop, or next to a cut loop
 };
 
 }  // namespace transformesh

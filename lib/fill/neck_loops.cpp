@@ -15,9 +15,10 @@
 namespace transformesh {
 namespace {
 
-/// Area of a band per that of a cylinder as narrow as the loop. Below 1.5 the unevenness of meshes
-/// with few edges around a cylinder counts as widening; with 3, a neck between balls that are not
-/// three times as thick is none.
+/// Least area of a band at which the surface widens, divided by the area on a cylinder with the
+/// loop's length as circumference. Below 1.5, cylinders with few edges around them seem to widen,
+/// because their meshes are uneven. With 3, a neck is not found between balls that are less than
+/// three times as thick.
 constexpr double widening = 2;
 
 double edge_length(const Mesh& mesh, Index h) {
@@ -25,13 +26,14 @@ double edge_length(const Mesh& mesh, Index h) {
                    mesh.positions[halfedge_source(mesh, h)]);
 }
 
-/// Which of the faces numbered from 1 are connected; 0 stands for all that is not numbered.
+/// Union-find of faces, which are numbered from 1. The number 0 stands for all faces without a
+/// number.
 class Unions {
  public:
   explicit Unions(std::size_t count) : parents_(count + 1) {
     for (Index i = 0; i < parents_.size(); ++i) parents_[i] = i;
   }
-  /// Returns false if both are connected already.
+  /// Joins the sets of two faces. Returns false if both are already in one set.
   bool join(Index a, Index b) {
     a = root(a);
     b = root(b);
@@ -91,8 +93,8 @@ class Ball {
   const HalfedgeStars& stars_;
   std::unordered_map<Index, Reached> reached_;
   std::vector<Index> vertices_;
-  std::vector<Index> edges_;                ///< the lower halfedge of each
-  std::unordered_map<Index, Index> faces_;  ///< numbered from 1
+  std::vector<Index> edges_;                ///< lower halfedge of each edge in the ball
+  std::unordered_map<Index, Index> faces_;  ///< numbers of the faces in the ball, from 1
 };
 
 void Ball::grow(Index base, double radius) {
@@ -132,7 +134,8 @@ bool Ball::is_in_tree(Index h) const {
   return reached_.at(source).from == target || reached_.at(target).from == source;
 }
 
-/// All edges that are not in the tree, those of the longest loops first.
+/// Returns all edges that are not in the tree, sorted by the length of the loop that they close,
+/// the longest first.
 std::vector<Ball::Closing> Ball::closing_edges() const {
   std::vector<Closing> result;
   for (const Index h : edges_) {
@@ -160,7 +163,7 @@ NeckLoop Ball::loop_of(const Closing& closing) const {
   return loop;
 }
 
-// A loop whose two paths part behind the base is shorter from another base.
+// A loop whose two paths separate only after the base is shorter from another base.
 std::optional<NeckLoop> Ball::shortest_loop(double max_length) const {
   Unions unions(faces_.size());
   std::optional<NeckLoop> shortest;
@@ -205,7 +208,8 @@ std::vector<NeckLoop> narrow_loops(const Mesh& mesh, const HalfedgeStars& stars,
   return loops;
 }
 
-/// Along the loop, which has its left side on their left.
+/// Returns the halfedges along the loop. The left side of the loop is on the left of these
+/// halfedges.
 std::vector<Index> NeckTest::halfedges_of(const NeckLoop& loop) const {
   std::vector<Index> result;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
@@ -222,7 +226,7 @@ Vec3 NeckTest::centroid(Index face) const {
   return (a + b + c) / 3;
 }
 
-/// Visits faces by their distance from the loop, over the centroids of faces.
+/// Visits faces by their distance from the loop, measured along the centroids of faces.
 bool NeckTest::widens(double length, const std::vector<Index>& start,
                       const std::unordered_set<Index>& barred) const {
   using Entry = std::pair<double, Index>;

@@ -1,16 +1,17 @@
 /// Short loops of edges around necks: places where a surface is narrower than on either side. Loops
-/// around handles that are as narrow are found, too; those around fingers and bumps are not.
+/// around handles that are as narrow are found, too. Loops around thin protrusions and bumps are
+/// not found.
 ///
-/// From every vertex shortest paths are grown up to half the length. Where the vertices reached lie
-/// around a neck, the faces between them form a ring rather than a disk. A tree of paths and a tree
-/// of faces then leave an edge that closes a loop around it (Erickson and Whittlesey, Greedy
-/// optimal homotopy and homology generators, SODA 2005).
+/// Shortest paths are grown from every vertex up to half the length of a loop. If the reached
+/// vertices lie around a neck, the faces between them form a ring instead of a disk. Such a ring
+/// has an edge in neither a tree of paths nor a tree of faces, and this edge closes a loop.
+/// Reference: Erickson and Whittlesey, Greedy optimal homotopy and homology generators, SODA 2005.
 ///
-/// A loop is around a neck if the surface widens on both sides. It is divided into bands by the
-/// distance from the loop, each half the loop's length wide. The surface widens if a band has twice
-/// the area that it would have on a cylinder.
-/// Cost: n times the size of a ball of half the length, and for each loop the faces up to where
-/// the surface widens. Deterministic for any number of threads.
+/// A loop is around a neck if the surface widens on both sides. The surface on each side is divided
+/// into bands by the distance from the loop, each half the loop's length wide. The surface widens
+/// if a band has twice the area that it would have on a cylinder whose circumference is the loop's
+/// length. Cost: n times the size of a ball of half the length, and for each loop the faces up to
+/// where the surface widens. Deterministic for any number of threads.
 #pragma once
 
 #include <unordered_set>
@@ -22,24 +23,24 @@
 namespace transformesh {
 
 struct NeckLoop {
-  std::vector<Index> vertices;  ///< in order, each once; at least three
+  std::vector<Index> vertices;  ///< vertices in order along the loop, each once; at least three
   double length = 0;
 };
 
-/// Returns loops of at most that length which do not bound a disk near by, the shortest first, of
-/// equal ones that of the lower vertices. Not all of them are around necks.
+/// Returns loops of at most `max_length` that bound no disk nearby, the shortest first. Loops of
+/// equal length are sorted by their vertices. Not all loops are around necks.
 std::vector<NeckLoop> narrow_loops(const Mesh& mesh, const HalfedgeStars& stars, double max_length,
                                    const Progress& progress = Progress());
 
-/// Tells necks from fingers and bumps, also after cuts along other loops.
+/// Distinguishes necks from thin protrusions and bumps, also after cuts along other loops.
 class NeckTest {
  public:
-  /// Keeps references. Pre: the stars are right at all vertices that are next to no cut.
+  /// Keeps references. Pre: the stars are valid at all vertices that are not next to a cut.
   NeckTest(const Mesh& mesh, const HalfedgeStars& stars) : mesh_(mesh), stars_(stars) {}
 
-  /// Whether the surface widens on both sides of a loop, up to the cuts.
+  /// True if the surface widens on both sides of a loop before it reaches a cut.
   bool is_neck(const NeckLoop& loop) const;
-  /// To be called before the surface is cut along a loop.
+  /// Records a cut. Must be called before the surface is cut along the loop.
   void note_cut(const NeckLoop& loop);
 
  private:

@@ -24,8 +24,8 @@ struct Surface {
   }
 };
 
-/// Shortest paths from a base vertex. They grow until the shortest non-separating loop is certain
-/// that consists of two paths and an edge between their ends, or up to the limit.
+/// Shortest paths from a base vertex. A loop consists of two paths and an edge between their ends.
+/// Paths grow until the shortest non-separating loop is found, or up to the limit.
 class Paths {
  public:
   Paths(const Surface& surface, Index base, double max_length);
@@ -52,7 +52,7 @@ class Paths {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
-// Paths longer than half the best loop cannot close a shorter one.
+// Paths longer than half of the best loop cannot close a shorter loop.
 Paths::Paths(const Surface& surface, Index base, double max_length)
     : surface_(surface), shortest_(max_length) {
   reached_[base] = {};
@@ -93,7 +93,7 @@ std::vector<Index> Paths::path_from(Index vertex) const {
   return path;
 }
 
-// The common part of both paths, from the base to their fork, is left out.
+// The loop does not contain the common part of both paths, from the base to their fork.
 std::optional<ShortLoop> Paths::shortest_loop() const {
   if (closing_ == no_index) return std::nullopt;
   std::vector<Index> there = path_from(halfedge_source(surface_.mesh, closing_));
@@ -111,7 +111,7 @@ std::optional<ShortLoop> Paths::shortest_loop() const {
   return loop;
 }
 
-/// Returns the ends of edges with nonzero words.
+/// Returns the ends of edges with nonzero words (homology.h).
 std::vector<Index> bases_of(const Surface& surface) {
   std::vector<Index> bases;
   for (Index h = 0; h < surface.words.size(); ++h)

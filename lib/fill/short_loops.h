@@ -1,5 +1,4 @@
-/// Short non-separating loops of edges: around thin handles, and around the narrow tunnels beside
-/// them.
+/// Short non-separating loops of edges around thin handles and around narrow tunnels.
 ///
 /// A non-separating loop contains an edge with a nonzero word (homology.h). Shortest paths are
 /// grown from the ends of these edges. An edge between two paths with different words closes a
@@ -18,7 +17,7 @@
 namespace transformesh {
 
 struct ShortLoop {
-  std::vector<Index> vertices;  ///< distinct, in cyclic order; at least three
+  std::vector<Index> vertices;  ///< distinct vertices in cyclic order; at least three
   double length = 0;
   HomologyWord word = 0;  ///< exclusive or of the words of its edges; not 0
 };

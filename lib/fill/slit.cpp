@@ -6,7 +6,7 @@ namespace transformesh {
 namespace {
 
 /// Fraction of the way to the mean of the neighbors by which each side moves away from the slit. A
-/// choice: less leaves the sides close together, more deforms the surface.
+/// choice: with less, the sides stay close together; with more, the surface is deformed.
 constexpr double drawn_back = 1.0 / 3;
 
 /// Adds the data of a vertex to a side. `corners` are its outgoing halfedges on this side, starting

@@ -10,12 +10,12 @@
 
 namespace transformesh {
 
-/// The faces on one side of the loop, per vertex of the loop.
+/// One side of the loop: data for each vertex of the loop.
 struct SlitSide {
-  std::vector<std::vector<Index>> corners;  ///< outgoing halfedges 3 * face + corner,
-                                            ///< counter-clockwise
-  /// Position after moving away from the slit: a third of the way to the mean of the neighbors on
-  /// this side. Unchanged if all neighbors are on the loop.
+  /// Outgoing halfedges 3 * face + corner on this side, counter-clockwise.
+  std::vector<std::vector<Index>> corners;
+  /// Positions after vertices moved away from the slit, by a third of the way to the mean of their
+  /// neighbors on this side. A vertex stays if all its neighbors are on the loop.
   std::vector<Vec3> drawn_back;
   std::vector<std::pair<Index, Index>> chords;  ///< edges between vertices of the loop, in both
                                                 ///< directions
@@ -29,8 +29,8 @@ struct SlitSides {
 /// stars were computed.
 SlitSides sides_of(const Mesh& mesh, const std::vector<Index>& loop, const HalfedgeStars& stars);
 
-/// Gives the faces on the right new vertices: appended in the order of the loop, with equal
-/// positions and columns.
+/// Gives the faces on the right side new vertices with equal positions and columns, which are
+/// appended in the order of the loop.
 void slit_along(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides);
 
 }  // namespace transformesh

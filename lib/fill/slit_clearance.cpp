@@ -59,7 +59,7 @@ std::vector<Index> SlitClearance::near_vertices(const std::vector<Index>& loop) 
   return near;
 }
 
-// Returns the patches, and the faces at the loop with moved vertices.
+// Returns the triangles of both patches, and the faces at the loop with moved vertices.
 std::vector<Triangle> SlitClearance::surface_of(const std::vector<Index>& loop,
                                                 const SlitSides& sides,
                                                 const ClosedSlit& slit) const {

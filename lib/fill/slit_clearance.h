@@ -1,7 +1,7 @@
-/// Decides whether a closed slit (twin_patches.h) stays clear of all other parts of the surface.
-/// The slab between its two patches becomes outside if a bridge is cut, and inside if a tunnel is
-/// closed. This would open, join or swallow a cavity, another body or another handle that reaches
-/// into the slab.
+/// Decides whether a closed slit (twin_patches.h) meets no other part of the surface. The slab
+/// between its two patches becomes outside if a bridge is cut, and inside if a tunnel is closed. A
+/// cavity, another body or another handle that reaches into the slab would then be opened, joined
+/// or removed.
 ///
 /// Faces within two rings of the loop are ignored: clean() resolves their intersections with the
 /// patches, and nothing else changes. Intersections are decided exactly. Cost: O(n) for the first
@@ -19,7 +19,7 @@ namespace transformesh {
 
 class SlitClearance {
  public:
-  /// Keeps references. The present faces of the mesh are the surface.
+  /// Keeps references. Slits are tested against the present faces of the mesh.
   SlitClearance(const Mesh& mesh, const HalfedgeStars& stars) : mesh_(mesh), stars_(stars) {}
 
   /// True if a slit meets neither the surface nor an earlier slit.
@@ -35,7 +35,7 @@ class SlitClearance {
 
   const Mesh& mesh_;
   const HalfedgeStars& stars_;
-  Bvh faces_;  ///< built at the first call of is_free()
+  Bvh faces_;  ///< tree of the faces, built at the first call of is_free()
   std::vector<std::vector<Triangle>> taken_;
 };
 

@@ -16,7 +16,7 @@ std::vector<Index> sorted_faces(const SlitSide& side) {
   return faces;
 }
 
-/// Returns the faces within two rings of the loop, except those on its right.
+/// Returns the faces within two rings of the loop, except the faces on its right side.
 std::vector<Index> faces_on_left(const Mesh& mesh, const std::vector<Index>& loop,
                                  const SlitSides& sides, const HalfedgeStars& stars) {
   std::vector<Index> faces = faces_around(mesh, loop, [&](Index v, std::vector<Index>& all) {
@@ -41,7 +41,7 @@ bool has_chord(const HolePatch& patch, const SlitSides& sides) {
   return false;
 }
 
-/// Replaces vertex indices of the neighborhood by those of the whole mesh.
+/// Replaces vertex indices of the neighborhood by vertex indices of the whole mesh.
 void rename(HolePatch& patch, const HoleNeighborhood& part, std::size_t vertices) {
   const auto known = static_cast<Index>(part.vertices.size());
   for (Face& face : patch.faces)
@@ -71,7 +71,7 @@ std::vector<Triangle> triangles_of(const std::vector<Face>& faces, const DrawnSi
 }
 
 /// Moves the vertices of a loop and adds the inner vertices of the patch. Returns the indices of
-/// all.
+/// all these vertices.
 std::vector<Index> add_vertices(Mesh& mesh, std::vector<Index> loop, const HolePatch& patch,
                                 const DrawnSide& side) {
   std::vector<Index> all = loop;

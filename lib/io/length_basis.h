@@ -1,4 +1,5 @@
-/// The bases of relative lengths: the diagonal for 1%, the reference edge for 0.7x.
+/// The bases of relative lengths: the bounding-box diagonal for lengths like 1%, the reference edge
+/// for lengths like 0.7x.
 #pragma once
 
 #include <optional>
@@ -17,13 +18,13 @@ class LengthBasis {
   /// `choice` is the text of an option: empty, `auto` or a length.
   explicit LengthBasis(std::string choice) : choice_(std::move(choice)) {}
 
-  /// Sets the input document. The bases are computed from it at first use, so it must not change
-  /// before.
+  /// Sets the input document. The bases are computed from the document at first use, so it must not
+  /// change before.
   void set_document(const Document* document) { document_ = document; }
   void set_diagonal(double diagonal) { diagonal_ = diagonal; }
 
-  /// Compute a basis at first use. Throw UsageError without a document, and InputError if the mesh
-  /// has no size.
+  /// Return a basis, which is computed at first use. Throw UsageError without a document, and
+  /// InputError if the mesh has no size.
   double diagonal();
   double reference_edge();
   /// Returns the length in input units. Computes only the basis that the length uses.

@@ -1,6 +1,6 @@
 /// Reads and writes a 4x4 matrix as text: 16 numbers by rows, separated by blanks, commas or line
-/// ends. Text from # to the end of the line is a comment. Throws InputError, with the line, for
-/// anything else. Independent of the locale.
+/// ends. Text from # to the end of the line is a comment. The reader throws InputError, with the
+/// line, for anything else. Independent of the locale.
 #pragma once
 
 #include <Eigen/Core>

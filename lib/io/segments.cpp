@@ -13,7 +13,7 @@ const Vec3& end_of(const Document& document, const Column& column, std::size_t r
                    const std::string& name) {
   const double vertex = column.values[row];
   const std::vector<Vec3>& positions = document.mesh.positions;
-  // The negated condition also rejects NaN.
+  // The condition is negated so that it also rejects NaN.
   if (!(vertex >= 0 && vertex < static_cast<double>(positions.size())))
     throw InputError(name + ": edge " + std::to_string(row) + " has vertex " +
                      shortest_text(vertex) + ", but there are " + std::to_string(positions.size()));

@@ -12,7 +12,7 @@ namespace transformesh {
 using Segment = std::pair<Vec3, Vec3>;
 
 /// Returns the segments in the order of the file. Throws InputError, naming the file `name`, if
-/// there is no such element or an index is out of range.
+/// there is no element `edge` or an index is out of range.
 std::vector<Segment> segments_of(const Document& document, const std::string& name);
 
 /// Returns the bytes of a binary PLY file with the segments. Segments share no vertices.

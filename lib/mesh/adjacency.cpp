@@ -15,7 +15,8 @@ void for_each_distinct_corner(const Face& face, const Visit& visit) {
 
 /// True if the faces at each vertex form a single umbrella. Pre: every halfedge has an opposite.
 bool has_single_umbrellas(const Mesh& mesh, std::span<const Index> opposites) {
-  std::vector<char> is_reached(opposites.size(), 0);  // per outgoing halfedge
+  // 1 for each outgoing halfedge that was reached.
+  std::vector<char> is_reached(opposites.size(), 0);
   std::vector<char> has_umbrella(mesh.positions.size(), 0);
   for (Index first = 0; first < opposites.size(); ++first) {
     if (is_reached[first]) continue;

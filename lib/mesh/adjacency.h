@@ -15,7 +15,7 @@ namespace transformesh {
 /// position. O(n); deterministic.
 std::vector<Index> opposite_halfedges(const Mesh& mesh);
 
-/// Returns `opposites` if they are those of a closed oriented manifold, otherwise nothing.
+/// Returns `opposites` if the mesh is a closed oriented manifold, otherwise nothing.
 std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, std::vector<Index> opposites);
 
 /// The faces at each vertex in ascending order, stored as one array with offsets.

@@ -25,7 +25,7 @@ bool holds(Scalar type, Scalar other) {
   return bits[t] >= bits[o] && (is_signed[t] || !is_signed[o]);
 }
 
-/// Returns a type that can represent all values of both.
+/// Returns a type that can represent all values of both types.
 Scalar united(Scalar first, Scalar second) {
   for (const Scalar type : {first, second, Scalar::int16, Scalar::int32})
     if (holds(type, first) && holds(type, second)) return type;

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-// Cosine of 45 degrees.
+// Cosine of 45 degrees: a normal that turns by more counts as turned.
 constexpr double least_cosine = 0.7071067811865476;
 constexpr int float_digits_fewer =
     std::numeric_limits<double>::digits - std::numeric_limits<float>::digits;

@@ -10,7 +10,7 @@
 namespace transformesh {
 
 /// Returns the distance from |coordinate| to the next larger number of the type, float64 or
-/// float32. Infinite if there is no larger double.
+/// float32. Returns infinity if there is no larger number.
 double spacing_at(double coordinate, Scalar type = Scalar::float64);
 /// Returns the spacing at the largest coordinate of any vertex.
 double coordinate_spacing(const Mesh& mesh, Scalar type = Scalar::float64);
@@ -18,7 +18,7 @@ double coordinate_spacing(const Mesh& mesh, Scalar type = Scalar::float64);
 /// Returns the spacing at the largest coordinate of a point; never zero.
 double spacing_around(const Vec3& point, Scalar type);
 
-/// Rounds to float and back. A pair of casts is not enough: with optimization g++ 12 drops it when
+/// Rounds to float and back. A cast to float and back is not enough: g++ 12 drops both casts when
 /// it vectorizes two coordinates, and leaves doubles that no float can represent.
 inline double round_to_single(double value) {
   const volatile auto single = static_cast<float>(value);  // volatile: prevents removal of the
@@ -34,7 +34,7 @@ inline Vec3 rounded_to(Vec3 position, Scalar type) {
 }
 
 struct RoundingLoss {
-  std::size_t collapsed = 0;  ///< faces of which two corners coincide
+  std::size_t collapsed = 0;  ///< faces two corners of which coincide after rounding
   std::size_t turned = 0;     ///< other faces whose normal turned by more than 45 degrees
 };
 

@@ -9,18 +9,19 @@
 namespace transformesh {
 namespace {
 
-/// The cotangent of the angle across from the halfedge, in its face.
+/// Returns the cotangent of the angle opposite to a halfedge in its face.
 double opposite_cotangent(const Mesh& mesh, Index halfedge) {
   const Vec3& apex = mesh.positions[halfedge_source(mesh, previous_halfedge(halfedge))];
   return clamped_cotangent(mesh.positions[halfedge_source(mesh, halfedge)] - apex,
                            mesh.positions[halfedge_target(mesh, halfedge)] - apex);
 }
 
-/// Returns the area of a face that belongs to each corner: the part that is nearest to the corner.
-/// If the face is obtuse, half of it belongs to the obtuse corner and a quarter to each other one.
+/// Returns for each corner of a face the area of the part that is nearest to the corner. If the
+/// face is obtuse, half of it belongs to the obtuse corner and a quarter to each of the other
+/// corners.
 Vec3 corner_areas(const Mesh& mesh, Index face) {
   Vec3 squares;     // squared lengths of the edges from corner i
-  Vec3 cotangents;  // cotangents of the angles opposite to these edges
+  Vec3 cotangents;  // cotangents of the angles opposite to the edges from corner i
   for (int i = 0; i < 3; ++i) {
     const Index halfedge = 3 * face + static_cast<Index>(i);
     squares[i] = (mesh.positions[halfedge_target(mesh, halfedge)] -
@@ -42,8 +43,8 @@ Vec3 corner_areas(const Mesh& mesh, Index face) {
 
 /// Returns the cotangents of the angles opposite of the halfedges of a face.
 Vec3 scaled_cotangents(const Mesh& mesh, Index face) {
-  // The cotangent of 1 degree. Without a bound, entries of a matrix differ so much that digits are
-  // lost.
+  // The cotangent of 1 degree. Without a bound, the entries of a matrix would differ so much that
+  // sums lose digits.
   constexpr double largest = 57.28996163075943;
   const double cross = face_normal(mesh, face).stableNorm();
   Vec3 cotangents = Vec3::Zero();

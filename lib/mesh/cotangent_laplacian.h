@@ -14,13 +14,14 @@ enum class CotangentBounds {
   /// Angles count as 5 to 175 degrees, and the weight of an edge as at least 0. No vertex is pushed
   /// away from a neighbor, but edges opposite of obtuse angles are in error.
   each_edge,
-  /// The cotangents of a triangle with an angle below 1 degree are scaled down together. Others are
-  /// exact, and the operator stays negative semidefinite, so that implicit steps are stable.
+  /// The cotangents of a triangle with an angle below 1 degree are scaled down together. Other
+  /// cotangents are exact. The operator stays negative semidefinite, so that implicit steps are
+  /// stable.
   each_triangle
 };
 
-/// The Laplacian of a function f at vertex v is the sum over its edges of
-/// weight * (f(neighbor) - f(v)), divided by 2 * areas[v].
+/// The Laplacian of a function f at vertex v is the sum over the edges of v of weight *
+/// (f(neighbor) - f(v)), divided by 2 * areas[v].
 struct CotangentLaplacian {
   struct WeightedEdge {
     Index from = 0;
@@ -28,9 +29,10 @@ struct CotangentLaplacian {
     double weight = 0;  ///< sum of the cotangents opposite of the edge
   };
 
-  std::vector<WeightedEdge> edges;  ///< in the order of Edges
-  std::vector<double> areas;    ///< mixed area of each vertex; 0 without faces that have an area
-  std::vector<char> is_border;  ///< per vertex: it has an edge of one face
+  std::vector<WeightedEdge> edges;  ///< edges with weights, in the order of Edges
+  /// Mixed area of each vertex; 0 if no face at the vertex has an area.
+  std::vector<double> areas;
+  std::vector<char> is_border;  ///< 1 for each vertex at an edge of only one face
 };
 
 CotangentLaplacian cotangent_laplacian(const Mesh& mesh, CotangentBounds bounds);

@@ -23,7 +23,7 @@ class DisjointSets {
     return element;
   }
 
-  /// Joins two sets. Returns false if they were already the same.
+  /// Joins the sets of two elements. Returns false if both were already in one set.
   bool join(Index first, Index second) {
     first = find(first);
     second = find(second);

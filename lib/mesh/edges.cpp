@@ -7,7 +7,7 @@ namespace transformesh {
 namespace {
 
 /// A halfedge in the bucket of its smaller vertex. The larger vertex occupies the upper bits and
-/// the halfedge the lower ones, so that integers sort by both.
+/// the halfedge the lower bits, so that sorted integers are sorted by both.
 using Entry = std::uint64_t;
 static_assert(2 * sizeof(Index) == sizeof(Entry));
 constexpr int index_bits = 32;  ///< bits of an index
@@ -30,7 +30,7 @@ void for_each_halfedge(std::span<const Face> faces, const Visit& visit) {
   }
 }
 
-/// Buckets have three entries on average; insertion sort is the fastest for these.
+/// Buckets have three entries on average; insertion sort is the fastest for so few.
 void sort_bucket(Entry* first, Entry* last) {
   if (last - first > 32) return std::sort(first, last);
   for (Entry* entry = first; entry != last; ++entry) {

@@ -28,8 +28,8 @@ class Edges {
   std::vector<Index> offsets_{0};
 };
 
-/// Returns, for every halfedge, the other halfedge of its edge if the edge has exactly two, in any
-/// directions; otherwise no_index.
+/// Returns, for every halfedge, the other halfedge of its edge if the edge has exactly two
+/// halfedges, in any direction; otherwise no_index.
 std::vector<Index> neighbors_across(const Edges& edges, std::size_t faces);
 
 /// Returns the same faces, but replaces all corners of a face with a repeated vertex by one vertex,

@@ -14,8 +14,8 @@ std::vector<Vec3> used_positions(const Mesh& mesh);
 struct HalfedgeLengths {
   double mean = 0;
   double maximum = 0;
-  std::vector<double> vertex_mean;  ///< mean at each vertex over the halfedges that start or end
-                                    ///< there; 0 if none
+  /// Mean length of the halfedges that start or end at each vertex; 0 if there are none.
+  std::vector<double> vertex_mean;
 };
 HalfedgeLengths halfedge_lengths(const Mesh& mesh);
 

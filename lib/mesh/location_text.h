@@ -9,16 +9,16 @@
 
 namespace transformesh {
 
-/// "(1, 0, 0.5)"
+/// Returns text like "(1, 0, 0.5)".
 std::string point_text(const Vec3& point);
 
-/// "(1, 0, 0.3333)", with four significant digits
+/// Returns text like "(1, 0, 0.3333)", with four significant digits.
 std::string rough_point_text(const Vec3& point);
 
-/// "vertex 3 at (1, 0, 0.5)"
+/// Returns text like "vertex 3 at (1, 0, 0.5)".
 std::string vertex_text(const Mesh& mesh, Index vertex);
 
-/// "edge from vertex 3 at (1, 0, 0.5) to vertex 4 at (0, 0, 0.5)"
+/// Returns text like "edge from vertex 3 at (1, 0, 0.5) to vertex 4 at (0, 0, 0.5)".
 std::string edge_text(const Mesh& mesh, Index halfedge);
 
 /// Returns the coordinates for ErrorData::position.

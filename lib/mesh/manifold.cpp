@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-/// Lists the edges with one face, with three or more, or with two that have the same direction.
+/// Lists the edges with one face, with three or more faces, or with two faces that traverse the
+/// edge in the same direction.
 void check_edges(const Mesh& mesh, const Edges& edges, ManifoldReport& report) {
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
     const auto halfedges = edges.halfedges(edge);
@@ -64,7 +65,8 @@ Problem edge_problem(ErrorKind kind, const std::string& what, const Mesh& mesh,
   return {kind, what + and_more(halfedges.size(), "edges"), std::move(data)};
 }
 
-/// Coincident border edges have priority: they must be joined, because patches would fill the gap.
+/// Coincident border edges are reported first: such edges must be joined, because patches would
+/// fill the gap between them.
 Problem border_problem(const Mesh& mesh, const ManifoldReport& report) {
   const std::vector<Index>& borders = report.border_halfedges;
   Problem problem =

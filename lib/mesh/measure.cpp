@@ -19,8 +19,8 @@ namespace {
 constexpr double degrees_per_radian = 180 / std::numbers::pi;  ///< converts angles
 constexpr std::size_t faces_per_task = 4096;                   ///< affects time only
 
-/// If coordinates are in this range, squares and products of three of them neither overflow nor
-/// vanish.
+/// If the sizes of coordinates are in this range, squares and products of three coordinates neither
+/// overflow nor vanish.
 constexpr double large = 1e60;
 constexpr double small = 1e-60;
 
@@ -70,12 +70,13 @@ double smallest_angle(const Mesh& mesh, const Face& face) {
   return corner_angle(mesh, face, apex);
 }
 
-// Values instead of references: unlike std::min, these functions compile to single instructions.
+// These functions take values, unlike std::min, which takes references, and compile to single
+// instructions.
 double lesser(double a, double b) { return a < b ? a : b; }
 double greater(double a, double b) { return a > b ? a : b; }
 
-/// Compares the corners with each other first, which shortens the dependency chain between faces to
-/// one operation.
+/// Compares the three corners with each other first. The box then depends on the previous face by
+/// only one operation.
 void extend(Box& box, const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int axis = 0; axis < 3; ++axis) {
     const double low = lesser(lesser(a[axis], b[axis]), c[axis]);
@@ -129,7 +130,8 @@ double surface_area(const Mesh& mesh) {
 double volume(const Mesh& mesh) {
   if (const int exponent = extreme_exponent(mesh); exponent != 0)
     return std::ldexp(volume(scaled_down(mesh, exponent)), 3 * exponent);
-  // The apex of all tetrahedra is the center of the mesh: with a distant origin they would cancel.
+  // The apex of all tetrahedra is the center of the mesh. With a distant apex, their volumes would
+  // cancel and lose digits.
   const Box box = bounding_box(mesh);
   const Vec3 apex = box.min() + (box.max() - box.min()) / 2;
   double sum = 0;

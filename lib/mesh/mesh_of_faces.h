@@ -1,5 +1,6 @@
-/// Extracts faces of a mesh as a new mesh, with the vertices that they use and without columns.
-/// Vertices are in order of their first use. Cost: O(n) for n vertices of the whole mesh.
+/// Extracts faces of a mesh as a new mesh, with the vertices that they use and without columns. The
+/// vertices of the new mesh are in order of their first use. Cost: O(n) for n vertices of the whole
+/// mesh.
 #pragma once
 
 #include <vector>

@@ -11,7 +11,7 @@ namespace {
 
 using NormalColumns = std::array<Column*, 3>;
 
-// Returns the normal columns; nothing if one of the three is missing or a list.
+// Returns the three columns of normals. Returns nothing if one of them is missing or is a list.
 std::optional<NormalColumns> normal_columns(Columns& columns) {
   const NormalColumns found{columns.find("nx"), columns.find("ny"), columns.find("nz")};
   for (const Column* column : found)

@@ -2,7 +2,7 @@
 /// columns nx ny nz of vertices or faces. Corner lists are the texture coordinates of faces. They
 /// are floating-point list columns with `tex` or `uv` in their names, and have the same number of
 /// values for each corner, in the order of the corners. Source points are described in
-/// geometry/source_points.h. Cost: O(n), none without such columns.
+/// geometry/source_points.h. Cost: O(n), or nothing if there are no such columns.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace transformesh {
 
-/// Recomputes existing normals, weighted by angle; undefined normals keep their values. Returns
-/// true if there are normals.
+/// Recomputes existing normals, weighted by angle. Normals that are undefined keep their old
+/// values. Returns true if there are normals.
 bool refresh_normals(Mesh& mesh);
 
 /// Negates all normals. Call if all faces were reversed.
@@ -40,11 +40,12 @@ inline constexpr std::array<const char*, 3> source_point_names{"source_face", "s
 /// True if all three columns of source points exist and are numbers.
 bool has_source_columns(const Columns& columns);
 
-/// Erases source points. Returns true if there were any. Call if vertices or faces have changed.
+/// Erases source points. Returns true if the mesh had source points. Call if vertices or faces have
+/// changed.
 bool drop_source_points(Mesh& mesh);
 
-/// A triangle of a triangulated polygon: row and number of corners of the polygon, and the corners
-/// that the triangle has.
+/// A triangle of a triangulated polygon: row and number of corners of the polygon, and the three
+/// polygon corners of the triangle.
 struct PolygonTriangle {
   std::uint32_t row = 0;
   std::uint32_t size = 3;
@@ -52,11 +53,11 @@ struct PolygonTriangle {
 };
 
 /// Reduces the corner lists of triangulated polygons. Each triangle has the whole list of its
-/// polygon, and keeps the values of its three corners. Lists that do not have the same number of
-/// values for each corner of the polygon stay.
+/// polygon, and keeps the values of its three corners. Lists whose length is no multiple of the
+/// polygon's number of corners stay.
 void split_corner_lists(Columns& face_columns, std::span<const PolygonTriangle> triangles);
 
-/// Updates all of these columns after faces were created or moved.
+/// Updates normals, corner lists and source points after faces were created or moved.
 inline StaleColumns refresh_columns(Mesh& mesh) {
   return {refresh_normals(mesh), drop_corner_lists(mesh.face_columns), drop_source_points(mesh)};
 }

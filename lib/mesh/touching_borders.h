@@ -1,7 +1,7 @@
 /// Border edges that coincide and have opposite directions. Their faces meet in space but share no
-/// vertices, as in a file of separate triangles (a soup) or along a seam. Algorithms that rely on
-/// indices find holes there, and algorithms that move vertices open gaps. Positions are compared
-/// exactly. Deterministic.
+/// vertices, as in a file of separate triangles (a soup) or along a seam. At such edges, algorithms
+/// that rely on indices find holes, and algorithms that move vertices open gaps. Positions are
+/// compared exactly. Deterministic.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@
 
 namespace transformesh {
 
-/// Returns the number of these border edges. `borders` are the halfedges without an opposite face.
-/// O(b log b) for b halfedges.
+/// Returns the number of coincident border edges with opposite directions. `borders` are the
+/// halfedges without an opposite face. O(b log b) for b halfedges.
 std::size_t count_touching_borders(const Mesh& mesh, const std::vector<Index>& borders);
 
-/// Returns this number for all border edges of the mesh. O(n); a few instructions per halfedge if
-/// there is no border.
+/// Returns the number of such edges among all border edges of the mesh. O(n); a few instructions
+/// per halfedge if there is no border.
 std::size_t count_touching_borders(const Mesh& mesh);
 
-/// Throws InputError if there are such edges. For operations that move vertices and must not join
-/// them.
+/// Throws InputError if the mesh has coincident border edges with opposite directions. For
+/// operations that move vertices without joining them.
 void refuse_touching_borders(const Mesh& mesh);
 
 }  // namespace transformesh

@@ -130,7 +130,7 @@ void turn_faces(Mesh& mesh) {
 Matrix4 translation_by(const Vec3& way) { return affine(Matrix3::Identity(), way); }
 
 Matrix4 rotation_about(const Vec3& axis, double angle_deg) {
-  // Rodrigues' formula.
+  // Computes the rotation matrix by Rodrigues' formula.
   const Vec3 a = unit(axis, "the axis");
   const auto [sine, cosine] = sine_and_cosine(angle_deg);
   Matrix3 cross;

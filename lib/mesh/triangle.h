@@ -18,7 +18,7 @@ inline Triangle triangle_of(const Mesh& mesh, Index face) {
   return triangle_of(mesh.positions, mesh.faces[face]);
 }
 
-/// Twice the area times the unit normal.
+/// Returns twice the area times the unit normal.
 inline Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
 /// Returns the cotangent of the angle between two vectors, clamped to 5 to 175 degrees.

@@ -8,8 +8,8 @@ namespace transformesh {
 
 Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> across,
                          std::span<const char> included) {
-  // If two halfedges start at the same vertex, their sources are joined and their targets;
-  // otherwise each source is joined with the other's target.
+  // If two halfedges of an edge start at the same vertex, their sources are joined, and so are
+  // their targets. Otherwise each source is joined with the other's target.
   DisjointSets corners(3 * faces.size());
   for (Index h = 0; h < across.size(); ++h) {
     const Index other = across[h];

@@ -12,13 +12,14 @@
 namespace transformesh {
 
 struct Umbrellas {
-  std::vector<Index> of_corner;  ///< per corner 3 * face + i; no_index if its face is left out
+  /// Umbrella of each corner 3 * face + i; no_index if its face is left out.
+  std::vector<Index> of_corner;
   std::vector<Index> vertex_of;  ///< vertex of each umbrella, in order of their first corners
 };
 
-/// Finds the umbrellas. `across` is the halfedge across each halfedge where the surface continues,
-/// or no_index. Both may have opposite directions or the same. Faces with included[face] = 0 are
-/// left out; an empty list includes all.
+/// Finds the umbrellas. `across` holds for each halfedge the halfedge with which the surface
+/// continues across the edge, or no_index. Both may have opposite or equal directions. Faces with
+/// included[face] = 0 are left out; an empty list includes all.
 Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> across,
                          std::span<const char> included = {});
 
@@ -27,7 +28,7 @@ Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> acr
 Umbrellas find_umbrellas(const Mesh& mesh, const Edges& edges);
 
 /// Returns the lowest border halfedge (on an edge of one face) of each boundary loop. If several
-/// umbrellas meet at a vertex, each loop stays within one umbrella there.
+/// umbrellas meet at a vertex, each loop passes the vertex within one umbrella.
 std::vector<Index> boundary_loops(const Edges& edges, const Umbrellas& umbrellas);
 
 }  // namespace transformesh

@@ -28,26 +28,28 @@
 namespace transformesh {
 namespace {
 
-/// Number of rounds that move vertices onto corners and lines: the first on the unchanged mesh, the
-/// later ones alternating with remeshing and relaxation. More rounds take more time and align
-/// remaining vertices.
+/// Number of rounds that move vertices onto corners and lines: The first round works on the
+/// unchanged mesh; later rounds alternate with remeshing and relaxation. With more rounds, more
+/// vertices are aligned in more time.
 constexpr int snap_rounds = 3;
 constexpr int relax_rounds = 3;
 /// The largest distance that a vertex moves to a corner and to a line, as a multiple of the mean
 /// length of its edges. Larger values reach more lines and distort more triangles.
 constexpr double corner_reach = 1.2;
 constexpr double line_reach = 0.8;
-/// The longest edge that moves may leave, as a multiple of AlignOptions::max_edge.
+/// Largest length of an edge after a movement, as a multiple of AlignOptions::max_edge.
 constexpr double longest_allowed = 1.6;
-/// Moves may leave triangles of at least this roundness, or none less round than before.
+/// A movement is allowed if all its triangles have at least this roundness, or if none becomes less
+/// round.
 constexpr double round_enough = 0.25;
-/// An edge runs along a line if its middle is within this share of its length from the line.
+/// An edge runs along a line if the distance of its middle from the line is at most this share of
+/// its length.
 constexpr double along = 0.1;
-/// Flips make no triangles that are at most this round.
+/// A flip is refused if a new triangle has at most this roundness.
 constexpr double sliver = 0.15;
 /// Number of nearest vertices that are tried in turn for each corner.
 constexpr std::size_t corner_tries = 4;
-/// A vertex is on a line if it is within this share of its mean edge from the line.
+/// A vertex is on a line if its distance from the line is at most this share of its mean edge.
 constexpr double contact = 1e-9;
 /// A flip must bring the middle of the edge nearer to the target by more than this share of its
 /// length, so that no edge flips back and forth.
@@ -60,7 +62,8 @@ constexpr double corner_cosine = 0.7071067811865476;
 constexpr double certain_angle_deg = 60;
 constexpr double certain_share = 0.02;
 
-/// The value of is_held_ for a vertex on a corner; 1 is a vertex on a line, 0 any other.
+/// Value of `is_held_` for a vertex on a corner. The value is 1 for a vertex on a line, and 0 for
+/// any other vertex.
 constexpr char on_corner = 2;
 
 double cosine_of(double angle_deg) { return elementary::cos(angle_deg * std::numbers::pi / 180); }
@@ -140,7 +143,8 @@ class Aligner {
 
  private:
   struct Candidate {
-    double distance;  ///< from the nearest line, in mean lengths of the vertex's edges
+    /// Distance of the vertex from the nearest line, in mean lengths of its edges.
+    double distance;
     Index vertex;
     bool operator<(const Candidate& other) const {
       return distance != other.distance ? distance < other.distance : vertex < other.vertex;
@@ -172,8 +176,8 @@ class Aligner {
   const EdgeLimits limits_{options_.min_edge, options_.max_edge};
   double cosine_;
   const Progress& progress_;
-  std::vector<char> is_held_;  ///< per vertex: 0, 1 on a line, or on_corner
-  std::vector<Vec3> sides_;    ///< per vertex: the normal of the nearest face of the target
+  std::vector<char> is_held_;  ///< for each vertex: 0, 1 if it is on a line, or `on_corner`
+  std::vector<Vec3> sides_;    ///< for each vertex the normal of the nearest face of the target
   VertexStar star_;
 };
 
@@ -197,7 +201,7 @@ void Aligner::hold_what_is_on_lines() {
   }
 }
 
-// Moves the vertex towards the goal; returns whether it reached the goal.
+// Moves the vertex towards the goal. Returns true if the vertex reached the goal.
 bool Aligner::move(VertexMover& mover, Index vertex, const Vec3& goal) {
   const Vec3 target = mesh_.rounded(goal);
   if (mesh_.position(vertex) == target) return true;
@@ -331,7 +335,8 @@ void Aligner::mark_aligned_edges() {
 }
 
 // Splits, collapses and flips edges for better lengths and angles; vertices on lines stay on them.
-// If `moves`, all vertices also relax within the surface, and those on lines return to these.
+// If `moves` is set, all vertices also relax within the surface, and vertices on lines then return
+// to their lines.
 void Aligner::tidy(bool moves) {
   mark_aligned_edges();
   const double longest = limits_.longest;

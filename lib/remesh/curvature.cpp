@@ -48,8 +48,8 @@ double bend_angle(const EditableMesh& mesh, Index halfedge, const Vec3& unit_edg
   return elementary::atan2(here.cross(there).dot(unit_edge), here.dot(there));
 }
 
-/// The area of a face and its curvature tensor, to which each edge contributes half: the other face
-/// at the edge has the other half.
+/// Returns the area of a face and its curvature tensor. Each edge contributes half of its tensor;
+/// the other half belongs to the other face at the edge.
 Bending bending_of(const EditableMesh& mesh, Index face) {
   Bending bending;
   bending.area = 0.5 * mesh.face_normal(face).norm();
@@ -74,8 +74,8 @@ std::vector<double> largest_curvatures(const EditableMesh& mesh) {
     for (Index h = 3 * face; h < 3 * face + 3; ++h) rings[mesh.source(h)].add(bending);
   }
 
-  // The curvature of a single ring depends strongly on its triangulation, so the rings of the
-  // neighbors are added.
+  // The curvature of a single one-ring depends strongly on its triangulation. Therefore the
+  // one-rings of the neighbors are added.
   std::vector<double> curvatures(mesh.vertex_slots(), 0);
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
     if (!mesh.has_vertex(v)) continue;

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// If the result has more faces than wanted by at most this share, decimation counts as successful.
+/// Decimation counts as successful if the result has at most this share more faces than wanted.
 constexpr double tolerance = 0.01;
 
 void check(const Mesh& mesh, const DecimateOptions& options) {
@@ -89,8 +89,8 @@ DecimateResult collapse_edges(Mesh& mesh, const DecimateOptions& options,
   return result;
 }
 
-/// Collapses edges of the mesh itself. If that gets stuck, flat faces are merged first: between
-/// slivers that are as thin as rounding errors, every single collapse counts as contact.
+/// Collapses edges of the mesh. If no further edge can be collapsed, starts again with merged flat
+/// faces: between slivers as thin as rounding errors, every single collapse counts as contact.
 DecimateResult decimate_to(Mesh& mesh, const DecimateOptions& options, const Progress& progress) {
   Mesh decimated = mesh;
   DecimateResult result = collapse_edges(decimated, options, progress);

@@ -10,27 +10,27 @@
 namespace transformesh {
 namespace {
 
-/// Decimation proceeds in stages, each of which reduces the faces to this share and has its own
-/// guard. The cells of a guard grow with the longest edge that it allows. A single guard for the
-/// final edges would have many vertices in each cell, and each test would take long.
+/// Decimation proceeds in stages. Each stage reduces the number of faces to this share, and has its
+/// own EmbeddingGuard, whose cells grow with the longest edge that it allows. A single guard for
+/// the final edges would have many vertices in each cell, and each test would take long.
 constexpr double stage_share = 0.4;
 /// Edges of a stage may be this many times as long as those of equilateral triangles that cover the
 /// area. The factor grows by stage_growth after each stage that does not reach its goal.
 constexpr double longest_edge = 5;
 constexpr double stage_growth = 1.6;
-/// The weight of planes at borders and sharp edges, relative to the planes of faces. It trades off
-/// the fidelity of lines against that of faces.
+/// The weight of planes at borders and sharp edges, relative to the planes of faces. Larger weights
+/// preserve borders and sharp edges better, and faces less well.
 constexpr double border_weight = 10;
-/// The weight of the squared length of an edge in its cost. It is small enough to decide only where
-/// the surface is flat, so that short edges are collapsed first there.
+/// The weight of the squared length of an edge in its cost. The weight is so small that it decides
+/// only on flat surfaces, where short edges are collapsed first.
 constexpr double shortness = 3e-8;
-/// Decimation within an error ends after a stage that removes at most a 200th of the faces and
-/// refuses at most as many collapses as too long. A larger part leaves more faces; a smaller one
-/// repeats refusals.
+/// Decimation within an error ends after a stage that removes at most 1/200 of the faces, and
+/// refuses at most as many collapses because of edge lengths. A larger fraction leaves more faces;
+/// a smaller one repeats refusals.
 constexpr std::size_t few_share = 200;
 
-/// The number of collapses refused as too long after which a stage ends. All later collapses cost
-/// more, so the next stage, which allows longer edges, continues.
+/// A stage ends after this number of collapses was refused because edges would be too long. All
+/// later collapses cost more, and the next stage allows longer edges.
 std::size_t most_too_long(std::size_t faces) { return std::max<std::size_t>(10, faces / 50); }
 
 }  // namespace
@@ -81,7 +81,8 @@ void Decimator::add_border(Index halfedge) {
 }
 
 /// The positions to which an edge may be collapsed, by increasing cost: the minimizer of the
-/// quadric, the middle and both ends. If one end has the higher role, it is the only position.
+/// quadric, the middle and both ends. If one end has a higher role than the other (vertex_role.h),
+/// that end is the only position.
 std::vector<Decimator::Place> Decimator::places(Index source, Index target) const {
   const Quadric sum = quadrics_[source] + quadrics_[target];
   const Vec3 &from = mesh_.position(source), &to = mesh_.position(target);
@@ -107,7 +108,8 @@ std::vector<Decimator::Place> Decimator::places(Index source, Index target) cons
   return places;
 }
 
-/// Enqueues the collapse of the edge to the position with that rank, if there is one.
+/// Enqueues the collapse of the edge to the position with the given rank in places(), if there is
+/// one.
 void Decimator::push(Index halfedge, std::size_t rank) {
   const Index source = mesh_.source(halfedge), target = mesh_.target(halfedge);
   const std::vector<Place> all = places(source, target);

@@ -64,8 +64,8 @@ class Decimator {
   std::size_t first_faces_;
   std::optional<VertexRoles> roles_;
   std::optional<ErrorBound> bound_;
-  std::vector<Quadric> quadrics_;        ///< per vertex
-  std::vector<std::uint32_t> versions_;  ///< per vertex: how many were merged into it
+  std::vector<Quadric> quadrics_;        ///< quadric of each vertex
+  std::vector<std::uint32_t> versions_;  ///< number of vertices merged into each vertex
   std::priority_queue<Candidate> queue_;
   DecimateResult result_;
 };

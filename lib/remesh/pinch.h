@@ -1,4 +1,4 @@
-/// Cuts thin necks and handles of a surface, as surface tension does in fluids.
+/// Cuts thin necks and handles of a surface, as surface tension does in liquids.
 #pragma once
 
 #include "transformesh/control.h"

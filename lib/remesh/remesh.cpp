@@ -34,24 +34,25 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_faces = 500e6;     ///< chosen by hand, to limit memory
-constexpr double largest_extent = 1e75;  ///< squares of areas must stay below the largest double
+constexpr double most_faces = 500e6;  ///< largest number of faces; chosen by hand, to limit memory
+/// Largest extent at which squares of areas are below the largest double.
+constexpr double largest_extent = 1e75;
 /// If edges are far too short, they are collapsed in stages. Each stage collapses edges shorter
-/// than this many times the typical length.
+/// than this multiple of the typical length.
 constexpr double stage_growth = 1.6;
 /// Edges shorter or longer than these shares of the length for the curvature are collapsed or
-/// split. The second is below 1 because faces relax after splits and curvature varies: longer
-/// edges would exceed the error.
+/// split. `adaptive_longest` is below 1, because faces relax after splits and curvature varies:
+/// longer edges would exceed the error.
 constexpr double adaptive_shortest = 0.55;
 constexpr double adaptive_longest = 0.95;
-/// From this number of iterations on, smooth_bilaplacian() ends the remeshing: it removes most of
-/// the offsets of vertices from a smooth surface. Calls with fewer iterations are usually steps of
-/// an evolution, which are left as they are.
+/// If remesh() does at least this number of iterations, it calls smooth_bilaplacian() at the end,
+/// which moves vertices nearer to a smooth surface. Calls with fewer iterations are usually steps
+/// of an evolution, which need no smoothing.
 constexpr int iterations_anew = 3;
 constexpr double usual_feature_angle_deg = 40;
-/// Under RemeshOptions::curved, new vertices leave their edges by up to a fifth of the length,
-/// which makes edges longer by up to this factor. The guard refuses longer edges: without the
-/// factor, the midpoints of the longest edges would stay on the straight edge.
+/// If RemeshOptions::curved is set, a new vertex leaves its edge by up to a fifth of the length,
+/// which makes edges longer by up to this factor. The guard allows such edges. Without the factor,
+/// the new vertices of the longest edges would stay on the straight edge.
 constexpr double lifted_edge = 1.05;
 
 /// Throws InputError if fourth powers of lengths, from which areas are computed, could overflow.
@@ -111,7 +112,7 @@ SizeRange sizes_of(const EditableMesh& mesh) {
   return range;
 }
 
-/// Returns whether there are degenerate faces. Throws UsageError if edges of length `max_edge`
+/// Returns true if there are degenerate faces. Throws UsageError if edges of length `max_edge`
 /// would take too many faces.
 bool survey_faces(const EditableMesh& mesh, double max_edge) {
   double faces = 0;
@@ -132,12 +133,12 @@ bool survey_faces(const EditableMesh& mesh, double max_edge) {
   return has_degenerate;
 }
 
-/// The data that all iterations share.
+/// Data that all iterations of one call share.
 struct Task {
   EditableMesh& mesh;
   const RemeshOptions& options;
   EdgeLimits limits;
-  const ClosestPointQuery* surface;  ///< projection target, or null
+  const ClosestPointQuery* surface;  ///< surface onto which vertices are projected, or null
   const KeepOut* keep_out;
   const Progress& progress;
   RemeshResult& result;
@@ -195,7 +196,7 @@ class Iteration {
   }
   void smooth(bool is_first) {
     const RemeshOptions& options = task_.options;
-    // Relaxation between collapses and flips pays off only if the mesh already has good triangles.
+    // Relaxation between collapses and flips helps only if the mesh already has good triangles.
     if (options.smoothing == Smoothing::tangential && !is_first) relax();
     const bool twice = options.smoothing == Smoothing::bilaplace;
     if (options.smoothing != Smoothing::laplace && !twice) return;
@@ -210,8 +211,8 @@ class Iteration {
   EmbeddingGuard& guard_;
 };
 
-/// Returns the least width of components that are kept. It is the width of films if films are kept
-/// and it is smaller than the shortest edge; otherwise it is the shortest edge.
+/// Returns the least width of components that are kept. The width is the smaller of the shortest
+/// edge and, if RemeshOptions::min_film is set, the film width.
 double least_width(const Task& task) {
   const double film = task.options.min_film / sizes_of(task.mesh).largest;
   return film > 0 ? std::min(film, task.limits.shortest) : task.limits.shortest;
@@ -234,7 +235,7 @@ void remove_small(const Task& task) {
 
 /// Statistics of the lengths of all edges, relative to the local size.
 struct ScaledLengths {
-  double typical = 0;  ///< root of the mean square
+  double typical = 0;  ///< root mean square of the lengths
   double longest = 0;
 
   explicit ScaledLengths(const EditableMesh& mesh) {
@@ -244,7 +245,7 @@ struct ScaledLengths {
       if (!mesh.has_face(face)) continue;
       const std::array<double, 3> squared = mesh.scaled_squared_lengths(face);
       for (Index i = 0; i < 3; ++i) {
-        // No branch here: the processor cannot predict which of two halfedges is the lower.
+        // There is no branch here, because it is unpredictable which of two halfedges is the lower.
         const bool is_lower = 3 * face + i < mesh.opposite(3 * face + i);
         longest = std::max(longest, squared[i]);
         sum += is_lower ? squared[i] : 0;
@@ -256,8 +257,9 @@ struct ScaledLengths {
   }
 };
 
-/// If edges are far too short, collapses them in stages, each with its own guard. A guard for the
-/// final edges would have many vertices in each cell and be slow. Returns the resulting lengths.
+/// If edges are far too short, collapses them in stages, each with its own guard. A single guard,
+/// with cells for the final edges, would have many vertices in each cell and be slow. Returns the
+/// resulting lengths.
 ScaledLengths coarsen(const Task& task) {
   for (bool goes_on = true;;) {
     const ScaledLengths lengths(task.mesh);
@@ -284,8 +286,8 @@ std::unique_ptr<EmbeddingGuard> make_guard(const Task& task,
                                           task.keep_out, longest_edge);
 }
 
-/// Collapses edges that are far too short and splits those that are too long. Returns the guard for
-/// the resulting mesh.
+/// Collapses edges that are far too short, and splits edges that are too long. Returns the guard
+/// for the resulting mesh.
 std::unique_ptr<EmbeddingGuard> refine(const Task& task) {
   const ScaledLengths lengths = coarsen(task);
   if (lengths.longest <= task.limits.longest) {
@@ -315,7 +317,7 @@ void iterate(const Task& task, bool is_first, bool is_finish) {
   remove_small(task);
 }
 
-/// Removes slivers and counts those that are left.
+/// Removes slivers, and counts the slivers that are left.
 void treat_slivers(const Task& task) {
   const SliverTest is_sliver(task.mesh, task.limits.shortest * sizes_of(task.mesh).smallest);
   Slivers left = count_slivers(task.mesh, is_sliver);

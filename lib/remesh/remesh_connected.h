@@ -7,8 +7,8 @@
 
 namespace transformesh {
 
-/// Equals remesh() of remesh.h. `opposites` has the opposite of each halfedge (adjacency.h), or is
-/// empty if unknown.
+/// Does the same as remesh() (remesh.h). `opposites` has the opposite of each halfedge
+/// (adjacency.h), or is empty if unknown.
 RemeshResult remesh_connected(Mesh& mesh, const RemeshOptions& options, const Progress& progress,
                               std::vector<Index> opposites);
 

@@ -9,12 +9,13 @@
 namespace transformesh {
 namespace {
 
-/// The least ratio of the longest to the shortest edge. Below it, halves of split edges would be
-/// collapsed again.
+/// The least ratio of the longest to the shortest edge. With a smaller ratio, halves of split edges
+/// would be collapsed again.
 constexpr double least_ratio = 1.5;
 
-/// Lengths that messages advise differ from the limit by this share, and have four digits. Rounding
-/// to four digits moves them by at most half of that, so that following the advice is accepted.
+/// Lengths that messages suggest differ from the limit by this share, and have four digits.
+/// Rounding to four digits changes a length by at most half of this share, so suggested lengths are
+/// always valid.
 constexpr double margin = 1e-3;
 
 void check_lengths(double min_edge, double max_edge) {

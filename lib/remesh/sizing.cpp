@@ -17,7 +17,8 @@ constexpr double growth = 0.3;
 
 double size_for(double curvature, const SizeBounds& bounds) {
   const double error = bounds.error;
-  // This is the squared size, 6 e / k - 3 e^2, times the curvature k, to avoid division by zero.
+  // The squared size for curvature k and error e is 6 e / k - 3 e^2. The code multiplies it by k to
+  // avoid a division by zero.
   const double square_times_curvature = 6 * error - 3 * error * error * curvature;
   if (square_times_curvature <= bounds.shortest * bounds.shortest * curvature)
     return bounds.shortest;
@@ -47,7 +48,7 @@ std::vector<double> sizes_of_curvature(const EditableMesh& mesh, const SizeBound
 }
 
 void grade_sizes(const EditableMesh& mesh, std::vector<double>& sizes) {
-  // Sizes spread from the smallest upwards, as distances in Dijkstra's algorithm.
+  // Sizes propagate from the smallest upwards, like distances in Dijkstra's algorithm.
   struct Reached {
     double size;
     Index vertex;

@@ -14,7 +14,7 @@ namespace transformesh {
 std::vector<double> sizes_of_column(const Mesh& mesh, const std::string& column);
 
 struct SizeBounds {
-  double error = 0;     ///< largest distance of faces from the surface; input units, > 0
+  double error = 0;     ///< largest distance of faces from the curved surface; input units, > 0
   double shortest = 0;  ///< smallest size, > 0
   double longest = 0;   ///< largest size, >= shortest
 };

@@ -32,7 +32,7 @@ class ComponentWalk {
     six_volumes_ = 0;
     sizes_ = 0;
     const Vec3& origin = mesh_.position(mesh_.source(3 * seed));
-    for (std::size_t i = 0; i < faces_.size(); ++i) {  // NOLINT: visit() adds to them
+    for (std::size_t i = 0; i < faces_.size(); ++i) {  // NOLINT: visit() adds to faces_
       if (!has_short_edges(faces_[i]) || !visit(faces_[i], origin)) return false;
     }
     return true;
@@ -63,7 +63,7 @@ class ComponentWalk {
 
   const EditableMesh& mesh_;
   double limit_;
-  std::vector<Index> reached_;  ///< number of the walk that reached the face, 0 for none
+  std::vector<Index> reached_;  ///< for each face the number of the walk that reached it, or 0
   Index walk_ = 0;
   std::vector<Index> faces_;
   bool has_border_ = false;
@@ -71,7 +71,7 @@ class ComponentWalk {
   double sizes_ = 0;  ///< sum of the sizes at the corners of the faces
 };
 
-/// The second longest side of the bounding box of the faces along their principal axes.
+/// Returns the second longest side of the bounding box of the faces along their principal axes.
 double width_of(const EditableMesh& mesh, const std::vector<Index>& faces) {
   const Vec3 origin = mesh.position(mesh.source(3 * faces[0]));
   Vec3 sum = Vec3::Zero();

@@ -10,11 +10,9 @@ namespace transformesh {
 /// - All edges are shorter than `edge`.
 /// - The absolute volume is below pi/6 edge^3, which is the paper's criterion.
 /// - The second longest side of a box along its principal axes is shorter than `edge`. A wider
-/// plate
-///   thus stays, for any thickness.
-/// If the mesh has sizes, `edge` is a factor of the component's mean size. With `keep_border`,
-/// components with a border stay. The volume of a component with a border is that of the cone from
-/// one of its vertices.
+/// plate thus stays, however thin it is. If the mesh has sizes, `edge` is a factor of the
+/// component's mean size. With `keep_border`, components with a border stay. The volume of a
+/// component with a border is that of the cone from one of its vertices.
 RemeshResult::RemovedComponents remove_small_components(EditableMesh& mesh, double edge,
                                                         bool keep_border);
 

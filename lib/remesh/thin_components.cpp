@@ -24,15 +24,15 @@ class AreaWalk {
     return std::min({a, b, c}) < shortest_;
   }
 
-  /// Returns whether the component of `seed` is closed and has less area than the limit. False if
-  /// an earlier walk reached `seed` or another face of the component.
+  /// Returns true if the component of `seed` is closed and has less area than the limit. Returns
+  /// false if an earlier walk reached `seed` or another face of the component.
   bool walk(Index seed) {
     if (reached_[seed] != 0) return false;
     faces_.assign(1, seed);
     reached_[seed] = ++walk_;
     area_ = six_volumes_ = scaled_area_ = 0;
     const Vec3& origin = mesh_.position(mesh_.source(3 * seed));
-    for (std::size_t i = 0; i < faces_.size(); ++i)  // NOLINT: reach_neighbors() adds to them
+    for (std::size_t i = 0; i < faces_.size(); ++i)  // NOLINT: reach_neighbors() adds to faces_
       if (!measure(faces_[i], origin) || !reach_neighbors(faces_[i])) return false;
     return true;
   }
@@ -67,11 +67,11 @@ class AreaWalk {
 
   const EditableMesh& mesh_;
   double shortest_, most_area_;
-  std::vector<Index> reached_;  ///< number of the walk that reached the face, 0 for none
+  std::vector<Index> reached_;  ///< for each face the number of the walk that reached it, or 0
   Index walk_ = 0;
   std::vector<Index> faces_;
   double area_ = 0, six_volumes_ = 0;
-  double scaled_area_ = 0;  ///< in squares of the local size
+  double scaled_area_ = 0;  ///< area of the faces in squares of the local size
 };
 
 }  // namespace

@@ -12,22 +12,22 @@
 namespace transformesh {
 namespace {
 
-/// Least ratio of the next larger length to the crack width. Rounded coordinates give ratios of
-/// thousands. A lower limit would take narrow slots for cracks; a much higher limit would miss
-/// cracks in finely meshed files with six digits.
+/// Least ratio of the next larger length to the crack width. The ratio is in the thousands at
+/// cracks that rounded coordinates cause. With a lower limit, narrow slots would count as cracks;
+/// with a much higher limit, cracks in finely meshed files with six digits would be missed.
 constexpr double clear_gap = 8;
 
 /// Largest crack width as a share of the bounding box diagonal. Files with four digits have cracks
-/// of 1e-4. A limit of 1e-3 would join the two sides of thin walls without rim faces.
+/// of 1e-4. With a limit of 1e-3, the two sides of thin walls without rim faces would be joined.
 constexpr double widest_crack = 2e-4;
 
-/// Largest ratio of the number of edges up to the crack width, which collapse, to the number of
-/// vertices at cracks. A few edges may be that short. If many are, the distances are those of the
-/// mesh, not of cracks.
+/// Largest ratio of two numbers: edges that are not longer than the crack width, and thus collapse,
+/// and vertices at cracks. If more edges are that short, the width is a distance within the mesh,
+/// not of a crack.
 constexpr double lost_edges = 0.1;
 
-/// Cosine of 25 degrees. Two faces at an edge fold back if the angle between them is smaller. A
-/// larger angle would take sharp edges for the rims of plates.
+/// Cosine of 25 degrees. Two faces at an edge fold back if the angle between them is smaller. With
+/// a larger angle, sharp edges would count as rims of plates.
 constexpr double folded_back = 0.9;
 
 /// Returns the mesh with one vertex index for all positions within `tolerance`. Faces that lose a
@@ -48,8 +48,9 @@ struct Distance {
 };
 
 struct Lengths {
-  std::vector<double> edges;      ///< ascending
-  std::vector<Distance> borders;  ///< border vertices to nearest border edges, ascending
+  std::vector<double> edges;  ///< lengths of all edges, ascending
+  /// Distances of border vertices from the nearest border edges, ascending.
+  std::vector<Distance> borders;
 };
 
 std::vector<double> lengths_of(const Mesh& mesh, const Edges& edges) {
@@ -66,7 +67,7 @@ std::vector<double> lengths_of(const Mesh& mesh, const Edges& edges) {
 }
 
 /// Returns the distance of each border vertex from the nearest border edge that does not end in it,
-/// or `farthest` if that is smaller.
+/// but at most `farthest`.
 std::vector<Distance> border_distances(const Mesh& mesh, const BorderEdges& borders,
                                        double farthest) {
   std::vector<Distance> distances;
@@ -85,8 +86,8 @@ std::size_t count_up_to(const std::vector<double>& sorted, double length) {
   return static_cast<std::size_t>(std::ranges::upper_bound(sorted, length) - sorted.begin());
 }
 
-/// Returns the largest border distance that is clearly shorter than the next one and than almost
-/// all edges. Distances below `least` count as `least`.
+/// Returns the largest border distance that is clearly shorter than the next larger distance and
+/// than almost all edges. Distances below `least` count as `least`.
 Cracks widest_clear(const Lengths& lengths, double least, double diagonal) {
   Cracks found;
   const auto& borders = lengths.borders;
@@ -113,8 +114,8 @@ Vec3 direction_into(const Mesh& mesh, Index halfedge) {
   return (c - a - along * along.dot(c - a)).stableNormalized();
 }
 
-/// True if, at most of the closed border edges, the two faces do not fold back. At the rim of a
-/// thin plate they do.
+/// True if the two faces do not fold back at most of the closed border edges. At the rim of a thin
+/// plate, faces fold back.
 bool continues(const Edges& edges_before, const Mesh& after) {
   std::vector<char> was_border(3 * after.faces.size(), 0);
   for (std::size_t e = 0; e < edges_before.size(); ++e) {

@@ -7,8 +7,10 @@
 namespace transformesh {
 
 struct Cracks {
-  double width = 0;           ///< largest distance of a vertex from the other side; 0 if no crack
-  double tolerance = 0;       ///< StitchOptions::tolerance that closes the cracks; 0 if no crack
+  /// Largest distance of a vertex from the other side; 0 if there is no crack.
+  double width = 0;
+  /// StitchOptions::tolerance that closes the cracks; 0 if there is no crack.
+  double tolerance = 0;
   std::size_t vertices = 0;   ///< number of border vertices at cracks
   Vec3 place = Vec3::Zero();  ///< border vertex at the widest place
 };

@@ -10,7 +10,8 @@ namespace transformesh {
 namespace {
 
 /// A face counts as kept up to this distance from the other mesh, as a share of the bounding box
-/// diagonal. A larger limit would hide the loss of thin parts; a smaller one would count rounding.
+/// diagonal. With a larger limit, the loss of thin parts would not be noticed; with a smaller
+/// limit, rounding would count as loss.
 constexpr double kept_distance = 1e-6;
 
 /// Returns a corner of the largest lost face of the component that lost the most area.

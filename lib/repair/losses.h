@@ -14,7 +14,7 @@ struct Sizes {
 /// Returns the area of a mesh and the volume of its closed components.
 Sizes sizes_of(const Mesh& mesh);
 
-/// Returns for each face of `mesh` whether its centroid does not lie on `other`. Cost: O(n log n).
+/// Returns 1 for each face of `mesh` whose centroid does not lie on `other`. Cost: O(n log n).
 std::vector<char> faces_off(const Mesh& mesh, const Mesh& other);
 
 struct Loss {
@@ -22,11 +22,11 @@ struct Loss {
   Vec3 place = Vec3::Zero();  ///< corner of a lost face in the component that lost the most area
 };
 
-/// Returns how much of the surface of `before` is missing in `after`. Cost: O(n log n).
+/// Returns the loss: the surface of `before` that is missing in `after`. Cost: O(n log n).
 Loss find_loss(const Mesh& before, const Mesh& after);
 
-/// Returns the first corner, in the order of the faces, at which the two meshes differ. Returns the
-/// origin if they do not differ.
+/// Returns the position of the first corner, in the order of the faces, at which the two meshes
+/// differ. Returns the origin if they do not differ.
 Vec3 first_change(const Mesh& before, const Mesh& after);
 
 }  // namespace transformesh

@@ -22,17 +22,19 @@ namespace transformesh {
 namespace {
 
 /// A model counts as double-sided if at least this share of its faces has a duplicate with opposite
-/// orientation. Bodies that touch have a few such faces; double-sided models have all or most.
+/// orientation. In bodies that touch, a few faces have a duplicate; in double-sided models, all or
+/// most faces do.
 constexpr double double_sided_share = 0.5;
 
 /// Holes get smooth patches if the diagonal of their bounding box is at most this share of the
 /// model's diagonal. Larger holes get flat patches, near the places where the generalized winding
-/// number of the open surface is 1/2; a smooth patch would turn an open bowl into a ball. A larger
-/// share inflates openings; a smaller one leaves dents in curved surfaces.
+/// number of the open surface is 1/2; a smooth patch would turn an open bowl into a ball. With a
+/// larger share, patches of openings bulge; with a smaller share, flat patches leave dents in
+/// curved surfaces.
 constexpr double small_hole = 0.1;
 
-/// Most rounds of filling and cleaning. Cleaning closes slits that filling leaves, and the second
-/// round fills holes that cleaning leaves. More rounds never helped.
+/// Largest number of rounds of filling and cleaning. Cleaning closes slits that filling leaves, and
+/// the second round fills holes that cleaning leaves. More rounds have never helped.
 constexpr int most_rounds = 3;
 
 bool is_oriented_manifold(const ManifoldReport& found) {
@@ -104,8 +106,8 @@ MeshCheck Repair::check() const {
   return check_mesh(steps_.mesh(), options, progress_);
 }
 
-// Stitches the mesh. A surface with one side cannot be oriented; it stays open at the edges where
-// faces disagree.
+// Stitches the mesh. A one-sided surface cannot be oriented. It stays open at the edges where faces
+// disagree.
 void Repair::stitch(StitchOptions options) {
   try {
     steps_.stitch(options);

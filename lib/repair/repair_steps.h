@@ -1,7 +1,7 @@
 /// Applies the operations of a repair to a mesh, one after the other, and records them. Each
-/// operation reads and returns rounded coordinates, as a program does that reads and writes files.
-/// The recorded operations therefore give the same mesh as a pipeline of programs. An operation
-/// that changes nothing is not recorded.
+/// operation reads and returns rounded coordinates, like a program that reads and writes files. The
+/// recorded operations therefore give the same mesh as a pipeline of programs. An operation that
+/// changes nothing is not recorded.
 #pragma once
 
 #include "transformesh/repair.h"
@@ -15,9 +15,11 @@ class RepairSteps {
 
   const Mesh& mesh() const { return mesh_; }
 
-  /// Throws InputError if `options` ask for an orientation and the surface has only one side.
+  /// Stitches the mesh. Throws InputError if `options` request an orientation and the surface is
+  /// one-sided.
   void stitch(const StitchOptions& options);
-  /// Fills all holes of at most this diameter with patches that may intersect the mesh.
+  /// Fills all holes whose diameter is at most `max_diameter`, with patches that may intersect the
+  /// mesh.
   void fill(bool fair, double max_diameter);
   void clean();
   /// Removes components with an area below `least_area`.
@@ -27,7 +29,7 @@ class RepairSteps {
   Mesh take_mesh() { return std::move(mesh_); }
 
  private:
-  /// Rounds `after` as it would be written, measures the change, and makes it the current mesh.
+  /// Rounds `after` as if it were written, measures the change, and makes `after` the current mesh.
   void record(Mesh after, RepairStep step);
 
   Mesh mesh_;

@@ -8,9 +8,10 @@
 namespace transformesh {
 namespace {
 
-/// A component is a shard if its area is below this share of the total area: the area of a ball of
-/// 1/300 of the model's diameter. Its volume is below 4e-8 of that of a compact model
-/// (isoperimetric inequality). At 0, crumbs of cut faces stay; at 1e-4, screws of a machine vanish.
+/// A component is a shard if its area is below this share of the total area. The area of a ball
+/// with 1/300 of the diameter of a spherical model has this share. The volume of a shard is below
+/// 4e-8 of the volume of a compact model (isoperimetric inequality). With 0, remains of cut faces
+/// stay; with 1e-4, screws of a machine vanish.
 constexpr double shard_share = 1e-5;
 
 }  // namespace

@@ -1,5 +1,5 @@
-/// Finds shards: components that are too small to be parts of a model, such as crumbs of cut faces.
-/// O(n).
+/// Finds shards: components that are too small to be parts of a model, such as remains of cut
+/// faces. O(n).
 #pragma once
 
 #include "transformesh/mesh.h"

@@ -12,16 +12,18 @@
 namespace transformesh {
 namespace {
 
-/// Least number of samples. The least overlap, 20 % of them, is then the least number of pairs.
+/// Least number of samples. The least overlap, 20 % of the samples, is then 20 pairs, the least
+/// number of pairs.
 constexpr std::size_t least_samples = 100;
 
 /// Number of short registrations: from the position of the mesh, and from rotations by
-/// `start_angle_deg` about each axis in both directions. From the position alone, a quarter of 20
-/// degree rotations of a figure end in a wrong position. The time grows in proportion.
+/// `start_angle_deg` about each axis in both directions. With a single start, a quarter of
+/// registrations of a figure that is rotated by 20 degrees end in a wrong position. The time is
+/// proportional to the number of starts.
 constexpr int starts = 7;
 constexpr double start_angle_deg = 30;
-/// Samples of a short registration. They suffice to distinguish a right from a wrong position, in a
-/// fifth of the time of the final registration.
+/// Number of samples of a short registration. With 1000 samples, a right position is distinguished
+/// from a wrong one in a fifth of the time of the final registration.
 constexpr std::size_t samples_of_start = 1000;
 constexpr int iterations_of_start = 40;
 

@@ -47,7 +47,7 @@ Step clamped_step(const Vec3& velocity, double time_step, double limit) {
 }
 
 /// Throws GoalError if, at most vertices, the spacing of coordinates exceeds the mean edge length.
-/// Faces would collapse there.
+/// Faces at such vertices would collapse.
 void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
                   const std::vector<char>& is_moved) {
   std::size_t lost = 0;
@@ -61,9 +61,9 @@ void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
   }
 }
 
-/// Clamped steps; each vector has an entry per vertex.
+/// Clamped steps of all vertices; each vector has one entry for each vertex.
 struct AxisDirections {
-  std::vector<double> limits;  ///< alpha * e_avg(p)
+  std::vector<double> limits;  ///< largest movement of each vertex p: alpha * e_avg(p)
   std::vector<Vec3> displacements;
   std::vector<char> is_clamped;
 };
@@ -84,7 +84,7 @@ AxisDirections clamped_ways(std::span<const Vec3> velocities, const HalfedgeLeng
   return ways;
 }
 
-/// Moves the vertices, and returns for each whether its position changed.
+/// Moves the vertices. Returns 1 for each vertex whose position changed.
 std::vector<char> move(Mesh& mesh, const std::vector<Vec3>& displacements, Scalar coordinate) {
   std::vector<char> is_moved(displacements.size(), 0);
   parallel_for(is_moved.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {

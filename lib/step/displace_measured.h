@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-/// Equals displace(); `edges` must be halfedge_lengths() of the mesh.
+/// Does the same as displace(). `edges` must be halfedge_lengths() of the mesh.
 DisplaceResult displace_measured(Mesh& mesh, std::span<const Vec3> velocities,
                                  const DisplaceOptions& options, const HalfedgeLengths& edges);
 

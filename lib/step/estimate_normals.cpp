@@ -26,7 +26,8 @@ Neighbors find_neighbors(std::span<const Vec3> points, std::size_t count) {
 }
 
 Vec3 direction_of_least_spread(std::span<const Vec3> points, const std::vector<Index>& chosen) {
-  // Offsets are relative to one of the points, so that equal points give exactly zero.
+  // Offsets are relative to one of the points, so that the offsets of equal points are exactly
+  // zero.
   const Vec3& origin = points[chosen[0]];
   Vec3 mean = Vec3::Zero();
   for (const Index p : chosen) mean += (points[p] - origin) / static_cast<double>(chosen.size());
@@ -75,7 +76,8 @@ class Orientation {
   }
 
  private:
-  using Candidate = std::tuple<double, Index, Index>;  // cost, to, from
+  // Cost of an edge, its new point, its point in the tree.
+  using Candidate = std::tuple<double, Index, Index>;
 
   void settle(Index point) {
     is_done_[point] = true;

@@ -5,9 +5,9 @@
 /// 1992.
 ///
 /// Each connected component of the graph gets an upward normal at its highest point, so that the
-/// normals around a cavity are reversed. Signs are right if the points sample a closed surface and
-/// are closer to each other than its sheets are. Floating point; deterministic. Cost: O(k n log n)
-/// for k neighbors.
+/// normals around a cavity are reversed. Signs are right if the points sample a closed surface, and
+/// if they are closer to each other than the sheets of the surface are. Floating point;
+/// deterministic. Cost: O(k n log n) for k neighbors.
 #pragma once
 
 #include <span>

@@ -13,11 +13,12 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 256;  ///< affects time only
-/// From this many halvings on, at 1/32 of its movement, a vertex stops if its movement is also
-/// smaller than the gap. More halvings leave smaller remaining gaps and take more tests.
+/// A vertex stops after this number of halvings, at 1/32 of its movement, if its movement is also
+/// smaller than the gap. With more halvings, vertices stop closer to the gap and more tests are
+/// needed.
 constexpr int least_halvings = 5;
-/// A vertex stops after this many halvings, at a billionth of its movement. It bounds the tests for
-/// tiny gaps.
+/// A vertex stops after this number of halvings, at a billionth of its movement. The limit bounds
+/// the number of tests for tiny gaps.
 constexpr int most_halvings = 30;
 
 class Holder {

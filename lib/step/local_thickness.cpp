@@ -19,21 +19,21 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t vertices_per_task = 64;  ///< affects time only
-/// Most times that a ball shrinks. A ball that is not empty after that keeps its last diameter,
-/// which is too large.
+/// Largest number of times that a ball shrinks. A ball that is then not empty keeps its last
+/// diameter, which is too large.
 constexpr int most_cuts = 20;
 
-/// A ball shrinks if an opposite sheet reaches deeper into it than this share of the radius.
-/// Smaller shares give more accurate diameters and take more searches.
+/// A ball shrinks if an opposite sheet reaches deeper into it than this share of the radius. With
+/// smaller shares, diameters are more accurate and need more searches.
 constexpr double depth = 0.05;
 
-/// Cosine of 120 degrees. Sheets whose normals differ by more are opposite. Smaller angles would
-/// count blunt corners as narrow places.
+/// Cosine of 120 degrees. Sheets whose normals differ by a larger angle are opposite. With a
+/// smaller angle, blunt corners would count as narrow places.
 constexpr double facing = -0.5;
 
-/// Cosine of 20 degrees. At a vertex, a face whose normal differs by less from a normal already
-/// tested is skipped. Smaller angles cost time on curved targets, and change nothing at sharp
-/// edges.
+/// Cosine of 20 degrees. A face at a vertex is skipped if its normal differs by a smaller angle
+/// from a normal that was already tested. A smaller limit takes more time on curved targets, and
+/// changes nothing at sharp edges.
 constexpr double alike = 0.94;
 /// Rounding error of the distance from a point to a face that contains it, relative to coordinates.
 constexpr double rounding = 1e-12;
@@ -50,7 +50,7 @@ using Search =
     std::function<std::optional<Vec3>(const Vec3& center, double distance, const Contact& contact)>;
 
 /// Returns the diameter of the largest empty ball that touches the contact and whose center lies
-/// along `direction`; infinity if it is not less than `reach`.
+/// along `direction`. Returns infinity if the diameter is not less than `reach`.
 double ball_width(const Contact& contact, const Vec3& direction, double reach,
                   const Search& closest) {
   double radius = reach / 2;
@@ -107,8 +107,8 @@ Search search_of(const KdTree& tree, const Target& target) {
   };
 }
 
-/// Returns the least thickness at a contact, tested with its normal and with the normals of those
-/// faces that differ from it.
+/// Returns the least thickness at a contact, for its normal and for the normals of those faces
+/// whose normals differ from it.
 double least_width(const Mesh& mesh, const Contact& first, std::span<const Index> faces,
                    double reach, const Search& closest) {
   std::vector<Vec3> normals{first.normal};

@@ -1,9 +1,10 @@
 /// Measures the local thickness of a surface and of the gaps beside it: local feature size without
-/// the effect of curvature. The thickness at a point with a normal is the diameter of the smallest
-/// ball that touches the surface there and an opposite sheet, from outside or from inside. A sheet
-/// is opposite if its normal differs by more than 120 degrees. Gaps and walls are therefore thin;
-/// curved parts and sharp edges are not. At a sharp edge the normals of its faces are tested
-/// separately, so that a slot is as narrow at its rim as inside.
+/// the effect of curvature. The thickness at a point with a normal is a diameter. The smallest ball
+/// that touches the surface at this point and an opposite sheet, from outside or from inside, has
+/// this diameter. A sheet is opposite if its normal differs by more than 120 degrees. Gaps and
+/// walls are therefore thin; curved parts and sharp edges are not. At a sharp edge the normals of
+/// its faces are tested separately, so that the thickness of a slot is the same at its rim as
+/// inside.
 ///
 /// A ball shrinks until no opposite sheet reaches deeper into it than 5 % of its radius. Reference:
 /// Ma, Bae & Choi, "3D medial axis point approximation using nearest neighbors and the normal
@@ -20,9 +21,9 @@
 
 namespace transformesh {
 
-/// Returns a diameter per vertex of the target, in input units; infinity if it is not less than
-/// `reach`, which must be > 0. If the target is a point set, contacts are points, so that diameters
-/// are too large by an amount that depends on the sampling density.
+/// Returns for each vertex of the target the diameter in input units, or infinity if it is not less
+/// than `reach`. Pre: `reach` > 0. If the target is a point set, contacts are points, so that
+/// diameters are too large by an amount that depends on the sampling density.
 std::vector<double> local_thickness(const Target& target, double reach,
                                     const Progress& progress = Progress());
 
@@ -31,9 +32,9 @@ std::vector<double> local_thickness(const Target& target, double reach,
 double local_thickness_near(const TargetQuery& target, const Vec3& place, double reach);
 
 /// Returns the target with its thickness measured up to `gap_edges` * `edge`; both must be > 0.
-/// Faces are first split until no edge is longer than half of that, or half of `edge` if that is
-/// larger. Without the split, a narrow place inside a large face would be at no vertex, and one at
-/// a corner would count for the whole face.
+/// Faces are first split until no edge is longer than half of the larger of `edge` and `gap_edges`
+/// * `edge`. Without the split, a narrow place inside a large face would be at no vertex, and a
+/// narrow place at a corner would count for the whole face.
 Target with_thickness(const Target& target, double gap_edges, double edge,
                       const Progress& progress = Progress());
 

@@ -12,8 +12,8 @@
 namespace transformesh {
 
 /// Throws InputError if the source is not oriented or is inside out. Returns a warning if its
-/// bounding box does not overlap that of the target: it would shrink to nothing. `name` is the
-/// source's file name for messages, or empty.
+/// bounding box does not overlap the target's bounding box: the source would shrink to nothing.
+/// `name` is the source's file name for messages, or empty.
 std::vector<Problem> check_source(const Mesh& source, const Target& target,
                                   const std::string& name);
 

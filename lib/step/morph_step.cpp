@@ -15,15 +15,17 @@
 namespace transformesh {
 namespace {
 
-/// Distances from the target are exact up to this many mean edge lengths, and estimated beyond.
-/// A larger value makes `from_target` more accurate early in a morph and takes more searches.
+/// Distances from the target are exact up to this number of mean edge lengths; larger distances are
+/// estimated. With a larger value, `from_target` is more accurate early in a morph and needs more
+/// searches.
 constexpr double far_from_target_in_edges = 4;
 
-/// Smallest value of the column `size`, as a share of the largest; limits the number of vertices.
+/// Smallest value of the column `size`, as a share of the largest value. Limits the number of
+/// vertices.
 constexpr double least_share = 0.05;
 
 /// Returns the distance beyond which the clamp limits the movement of every vertex, so that it need
-/// not be known exactly. Infinity if a mask shortens movements.
+/// not be known exactly. Returns infinity if a mask shortens movements.
 double exact_within(const MorphStepOptions& options, const HalfedgeLengths& edges) {
   if (!options.mask.empty()) return std::numeric_limits<double>::infinity();
   const double clamped_beyond = options.displace.alpha * edges.maximum / options.displace.time_step;

@@ -6,7 +6,7 @@
 
 namespace transformesh {
 
-/// Equals morph_step() of morph_step.h, but reuses the search structures of `query`.
+/// Does the same as morph_step() (morph_step.h), and reuses the search structures of `query`.
 MorphStepResult morph_step(Mesh& mesh, const TargetQuery& query,
                            const MorphStepOptions& options = {},
                            const Progress& progress = Progress());

@@ -18,9 +18,11 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t queries_per_task = 512;  ///< affects time only
-/// Number of tangent planes for the sign of a far point. Fewer give wrong signs beyond thin tips.
+/// Number of tangent planes that decide the sign of a far point. With fewer planes, signs are wrong
+/// beyond thin tips.
 constexpr std::size_t planes_of_points = 12;
-/// Most target vertices in distance_from_target(). More cost time and make the summary finer.
+/// Largest number of target vertices in distance_from_target(). With more vertices, the summary is
+/// more accurate and takes more time.
 constexpr std::size_t most_vertices_of_target = 1024;
 
 constexpr double wide = std::numeric_limits<double>::infinity();
@@ -28,7 +30,8 @@ constexpr double wide = std::numeric_limits<double>::infinity();
 /// Results of the searches from all vertices of the mesh.
 struct Found {
   std::vector<double> distances;
-  std::vector<double> thickness;  ///< empty if the target's thickness is not measured
+  /// Thickness of the target at the closest points; empty if it is not measured.
+  std::vector<double> thickness;
 };
 
 std::vector<double> room_for_thickness(const Mesh& mesh, const Target& target) {
@@ -42,7 +45,7 @@ Found search_surface(const Mesh& mesh, const TargetQuery& query, double exact_wi
   const Target& target = query.target();
   const ClosestPointQuery& closest = query.surface();
   Found found{{}, room_for_thickness(mesh, target)};
-  // Approximate searches get no hint: their result would depend on it.
+  // Approximate searches get no hint, because their result would depend on the hint.
   const auto search = [&](Index v, double sign, Index hint) {
     const Vec3& p = mesh.positions[v];
     if (sign != 0) return searched_distance(p, closest.nearby(p, far_tolerance), sign);
@@ -61,9 +64,9 @@ Found search_surface(const Mesh& mesh, const TargetQuery& query, double exact_wi
 }
 
 /// Returns the signed distance to the target's tangent planes at the vertices `nearest`, nearest
-/// first. Near the surface this is the distance to the first plane. Farther away than the samples
-/// are from each other, the weighted mean over all planes decides the side; it replaces the
-/// distance to the first plane if the signs differ.
+/// first. Near the surface this is the distance to the first plane. If the point is farther from
+/// the target than samples are from each other, the weighted mean over all planes decides the side.
+/// The mean replaces the distance to the first plane if the signs differ.
 double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
                           std::span<const Vec3> normals, std::span<const Index> nearest) {
   const auto squared = [&](Index q) { return (p - points[q]).squaredNorm(); };
@@ -84,8 +87,8 @@ double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
   return is_same_side ? to_nearest : sum / weights;
 }
 
-// Searches from every vertex: distances to tangent planes are not continuous, so that estimates
-// from other vertices would be wrong.
+// Searches from every vertex. Distances to tangent planes are not continuous, so estimates from
+// other vertices would be wrong.
 Found search_vertices(const Mesh& mesh, const TargetQuery& query, std::size_t planes) {
   const Target& target = query.target();
   const KdTree& tree = query.vertices();

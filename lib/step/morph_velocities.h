@@ -5,12 +5,12 @@
 ///
 /// - MorphDistance::vertex is the paper's heuristic: F(p) = ((q - p) . n) N(p), where q is the
 ///   target vertex nearest to p and n its normal. The target must be sampled as finely as the
-///   source. F vanishes beside sharp edges.
+///   source. F is zero beside sharp edges.
 /// - MorphDistance::points is `vertex` with another sign at points that are farther from the target
 ///   than its samples are from each other. There the weighted mean of the distances to the tangent
 ///   planes of twelve vertices decides the side (Kolluri, "Provably good moving least squares",
-///   TALG 4(2), 2008). A single plane gives the wrong sign beyond the tip of a limb, and the
-///   surface would move away without end.
+///   TALG 4(2), 2008). A single plane gives the wrong sign beyond the tip of a thin part, and the
+///   surface would move away forever.
 /// - MorphDistance::surface: distance to the closest point of the target's faces.
 ///
 /// A component of the target that the source does not overlap is not reached; a component of the
@@ -30,12 +30,13 @@ namespace transformesh {
 struct MorphVelocityOptions {
   MorphDistance distance = MorphDistance::surface;
   /// MorphDistance::surface estimates |phi| to a few percent if it exceeds this length
-  /// (sample_distance.h). Set it to a distance beyond which steps are clamped. Input units.
+  /// (sample_distance.h). Callers set it to the distance beyond which steps are clamped. Input
+  /// units.
   double exact_within = std::numeric_limits<double>::infinity();
 };
 
 struct MorphVelocities {
-  std::vector<Vec3> velocities;  ///< one per vertex of the mesh
+  std::vector<Vec3> velocities;  ///< velocity of each vertex of the mesh
   DistanceSummary to_target;     ///< summary of |phi| over the vertices of the mesh
   /// Thickness of the target at the face or vertex closest to each vertex; infinity beyond
   /// `exact_within`. Empty if the target's thickness is not measured.

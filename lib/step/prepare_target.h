@@ -8,7 +8,7 @@
 namespace transformesh {
 
 /// Sorts the faces of a target spatially and drops their columns; does nothing if they are already
-/// sorted. Among faces at equal distance a search returns the first, so that the order of the faces
+/// sorted. A search returns the first of several faces at equal distance, so the order of the faces
 /// can change the last digits of a result.
 void order_spatially(Target& target);
 
@@ -17,8 +17,8 @@ void order_spatially(Target& target);
 /// Throws InputError for normals that are not finite.
 std::vector<Vec3> stored_normals(const Mesh& mesh);
 
-/// Stores normals as the vertex columns nx, ny and nz. make_target() reads them if there are no
-/// faces.
+/// Stores normals as the vertex columns nx, ny and nz. make_target() reads these columns if the
+/// mesh has no faces.
 void set_normal_columns(Mesh& mesh, const std::vector<Vec3>& normals);
 
 }  // namespace transformesh

@@ -12,20 +12,21 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t samples_per_task = 256;  ///< affects time only
-/// Cosine of 60 degrees. Points whose normals differ by more lie on different sides of a thin part
-/// and are not paired. Noise of a quarter of an edge changes normals by less.
+/// Cosine of 60 degrees. Points whose normals differ by a larger angle lie on different sides of a
+/// thin part and are not paired. Noise of a quarter of an edge length changes normals by a smaller
+/// angle.
 constexpr double least_cosine = 0.5;
 /// Least number of pairs. Six unknowns need six equations; fewer than 20 pairs are coincidental.
 constexpr std::size_t least_pairs = 20;
-/// Least share of the samples in the overlap. At 0.05, noise selects small parts that fit anywhere;
-/// larger values exclude meshes that share only a small part.
+/// Least share of the samples in the overlap. At 0.05, noisy meshes are aligned by small parts that
+/// fit anywhere. With larger values, meshes that share only a small part are not aligned.
 constexpr double least_overlap = 0.2;
 /// Distance at which the weight of a pair becomes 0, in root mean square distances of the overlap.
-/// At 2, noise counts as outliers; at 6, outliers distort the result.
+/// At a distance of 2, noise counts as outliers; at 6, outliers distort the result.
 constexpr double biweight_reach = 3;
-/// Convergence: largest movement of a pair, in root mean square distances of the overlap. Since
-/// pairs change, the mesh keeps moving by a few thousandths of this distance and would not converge
-/// at a smaller limit.
+/// Convergence: largest movement of a pair, in root mean square distances of the overlap. Because
+/// pairs change, the mesh keeps moving by a few thousandths of this distance, and would not
+/// converge with a smaller limit.
 constexpr double rest_in_noise = 0.01;
 
 }  // namespace
@@ -46,8 +47,8 @@ Overlap overlap_of(const std::vector<double>& squared_distances, std::size_t sam
   for (std::size_t k = 1; k <= squared_distances.size(); ++k) {
     sum += squared_distances[k - 1];
     if (k < first) continue;
-    // Lambda is 3, as for large outliers in the paper. The constant term keeps exact matches, whose
-    // distances are rounding errors, from being ranked by them.
+    // Lambda is 3, as for large outliers in Phillips, Liu & Tomasi. The constant term prevents a
+    // ranking of exact matches by their rounding errors.
     const double share = static_cast<double>(k) / static_cast<double>(samples);
     const double mean_square = sum / static_cast<double>(k);
     const double cost = (mean_square + registration_rest * registration_rest) /

@@ -28,7 +28,7 @@ struct Overlap {
 Overlap overlap_of(const std::vector<double>& squared_distances, std::size_t samples);
 
 /// A registration has converged if no pair moves farther than this, in a frame in which coordinates
-/// are about 1. Larger than rounding errors, and smaller than any distance of interest.
+/// are about 1. The limit is larger than rounding errors and smaller than any distance of interest.
 inline constexpr double registration_rest = 1e-9;
 
 class Registration {
@@ -38,9 +38,9 @@ class Registration {
                const RigidMotion& start)
       : surface_(surface), samples_(std::move(samples)), motion_(start) {}
 
-  /// Iterates until convergence, at most `most` times. Calls `report` with the number of each
-  /// iteration, from 1, before it. Returns the number of iterations. Throws GoalError if too few
-  /// samples find a partner.
+  /// Iterates until convergence, at most `most` times. Before each iteration, calls `report` with
+  /// its number, from 1. Returns the number of iterations. Throws GoalError if too few samples find
+  /// a partner.
   int run(int most, const std::function<void(int)>& report);
 
   const RigidMotion& motion() const { return motion_; }

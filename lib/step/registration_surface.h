@@ -23,8 +23,8 @@ std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, std::size_t count)
 
 class RegistrationSurface {
  public:
-  /// Keeps a reference to the mesh. If it has no faces, normals are those of the columns nx, ny and
-  /// nz, or else estimated.
+  /// Keeps a reference to the mesh. If the mesh has no faces, normals are the columns nx, ny and
+  /// nz, or else are estimated.
   explicit RegistrationSurface(const Mesh& mesh);
 
   struct Partner {
@@ -39,9 +39,10 @@ class RegistrationSurface {
 
   const Mesh& mesh_;
   std::optional<ClosestPointQuery> surface_;
-  std::vector<bool> border_edges_, border_vertices_;  ///< per halfedge, and per vertex
+  /// True for each halfedge, and for each vertex, on a border.
+  std::vector<bool> border_edges_, border_vertices_;
   std::optional<KdTree> points_;
-  std::vector<Vec3> normals_;  ///< one per point
+  std::vector<Vec3> normals_;  ///< normal of each point
 };
 
 }  // namespace transformesh

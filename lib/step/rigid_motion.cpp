@@ -14,16 +14,16 @@ namespace {
 using Row = std::array<double, 6>;
 using Square = std::array<Row, 6>;
 
-/// Eigenvalues below this share of the largest count as 0. Rotations of a sphere have such
-/// eigenvalues, due to rounding. A larger share suppresses motions that are determined only by
-/// features of a thousandth of the size.
+/// Eigenvalues below this share of the largest count as 0. Because of rounding, rotations of a
+/// sphere have such eigenvalues instead of 0. With a larger share, motions that only features of a
+/// thousandth of the size determine would be ignored.
 constexpr double least_eigenvalue = 1e-10;
 /// Number of sweeps. Jacobi's method for 6 x 6 matrices needs 5 to 7 for full accuracy.
 constexpr int sweeps = 12;
 constexpr double degrees = 180 / std::numbers::pi;
 
 struct Eigensystem {
-  Square matrix;   ///< diagonal after the last sweep; the eigenvalues
+  Square matrix;   ///< after the last sweep a diagonal matrix of the eigenvalues
   Square vectors;  ///< eigenvectors, one per column
 };
 
@@ -57,8 +57,8 @@ void annihilate(Eigensystem& system, std::size_t p, std::size_t q) {
   turn_columns(system.vectors, p, q, cosine, tangent * cosine);
 }
 
-/// Cyclic Jacobi method (Golub & Van Loan, "Matrix computations", 4th ed., 2013, section 8.5).
-/// Plain loops make the order of additions the same on every machine.
+/// Finds eigenvalues by the cyclic Jacobi method (Golub & Van Loan, "Matrix computations", 4th ed.,
+/// 2013, section 8.5). Plain loops make the order of additions the same on every machine.
 Eigensystem eigensystem_of(const Square& matrix) {
   Eigensystem system{matrix, {}};
   for (std::size_t i = 0; i < 6; ++i) system.vectors[i][i] = 1;

@@ -11,11 +11,11 @@ namespace {
 /// makes estimates independent of the number of threads.
 constexpr std::size_t run_length = 512;
 
-/// An estimate is used up to this share of the distance of its search. Larger shares save searches
-/// and give worse estimates.
+/// A distance is estimated from the last search up to this share of the distance that the search
+/// found. Larger shares save searches and give worse estimates.
 constexpr double reach = 0.4;
 
-/// The last search, from which estimates for nearby points follow.
+/// The last search, from which distances of nearby points are estimated.
 struct Anchor {
   Vec3 point = Vec3::Zero();
   SearchedDistance found;

@@ -31,7 +31,8 @@ void append_parts(const Face& face, const Face& m, std::vector<Face>& faces) {
         {{face[0], m[0], m[2]}, {m[0], face[1], m[1]}, {m[2], m[1], face[2]}, {m[0], m[1], m[2]}});
     return;
   }
-  // The face is rotated so that edge 0 has a midpoint; if there are two, edge 1 has the other.
+  // The face is rotated so that edge 0 has a midpoint. If two edges have midpoints, they are edges
+  // 0 and 1.
   std::size_t i = 0;
   while (count > 0 && (m[i] == no_index || (count == 2 && m[(i + 1) % 3] == no_index))) ++i;
   const Index a = face[i], b = face[(i + 1) % 3], c = face[(i + 2) % 3];

@@ -33,7 +33,7 @@ std::vector<Vec3> column_normals(const Mesh& mesh, const std::array<const Column
     if (!normal.allFinite()) {
       throw InputError("the normal of point " + std::to_string(v) + " is not finite");
     }
-    // Unit normals stay unchanged, so that a target that was written reads back the same.
+    // Unit normals stay unchanged, so that a target is the same after it is written and read.
     const bool is_unit = std::abs(normal.squaredNorm() - 1) < 1e-15;
     normals[v] = is_unit ? normal : normal.stableNormalized();
   }
@@ -59,9 +59,8 @@ Target make_target(Mesh mesh) {
   if (used_positions(target.mesh).size() < target.mesh.positions.size()) {
     target.mesh = select_faces(target.mesh, std::vector<bool>(target.mesh.faces.size(), true));
   }
-  // The sign of the distance at an edge or a vertex follows from all its faces, which must
-  // therefore share vertices. Inconsistently oriented faces are not stitched; check_target()
-  // refuses them.
+  // All faces at an edge or a vertex determine the sign of the distance there, and must therefore
+  // share vertices. Inconsistently oriented faces are not stitched; check_target() refuses them.
   if (count_touching_borders(target.mesh) > 0) stitch(target.mesh);
   refuse_inside_out(target.mesh);
   return target;

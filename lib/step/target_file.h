@@ -10,9 +10,9 @@
 
 namespace transformesh {
 
-/// Returns a binary PLY that reads back as the same target without preparation. Faces are in
-/// spatial order; points have normals; the thickness, if measured, is the vertex column `gap`.
-/// Comments in the header state the spatial order and the measured thickness.
+/// Returns a binary PLY file, from which read_target() makes the same target without preparation.
+/// Faces are in spatial order; points have normals; the thickness, if measured, is the vertex
+/// column `gap`. Comments in the header state the spatial order and the measured thickness.
 std::string write_target(const Target& target);
 
 }  // namespace transformesh

@@ -1,7 +1,7 @@
-/// The search structures of a target. Each is built at the first call of its function and kept.
-/// Hold one query for all steps of an evolution. A Target converts to a query for a single call.
-/// Keeps a reference to the target, which must not change. The first call of each function must not
-/// be concurrent with others. Cost: O(n log n) for the first call, then O(1).
+/// The search structures of a target. Each structure is built at the first call of its function and
+/// kept. Hold one query for all steps of an evolution. A Target converts to a query for a single
+/// call. Keeps a reference to the target, which must not change. The first call of each function
+/// must not be concurrent with others. Cost: O(n log n) for the first call, then O(1).
 #pragma once
 
 #include <optional>
@@ -19,19 +19,20 @@ class TargetQuery {
   TargetQuery(const Target& target) : target_(&target) {}
   const Target& target() const { return *target_; }
 
-  /// Finds closest points on the faces. The target must be a mesh.
+  /// Returns the search for closest points on the faces. The target must be a mesh.
   const ClosestPointQuery& surface() const {
     if (!surface_)
       surface_.emplace(target_->mesh,
                        target_->has_spatial_order ? FaceOrder::spatial : FaceOrder::any);
     return *surface_;
   }
-  /// Finds nearest vertices, or nearest points of a point set.
+  /// Returns the search for nearest vertices, or for nearest points of a point set.
   const KdTree& vertices() const {
     if (!vertices_) vertices_.emplace(target_->mesh.positions);
     return *vertices_;
   }
-  /// Normals of the vertices, or of the points of a point set; of unit length or zero.
+  /// Returns the normals of the vertices, or of the points of a point set. They have unit length or
+  /// are zero.
   const std::vector<Vec3>& normals() const {
     if (!target_->is_mesh()) return target_->normals;
     if (normals_.empty()) normals_ = vertex_normals(target_->mesh);

@@ -40,7 +40,8 @@ void add(const std::vector<Vec3>& more, std::vector<Vec3>& velocities) {
   for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] += more[v];
 }
 
-/// Returns the velocities that are given directly or as columns; zero if there is only a speed.
+/// Returns the velocities that are given directly or as columns. Returns zeros if there is only a
+/// speed.
 std::vector<Vec3> start_of(const Mesh& mesh, const VelocityOptions& options, bool has_speed) {
   if (options.given) {
     if (options.given->size() != mesh.positions.size())
@@ -98,7 +99,8 @@ std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed) {
     sums[to] -= pull;
   }
 
-  // The length of a sum is 4 H * area; it points inwards where the surface is convex.
+  // The length of a sum is 4 H * area, where H is the mean curvature. The sum points inwards where
+  // the surface is convex.
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const double area = laplacian.areas[v];
     const bool has_curvature = area > 0 && laplacian.is_border[v] == 0;

@@ -1,4 +1,4 @@
-/// Base64. Reference: RFC 4648, with padding.
+/// Converts bytes to base64 with padding, and back. Reference: RFC 4648.
 #pragma once
 
 #include <optional>

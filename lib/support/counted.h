@@ -6,7 +6,7 @@
 
 namespace transformesh {
 
-/// "1 face", "2 faces"; "1 pass", "2 passes"; "1 vertex", "2 vertices".
+/// Returns text like "1 face", "2 faces"; "1 pass", "2 passes"; "1 vertex", "2 vertices".
 inline std::string counted(std::size_t count, const std::string& noun) {
   const std::string number = std::to_string(count) + ' ';
   if (count == 1) return number + noun;
@@ -14,7 +14,7 @@ inline std::string counted(std::size_t count, const std::string& noun) {
   return number + noun + (noun.ends_with('s') ? "es" : "s");
 }
 
-/// "there is 1 face", "there are 2 faces".
+/// Returns text like "there is 1 face", "there are 2 faces".
 inline std::string there_are(std::size_t count, const std::string& noun) {
   return (count == 1 ? "there is " : "there are ") + counted(count, noun);
 }

@@ -1,4 +1,4 @@
-/// Problems that loops handle specially: no face of the surface is left.
+/// Recognizes errors that loops handle specially: no face of the surface is left.
 #pragma once
 
 #include "transformesh/error_kind.h"

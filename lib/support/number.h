@@ -8,8 +8,8 @@
 
 namespace transformesh {
 
-/// Parses the whole text as a number; integers in the given base. Returns nothing if the text is
-/// not a number.
+/// Parses the whole text as a number. Integers may have a base. Returns nothing if the text is not
+/// a number.
 template <typename Number, typename... Base>
 std::optional<Number> number_in(std::string_view text, Base... base) {
   Number number{};
@@ -25,7 +25,7 @@ std::string shortest_text(double value);
 std::string significant(double value, int digits);
 /// Formats like printf's %f with `decimals` decimals.
 std::string fixed(double value, int decimals);
-/// Parses a number that these functions wrote; 0 for other text.
+/// Parses a number that significant() or fixed() wrote. Returns 0 for other text.
 inline double read_back(const std::string& text) { return number_in<double>(text).value_or(0); }
 
 }  // namespace transformesh

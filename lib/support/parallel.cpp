@@ -14,13 +14,14 @@
 namespace transformesh {
 namespace {
 
-/// Ranges per thread. A choice: more ranges balance uneven bodies better, fewer cost less overhead.
+/// Number of ranges for each thread. A choice: with more ranges, loops whose iterations take
+/// different times are balanced better; with fewer ranges, the overhead is less.
 constexpr std::size_t ranges_per_thread = 16;
 
 std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-/// The number of threads that may work at the same time, and of those that do: the first caller and
-/// its helpers.
+/// `allowed_threads` may work at the same time. `working_threads` do: the first caller and its
+/// helpers.
 std::atomic<std::size_t> allowed_threads{cores()};
 std::atomic<std::size_t> working_threads{1};
 
@@ -34,7 +35,7 @@ bool take_thread() {
 
 void give_thread_back() { --working_threads; }
 
-/// The ranges of one loop, handed out in order to any thread.
+/// The ranges of one loop. Threads take them in order.
 class Loop {
  public:
   Loop(std::size_t count, std::size_t range,
@@ -60,8 +61,8 @@ class Loop {
   }
 
  private:
-  // Keeps the error of the lowest range. All lower ranges have been handed out already, so the
-  // result does not depend on the timing of threads.
+  // Keeps the error of the lowest range. All lower ranges have been taken already, so the result
+  // does not depend on the timing of threads.
   void keep_error(std::size_t first) {
     const std::lock_guard lock(mutex_);
     if (error_ && first > error_at_) return;
@@ -88,8 +89,9 @@ void wait_for(Threads& threads) {
 }
 
 /// Works on the loop with up to `wanted` more threads, if they are allowed and the system can
-/// create them. A nested loop uses threads that others have given back, so that no loop waits for a
-/// thread. Starting a thread takes about 10 us, less than letting it spin between two loops.
+/// create them. A nested loop uses threads that other loops no longer need, so no loop waits for a
+/// thread. Starting a thread takes about 10 us, which is less than a thread that spins between two
+/// loops would take.
 void work_together(Loop& loop, std::size_t wanted) {
   std::vector<std::jthread> helpers;
   helpers.reserve(wanted);

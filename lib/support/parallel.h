@@ -15,7 +15,8 @@ namespace transformesh {
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t first, std::size_t last)>& body);
 
-/// Runs both functions, concurrently if a thread is available. Exceptions as in parallel_for().
+/// Runs both functions, concurrently if a thread is available. Rethrows exceptions as
+/// parallel_for() does.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
 
 }  // namespace transformesh

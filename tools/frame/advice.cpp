@@ -87,7 +87,7 @@ constexpr std::array table{
     Advice{Kind::edges_too_long, "reference-edge", "shorten edges with --reference-edge {edge}"},
     Advice{Kind::uniform_edges_too_long, "gap-edges",
            "shorten edges at narrow places with --gap-edges 1.5"},
-    // Only tm-reconstruct has --crumbs, which identifies the program here.
+    // Only tm-reconstruct has the option --crumbs, so the option selects this program.
     Advice{Kind::surface_explodes, "crumbs",
            "raise --stiffness or --coarsest, or check the cameras with tm-cameras"},
     Advice{Kind::outside_hull, "clip",
@@ -110,8 +110,8 @@ void replace(std::string& text, const std::string& word, const std::string& valu
   if (at != std::string::npos) text.replace(at, word.size(), value);
 }
 
-/// Returns half the reference edge as text. The longest edge in the data is 1.5 times the reference
-/// edge.
+/// Returns half the reference edge as text: a third of the longest edge in the data, which is 1.5
+/// times the reference edge.
 std::string half_of_reference_edge(const ErrorData& data) {
   return significant(data.lengths.empty() ? 0 : data.lengths.back() / 3, 2);
 }

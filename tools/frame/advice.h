@@ -9,20 +9,21 @@
 
 namespace transformesh::tool {
 
-/// The remedy for problems of a kind, offered by programs that have an option.
+/// The remedy for problems of one kind. Programs that have the option offer it.
 struct Advice {
   ErrorKind kind;
-  const char* option;  ///< name without dashes; empty for all programs
-  const char* text;    ///< {name} becomes ErrorData::name, {edge} half the reference edge
+  const char* option;  ///< name of the option without dashes; empty: all programs offer the remedy
+  /// Text of the remedy: {name} is replaced by ErrorData::name, {edge} by half the reference edge.
+  const char* text;
 };
 
-/// Returns all rows. The first row of a kind whose option the program has is offered.
+/// Returns all rows. A program offers the first row of a kind whose option it has.
 std::span<const Advice> advice_table();
 
-/// Returns the remedy that this program offers; empty if it has none.
+/// Returns the remedy that the program offers, or an empty text.
 std::string advice_for(const Problem& problem, const Program& program);
 
-/// Returns "sentence; remedy", or the sentence if there is no remedy.
+/// Returns "sentence; remedy" for a problem, or only the sentence if there is no remedy.
 std::string with_advice(const Problem& problem, const Program& program);
 
 }  // namespace transformesh::tool

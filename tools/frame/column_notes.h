@@ -21,7 +21,8 @@ inline void note_dropped_lists(const std::vector<std::string>& names, Run& run) 
 inline constexpr const char* source_of_step = "; write those of this step with --source";
 inline constexpr const char* closest_places = "; find the closest places with tm-carry --closest";
 
-/// Notes, if `are_dropped`, that the source columns were removed. `remedy` ends the sentence.
+/// Prints a note that the source columns were removed, if `are_dropped` is true. `remedy` ends the
+/// sentence.
 inline void note_dropped_sources(bool are_dropped, const std::string& remedy, Run& run) {
   if (are_dropped)
     run.note(

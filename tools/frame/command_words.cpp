@@ -9,7 +9,8 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Replaces messages of Boost, which name options in several ways, by messages with `--name`.
+// Throws UsageError with `--name` in place of an error of Boost, whose messages name options in
+// several ways.
 [[noreturn]] void rethrow_in_words(const po::error_with_option_name& error) {
   std::string name = error.get_option_name();
   name.erase(0, name.find_first_not_of('-'));

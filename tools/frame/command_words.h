@@ -1,6 +1,6 @@
-/// Splits the words of a command line into options with their values, and other words. Boost's
-/// library does so in native builds, and wasm/command_words.cpp does likewise without an archive of
-/// Boost.
+/// Splits the words of a command line into options with their values, and other words. Native
+/// builds use Boost.ProgramOptions. WebAssembly builds use wasm/command_words.cpp, which needs no
+/// compiled part of Boost.
 #pragma once
 
 #include <string>
@@ -10,11 +10,12 @@
 
 namespace transformesh::tool {
 
-/// A known option with its value, an unknown one, or a word that is no option.
+/// A known option with its value, an unknown option, or a word that is no option.
 struct CommandWord {
-  const Option* option = nullptr;  ///< null if the word is no option or an unknown one
-  std::string text;                ///< the word as given; of an option with a value, that value
-  bool is_unknown = false;         ///< `text` looks like an option and is none of the program
+  const Option* option = nullptr;  ///< null if the word is no option or an unknown option
+  std::string text;                ///< value of an option that has one; otherwise the word as given
+  /// True if `text` looks like an option that the program does not have.
+  bool is_unknown = false;
 };
 
 /// Takes `--name VALUE`, `--name=VALUE`, `-n VALUE`, `-nVALUE`, flags in one word (`-qv`), and `--`

@@ -9,7 +9,7 @@ namespace {
 
 /// Candidates for a value: words, files or folders.
 struct Candidates {
-  std::string words;  ///< separated by blanks
+  std::string words;  ///< literal words, separated by blanks
   bool are_files = false;
   bool are_folders = false;
 };

@@ -1,6 +1,6 @@
 /// Makes completion scripts of a program's command line for bash, zsh and fish, from the same
-/// options as its help. They complete names, the words of choices, files, folders, and meshes by
-/// their endings.
+/// options as its help. The scripts complete names of options, words of choices, files, folders,
+/// and meshes by their endings.
 #pragma once
 
 #include <string>

@@ -8,7 +8,8 @@
 
 namespace transformesh::tool {
 
-/// Notes how many vertices were clamped, followed by `remedy`. Does nothing if none were.
+/// Prints the number of clamped vertices, followed by `remedy`. Does nothing if no vertex was
+/// clamped.
 inline void note_clamped(const DisplaceResult& result, double alpha, const std::string& remedy,
                          Run& run) {
   if (result.clamped == 0) return;

@@ -26,8 +26,8 @@ File opened(int descriptor, const char* mode, const std::string& command) {
   return file;
 }
 
-// Puts the input into a file in memory. No input must thus be written while the output is read, and
-// a filter may end without reading all of it.
+// Puts the input into a file in memory. Therefore the input need not be written while the output is
+// read, and a filter may end without reading all input.
 File file_of(std::string_view input, const std::string& command) {
   File file = opened(memfd_create("input", MFD_CLOEXEC), "w+", command);
   const bool is_written = std::fwrite(input.data(), 1, input.size(), file.get()) == input.size();

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t line_width = 79;
 constexpr std::size_t help_column = 26;
 
-// Breaks text into lines at spaces. The first line begins at `column`, later ones at `indent`.
+// Breaks text into lines at spaces. The first line begins at `column`, later lines at `indent`.
 std::string wrapped(const std::string& text, std::size_t column, std::size_t indent) {
   std::string lines;
   std::istringstream words(text);
@@ -61,7 +61,8 @@ std::string exit_code_lines(const Program& program) {
                  0, 12);
 }
 
-// Returns the lines about lengths. A program that reads no mesh has no reference edge.
+// Returns the lines of the help that explain lengths. A program that reads no mesh has no reference
+// edge.
 std::string length_lines(const Program& program) {
   const auto is_length = [](const Option& option) { return option.placeholder == "LENGTH"; };
   if (std::none_of(program.options.begin(), program.options.end(), is_length)) return {};

@@ -77,8 +77,8 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
   }
 }
 
-/// The borders of a tile are cuts through a larger mesh, so that no other program has a right
-/// result.
+/// Throws InputError for a tile, or prints a note if the program writes no mesh. Borders of a tile
+/// are cuts through a larger mesh, so only programs for tiles give right results.
 void Inputs::check_tile(const Document& document, const std::string& name) {
   if (program_.input.takes_tiles || !has_tile_comment(document.style.comments)) return;
   const std::string problem = name + " is a tile of a larger mesh, cut at its borders";
@@ -89,7 +89,7 @@ void Inputs::check_tile(const Document& document, const std::string& name) {
 
 void Inputs::keep_bytes(std::string_view bytes, const ReadResult& result) {
   if (!program_.input.keeps_bytes) return;
-  // Every note is about something that the reader left out or changed, except the note on soups.
+  // Every note, except the note on soups, states something that the reader left out or changed.
   const bool is_exact = result.notes.size() == (result.soup_note ? 1U : 0U) && !is_gzip(bytes);
   bytes_ = is_exact ? std::string(bytes) : std::string();
   format_ = result.document.style.format;
@@ -125,7 +125,8 @@ std::optional<double> Inputs::resolved(const Option& option) {
   try {
     return basis_.resolve(*length);
   } catch (const std::runtime_error&) {
-    // If the body needs this length, it asks again and receives the error.
+    // The error is not lost: if the program's body needs this length, it calls length() and
+    // receives the error.
     return std::nullopt;
   }
 }

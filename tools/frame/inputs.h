@@ -23,7 +23,8 @@ class Inputs {
   const std::vector<std::string>& names() const { return program_.inputs; }
   const std::string& name() const { return names().at(0); }
 
-  /// Returns the first mesh, which programs that write a mesh change. Empty if none was read.
+  /// Returns the first mesh, which programs that write a mesh change. The document is empty if no
+  /// mesh was read.
   Document& document() { return documents_.front(); }
   std::vector<Document>& documents() { return documents_; }
   /// Reads the meshes that are named as inputs.
@@ -33,31 +34,32 @@ class Inputs {
   /// Continues an earlier run with a mesh whose comments hold the reference edge.
   void continue_from(Document document);
 
-  /// Reads another mesh or file, which an option names. Stdin can be read only once.
+  /// Reads another mesh or file that an option names. Stdin can be read only once.
   Document read(const std::string& path);
   std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
-  /// Returns the options for reading a file, from --strict and --keep-polygons.
+  /// Returns the options for reading a file, as --strict and --keep-polygons set them.
   ReadOptions reading(const std::string& path) const {
     return {program_.common.strict, input_folder(path), program_.common.keep_polygons};
   }
 
   /// Returns a length in input units. Percentages refer to the bounding box diagonal of the first
-  /// mesh, or to that of set_basis(). Factors such as 0.7x refer to the reference edge. This is the
-  /// length in the tm:reference-edge comment, or else the mean edge, which is then stored as this
-  /// comment.
+  /// mesh, or to the diagonal given to set_basis(). Factors such as 0.7x refer to the reference
+  /// edge: the length in the tm:reference-edge comment, or else the mean edge, which is then stored
+  /// as this comment.
   double length(const Length& length) { return basis_.resolve(length); }
   double reference_edge() { return basis_.reference_edge(); }
   void set_basis(double diagonal) { basis_.set_diagonal(diagonal); }
-  /// Call when the body begins to change the document. Later lengths do not refer to it.
+  /// Must be called before the body changes the document. Later lengths do not refer to the
+  /// document.
   void end_reading() { basis_.set_document(nullptr); }
   /// Returns the reference edge if a length referred to it.
   std::optional<double> used_reference_edge();
-  /// Returns the value of a length option in input units. Empty for other options, and if there is
-  /// no mesh that the length can refer to.
+  /// Returns the value of a length option in input units. Returns nothing for other options, and if
+  /// there is no mesh to which the length can refer.
   std::optional<double> resolved(const Option& option);
 
-  /// Return the bytes and the format of the mesh that was read last, if InputRules::keeps_bytes.
-  /// Empty if the reader left out or changed something.
+  /// Return the bytes and the format of the mesh that was read last, if InputRules::keeps_bytes is
+  /// set. The bytes are empty if the reader left out or changed something.
   const std::string& bytes() const { return bytes_; }
   Format format() const { return format_; }
 
@@ -69,8 +71,9 @@ class Inputs {
  private:
   Bytes read_once(const std::string& path);
   void keep_bytes(std::string_view bytes, const ReadResult& result);
-  /// Joins a soup or prints a note about it, by the rules of the program. `is_noted` is true if the
-  /// reader has already noted it.
+  /// check_tile() refuses a tile or prints a note about it. treat_soup() joins a soup or prints a
+  /// note about it, by the rules of the program. `is_noted` is true if the reader has already noted
+  /// the soup.
   void check_tile(const Document& document, const std::string& name);
   void treat_soup(Mesh& mesh, const std::string& name, bool is_noted);
 

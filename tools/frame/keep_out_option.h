@@ -1,4 +1,4 @@
-/// Options --keep-out and --gap: an obstacle, from which a moving surface keeps a distance.
+/// Options --keep-out and --gap: an obstacle, and the distance that a moving surface keeps from it.
 #pragma once
 
 #include <optional>

@@ -33,7 +33,7 @@ constexpr bool has_shadow_memory = true;
 constexpr bool has_shadow_memory = false;
 #endif
 
-// The message is allocated in advance and never freed.
+// Message for lack of memory. It is allocated in advance and never freed.
 const std::string* memory_message = nullptr;
 
 [[noreturn]] void end_without_memory() { end_process_with(*memory_message, exit_memory); }
@@ -41,7 +41,7 @@ const std::string* memory_message = nullptr;
 #ifdef TM_WITHOUT_GMP
 void let_gmp_end_without_memory() {}
 #else
-// Allocates memory for GMP, which would abort at a failure.
+// Allocates memory for GMP. Ends the process with a message at a failure, at which GMP would abort.
 void* allocate(std::size_t size) {
   void* memory = std::malloc(size);
   if (memory == nullptr) end_without_memory();
@@ -75,8 +75,8 @@ std::optional<std::uint64_t> number_in_file(const std::string& path) {
   return number_in<std::uint64_t>(word);
 }
 
-// Returns the least limit of a control group and all groups above it. Version 2 has a single tree,
-// version 1 a tree for memory.
+// Returns the least limit of a control group and all groups above it. Version 2 of control groups
+// has a single tree; version 1 has a separate tree for memory.
 std::uint64_t group_limit(const std::string& root, std::string group, const std::string& name) {
   std::uint64_t limit = UINT64_MAX;
   while (true) {

@@ -1,4 +1,4 @@
-/// Limits of a run: --max-memory and --max-time. A run that exceeds one ends with a one-line
+/// Limits of a run: --max-memory and --max-time. A run that exceeds a limit ends with a one-line
 /// message and writes no output.
 #pragma once
 
@@ -14,8 +14,8 @@ std::uint64_t parse_size(const std::string& text);
 /// Returns a size as text with three digits, such as `1.46G`.
 std::string size_text(std::uint64_t bytes);
 
-/// Returns the memory that this process may use: that of the machine, or the limit of a control
-/// group if that is smaller.
+/// Returns the memory that this process may use: the memory of the machine, or the limit of a
+/// control group if it is smaller.
 std::uint64_t available_memory();
 
 /// Limits the memory of the process, by default to available_memory(). Allocations beyond the limit

@@ -25,7 +25,7 @@ std::string settings_of(const Run& run) {
   return text;
 }
 
-// Sets the output files of --run, which have fixed names. Options that name them are refused.
+// Sets the output files of --run, which have fixed names. Refuses options that name these files.
 void settle_run(Program& program, LoopChoices& choices) {
   std::string& folder = choices.run;
   if (folder.empty()) return;
@@ -98,7 +98,8 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
 
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
   RecordOptions options = choices.record;
-  // An output that is not a file has no folder for a state beside it.
+  // A run can be continued only if the output is a file, beside which a state can be, or if `state`
+  // is given.
   const bool is_continuable =
       !is_written_directly(end_of_links(run.out().name())) || !state.empty();
   if (options.resume && !is_continuable)
@@ -115,7 +116,8 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);
   options.state = std::move(state);
   options.settings = settings_of(run);
-  // A continued run needs the component labels of the first one.
+  // A continued run needs the component labels of the first run, so --events belongs to the
+  // settings.
   if (!options.events.empty()) options.settings += " events";
   options.every = static_cast<std::size_t>(choices.every.value_or(every));
   options.is_alone = true;
@@ -131,7 +133,8 @@ void begin_run(const LoopChoices& choices, const Record& record, const Document*
   if (choices.run.empty()) return;
   const std::string command = command_of(run.program());
   if (record.resumed()) return continue_run(choices.run, command);
-  // The state of an earlier run is removed before its frames and log, without which it is useless.
+  // The state of an earlier run is removed before its frames and log, because the state is useless
+  // without them.
   record.forget_earlier_state();
   if (start != nullptr) {
     Document given = *start;

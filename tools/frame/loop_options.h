@@ -18,26 +18,27 @@ struct LoopChoices {
   std::size_t iterations = LoopOptions().iterations;
   RecordOptions record;
   std::optional<long> every;
-  std::string run;  ///< folder (run_folder.h)
+  std::string run;  ///< folder of --run (run_folder.h)
   bool require_convergence = false;
 };
 
 /// Quotes a text so that a shell reads it as one word.
 std::string shell_word(const std::string& text);
 
-/// Declares --iterations. declare_record() declares the other options, after those of the program.
+/// Declares --iterations. declare_record() declares the other options of loops, after the options
+/// of the program.
 void declare_iterations(Program& program, LoopChoices& choices);
 /// Declares the options of the record. `every` is the help of --every, with its unit and default.
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
                     const std::string& rows);
 
-/// Checks that all outputs can be written, and opens the record. Its state is beside the output, or
-/// in `state` if the output is a folder.
+/// Checks that all outputs can be written, and opens the record. The state of the run is beside the
+/// output, or in `state` if the output is a folder.
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state = {});
 
 /// Begins the run folder of --run with the initial mesh, if there is one, and `files`. If a run is
-/// continued, adds the command to its description. Does nothing without --run. Call after the
-/// inputs have been read and before the loop begins.
+/// continued, adds the command to its description. Does nothing without --run. Must be called after
+/// the inputs have been read and before the loop begins.
 void begin_run(const LoopChoices& choices, const Record& record, const Document* start, Run& run,
                RunFiles files = {});
 
@@ -48,13 +49,13 @@ LoopOptions loop_of(const LoopChoices& choices, Run& run);
 /// output.
 Document& begin_document(const Record& record, Run& run);
 
-/// Calls `evolve`. If an iteration fails, the output is the mesh of the last successful one, and
-/// the message states this. `noun` is the word for an iteration.
+/// Calls `evolve`. If an iteration fails, the output is the mesh of the last successful iteration,
+/// and the error message states this. `noun` is the word for an iteration.
 void evolve_or_keep(Run& run, const Record& record, const std::string& noun,
                     const std::function<void()>& evolve);
 
 struct Conclusion {
-  bool is_done = false;  ///< the state is removed after the outputs are written
+  bool is_done = false;  ///< true: the state is removed after the outputs are written
   bool is_converged = false;
   std::string summary;  ///< message at the end
 };

@@ -21,7 +21,7 @@ constexpr std::uintptr_t huge_page = std::uintptr_t{2} << 20;
 void reserve_heap() {
   const auto begin = reinterpret_cast<std::uintptr_t>(sbrk(0));
   mallopt(M_TOP_PAD, reserved);
-  // The pointer is volatile, since the compiler would remove the allocation otherwise.
+  // The pointer is volatile, so that the compiler does not remove the allocation.
   void* volatile block = std::malloc(mebibyte);
   std::free(block);
   mallopt(M_TOP_PAD, 16 * mebibyte);

@@ -5,7 +5,7 @@
 
 namespace transformesh::tool {
 
-/// Reserves the heap. Call after the memory limit is set and before large allocations.
+/// Reserves the heap. Must be called after the memory limit is set and before large allocations.
 void prepare_memory();
 
 /// Makes later large blocks separate mappings, which are returned to the system when they are

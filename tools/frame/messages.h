@@ -17,14 +17,14 @@ class Messages {
   /// Prints a line, unless -q is given.
   void note(const std::string& message) const { terminal_.note(message); }
   void note(const Problem& warning) const { note(with_advice(warning, program_)); }
-  /// Prints a line per entry, unless -q is given.
+  /// Prints one line for each entry, unless -q is given.
   void note_all(const std::vector<std::string>& lines) const;
   void note_all(const std::vector<Problem>& warnings) const;
   /// Prints lines as note_all() does, but equal lines only once in a run.
   void note_once(const std::vector<std::string>& lines);
   /// Prints a line if -v is given.
   void detail(const std::string& message) const { terminal_.detail(message); }
-  /// Prints an error. For a further failure besides the one that ends the run.
+  /// Prints an error other than the error that ends the run.
   void error(const std::string& message) const { terminal_.error(message); }
   void out_of_memory() const { terminal_.out_of_memory(); }
   /// Shows a text in place of the progress bar, or prints it as a line with --progress.

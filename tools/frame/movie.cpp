@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t least_digits = 3;
 
-// x264 runs on one thread, since its output depends on the number of threads.
+// x264 runs on one thread, because its output depends on the number of threads.
 const std::string read_pictures =
     "ffmpeg -v error -y -f image2pipe -c:v png -framerate 25 -i - -threads 1 -fflags +bitexact "
     "-flags:v +bitexact ";

@@ -8,7 +8,7 @@
 
 namespace transformesh::tool {
 
-/// Returns the bytes of a frame; PNG if a movie is encoded.
+/// Returns the bytes of a frame. The bytes are a PNG file if a movie is encoded.
 using DrawFrame = std::function<std::string(int frame)>;
 
 /// Returns the ending of a file name with its dot, in lower case.
@@ -16,7 +16,7 @@ std::string ending_of(const std::string& path);
 
 /// Checks the options before anything is drawn. `frames` is 0 for a single picture. Throws
 /// UsageError if -o cannot be a movie of this kind or has no place for so many frames. Throws
-/// GoalError if ffmpeg is needed and not installed.
+/// GoalError if ffmpeg is needed but not installed.
 void check_movie(int frames, int width, int height, bool is_transparent, const Run& run);
 
 /// Draws all frames and writes them to -o: a movie of 25 frames per second, or files numbered from

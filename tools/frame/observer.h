@@ -1,13 +1,13 @@
-/// The caller of a program that runs inside another process: JavaScript, of the WebAssembly module
-/// (wasm/observer.cpp). A native program has none.
+/// Calls the observer of a program that runs inside another process, such as JavaScript that runs
+/// the WebAssembly module (wasm/observer.cpp). A native program has no observer.
 #pragma once
 
 #include <string_view>
 
 namespace transformesh::tool {
 
-/// Tells the caller the phase of the run and its fraction. Returns false if the caller ends the
-/// run.
+/// Passes the phase of the run and its fraction to the observer. Returns false if the observer ends
+/// the run.
 bool may_continue(std::string_view phase, double fraction);
 
 }  // namespace transformesh::tool

@@ -186,7 +186,7 @@ std::vector<std::string> OptionSet::parse(const std::vector<std::string>& argume
       continue;
     }
     Option& option = *find(word.option->name());
-    // In `--output --quiet` the value is missing.
+    // A word that is itself an option is no value: in `--output --quiet` the value is missing.
     if (word.text.starts_with("--") && find(word.text) != nullptr)
       throw UsageError("--" + option.name() + " needs a value");
     try {

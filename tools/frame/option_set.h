@@ -14,22 +14,27 @@ namespace transformesh::tool {
 
 /// An option bound to a variable. Before parsing, the variable has the default value.
 struct Option {
-  std::string names;        ///< `output,o` or `output`
-  std::string placeholder;  ///< empty for a flag; FILE, FOLDER and WHERE are not in the provenance
-  std::string help;         ///< a phrase without capital and full stop
+  std::string names;  ///< long name, or long and short name: `output` or `output,o`
+  /// Text for the value in the help; empty for a flag. FILE, FOLDER and WHERE are not in the
+  /// provenance.
+  std::string placeholder;
+  std::string help;  ///< description: a phrase without capital and full stop
   /// Assigns a value. Throws UsageError with a phrase that continues `--name: `.
   std::function<void(const std::string& text)> assign;
-  std::function<Value()> value;  ///< returns the value; empty text for an optional without value
+  std::function<Value()> value;  ///< returns the value, or empty text if an optional has no value
   std::string default_text;
-  bool is_needed = false;      ///< required; if missing, the error states its purpose
-  bool affects_result = true;  ///< part of the provenance and of the settings of a run
-  bool is_common = false;      ///< common to all programs, in a separate section of the help
-  bool is_listed = true;       ///< listed in the help
+  /// The option is required; if it is missing, the error states its purpose.
+  bool is_needed = false;
+  /// The option is part of the provenance and of the settings of a run.
+  bool affects_result = true;
+  /// The option is common to all programs, in a separate section of the help.
+  bool is_common = false;
+  bool is_listed = true;  ///< the option is listed in the help
   bool is_given = false;
 
   std::string name() const { return names.substr(0, names.find(',')); }
   bool is_flag() const { return placeholder.empty(); }
-  /// Returns the value as on a command line.
+  /// Returns the value as it would be written on a command line.
   std::string text() const;
 };
 
@@ -42,17 +47,18 @@ class OptionSet {
   using Integer = std::variant<int*, long*, std::size_t*, std::optional<long>*>;
   Option& integer(const std::string& names, Integer value, long minimum, long maximum,
                   const std::string& help);
-  /// Adds a length, which must be >= 0 unless `may_be_negative`.
+  /// Adds an option whose value is a length, >= 0 unless `may_be_negative` is set.
   using LengthOrNone = std::variant<Length*, std::optional<Length>*>;
   Option& length(const std::string& names, LengthOrNone value, const std::string& help,
                  bool may_be_negative = false);
   Option& text(const std::string& names, std::string* value, const std::string& placeholder,
                const std::string& help);
-  /// Adds a choice between words. For any other word, the usage error suggests the nearest one.
+  /// Adds an option whose value is one of several words. For any other word, the usage error
+  /// suggests the nearest word.
   Option& choice(const std::string& names, std::string* value,
                  const std::vector<std::string>& words, const std::string& help);
-  /// Adds numbers separated by commas, as many as in the placeholder, such as `X,Y,Z`. An empty
-  /// vector means that there is no default.
+  /// Adds an option whose value is numbers separated by commas, as many as in the placeholder, such
+  /// as `X,Y,Z`. An empty vector means that there is no default.
   Option& numbers(const std::string& names, std::vector<double>* value,
                   const std::string& placeholder, const std::string& help);
   /// Adds --seed, which is the same in all programs.
@@ -63,7 +69,7 @@ class OptionSet {
   /// Checks and assigns values in the order of the arguments. Returns the words that are not
   /// options. Throws UsageError. Does no input or output.
   std::vector<std::string> parse(const std::vector<std::string>& arguments);
-  /// Finds an option by name, with or without dashes. Returns null if there is none.
+  /// Finds an option by name, with or without dashes. Returns null if there is no such option.
   Option* find(const std::string& option);
   const Option* find(const std::string& option) const;
 

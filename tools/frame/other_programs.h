@@ -1,4 +1,4 @@
-/// Options that users try in the wrong program, for suggestions.
+/// Options that users try in a program that does not have them, for suggestions.
 #pragma once
 
 #include <array>
@@ -9,13 +9,14 @@ namespace transformesh::tool {
 
 struct OtherProgram {
   std::string_view option;   ///< name that a user tries, without dashes
-  std::string_view command;  ///< the program, and its option if that has another name
+  std::string_view command;  ///< program with this option, and the name of its option if it differs
 };
 
-/// All rows, sorted by option.
+/// Table of such options, sorted by option.
 extern const std::array<OtherProgram, 30> other_programs;
 
-/// Returns the program that has this option or an equivalent one; empty if there is none.
+/// Returns the program that has this option or an equivalent option. Returns an empty text if there
+/// is none.
 std::string command_with(std::string_view option);
 
 }  // namespace transformesh::tool

@@ -171,14 +171,15 @@ void Outputs::stage_all() {
   for (auto& [path, bytes] : further_files_) stage(path, std::move(bytes));
 }
 
-// Writes outputs without a temporary name first, such as stdout, and the main output last of these.
-// If one of them fails, no file appears.
+// First writes outputs without a temporary name, such as stdout, the main output last. If this
+// fails, no file appears.
 void Outputs::commit() {
   Terminal::clear_bar();
   std::for_each(staged_.rbegin(), staged_.rend(), [](AtomicFile& file) {
     if (file.is_direct()) file.commit();
   });
-  // The time limit must not end the program between the renaming of two files.
+  // The time limit is released, because it must not end the program between the renaming of two
+  // files.
   release_time();
   for (AtomicFile& file : staged_)
     if (!file.is_direct()) file.commit();

@@ -1,5 +1,5 @@
 /// Outputs of a run: the main output (-o) and further files. Files are written under temporary
-/// names, and are all renamed together when the program has succeeded.
+/// names. All files are renamed together after the program has succeeded.
 #pragma once
 
 #include <functional>
@@ -35,7 +35,7 @@ class Outputs {
   void write_mesh_file(const std::string& path, Document document);
   /// Adds a file in a folder. Missing folders are created, also those in `name`.
   void write_into(const std::string& folder, const std::string& name, std::string bytes);
-  /// Prints a line on stdout immediately, for a program that then runs until it is ended.
+  /// Prints a line on stdout at once, for a program that then runs until a signal ends it.
   static void print_line(const std::string& text);
 
   /// Throws UsageError for a name that cannot be an output of the program.
@@ -43,9 +43,10 @@ class Outputs {
   /// Throws UsageError if two of these options (names without dashes) name the same file, and
   /// OutputError if one of the files cannot be written.
   void check_files_of(const std::vector<std::string>& options) const;
-  /// Converts a document to the format and coordinates of -o.
+  /// Sets a document's format and type of coordinates to those of -o.
   void set_style(Document& document);
-  /// Adds the comments of the output to a document, so that all meshes of a run have the same.
+  /// Adds the comments of the output to a document, so that all meshes of a run have the same
+  /// comments.
   void stamp(Document& document);
   void set_stamped() { is_stamped_ = true; }
 
@@ -53,7 +54,8 @@ class Outputs {
   /// continued by "`stopped`; 'OUT' holds `content`", or "is not written".
   void keep(const std::string& stopped, const std::string& content) { kept_ = {stopped, content}; }
   void write_kept();
-  /// Sets a function that is called after all outputs have their names. The body has ended by then.
+  /// Sets a function that is called after the body has ended and all outputs have their final
+  /// names.
   void when_written(std::function<void()> hook) { when_written_ = std::move(hook); }
 
   /// Writes the main output and the further files under temporary names.
@@ -62,13 +64,14 @@ class Outputs {
   void stage(const std::string& path, std::string bytes);
   /// Renames all temporary files to their final names.
   void commit();
-  /// Returns the numbers of vertices and faces of the written mesh; empty if there is none.
+  /// Returns the numbers of vertices and faces of the written mesh. Empty if no mesh is written.
   const Entries& counts() const { return counts_; }
 
  private:
   void set_style_of(Document& document, const std::string& path);
   void add_comments(Document& document);
-  /// Prints a note, once, about pairs of faces that intersect only after rounding to floats.
+  /// Prints a note about pairs of faces that intersect only after rounding to floats, at most once
+  /// in a run.
   void note_rounding_intersections(std::size_t pairs);
   void stage_mesh();
 

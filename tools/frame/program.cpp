@@ -26,7 +26,7 @@ void prepare_process() {
   prepare_streams_and_signals();
 }
 
-/// Removes the command from the words, before the names of meshes.
+/// Moves the first word, which is the command, from `words` to the program.
 void take_command(Program& program, std::vector<std::string>& words) {
   if (!program.has_command()) return;
   check_command(program, words);
@@ -34,7 +34,7 @@ void take_command(Program& program, std::vector<std::string>& words) {
   words.erase(words.begin());
 }
 
-/// Returns the names of the inputs; `-` if none is named.
+/// Returns the names of the inputs, or `-` if no input is named.
 std::vector<std::string> inputs_of(const Program& program, const std::vector<std::string>& words) {
   if (!program.reads_input() && program.input.reads != Reads::words && !words.empty())
     throw UsageError("'" + words[0] + "' is not expected: there is no input");
@@ -137,7 +137,8 @@ void declare_common(Program& program) {
   for (std::size_t i = own; i < options.size(); ++i) options[i].is_common = true;
 }
 
-/// Returns the answer to --help, --version and similar options; empty if none is given.
+/// Returns the text for --help, --version and similar options. Returns an empty text if none of
+/// them is given.
 std::string about(const Program& program) {
   const CommonValues& common = program.common;
   if (common.help) return help_text(program);
@@ -164,8 +165,8 @@ bool is_in_provenance(const Option& option) {
   return option.is_given && option.affects_result && (!option.is_common || changes_meaning);
 }
 
-// Quotes a word for a shell. Control characters are replaced, since they could end the line of the
-// comment.
+// Quotes a word for a shell. Control characters are replaced, because they could end the line of
+// the comment.
 std::string shell_word(std::string word) {
   for (char& character : word) {
     if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
@@ -226,14 +227,14 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
     if (settle) settle();
     check_together(common);
     if (reads_input() && arguments.empty() && isatty(STDIN_FILENO) == 1) {
-      // The user typed only the program's name.
+      // Without arguments, the program prints a short help.
       write_all(STDERR_FILENO, short_help_text(*this));
       return exit_usage;
     }
     take_command(*this, arguments);
     inputs = inputs_of(*this, arguments);
     check_needed(*this);
-    // The limit comes first, since it also applies to the reserved heap.
+    // The limits are set first, because they also apply to the reserved heap.
     limit_resources(common, name, terminal);
     prepare_memory();
     terminal.configure(common.quiet, common.verbose, common.progress, common.no_progress);

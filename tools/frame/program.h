@@ -1,6 +1,6 @@
-/// The frame around every program: the only place that touches argv, the standard streams, signals
-/// and exit codes. A program says what it reads and writes, declares its options, and hands over
-/// one function. man/tm.7.md is the contract that the frame keeps.
+/// The frame around every program. Only the frame uses argv, the standard streams, signals and exit
+/// codes. A program specifies what it reads and writes, declares its options, and passes one
+/// function, its body. man/tm.7.md specifies the behavior of the frame.
 #pragma once
 
 #include <functional>
@@ -13,11 +13,12 @@ namespace transformesh::tool {
 
 class Run;
 
-/// The exit codes of all programs. A signal gives 128 plus its number. 124 to 127 and 137 are not
-/// used, since `timeout` and the shell use them.
+/// The exit codes of all programs. A signal gives 128 plus its number. The codes 124 to 127 and 137
+/// are not used, because `timeout` and the shell use them.
 enum ExitCode {
-  exit_done = 0,  ///< success; for a predicate: yes
-  exit_no = 1,    ///< negative answer of a predicate; evolution that must converge and did not
+  exit_done = 0,  ///< success, or a predicate's positive answer
+  /// A predicate's negative answer, or an evolution that must converge did not converge.
+  exit_no = 1,
   exit_usage = 2,
   exit_input = 3,
   exit_goal = 4,
@@ -29,31 +30,33 @@ enum ExitCode {
 enum class Reads {
   nothing,  ///< no arguments
   words,    ///< any number of words; no input is read
-  mesh,     ///< at most one mesh; stdin if none is named
-  meshes,   ///< any number of meshes; stdin if none is named
-  file,     ///< at most one file, which the body reads; stdin if none is named
-  files     ///< any number of files, which the body reads; stdin if none is named
+  mesh,     ///< at most one mesh; stdin if no mesh is named
+  meshes,   ///< any number of meshes; stdin if no mesh is named
+  file,     ///< at most one file, which the body reads; stdin if no file is named
+  files     ///< any number of files, which the body reads; stdin if no file is named
 };
 
-/// Treatment of soups: of faces that meet but share no vertices (touching_borders.h).
+/// Treatment of soups: meshes whose faces meet but share no vertices (touching_borders.h).
 enum class Soups {
   kept,     ///< the mesh is read as it is; for STL a note advises tm-stitch
   own,      ///< the mesh is read as it is, without advice: the program joins the soup itself
-  joined,   ///< equal positions are merged when a mesh is read, which is reported
+  joined,   ///< equal positions are merged when a mesh is read; the report counts them
   reported  ///< the mesh is read as it is; for any file a note advises tm-stitch
 };
 
 struct InputRules {
   Reads reads = Reads::mesh;
   Soups soups = Soups::kept;
-  bool may_keep_polygons = false;        ///< the program has --keep-polygons
-  bool keeps_bytes = false;              ///< the bytes of the mesh stay in memory (Inputs::bytes)
-  bool takes_tiles = false;              ///< the program cleans tiles of tm-tile
-  bool are_cameras = false;              ///< the file contains cameras, no mesh or points
-  std::function<bool()> is_absent = {};  ///< returns true if, with these options, nothing is read
+  bool may_keep_polygons = false;  ///< true: the program has --keep-polygons
+  /// True: the bytes of the mesh stay in memory (Inputs::bytes).
+  bool keeps_bytes = false;
+  bool takes_tiles = false;  ///< true: the program accepts tiles of tm-tile
+  /// True: the input file contains cameras instead of a mesh or points.
+  bool are_cameras = false;
+  std::function<bool()> is_absent = {};  ///< returns true if nothing is read with the given options
 };
 
-/// Words that are not file names, for help and completion: those of Reads::words, and a command
+/// Words that are not file names, for help and completion: the words of Reads::words, or a command
 /// before the names of meshes.
 struct WordRules {
   std::string placeholder = {}, help = {};
@@ -64,9 +67,9 @@ struct WordRules {
 /// Kinds of the main output (-o), which is stdout by default.
 enum class Writes {
   mesh,
-  evolved_mesh,  ///< result of an evolution: PLY for any format of the input
+  evolved_mesh,  ///< result of an evolution: always PLY, whatever the input's format
   picture,       ///< binary data, which are not written to a terminal
-  page,          ///< HTML
+  page,          ///< an HTML page
   text,
   report,  ///< `key: value` lines, or JSON with --json
   answer   ///< a report; the exit code is 1 for a negative answer
@@ -74,9 +77,9 @@ enum class Writes {
 
 struct OutputRules {
   Writes writes = Writes::mesh;
-  bool is_clean = false;  ///< the output has no self-intersection after rounding
+  bool is_clean = false;  ///< true: the output has no self-intersection after rounding
   std::vector<std::string> picture_endings = {".png"};
-  std::function<bool()> is_mesh = {};  ///< returns true if, with these options, a mesh is written
+  std::function<bool()> is_mesh = {};  ///< returns true if a mesh is written with the given options
   const std::string* only_key = nullptr;  ///< key of the only entry to print; empty: all entries
 };
 
@@ -104,15 +107,15 @@ struct Program {
   std::string epilog = {};   ///< shown after the options: formulas, pipelines
   std::string example = {};  ///< a complete command, shown at the end of the help
   OptionSet options = {};
-  CommonValues common = CommonValues();  // {} would make GCC 12 warn
+  CommonValues common = CommonValues();  // explicit, because GCC 12 warns about {}
   /// Called after parsing, to derive some options from others. May throw UsageError.
   std::function<void()> settle = {};
   std::string word = {};                  ///< the command (WordRules::choices); may be empty
-  std::vector<std::string> inputs = {};   ///< names of inputs; for Reads::words, the words
+  std::vector<std::string> inputs = {};   ///< names of inputs; with Reads::words, the words
   std::vector<std::string> command = {};  ///< the whole command line
 
-  /// Declares --reference-edge. Programs that read and write meshes have it; an evolution declares
-  /// it among its own options.
+  /// Declares --reference-edge. Programs that read and write meshes have this option; an evolution
+  /// declares it among its own options.
   Option& reference_edge();
 
   /// Runs the program and returns its exit code.

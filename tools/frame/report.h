@@ -25,11 +25,12 @@ Json object_of(const Entries& entries);
 /// Returns indented JSON with a line end. Bytes that are not UTF-8 are replaced.
 std::string json_text(const Json& json);
 
-/// Seconds that each phase of a run took, by name, in order of first appearance.
+/// Measures the seconds of each phase of a run. Phases are listed by name in order of first
+/// appearance.
 class Phases {
  public:
-  /// Ends the current phase and begins another. Times of equal names are added. An empty name
-  /// begins no phase.
+  /// Ends the current phase and begins another. Times of phases with equal names are added. An
+  /// empty name begins no phase.
   void begin(std::string_view name);
   /// Returns the seconds of all phases, and their `total`.
   Json seconds() const;

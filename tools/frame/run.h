@@ -17,14 +17,15 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  /// The program, with the values of the command line.
+  /// Returns the program, with the values of the command line.
   const Program& program() const { return program_; }
   Inputs& in() { return in_; }
   const Inputs& in() const { return in_; }
   Outputs& out() { return out_; }
   const Outputs& out() const { return out_; }
   const Messages& say() const { return messages_; }
-  /// Progress for calls of the library; phases are timed for the report.
+  /// Returns the progress for calls of the library, which also measures the times of phases for the
+  /// report.
   const Progress& progress() const { return progress_; }
 
   /// Returns the first input mesh.
@@ -38,17 +39,17 @@ class Run {
   void report(const std::string& key, const Value& value) { report_.add(key, value); }
   void report(const Entries& entries) { report_.add(entries); }
   bool shows_report() const { return report_.is_shown(); }
-  /// Sets the answer of a predicate; a negative one is exit code 1.
+  /// Sets the answer of a predicate. A negative answer gives exit code 1.
   void answer(bool is_yes) { answer_ = is_yes; }
 
-  /// For evolutions, whose body reads the input. read_input() reads the input mesh; continue_from()
-  /// takes a mesh that already has the comments of the output.
+  /// Only for evolutions, whose body reads the input: read_input() reads the input mesh;
+  /// continue_from() takes a mesh that already has the comments of the output.
   Document& read_input();
   Document& continue_from(Document document);
 
   static std::string version();
 
-  /// Called before and after the body. finish() returns the exit code.
+  /// start() is called before the body, and finish() after it. finish() returns the exit code.
   void start();
   int finish();
 

@@ -14,12 +14,12 @@ class RunReport {
 
   void add(const std::string& key, const Value& value);
   void add(const Entries& entries) { append(result_, entries); }
-  /// Prints the settings with -v, once.
+  /// Prints the settings if -v is given, at most once.
   void show_settings();
-  /// Prints the entries with -v, unless they are the output.
+  /// Prints the entries if -v is given, unless they are the main output.
   void show_entries() const;
-  /// True if the entries of a program whose output is a mesh are shown: with -v or --report.
-  /// Programs may skip the computation of further entries otherwise.
+  /// True if the entries of a program whose output is a mesh are shown, because -v or --report is
+  /// given. Otherwise programs may skip the computation of further entries.
   bool is_shown() const { return messages_.are_detailed() || !program_.common.report.empty(); }
 
   /// Returns the report as the main output: lines, JSON with --json, or a single entry.

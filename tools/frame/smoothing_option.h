@@ -1,4 +1,4 @@
-/// Option --smooth of tm-remesh and of the loops.
+/// Option --smooth of tm-remesh and of programs that run an evolution.
 #pragma once
 
 #include <string>

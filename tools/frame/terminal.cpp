@@ -24,24 +24,26 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int bar_width = 30;
-constexpr auto bar_delay = 500ms;  // a quick run shows no bar
+constexpr auto bar_delay = 500ms;  // delay of the progress bar, so that a quick run shows no bar
 constexpr auto bar_interval = 100ms;
 constexpr auto line_interval = 5s;
 constexpr const char* erase_line = "\r\033[K";
 
 using Messages = std::map<int, std::string>;
-// The table is complete before signal handlers can access it, and is never freed.
+// Messages for signal handlers. The table is complete before signal handlers can access it, and is
+// never freed.
 std::atomic<const Messages*> messages{nullptr};
 std::string time_message;
 std::atomic<pid_t> child_group{0};
 std::atomic<bool> bar_stands{false};
 
 void write_once(std::string_view text) {
-  // A failure is ignored, since the process ends.
+  // A failure is ignored, because the process ends.
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Ends the process after a signal. This function and all that it calls are async-signal-safe.
+// Ends the process after a signal. This function and all functions that it calls are
+// async-signal-safe.
 void end_process(int signal_number) {
   std::string_view message;
   if (messages != nullptr) {
@@ -70,8 +72,8 @@ void draw_bar(const std::string& text) {
 }  // namespace
 
 void prepare_streams_and_signals() {
-  // Opens closed standard descriptors, so that no other file gets their numbers. Their mode is the
-  // wrong one, so that reading from stdin and writing to stdout and stderr still fail.
+  // Opens closed standard descriptors, so that no other file gets their numbers. Stdin is opened
+  // for writing, stdout and stderr for reading, so that their use still fails.
   const std::array<int, 3> useless_mode = {O_WRONLY, O_RDONLY, O_RDONLY};
   for (int descriptor = 0; descriptor < 3; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) != -1) continue;

@@ -9,18 +9,19 @@
 
 namespace transformesh::tool {
 
-/// Call before anything else. Replaces closed standard descriptors by unusable ones, so that no
-/// file gets their number. SIGINT, SIGTERM, SIGPIPE and SIGXCPU end the process at once with 128
-/// plus their number, after the terminal's line is cleared and temporary files are removed. SIGHUP
-/// does the same unless nohup ignores it. SIGXFSZ is ignored, so that the write fails and is
-/// reported.
+/// Must be called before all other functions. Replaces closed standard descriptors by unusable
+/// ones, so that no file gets their number. SIGINT, SIGTERM, SIGPIPE and SIGXCPU end the process at
+/// once with 128 plus their number, after the terminal's line is cleared and temporary files are
+/// removed. SIGHUP does the same unless nohup ignores it. SIGXFSZ is ignored, so that a write
+/// beyond the file size limit fails and is reported.
 void prepare_streams_and_signals();
 
-/// Makes later SIGINT, SIGTERM and SIGHUP print `tm-x: interrupted by SIGINT` and the advice.
+/// Makes later SIGINT, SIGTERM and SIGHUP print `tm-x: interrupted by SIGINT` (or the other signal)
+/// and the advice.
 void report_interruption(const std::string& program, const std::string& advice);
 
-/// Ends the process with exit code 4 and a message after this time, as a signal would, unless
-/// release_time() is called before.
+/// Makes the process end after this time with exit code 4 and a message, in the same way as after a
+/// signal. release_time() revokes the limit.
 void limit_time(const std::string& program, double seconds);
 void release_time();
 
@@ -42,7 +43,7 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Follows -q, -v, --progress and --no-progress.
+  /// Applies -q, -v, --progress and --no-progress.
   void configure(bool quiet, bool verbose, bool progress, bool no_progress);
 
   void error(std::string_view message);
@@ -53,11 +54,12 @@ class Terminal {
   bool is_verbose() const { return is_verbose_; }
 
   using Clock = std::chrono::steady_clock;
-  /// Draws the bar or prints a line if enough time has passed since the last one.
+  /// Draws the bar or prints a line of progress if enough time has passed since the last call that
+  /// did so.
   void progress(std::string_view phase, double fraction, Clock::time_point now = Clock::now());
-  /// Shows a text in place of the bar, or prints it as a line; nothing with -q.
+  /// Shows a text in place of the bar, or prints it as a line. Does nothing with -q.
   void progress_line(std::string_view text);
-  /// Call before anything else writes to the terminal.
+  /// Clears the progress bar. Must be called before other output is written to the terminal.
   static void clear_bar();
 
   /// Sets the form of progress(), for tests.

@@ -21,12 +21,13 @@
 namespace transformesh::tool {
 namespace {
 
-constexpr int most_milliseconds = 10'000;  // interpreters start in less, even while builds run
+// Longest wait for `ready`: interpreters start in less time, even on a busy machine.
+constexpr int most_milliseconds = 10'000;
 
 }  // namespace
 
-// Uses a socket instead of two pipes. Writing to a command that has ended is then an error, and not
-// a signal.
+// Uses a socket instead of two pipes, so that writing to a command that has ended is an error and
+// not a signal.
 VelocityProcess::VelocityProcess(std::string command) : command_(std::move(command)) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw_not_run(command_);
@@ -63,7 +64,7 @@ void VelocityProcess::wait_until_ready() {
 }
 
 void VelocityProcess::throw_ended() {
-  kill(-child_, SIGTERM);  // the command may have closed only its output
+  kill(-child_, SIGTERM);  // the command may have closed its output and still run
   int status = 0;
   while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -1,9 +1,10 @@
 /// A command of the user that stays alive and computes velocities for one mesh after another.
 ///
-/// Protocol on its standard streams. It first writes the line `ready`. Then it answers requests. A
-/// request is a line `mesh BYTES TIME SPAN STAGE` and BYTES bytes of binary PLY with double
-/// coordinates. The answer is a line `velocities COUNT` and three little-endian doubles for each of
-/// the COUNT vertices, in their order. The command ends with exit code 0 when its input ends.
+/// Protocol on the command's standard streams: the command first writes the line `ready`. Then it
+/// answers requests. A request is a line `mesh BYTES TIME SPAN STAGE` and BYTES bytes of binary PLY
+/// with double coordinates. The answer is a line `velocities COUNT` and three little-endian doubles
+/// for each of the COUNT vertices, in their order. The command ends with exit code 0 when its input
+/// ends.
 #pragma once
 
 #include <sys/types.h>
@@ -17,8 +18,8 @@ namespace transformesh::tool {
 
 class VelocityProcess {
  public:
-  /// Starts the command. Throws GoalError if it cannot be run or does not write `ready` within ten
-  /// seconds.
+  /// Starts the command. Throws GoalError if the command cannot be run or does not write `ready`
+  /// within ten seconds.
   explicit VelocityProcess(std::string command);
   ~VelocityProcess();
   VelocityProcess(const VelocityProcess&) = delete;

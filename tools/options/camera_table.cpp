@@ -17,7 +17,8 @@ using Row = std::vector<std::string>;
 // Adding zero removes the sign of a zero.
 std::string rounded(double value, int digits) { return significant(value + 0.0, digits); }
 
-// Returns nothing if the center is behind the camera.
+// Returns the size of a pixel at the scene's center. Returns nothing if the center is behind the
+// camera.
 std::optional<double> pixel_size_of(const PinholeCamera& camera, const Vec3& center) {
   const bool is_in_front = (camera.rotation * center + camera.translation).z() > 0;
   return is_in_front ? std::optional(pixel_size({&camera, 1}, center)) : std::nullopt;

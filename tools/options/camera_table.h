@@ -1,4 +1,4 @@
-/// The table of tm-cameras --list: a line, or a JSON object, per camera.
+/// The table of tm-cameras --list: one line, or one JSON object, for each camera.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,14 @@ namespace transformesh::tool {
 struct CameraTable {
   CameraList list;
   Vec3 scene_center = Vec3::Zero();
-  /// Median pixel size at the scene's center; nothing if no camera has the center in front of it.
+  /// Median pixel size at the scene's center. Nothing if the center is in front of no camera.
   std::optional<double> pixel_size;
   std::vector<ViewPair> pairs;
-  bool is_center_assumed = false;  ///< the center is one unit in front of a single camera
+  /// True if the center is assumed: one unit in front of a single camera.
+  bool is_center_assumed = false;
 };
 
-/// Returns the table. The scene's center is `center` if that has three numbers, otherwise the point
+/// Returns the table. The scene's center is `center` if it has three numbers, otherwise the point
 /// closest to all viewing axes. Throws InputError for a camera whose focal length is relative to an
 /// unknown image size.
 CameraTable table_of(CameraList list, const std::vector<double>& center, std::size_t neighbors);

@@ -7,8 +7,8 @@
 namespace transformesh::tool {
 namespace {
 
-/// A decision by a generalized winding number is reported if the number is this close to the limit.
-/// A larger margin reports more decisions that are right.
+/// A decision by a generalized winding number is reported if the number is this close to the
+/// threshold. With a larger margin, more right decisions are reported.
 constexpr double small_margin = 0.1;
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Notes of programs that cut faces.
+/// Notes that programs which cut faces print.
 #pragma once
 
 #include "frame/run.h"

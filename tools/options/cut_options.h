@@ -9,7 +9,7 @@
 namespace transformesh::tool {
 
 struct CutChoices {
-  std::vector<double> plane;  ///< coefficients a b c d; empty if nothing is cut
+  std::vector<double> plane;  ///< coefficients a b c d of the plane; empty if nothing is cut
   std::string section;        ///< output file for the curves in the plane
   bool cap = false;
 };
@@ -17,8 +17,8 @@ struct CutChoices {
 /// Declares the options. The program keeps references to the choices.
 void declare_cut(Program& program, CutChoices& choices);
 
-/// Throws UsageError for options that need a plane if there is none, and for a plane together with
-/// inverted conditions.
+/// Throws UsageError for options that need a plane if no plane is given, and for a plane together
+/// with inverted conditions.
 void check_cut(const CutChoices& choices, bool is_inverted);
 
 /// Cuts the mesh and writes the curves in the plane, if a plane is given.

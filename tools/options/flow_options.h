@@ -12,18 +12,18 @@ namespace transformesh::tool {
 /// Values of the options on the command line.
 struct FlowChoices {
   double speed = 1;
-  double period = 0;  ///< 0: default of the flow
+  double period = 0;  ///< period of the flow; 0: default of the flow
   std::vector<double> center, direction;
   std::string column;
   std::string grid;      ///< files of grids (file_list.h)
-  double grid_step = 0;  ///< 0: the files state their times
+  double grid_step = 0;  ///< time between two files; 0: the files state their times
 };
 
 /// Declares --speed, --period, --center, --direction, --column, --grid and --grid-step.
 void declare_flow(OptionSet& options, FlowChoices& choices);
 
 std::vector<std::string> flow_names();
-/// Returns a line per flow: its name, its motion and its options.
+/// Returns one line for each flow: its name, its motion and its options.
 std::string flow_list();
 
 /// Returns the flow of this name. Throws UsageError for options that the flow does not have.

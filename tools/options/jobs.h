@@ -6,7 +6,7 @@
 
 namespace transformesh::tool {
 
-/// Returns a line per task, with its command.
+/// Returns one line for each task, with its command.
 std::string list_of_jobs();
 
 struct Alias {

@@ -114,7 +114,8 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
   const std::string output = run.out().name() == "-" ? "evolved.ply" : run.out().name();
   const std::string mesh = file_word(output);
   std::string target = file_word(choices.target);
-  // The default is 1x, resolved for the source before vertices move.
+  // The default of --reference-edge is 1x here, so that the length is resolved for the source
+  // before vertices move.
   std::string edge = run.program().common.reference_edge;
   if (edge.empty()) edge = "1x";
 
@@ -122,7 +123,8 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
       "set -euo pipefail\ntm-clean --no-provenance --outermost --format ply --reference-edge " +
       edge + " -o " + mesh + ' ' + file_word(run.in().name()) + '\n';
   if (choices.options.step.gap_edges > 0) {
-    // The thickness of the target is measured once, which takes longer than an iteration.
+    // The thickness of the target is measured once, because the measurement takes longer than an
+    // iteration.
     const std::string measured = file_word(output + ".target.ply");
     text += step_words(choices, target) + " --write-target " + measured + " -o /dev/null " + mesh +
             '\n';

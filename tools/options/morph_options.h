@@ -29,7 +29,7 @@ void check_morph(const MorphChoices& choices, const Run& run);
 /// Returns the options of morph(), with lengths resolved for the mesh of the run.
 MorphOptions morphing_of(const MorphChoices& choices, Run& run);
 
-/// Returns a shell script that makes the same meshes with a loop over single programs.
+/// Returns a shell script that makes the same meshes by a loop that runs a program for each step.
 std::string pipeline_of(const MorphChoices& choices, const Run& run);
 
 }  // namespace transformesh::tool

@@ -21,7 +21,7 @@ inline std::string how(MorphStop stop) {
   return stop == MorphStop::stalled ? "no longer improving" : "iteration limit reached";
 }
 
-/// Returns the fault of a morph with its remedy; empty if there is none.
+/// Returns the fault of a morph with its remedy. Returns an empty text if there is no fault.
 inline std::string fault_of(const MorphResult& result, const Program& program) {
   const std::string& fault = result.fault;
   if (fault.empty()) return fault;

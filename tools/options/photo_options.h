@@ -28,7 +28,8 @@ struct PhotoOptions {
 
 void declare_photo_step(Program& program, PhotoOptions& options);
 
-/// Reads the views and scales them down by `scale`. Checks whether views with exact masks agree.
+/// Reads the views, and reduces them by the factor `scale`. Checks whether views with exact masks
+/// agree.
 PhotoScene read_scene(const PhotoOptions& options, Run& run);
 
 PhotoStepsOptions steps_of(const PhotoOptions& options);

@@ -37,7 +37,8 @@ CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
   return list;
 }
 
-/// Returns distinct names for the photographs, with folders if base names are not distinct.
+/// Returns distinct names for the photographs. The names contain folders if the names of files are
+/// not distinct.
 std::vector<std::string> names_of(const CameraList& list, const PhotographFiles& files) {
   NamedFiles named{"camera", files.cameras, {}, {}};
   for (const CameraRecord& record : list.cameras) named.paths.push_back(record.name);

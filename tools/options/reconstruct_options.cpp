@@ -130,7 +130,7 @@ WindowRadii windows_of(const std::string& text) {
   return {coarse, comma == std::string::npos ? coarse : radius_of(text.substr(comma + 1))};
 }
 
-// Throws UsageError for inputs from stdin, since a continued run reads its inputs again.
+// Throws UsageError for inputs from stdin, because a continued run reads its inputs again.
 void refuse_standard_input(const ReconstructChoices& choices) {
   const auto refuse = [](const std::string& option, const std::string& place) {
     if (place == "-")

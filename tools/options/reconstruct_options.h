@@ -46,8 +46,8 @@ void declare_reconstruction(Program& program, ReconstructChoices& choices);
 /// options.
 ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run);
 
-/// Returns the options of a sequence, without comments. Throws UsageError if the paths of inputs do
-/// not depend on the time step.
+/// Returns the options of a sequence, except its comments. Throws UsageError if the paths of inputs
+/// do not depend on the time step.
 SequenceOptions sequence_of(const ReconstructChoices& choices,
                             const ReconstructionOptions& reconstruction, Run& run);
 
@@ -58,7 +58,7 @@ ViewSources sources_of(const ViewSources& sources, const TimeStep& step);
 std::vector<View> checked_views(const ViewSources& sources, const ReconstructChoices& choices,
                                 Run& run);
 
-/// Colors the result if requested, from the photographs of the views that were used.
+/// If requested, colors the result from the photographs of the views that were used.
 void color_result(const ReconstructChoices& choices, const std::set<std::string>& views, Run& run);
 
 }  // namespace transformesh::tool

@@ -10,8 +10,8 @@
 namespace transformesh::tool {
 namespace {
 
-/// Returns a length in input units. If it is not given, sets it to the default, so that settings
-/// and report show it.
+/// Returns a length in input units. If the length is not given, sets it to the default, so that
+/// settings and report show the length.
 double edge_length(std::optional<Length>& length, double default_value, const char* option,
                    bool has_sizes, Run& run) {
   if (!length) length = Length{default_value, Length::Unit::reference_edge};
@@ -40,7 +40,7 @@ double feature_angle(const std::string& text, double otherwise) {
   return *angle;
 }
 
-// Throws UsageError if options are given that have no meaning in a mode.
+// Throws UsageError if options are given that a mode does not use.
 void refuse_others(const Program& program, const std::string& mode, const std::string& does,
                    const std::vector<std::string>& allowed) {
   for (const Option& option : program.options) {

@@ -15,16 +15,18 @@ namespace transformesh::tool {
 
 /// Values of the options on the command line that are not directly stored in `remesh`.
 struct RemeshChoices {
-  std::optional<long> faces;    ///< decimate to this number instead of remeshing
-  std::string align;            ///< align to the sharp edges of this mesh instead of remeshing
-  std::optional<Length> error;  ///< decimate within this error; may be combined with `faces`
+  /// Number of faces to which the mesh is decimated instead of remeshed.
+  std::optional<long> faces;
+  /// Mesh to whose sharp edges the input is aligned instead of remeshed.
+  std::string align;
+  std::optional<Length> error;  ///< largest error of decimation; may be combined with `faces`
   std::optional<Length> edge, min_edge, max_edge, adaptive, min_film, pinch;
   std::string only = "all";
   std::string flip = "valence";
   std::string smooth = "tangential";
   std::string feature_angle = "auto";
   std::vector<double> smooth_twice;
-  bool source_points = false;  ///< write source points
+  bool source_points = false;  ///< true: write source points
   KeepOutOption keep_out;
   RemeshOptions remesh;
 };

@@ -11,8 +11,8 @@
 
 namespace transformesh::tool {
 
-/// Notes dropped components. The note has the shortest edge and advice only if one length holds for
-/// the whole mesh.
+/// Prints a note about dropped components. The note has the shortest edge and a remedy only if all
+/// edges have one limit.
 inline void note_dropped(const RemeshResult::RemovedComponents& dropped,
                          const RemeshOptions& options, Run& run) {
   if (dropped.count == 0) return;

@@ -28,8 +28,8 @@ struct RenderOptions {
 
 void declare_picture(Program& program, RenderOptions& options);
 
-/// Returns the options of a picture, without `around` and segments, which are files. Throws
-/// UsageError for values that cannot be parsed.
+/// Returns the options of a picture, except `around` and segments, which are read from files.
+/// Throws UsageError for values that cannot be parsed.
 PictureOptions picture_of(const RenderOptions& options);
 
 /// True if -o is a line drawing (.svg). Throws UsageError if options are given that line drawings

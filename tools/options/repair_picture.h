@@ -1,4 +1,4 @@
-/// The picture of a repair. The option exists only if the part `show` of the library is built.
+/// Draws a picture of a repair. Its option exists only if the part `show` of the library is built.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace transformesh::tool {
 
 void declare_repair_picture(Program& program, std::string& file);
 
-/// Writes a PNG of both meshes: lost faces of the input are red, new ones of the result green.
+/// Writes a PNG of both meshes: lost faces of the input are red, new faces of the result green.
 void write_repair_picture(const Mesh& input, const RepairResult& result, const std::string& file);
 
 }  // namespace transformesh::tool

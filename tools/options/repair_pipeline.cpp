@@ -8,7 +8,7 @@
 namespace transformesh::tool {
 namespace {
 
-/// A loss of at least this share of area or volume is a warning. Users asked for 1 %.
+/// A loss of at least this share of area or volume is a warning. The value 1 % is a wish of users.
 constexpr double large_share = 0.01;
 
 std::string command_of(const StitchOptions& options) {
@@ -56,7 +56,8 @@ std::string quoted(const std::string& word) {
   return text + '\'';
 }
 
-/// Joins commands by pipes. The first gets the words `first` and `input`, the last gets `last`.
+/// Joins commands by pipes. The first command gets the words `first` and `input`, the last command
+/// gets `last`.
 std::string joined(const std::vector<std::string>& commands, const std::string& first,
                    const std::string& last, const std::string& input) {
   std::string text;
@@ -69,8 +70,8 @@ std::string joined(const std::vector<std::string>& commands, const std::string& 
   return text;
 }
 
-/// Notes a large loss of volume. `volume` is the volume before the step. An open mesh, or one that
-/// is inside out, has none to lose.
+/// Prints a note about a large loss of volume. `volume` is the volume before the step. An open mesh
+/// and a mesh that is inside out have no volume to lose.
 void note_volume_loss(const RepairStep& step, double volume, const Run& run) {
   if (!(volume > 0 && -step.volume_change > large_share * volume)) return;
   const bool cleans = std::holds_alternative<CleanOptions>(step.operation);

@@ -8,12 +8,13 @@
 
 namespace transformesh::tool {
 
-/// Notes each step: its command, its findings, the place, and the changes of area and volume. Also
-/// notes, with the place, each step that lost more than 1 % of the area or of the volume.
+/// Prints for each step its command, its findings, the place, and the changes of area and volume.
+/// Also prints a note, with the place, for each step that lost more than 1 % of the area or of the
+/// volume.
 void note_steps(const RepairResult& result, const Run& run);
 
-/// Returns a pipeline of commands that gives the bytes of the output. `passes_bytes` is true if the
-/// output equals the input.
+/// Returns a pipeline of commands that writes the same bytes as the output. `passes_bytes` is true
+/// if the output equals the input.
 std::string pipeline_of(const RepairResult& result, bool passes_bytes, const Run& run);
 
 }  // namespace transformesh::tool

@@ -6,7 +6,7 @@
 
 namespace transformesh::tool {
 
-/// --mirror and --missing.
+/// Declares --mirror and --missing.
 void declare_reading(Program& program, ViewSources& sources);
 
 }  // namespace transformesh::tool

@@ -13,9 +13,9 @@
 namespace transformesh::tool {
 namespace {
 
-/// Distance of bodies that rest at each other. A body of one unit of edges that rests on another
-/// one leaves a millionth of its volume free. Much smaller distances would be below the spacing of
-/// coordinates far from the origin, where changes near the contact could not be tested.
+/// Distance of bodies that rest on each other. The gap below a body as large as one reference edge
+/// has a millionth of its volume. Much smaller distances would be below the spacing of coordinates
+/// far from the origin, so that changes near the contact could not be tested.
 constexpr Length resting{1e-6, Length::Unit::reference_edge};
 
 Length gap_of(const std::string& contact) {
@@ -25,7 +25,7 @@ Length gap_of(const std::string& contact) {
   throw UsageError("--contact: '" + contact + "' is neither gap:LENGTH nor stop");
 }
 
-/// Parses --time-step, which is a factor without --time, and a span with it.
+/// Parses --time-step. Its value is a span with --time, and a factor without it.
 double number_of(const std::string& text) {
   const auto number = number_in<double>(text);
   if (number && std::isfinite(*number)) return *number;

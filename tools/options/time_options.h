@@ -29,7 +29,7 @@ void declare_time(Program& program, TimeChoices& choices);
 /// Names of the options that need --time.
 std::initializer_list<const char*> time_option_names();
 
-/// Throws UsageError unless exactly one motion is named.
+/// Throws UsageError unless the options name exactly one motion.
 void check_time(const TimeChoices& choices);
 
 /// Returns the factor in --time-step for an evolution without --time. Throws UsageError for `auto`.
@@ -38,11 +38,12 @@ double time_factor(const TimeChoices& choices);
 /// Resolves lengths for the mesh of the run. Throws UsageError if a span is not a number.
 TimeOptions time_options_of(const TimeChoices& choices, Run& run);
 
-/// Returns the named motion. Flow::counts is set only for flows. `iteration` returns the number of
-/// the iteration, which commands find in TM_ITERATION.
+/// Returns the motion that the options name. Flow::counts is set only for flows. `iteration`
+/// returns the number of the iteration, which is passed to commands as TM_ITERATION.
 Flow motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration);
 
-/// Notes steps of a given span that moved vertices far, and the volume that was not kept.
+/// Prints notes about steps of a given span that moved vertices far, and about the volume that was
+/// not kept.
 void note_time(const TimeResult& result, const TimeChoices& choices, Run& run);
 
 }  // namespace transformesh::tool

@@ -16,8 +16,8 @@ Matrix4 matrix_of(const std::vector<double>& numbers) {
   return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
 }
 
-/// Makes the option add a step each time it is given: the matrix that `make` returns after the
-/// value is assigned.
+/// Makes an option add a step each time it is given. The step's matrix is the result of `make`
+/// after the value is assigned.
 void in_order(Option& option, TransformChoices& choices, const std::function<Matrix4()>& make) {
   option.affects_result = false;
   option.assign = [&choices, make, assign = option.assign](const std::string& text) {
@@ -62,8 +62,8 @@ void take_files(Option& matrix, TransformChoices& choices) {
   };
 }
 
-/// Returns the scaling from the mesh's unit, or that of --from, to the unit of --to. Throws
-/// InputError if the mesh states no unit and --from is not given.
+/// Returns the scaling from the mesh's unit, or from the unit of --from, to the unit of --to.
+/// Throws InputError if the mesh states no unit and --from is not given.
 Matrix4 change_of_unit(const TransformChoices& c, const Document& document) {
   const Unit* from = c.from.empty() ? unit_of(document) : find_unit(c.from);
   if (from == nullptr) throw InputError("the mesh does not state its unit: give it with --from");

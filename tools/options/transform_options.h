@@ -12,7 +12,7 @@ namespace transformesh::tool {
 
 struct TransformChoices {
   std::vector<double> translate, rotate, scale, scales, mirror, matrix;
-  std::string from, to;  ///< units; empty: that of the mesh, and none
+  std::string from, to;  ///< units; empty: `from` is the unit of the mesh, and `to` is not used
   bool center = false, unit_box = false;
   /// Steps in the order of the command line. Each returns its matrix, given the product of the
   /// matrices before.

@@ -30,8 +30,8 @@ struct ViewCheckChoices {
 /// Declares --least-agreement, --drop-bad-views and --mirror.
 void declare_view_check(Program& program, ViewCheckChoices& choices, ViewSources& sources);
 
-/// Checks whether the views agree, removes bad views if the choices say so, and notes each of them.
-/// Throws the errors of check_views() of view_check.h.
+/// Checks whether the views agree, removes bad views if the choices request it, and prints a note
+/// about each of them. Throws the errors of check_views() of view_check.h.
 ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices, Run& run);
 
 /// Declares --cameras, --silhouettes, --images, --threshold, --blur, --close and

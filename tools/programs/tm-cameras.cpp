@@ -17,7 +17,7 @@ using namespace transformesh;
 struct Options {
   std::string format = "middlebury";
   std::string folder;
-  ViewSources sources;  ///< images, and how they are read
+  ViewSources sources;  ///< paths of images, and options for reading them
   bool list = false;
   bool json = false;
   long neighbors = static_cast<long>(PairOptions().neighbors);

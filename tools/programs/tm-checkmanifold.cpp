@@ -18,7 +18,7 @@ struct Options {
 };
 
 /// Returns the sentence of a problem with its remedy. If the mesh has cracks, the remedy is to join
-/// their sides, since filling would close them with patches.
+/// their sides, because filling would close cracks with patches.
 std::string with_remedy(const Problem& problem, const Mesh& mesh, const tool::Run& run) {
   const Cracks cracks = problem.kind == ErrorKind::not_closed ? find_cracks(mesh) : Cracks();
   if (!(cracks.tolerance > 0)) return tool::with_advice(problem, run.program());

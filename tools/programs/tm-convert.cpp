@@ -1,5 +1,5 @@
-/// tm-convert: converts a mesh to another format, encoding or scalar type. The frame does all the
-/// work.
+/// tm-convert: converts a mesh to another format, encoding or scalar type. The frame (program.h)
+/// reads, converts and writes the mesh.
 #include "frame/run.h"
 
 int main(int argc, char** argv) {

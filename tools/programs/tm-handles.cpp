@@ -9,8 +9,9 @@ namespace {
 
 using namespace transformesh;
 
-// Default of --max-length: handles from the noise of scans, and thin webs in reconstructions, have
-// few triangles around. A larger value also removes thin handles of the object.
+// Default of --max-length. Handles from the noise of scans, and from thin bridges in
+// reconstructions, have few triangles around them. A larger value also removes thin handles of the
+// object.
 constexpr Length short_loop{5, Length::Unit::reference_edge};
 
 struct Choices {

@@ -1,4 +1,5 @@
-/// tm-morph: evolves a mesh until it lies on a target, or follows a movie of them (paper 5.2).
+/// tm-morph: evolves a mesh until it coincides with a target, or follows a movie of targets (paper
+/// 5.2).
 #include "evolution/loop/record.h"
 #include "evolution/loop/run_folder.h"
 #include "evolution/recorded_loops.h"
@@ -28,7 +29,8 @@ Target read(const std::string& name, tool::Run& run) {
   return target;
 }
 
-// Returns the target of the interrupted run if one is continued.
+// Returns the target of the interrupted run if the program continues one; otherwise reads the
+// target.
 Target target_of(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   if (const auto kept = record.find(state_target)) return read_target(*kept, state_target);
   Target target = read(choices.target, run);

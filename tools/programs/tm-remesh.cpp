@@ -42,8 +42,8 @@ bool refers_to_edge(const std::optional<Length>& length) {
   return length && length->unit == Length::Unit::reference_edge;
 }
 
-// Notes if the reference edge differs much from the mean edge: its comment may be of an earlier
-// mesh.
+// Prints a note if the reference edge differs much from the mean edge, because its comment may be
+// from an earlier mesh.
 void note_reference_edge(const tool::RemeshChoices& choices, const Document& document,
                          tool::Run& run) {
   const bool is_used = refers_to_edge(choices.min_edge) || refers_to_edge(choices.max_edge) ||

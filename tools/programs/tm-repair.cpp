@@ -15,12 +15,12 @@ struct Choices {
   std::string picture;
   bool dry_run = false;
   bool print_pipeline = false;
-  bool passes_bytes = false;  ///< the output equals the input, byte for byte
+  bool passes_bytes = false;  ///< true if the output equals the input, byte for byte
 
   bool writes_mesh() const { return !dry_run && !print_pipeline && !passes_bytes; }
 };
 
-/// True if the output would have the triangles of the input in the format of the input.
+/// True if the output would have the triangles and the format of the input.
 bool is_unchanged(const RepairResult& result, const Document& document, const tool::Run& run) {
   const tool::CommonValues& common = run.program().common;
   const bool has_indices =
@@ -30,8 +30,8 @@ bool is_unchanged(const RepairResult& result, const Document& document, const to
          !common.as_float && !common.as_double;
 }
 
-/// Sets the style of the document if no mesh is written (--dry-run, --print-pipeline). Coordinates
-/// are then rounded as for standard output.
+/// Sets the style of the document if no mesh is written (--dry-run, --print-pipeline): coordinates
+/// are rounded as for standard output.
 void set_style_of_stdout(Document& document, const tool::Run& run) {
   const tool::CommonValues& common = run.program().common;
   std::optional<Scalar> coordinate;

@@ -1,4 +1,4 @@
-/// tm-report: makes a page that shows runs of the loops.
+/// tm-report: makes a page that shows recorded runs of evolutions and reconstructions.
 #include "frame/run.h"
 #include "page/run_page.h"
 #include "transformesh/errors.h"

@@ -26,7 +26,7 @@ void sample(Document& document, const Choices& choices, tool::Run& run) {
   document.mesh = sample_surface(document.mesh, options, run.progress());
   run.report("points", document.mesh.positions.size());
 
-  // The result is points with normals, which are written as OFF only if requested.
+  // The output is points with normals. OFF is used only if it is requested.
   document.other_elements.clear();
   document.style.element_order = {"vertex"};
   if (document.style.format == Format::off) document.style.format = Format::ply_little;

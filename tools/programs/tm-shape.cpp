@@ -39,8 +39,9 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   return shape;
 }
 
-// Resolves relative lengths. They refer to the bounding box of the mesh given by --around, or else
-// of the shape. If a length sets the size of the shape, it refers to the default size.
+// Resolves relative lengths. Relative lengths refer to the bounding box of the mesh given by
+// --around, or else of the shape. If a length sets the size of the shape, it refers to the default
+// size.
 void resolve_lengths(ShapeOptions& shape, const Options& options, tool::Run& run) {
   const auto resolve = [&](const std::optional<Length>& length, std::optional<double>& value) {
     if (!length) return;

@@ -32,7 +32,8 @@ std::vector<std::string> all_names() {
   return names;
 }
 
-/// Returns the man page for a name such as `clean` or `tm-clean`; `tm` is the page of the suite.
+/// Returns the man page for a name such as `clean` or `tm-clean`. The name `tm` gives the page of
+/// the suite.
 std::string page_named(const std::string& word) {
   std::vector<std::string> names = all_names();
   names.emplace_back("tm");
@@ -44,7 +45,7 @@ std::string page_named(const std::string& word) {
                    (is_meant ? "did you mean '" + nearest + "'?" : "list all programs with tm"));
 }
 
-/// Replaces this process by the first of the commands that is installed.
+/// Replaces this process by the first of several commands that is installed.
 void run_first_of(std::vector<std::vector<std::string>> commands) {
   for (std::vector<std::string>& words : commands) {
     std::vector<char*> arguments;

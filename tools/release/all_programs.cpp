@@ -1,13 +1,13 @@
 // All programs in one file, for the portable tarball. Links to the file have the names of the
-// programs: it runs the one that it is called as, or `tm` under any other name. The programs share
-// nearly all of their code, so that one file has a fifteenth of the size of all.
+// programs. The file runs the program by whose name it is called, or `tm` for any other name. The
+// programs share nearly all of their code, so one file has a fifteenth of the size of all programs.
 #include "all_programs.h"
 
 using namespace transformesh;
 
 int main(int argc, char** argv) {
   std::string_view name = argc > 0 ? argv[0] : "tm";
-  name.remove_prefix(name.rfind('/') + 1);  // npos + 1 is 0
+  name.remove_prefix(name.rfind('/') + 1);  // without a slash, npos + 1 is 0
   for (const tool::NamedMain& program : tool::all_programs)
     if (program.name == name) return program.main(argc, argv);
   return main_of_tm(argc, argv);

@@ -18,7 +18,7 @@ const style = await transform(await text('page.css'), {loader: 'css', minify: tr
 const licence = await text('node_modules/three/LICENSE');
 const script = `/* with three.js:\n\n${licence}*/\n${bundle.outputFiles[0].text}`;
 
-// Replacements are functions, since `$` has a meaning in replacement strings.
+// Replacements are functions, because `$` has a meaning in replacement strings.
 const page = (await text('page.html'))
   .replace('/*tm:style*/', () => style.code.trim())
   .replace('/*tm:script*/', () => script);

@@ -1,4 +1,4 @@
-// A cell of the 3D view draws one run in a ball of radius 1 around 0.
+// A cell of the 3D view draws one run, scaled to a ball of radius 1 around 0.
 
 import {BufferAttribute, BufferGeometry, Group, LineSegments, Mesh, Points} from 'three';
 import {Marks} from './marks.js';
@@ -20,7 +20,7 @@ export function extentOf(run) {
   return {middle, radius: radius > 0 ? radius : 1};
 }
 
-// Returns a pyramid per camera, with the eye as apex and the image as base.
+// Returns a pyramid for each camera, with the camera center as apex and the image as base.
 function frustaOf(cameras, {middle, radius}) {
   const points = [];
   for (const {center, corners} of cameras) {

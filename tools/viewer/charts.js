@@ -11,7 +11,7 @@ const shownAtFirst = [
   /^mean_edge$/, /^seconds$/,
 ];
 
-// Titles of columns whose names do not say what they count.
+// Titles of columns whose names do not state what they count.
 const titles = new Map([['pairs', 'pairs of intersecting faces']]);
 const titleOf = (name) => titles.get(name) ?? name.replaceAll('_', ' ');
 
@@ -44,7 +44,8 @@ class Chart {
     this.low.className = 'low';
     const plot = document.createElement('div');
     plot.className = 'plot';
-    // The mark is in a layer above the curves, so that these are not painted again when it moves.
+    // The mark is in a layer above the curves, so that the curves are not painted again when the
+    // mark moves.
     this.over = document.createElement('div');
     this.over.className = 'over';
     this.axis = ['span', 'span'].map((name) => document.createElement(name));
@@ -70,8 +71,8 @@ class Chart {
     });
   }
 
-  // Draws the curves from time `first` to time `last`. `series` has x, y, events and the number of the
-  // color for each run; `counts` is what time counts, such as iterations.
+  // Draws the curves from time `first` to time `last`. `series` has x, y, events and the number of
+  // the color for each run; `counts` is the unit of time, such as iterations.
   set(series, first, last, counts) {
     Object.assign(this, {series, first, last});
     this.axis[0].textContent = `${counts} ${short(first)}`;
@@ -96,7 +97,7 @@ class Chart {
       `from ${short(y[0])} at ${short(x[0])} to ${short(y.at(-1))} at ${short(x.at(-1))}`).join('; ')}`);
   }
 
-  // Adds a vertical line per event, with its kind as tooltip.
+  // Adds a vertical line for each event, with its kind as tooltip.
   #markEvents({run, events}) {
     for (const {iteration, kind} of events) {
       const [x] = this.#place(Number(iteration), 1);
@@ -192,7 +193,7 @@ export class Charts {
     if (!this.charts.has(name)) this.charts.set(name, new Chart(name, this.onTime));
     const chart = this.charts.get(name);
     chart.set(series, this.first, this.last, this.logs[0].counts ?? 'frame');
-    // Charts have the order of the check boxes, not that in which they were added.
+    // Charts have the order of the check boxes, not the order in which they were added.
     const order = [...this.boxes.keys()];
     const after = order.slice(order.indexOf(name) + 1).map((one) => this.charts.get(one)).find(Boolean);
     this.place.insertBefore(chart.element, after?.element ?? null);

@@ -24,7 +24,7 @@ export class Colors {
     return `linear-gradient(to right, ${this.table(scale).map((c) => `rgb(${c.join(' ')})`).join(', ')})`;
   }
 
-  // Returns three color channels per value.
+  // Returns three color channels for each value.
   light(values, scale) {
     const table = this.#lights(scale);
     const last = table.length / 3 - 1;
@@ -38,7 +38,7 @@ export class Colors {
     return light;
   }
 
-  // Returns a finer table in linear light, with 16 steps between two colors.
+  // Returns a finer table of squared sRGB values, with 16 steps between two colors.
   #lights(scale) {
     const colors = this.table(scale);
     const fine = new Float32Array(3 * (16 * (colors.length - 1) + 1));

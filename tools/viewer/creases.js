@@ -1,18 +1,20 @@
-// Vertex normals for shading: smooth, except at creases, as those of tm-render. A vertex at a crease
-// becomes one vertex per corner.
+// Vertex normals for shading: smooth except at creases, like the normals of tm-render. A vertex at
+// a crease becomes one vertex for each corner.
 
 const cosineOf = (degrees) => Math.cos(degrees * Math.PI / 180);
 
-// Faces that bend more than this from each other do not share a normal. It is the crease angle of
-// tm-render.
+// Faces whose normals differ by a larger angle do not share a normal. The angle is the crease angle
+// of tm-render.
 const leastCosineOfFaces = cosineOf(40);
 
-// A vertex is at a crease if one of its faces bends more than this from their mean normal. It is half of
-// the crease angle, since the mean of two faces is in their middle.
+// A vertex is at a crease if the normal of one of its faces differs by a larger angle from the mean
+// normal of its faces. The angle is half of the crease angle, because the mean of two normals is in
+// their middle.
 const leastCosineOfMean = cosineOf(20);
 
-// Vertices with more corners have one normal, since the cost is quadratic in the number of corners. A
-// thousand corners take a few milliseconds. Corners of merged flat regions have up to some hundreds.
+// Vertices with more corners have one normal, because the cost is quadratic in the number of
+// corners. A thousand corners take a few milliseconds. Vertices of merged flat regions have up to
+// some hundreds of corners.
 const mostCorners = 1000;
 
 // Returns the sums of face normals at the vertices, and the face normals, both weighted by area.
@@ -54,7 +56,8 @@ function cornersAtCreases({indices}, {sums, faces}) {
   return corners;
 }
 
-// Returns the sum of those normals of faces at some corners that are near that of one corner.
+// Returns the sum of face normals at several corners, of those that are near the face normal at one
+// corner.
 function sumNear(corner, corners, faces) {
   const face = corner - corner % 3, sum = [0, 0, 0];
   for (const other of corners) {

@@ -10,7 +10,7 @@ const make = (name, text) => {
 
 const shortened = (text) => text.split(' ').map((word) => (word === '' ? '–' : short(Number(word)))).join(' ');
 
-// Columns of the table: name, and function from an event to its text.
+// Columns of the table: name, and function that returns the text of an event.
 const columns = [
   ['iteration', ({iteration}) => iteration],
   ['time', ({time}) => short(Number(time))],

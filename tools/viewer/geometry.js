@@ -1,5 +1,5 @@
-// Makes geometries of three.js from unpacked meshes. A geometry is made once per mesh; its colors are
-// updated on request.
+// Makes geometries of three.js from unpacked meshes. A geometry is made once for each mesh; its
+// colors are updated on request.
 
 import {BufferAttribute, BufferGeometry} from 'three';
 import {lightOfChannels} from './colors.js';
@@ -23,7 +23,7 @@ export function geometryOf(mesh) {
   return geometry;
 }
 
-// Returns a geometry without shared vertices, as colors per face require.
+// Returns a geometry without shared vertices, which colors of faces require.
 function geometryOfFaces(mesh) {
   if (!mesh.geometryOfFaces) mesh.geometryOfFaces = geometryOf(mesh).toNonIndexed();
   return mesh.geometryOfFaces;

@@ -10,7 +10,7 @@ export function watch(onPage, onEnd) {
       if (text !== last && last !== '') onPage(JSON.parse(text));
       last = text;
     } catch {
-      // After three failures the server counts as ended.
+      // After three failed requests, the server counts as ended.
       if (++failures === 3) return onEnd();
     }
     setTimeout(ask, 1000);

@@ -11,12 +11,13 @@ function stepNamesOf(header, rows) {
   return new Map(place < 0 ? [] : rows.map((row) => [Number(row[0]), row[place]]));
 }
 
-// Returns the complete lines. A last line without line end is still being written.
+// Returns the complete lines. A last line without line end is left out, because it is still being
+// written.
 function linesOf(text) {
   return text.slice(0, text.lastIndexOf('\n') + 1).split('\n').filter((line) => line !== '');
 }
 
-// Returns an object per event, with the columns of the CSV as text.
+// Returns an object for each event, with the columns of the CSV file as text.
 export function parseEvents(text) {
   const [header, ...rows] = linesOf(text).map(fieldsOf);
   return rows.filter((row) => row.length >= header.length)

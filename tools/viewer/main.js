@@ -87,7 +87,8 @@ class Viewer {
     $('color-label').hidden = columns.size === 0;
   }
 
-  // Sets the cameras of the current time steps. The menu lists those of the first run that has any.
+  // Sets the cameras of the current time steps. The menu lists the cameras of the first run that
+  // has cameras.
   #setCameras(cameras) {
     cameras.forEach((some, i) => this.view.setCameras(i, some));
     const names = (cameras.find((some) => some.length > 0) ?? []).map((camera) => camera.name);
@@ -126,7 +127,8 @@ class Viewer {
     });
   }
 
-  // Shows meshes after unpacking them. Requests during unpacking wait; only the last of them is served.
+  // Unpacks meshes, then shows them. Requests during unpacking wait, and only the last request is
+  // served.
   async #showMeshes(shown, place) {
     this.waiting = {shown, place};
     if (this.isUnpacking) return;
@@ -200,7 +202,8 @@ class Viewer {
     $('play').setAttribute('aria-label', this.isPlaying ? 'Pause' : 'Play');
     if (!this.isPlaying) return;
     if (this.place === this.times.length - 1) this.goTo(0);
-    // All frames take ten seconds, but a frame takes at least 50 ms and at most a second.
+    // All frames together are shown in ten seconds, but each frame for at least 50 ms and at most a
+    // second.
     this.timer = setInterval(() => {
       this.step(1);
       if (this.place === this.times.length - 1) this.play(false);

@@ -6,13 +6,14 @@ import {LineSegments2} from 'three/examples/jsm/lines/LineSegments2.js';
 import {LineSegmentsGeometry} from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 
 const widthInPixels = 3;
-// More edges are thin lines only, which are visible enough in such a number. Without a graphics card 2000
-// wide lines take 0.4 s of a processor per picture.
+// If there are more edges, they are drawn as thin lines only, because so many lines are visible
+// enough. Without a graphics card, 2000 wide lines take 0.4 s of processor time for each picture.
 const mostWide = 2000;
 // At a higher opacity, lines on the far side look like lines on the near side.
 const opacityOfHidden = 0.5;
 
-// Returns lines of one pixel: the ends of wider lines overlap, which is visible in faint lines.
+// Returns faint lines, one pixel wide: the ends of wider lines overlap, which would be visible in
+// faint lines.
 function faintLines(segments, color) {
   const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(segments, 3));
   const material = new LineBasicMaterial({color, transparent: true, opacity: opacityOfHidden, depthTest: false, depthWrite: false});
@@ -29,7 +30,7 @@ export class Marks {
     this.group = new Group();
   }
 
-  // Sets the lines. Each kind has a CSS color and `segments`, six numbers per line.
+  // Sets the lines. Each kind has a CSS color and `segments`, six numbers for each line.
   set(kinds) {
     for (const line of this.group.children) {
       line.geometry.dispose();

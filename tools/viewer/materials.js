@@ -1,5 +1,5 @@
-// Materials of surfaces. Lighting is computed per vertex, which with software rendering is three times
-// as fast as with the materials of three.js. Colors are squared sRGB values.
+// Materials of surfaces. Lighting is computed at vertices. With software rendering, this is three
+// times as fast as the materials of three.js. Colors are squared sRGB values.
 
 import {Color, DoubleSide, ShaderMaterial} from 'three';
 
@@ -58,7 +58,7 @@ export function squareOf(css) {
   return color.multiply(color);
 }
 
-// The red, green and blue of a CSS color, 0 to 255.
+// Returns red, green and blue of a CSS color, 0 to 255.
 export function bytesOfColor(css) {
   const {r, g, b} = new Color(css).convertLinearToSRGB();
   return [r, g, b].map((share) => Math.round(255 * share));

@@ -10,7 +10,8 @@ export function short(value) {
   return String(Number(value.toPrecision(3)));
 }
 
-// Returns the index of the last number that is at most `value`; 0 if there is none. `numbers` ascend.
+// Returns the index of the last number that is at most `value`, or 0 if there is none. `numbers`
+// are ascending.
 export function lastNotAbove(numbers, value) {
   let low = 0, high = numbers.length;
   while (low < high) {
@@ -20,8 +21,8 @@ export function lastNotAbove(numbers, value) {
   return Math.max(low - 1, 0);
 }
 
-// Returns the step that is shown together with `number`: the first with at least this number, or else
-// the last. `steps` are sorted by number.
+// Returns the step that is shown together with `number`: the first step with at least this number,
+// or else the last step. `steps` are sorted by number.
 export function shownWith(steps, number) {
   return steps.find((step) => step.number >= number) ?? steps.at(-1);
 }

@@ -32,7 +32,7 @@ pid_t start_opener(const std::string& what) {
     posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", 2, 0);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  // A session of its own, so that Ctrl-C does not end the browser.
+  // The browser runs in its own session, so that Ctrl-C does not end it.
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
   const std::array<const char*, 3> words{opener, what.c_str(), nullptr};
   pid_t child = 0;
@@ -66,8 +66,7 @@ std::string write_temporary_page(const std::string& html) {
 
 void open_in_browser(const std::string& what) {
   const pid_t child = start_opener(what);
-  // The command may run as long as the browser. Failures occur at once, so that a short wait
-  // suffices.
+  // The command may run as long as the browser. Failures occur at once, so a short wait finds them.
   for (int tries = 0; tries < 40; ++tries) {
     int status = 0;
     if (waitpid(child, &status, WNOHANG) == child) {

@@ -83,7 +83,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Returns the value of a header; empty if there is none.
+/// Returns the value of a header. Returns an empty text if the request has no such header.
 std::string header_of(const std::string& request, const std::string& name) {
   const std::size_t found = lower(request).find("\r\n" + name + ':');
   if (found == std::string::npos) return {};
@@ -121,8 +121,8 @@ bool PageServer::receive(Connection& connection) {
   return connection.request.size() <= longest_request;
 }
 
-/// Sends a part of the answer. Returns false if all is sent or the client has closed the
-/// connection.
+/// Sends a part of the answer. Returns false if the whole answer is sent or the client has closed
+/// the connection.
 bool PageServer::send_some(Connection& connection) {
   const std::string_view rest = std::string_view(connection.answer).substr(connection.sent);
   const ssize_t count = send(connection.socket, rest.data(), rest.size(), MSG_NOSIGNAL);
@@ -154,15 +154,16 @@ std::string PageServer::answer(const std::string& request, const Site& site) con
   return found ? message("200 OK", *found, method == "GET") : refusal("404 Not Found");
 }
 
-/// Accepts a connection. Returns false if there is no free file descriptor; the connection then
-/// waits.
+/// Accepts a connection. Returns false if there is no free file descriptor. The connection then
+/// stays in the queue of the system.
 bool PageServer::accept_one(std::list<Connection>& connections) const {
   const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
   if (socket >= 0) connections.emplace_back().socket = socket;
   return socket >= 0 || errno == EAGAIN || errno == EINTR || errno == ECONNABORTED;
 }
 
-/// Receives or sends a part. Returns false if the connection has ended.
+/// Receives a part of the request or sends a part of the answer. Returns false if the connection
+/// has ended.
 bool PageServer::advance(Connection& connection, const Site& site) const {
   if (connection.is_answering()) return send_some(connection);
   if (!receive(connection)) return false;
@@ -176,8 +177,8 @@ void PageServer::serve(const Site& site) {
   bool can_accept = true;
   while (true) {
     // poll() skips negative descriptors. If connections cannot be accepted, the listener is
-    // skipped, since every poll() would return at once. It is tried again after a second, or when
-    // another connection has ended.
+    // skipped, because every poll() would return at once. The listener is tried again after a
+    // second, or when another connection has ended.
     const bool listens = can_accept && connections.size() < most_connections;
     std::vector<pollfd> waiting{{listens ? listener_ : -1, POLLIN, 0}};
     for (const Connection& connection : connections)

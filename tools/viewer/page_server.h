@@ -11,13 +11,13 @@
 namespace transformesh::tool {
 
 struct Answer {
-  std::string type;  ///< media type
+  std::string type;  ///< media type of the content
   std::string body;
 };
 
 class PageServer {
  public:
-  /// Listens on a port; 0 chooses a free one. Throws GoalError if that fails.
+  /// Listens on a port; 0 chooses a free port. Throws GoalError if listening fails.
   explicit PageServer(int port);
   ~PageServer();
   PageServer(const PageServer&) = delete;

@@ -12,7 +12,7 @@ export function cameraOf(camera, {middle, radius}) {
   const down = corners[3].clone().sub(corners[0]).normalize();
   const forward = new Vector3().crossVectors(right, down);
   const near = Math.max(0.01, eye.length() - 1.2), far = eye.length() + 1.2;
-  // Coordinates at which the ray of a corner meets the plane at depth `near`.
+  // Returns a coordinate of the point at which the ray of a corner meets the plane at depth `near`.
   const at = (corner, axis) => near * corner.dot(axis) / corner.dot(forward);
 
   const result = new PerspectiveCamera();

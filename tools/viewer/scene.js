@@ -1,4 +1,4 @@
-// The 3D view: a cell per run; all cells have the same camera.
+// The 3D view: one cell for each run. All cells have the same camera.
 
 import {
   Color, FrontSide, LineBasicMaterial, MathUtils, MeshBasicMaterial, PerspectiveCamera, PointsMaterial, Scene,
@@ -18,7 +18,8 @@ function materials() {
   return {
     wires: new MeshBasicMaterial({wireframe: true, transparent: true, opacity: 0.55}),
     points: new PointsMaterial({size: 3, sizeAttenuation: false}),
-    // The target is shifted back in depth. Otherwise two triangulations of one surface give spots.
+    // The target is shifted back in depth, because two triangulations of one surface would
+    // otherwise show spots.
     ghost: surfaceMaterial({transparent: true, opacity: 0.3, polygonOffsetFactor: 2, polygonOffsetUnits: 500, depthWrite: false, side: FrontSide}),
     ghostPoints: new PointsMaterial({size: 2, sizeAttenuation: false, transparent: true, opacity: 0.6}),
     frusta: new LineBasicMaterial({transparent: true, opacity: 0.8}),
@@ -69,7 +70,7 @@ export class View {
     this.controls.maxDistance = 250;
     this.reset();
     this.setTheme();
-    // draw() lets software rendering go to full resolution at rest.
+    // draw() is called because software rendering changes to full resolution at rest.
     new ResizeObserver(() => {
       this.resize();
       this.draw();
@@ -95,8 +96,8 @@ export class View {
     this.draw();
   }
 
-  // Draws two cells in one place: the first one in this fraction of it from the left, the second one in
-  // the rest.
+  // Draws two cells in one place: the first cell in this fraction of the width from the left, the
+  // second cell in the rest.
   setWipe(share) {
     this.cellsElement.classList.add('over');
     this.cells[0].part = [0, share];
@@ -104,7 +105,7 @@ export class View {
     this.draw();
   }
 
-  // Sets the lines that point out edges of a cell's mesh, in the coordinates in which it is drawn.
+  // Sets the lines that mark edges of a cell's mesh, in the coordinates in which the mesh is drawn.
   setMarks(i, kinds) {
     this.cells[i].marks.set(kinds);
     this.draw();
@@ -126,7 +127,7 @@ export class View {
     this.#setPhotograph(cell, camera);
   }
 
-  // Shows the photograph of a camera. While time moves, the previous one stays until it is loaded.
+  // Shows the photograph of a camera. The previous photograph stays until the new one is loaded.
   async #setPhotograph(cell, camera) {
     const name = camera?.photograph ?? '';
     if (name === '') cell.photograph.hidden = true;
@@ -167,7 +168,8 @@ export class View {
     const offset = new Vector3().setFromSpherical(home).multiplyScalar(0.5);
     if (isFromOutside) {
       const distance = offset.length();
-      // A point in the middle has no outside. Seen a little from the side, the surface has some relief.
+      // A point in the middle has no outside. The camera is moved a little to the side, so that
+      // shading shows the shape of the surface.
       offset.setLength(0.3).add(target.clone().normalize()).setLength(distance);
     }
     this.controls.target.copy(target);
@@ -230,7 +232,8 @@ export class View {
     this.controls.update();
   }
 
-  // Software rendering has a low resolution while something moves, and four samples per pixel at rest.
+  // Sets the resolution: software rendering uses a low resolution while something moves, and four
+  // samples for each pixel at rest.
   resize(isAtRest = false) {
     const {clientWidth: width, clientHeight: height} = this.stage;
     const coarse = Math.min(1, Math.sqrt(mostPixels / (width * height)));

@@ -31,7 +31,7 @@ export class Store {
     return `data:image/png;base64,${btoa(letters)}`;
   }
 
-  // Returns a promise of the mesh; the same one while the mesh is in the cache.
+  // Returns a promise of the mesh. Returns the same promise while the mesh is in the cache.
   get(name, extent) {
     const known = this.kept.get(name);
     if (known) {

@@ -13,7 +13,8 @@ export async function inflate(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Reads streams of numbers. A stream has the lowest bytes of all numbers, then their next bytes.
+// Reads streams of numbers. A stream has the lowest bytes of all numbers, then the second lowest
+// bytes, and so on.
 class Streams {
   constructor(bytes, at) {
     this.bytes = bytes;

@@ -1,4 +1,5 @@
-/// Contents of tm-view: meshes, or a run that may be active, as a page and as a served site.
+/// Contents that tm-view shows: meshes, or a run that may be active, as a page and as a served
+/// site.
 #pragma once
 
 #include <string>
@@ -11,7 +12,8 @@
 
 namespace transformesh::tool {
 
-/// Returns the meshes as runs: one run per mesh if `is_beside`, otherwise a run with all of them.
+/// Returns the meshes as runs: one run for each mesh if `is_beside` is set, otherwise one run with
+/// all meshes.
 std::vector<PageRun> runs_of(const std::vector<Document>& documents,
                              const std::vector<std::string>& names, bool is_beside);
 std::string title_of(const std::vector<std::string>& names);

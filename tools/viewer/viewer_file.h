@@ -5,7 +5,7 @@
 
 namespace transformesh::tool {
 
-/// Returns the HTML. Throws GoalError with a remedy if the viewer was not built.
+/// Returns the HTML of the viewer. Throws GoalError with a remedy if the viewer was not built.
 std::string read_viewer();
 
 }  // namespace transformesh::tool

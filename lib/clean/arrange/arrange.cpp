@@ -15,7 +15,7 @@ namespace {
 // A plane is triangulated inside a scaffold triangle whose corners reach 12 times the extent of the
 // coplanar faces. With this limit, the coordinates of the scaffold do not overflow.
 constexpr double largest_coordinate = 1e306;
-constexpr std::size_t planes_per_task = 4;  ///< affects time only
+constexpr std::size_t planes_per_task = 4;  ///< planes cut in one task; affects time only
 
 // Reserves room for all pieces, and for all sources except copies. Reallocation takes longer than
 // adding the entries.
@@ -76,7 +76,7 @@ class Copies {
   }
 
   const WeldedMesh& welded_;
-  std::vector<Index> next_;  ///< the next copy of each face, or no_index
+  std::vector<Index> next_;  ///< index of the next copy of each face, or no_index
 };
 
 // Adds the sources of a facet: only open faces for an open piece, only closed faces for a closed

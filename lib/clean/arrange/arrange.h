@@ -18,8 +18,8 @@
 namespace transformesh {
 
 struct Piece {
-  Face corners;        ///< indices of arrangement points
-  Index first_source;  ///< index into `Arrangement::sources` of its first source
+  Face corners;        ///< corners of the piece, as indices of arrangement points
+  Index first_source;  ///< index of the piece's first source in `Arrangement::sources`
   std::uint32_t source_count;
   std::int32_t multiplicity;  ///< Number of sources minus number of reversed sources. The winding
                               ///< number grows by this amount from front to back. Never negative; 0
@@ -52,7 +52,7 @@ struct Arrangement {
   }
 };
 
-/// Reverses the orientation of a piece; updates the `reversed` flags of its sources.
+/// Reverses the orientation of a piece, and updates the `reversed` flags of its sources.
 void reverse_piece(Arrangement& arrangement, Piece& piece);
 
 /// Arranges the welded faces along `meetings`, the sorted meetings of all intersecting pairs.

@@ -58,16 +58,17 @@ class PlaneCutter : public PlaneFacets {
   const WindingJumps* jumps_;  ///< null unless pieces are chosen by winding numbers
   ExactGeometry geometry_;
   PlaneProjection projection_;
-  /// Three lines for the edges of each face, then one line for each meeting.
+  /// The lines: three for the edges of each face, then one for each meeting.
   std::vector<Line> lines_;
   std::vector<Segment> segments_;
   std::vector<std::array<Index, 3>> corners_;  ///< triangulation points of the corners of each face
-  std::vector<char> is_reversed_;  ///< per face: 1 if oriented opposite to the first face
+  /// 1 for each face whose orientation is opposite to the first face's.
+  std::vector<char> is_reversed_;
   PlanarTriangulation triangulation_;
   DefinitionTable known_points_;
-  std::vector<Index> border_stamp_;  ///< per edge: 1 + index of the last coplanar face whose
-                                     ///< boundary contains the edge, or 0
-  std::vector<Cover> covers_;        ///< faces that cover each facet
+  /// For each edge 1 + the index of the last coplanar face whose boundary contains the edge, or 0.
+  std::vector<Index> border_stamp_;
+  std::vector<Cover> covers_;  ///< faces that cover each facet
   std::array<Index, 3> corner_facets_{};
 };
 

@@ -33,10 +33,11 @@ struct PlaneCut {
   std::vector<Face> facets;  ///< indices into `points`; oriented like the first face of the plane
   /// Facet `i` has the sources [source_offsets[i], source_offsets[i + 1]).
   std::vector<Index> source_offsets;
-  /// Sorted by face within each facet; only the first copy of a face is listed.
+  /// Sources of all facets, sorted by face within each facet. Only the first copy of a face is
+  /// listed.
   std::vector<PieceSource> sources;
   std::vector<Index> numbers;  ///< for each facet its index in `PlaneFacets`
-  /// One entry per facet; empty if all faces are closed.
+  /// Classification of each facet; empty if all faces are closed.
   std::vector<OpenFacet> open{};
 };
 

@@ -138,8 +138,8 @@ void PlanarTriangulation::add_line(Index point, Index line) {
   if (at == lines.end() || *at != line) lines.insert(at, line);
 }
 
-// Walks through facets towards the point. A walk may run in a circle if the triangulation is not
-// Delaunay; after 3 n + 10 steps all n facets are tested instead.
+// Moves from facet to facet towards the point. This may lead in a circle if the triangulation is
+// not Delaunay; after 3 n + 10 steps all n facets are tested instead.
 PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& point,
                                                           std::span<const Index> lines) const {
   const auto side_of = [&](Index a, Index b) {

@@ -22,9 +22,9 @@ namespace transformesh {
 class PlanarTriangulation {
  public:
   struct Facet {
-    std::array<Index, 3> v;     ///< points, counter-clockwise in the projection
+    std::array<Index, 3> v;     ///< corners, counter-clockwise in the projection
     std::array<Index, 3> next;  ///< facet across the edge from v[i] to v[i + 1], or no_index
-    std::array<Index, 3> line;  ///< list of the constraints on that edge, or no_index
+    std::array<Index, 3> line;  ///< list of the constraints on the edge from v[i], or no_index
   };
   /// A constraint on an edge. `is_along` is true if the edge has the direction of the constraint.
   struct OnEdge {
@@ -39,8 +39,8 @@ class PlanarTriangulation {
   PlanarTriangulation(const ExactGeometry& geometry, const Triangle& plane, const Vec3& low,
                       const Vec3& high, Crossing crossing);
 
-  /// Starts with the triangle of the plane if that triangle is all that is cut. Must be called
-  /// before anything is inserted. The corners become points 3, 4 and 5; the edges become lines 0, 1
+  /// Starts with the triangle of the plane. For planes in which no other triangle is cut. Must be
+  /// called before any insertion. The corners become points 3, 4 and 5; the edges become lines 0, 1
   /// and 2. Returns false and changes nothing if the scaffold around the triangle cannot be
   /// represented in doubles.
   bool begin_with_triangle(const std::array<ExactPoint, 3>& corners);
@@ -75,9 +75,10 @@ class PlanarTriangulation {
   std::vector<Index> chain(Index from, Index to, OnEdge along) const;
   /// The marked facets, sorted by the definitions of their points.
   struct Collection {
-    std::vector<ExactPoint> points;  ///< in the order in which the facets refer to them
-    std::vector<Face> facets;        ///< each starts with its least corner
-    std::vector<Index> numbers;      ///< index of each facet in facets()
+    std::vector<ExactPoint> points;  ///< points in the order in which `facets` refers to them
+    /// Corners of the facets; each facet starts with its least corner.
+    std::vector<Face> facets;
+    std::vector<Index> numbers;  ///< index of each facet in facets()
   };
   Collection collect(const std::vector<char>& marked) const;
 
@@ -96,14 +97,15 @@ class PlanarTriangulation {
   };
   struct Location {
     Index facet;
-    std::array<int, 3> side;  ///< orientation of the point with each edge: 0 if it is on the edge;
-                              ///< two zeros if it is a corner
+    /// Orientation of the point with each edge: 0 if the point is on the edge; two zeros if it is a
+    /// corner.
+    std::array<int, 3> side;
   };
   /// Linked list of the constraints on an edge. The parts of a split edge share one list. List `i`
   /// has the number 2 i for the edge direction and 2 i + 1 for the opposite direction.
   struct ListOnEdge {
     Index line;
-    Index rest;    ///< number of the next list, or no_index
+    Index rest;    ///< number of the list of the remaining constraints, or no_index
     Index oldest;  ///< the line that was added to the list first
   };
 

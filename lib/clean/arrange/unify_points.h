@@ -10,7 +10,7 @@
 namespace transformesh {
 
 struct UnifiedPoints {
-  std::vector<std::vector<Index>> ids;  ///< per plane: the number of each of its points
+  std::vector<std::vector<Index>> ids;  ///< for each plane the numbers of its points
   std::vector<ExactPoint> cut_points;   ///< new points, in the order of their numbers
 };
 

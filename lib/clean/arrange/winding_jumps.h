@@ -10,10 +10,10 @@
 
 namespace transformesh {
 
-/// The change of w in front of a plane, from left to right of the segment in which a face meets the
-/// plane.
+/// The change of the winding number w in front of a plane, from left to right of the segment in
+/// which a face meets the plane.
 struct WindingJump {
-  Index face;  ///< the first of its copies
+  Index face;  ///< the first copy of the face that meets the plane
   int jump;
 };
 
@@ -29,8 +29,9 @@ class WindingJumps {
     return !has_open_copy_.empty() && has_open_copy_[face] != 0;
   }
 
-  /// Returns the jump across [from, to], the common segment of two faces. The jump is that in front
-  /// of the first or second face, as `seen_from_first` selects; behind that face if `reversed`.
+  /// Returns the jump across [from, to], the common segment of two faces. The jump is in front of
+  /// the first face if `seen_from_first`, else in front of the second face. It is behind this face
+  /// if `reversed`.
   WindingJump over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
                            const ExactPoint& from, const ExactPoint& to) const;
   /// Appends the jumps across edge `i` of `face`, in the direction of that edge. `plane` is a face
@@ -42,8 +43,8 @@ class WindingJumps {
   const Planes& planes_;
   void count_copies();
 
-  std::vector<int> multiplicities_;  ///< per first copy; empty if each face counts once
-  std::vector<char> has_open_copy_;  ///< per first copy; empty if all faces are closed
+  std::vector<int> multiplicities_;  ///< multiplicity of each first copy; empty if all are 1
+  std::vector<char> has_open_copy_;  ///< one for each first copy; empty if all faces are closed
   std::vector<Index> edge_of_;       ///< edge of each halfedge
 };
 

@@ -21,16 +21,16 @@ namespace transformesh {
 struct Region {
   bool is_whole = true;
   Box held;  ///< the mesh contains every face of the whole mesh that touches this box
-  ReferencePoint reference;  ///< a point in `held`
+  ReferencePoint reference;  ///< a point in `held`, with its winding number
   double cell_size = 1;      ///< cell size; the mesh contains four rings of faces, by cells of this
                              ///< size, around own faces
 };
 
-/// Number of rings around own faces of which all pieces are needed: the neighbors, and the
-/// neighbors of these, which affect rounding.
+/// Number of rings around own faces of which all pieces are needed. The first ring are the
+/// neighbors of own faces; the second ring affects rounding.
 inline constexpr int rings_of_complete = 2;
-/// Number of rings around complete faces: the faces that meet them, and the faces that meet those,
-/// which determine planes.
+/// Number of rings around complete faces. The first ring are the faces that meet complete faces;
+/// the second ring determines their planes.
 inline constexpr int rings_around_complete = 2;
 
 /// Returns the region of a whole closed mesh: all of space, with a reference point outside the
@@ -61,7 +61,7 @@ class BoxPart {
   const CleanOptions& options_;
   const Progress& progress_;
   CellGrid grid_;
-  std::vector<bool> is_complete_;  ///< per face of the mesh
+  std::vector<bool> is_complete_;  ///< true for each complete face of the mesh
   CellMarks covered_;              ///< cells of the complete faces and of the rings around them
   Box own_box_;  ///< bounding box of the first vertices of own faces, with a margin
   BoxSubmesh part_;

@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Bits per face; more bits include fewer other positions by mistake.
+/// Bits of the hash set per face. With more bits, fewer positions that were not added are found by
+/// mistake.
 constexpr std::size_t bits_per_position = 64;
 
 std::uint64_t mixed(std::uint64_t h) {

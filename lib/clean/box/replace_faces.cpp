@@ -26,11 +26,12 @@ class Placing {
   const std::vector<bool>& is_replaced_;
   const CleanedFaces& cleaned_;
   std::vector<bool> is_uncut_;
-  /// Per cleaned vertex: its vertex in the mesh; new ones follow all others.
+  /// Index in the mesh of each cleaned vertex. New vertices follow those of the mesh.
   std::vector<Index> vertex_of_;
   std::vector<bool> is_claimed_;
-  std::vector<Index> new_vertices_;  ///< indices of cleaned vertices
-  std::vector<Face> faces_;          ///< vertices of the mesh, then new vertices
+  std::vector<Index> new_vertices_;  ///< indices of new vertices in the cleaned mesh
+  /// Corners: indices of the mesh's vertices, then of new vertices.
+  std::vector<Face> faces_;
   std::vector<Index> face_rows_;
 };
 

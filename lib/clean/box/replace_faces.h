@@ -10,7 +10,8 @@ namespace transformesh {
 /// Result of cleaning a mesh or a part of it.
 struct CleanedFaces {
   Mesh mesh;
-  std::vector<Index> source_face;  ///< per face: the face of the whole mesh that it is a piece of
+  /// For each face the face of the whole mesh of which it is a piece.
+  std::vector<Index> source_face;
 };
 
 /// Returns 1 for each face that equals its source.

@@ -13,7 +13,7 @@ namespace transformesh {
 
 struct TileName {
   std::uint64_t mesh = 0;  ///< hash of all faces of the whole mesh
-  std::size_t number = 0;  ///< in [0, count)
+  std::size_t number = 0;  ///< number of the tile, in [0, count)
   std::size_t count = 0;   ///< number of tiles
   bool operator==(const TileName&) const = default;
 };
@@ -23,7 +23,7 @@ struct Tile {
   std::uint64_t faces = 0;   ///< hash of the faces of the tile
   Box own;                   ///< own faces are those whose first vertex is in this box
   Box held;                  ///< the tile contains every face of the mesh that touches this box
-  ReferencePoint reference;  ///< a point in `held`
+  ReferencePoint reference;  ///< a point in `held` with its winding number
   double cell_size = 1;      ///< size of the cells that determine which faces are near each other
   Scalar coordinate = Scalar::float64;  ///< type in which positions are written
 };
@@ -38,10 +38,10 @@ std::string cleaned_tile_comment(const TileName& name);
 std::optional<Tile> tile_of(const std::vector<std::string>& comments);
 std::optional<TileName> cleaned_tile_of(const std::vector<std::string>& comments);
 
-/// True if there is a comment of either kind, well-formed or not.
+/// True if there is a comment of a tile or of a cleaned tile, well-formed or not.
 bool has_tile_comment(const std::vector<std::string>& comments);
 
-/// Removes the comments of both kinds.
+/// Removes the comments of tiles and of cleaned tiles.
 void drop_tile_comments(std::vector<std::string>& comments);
 
 }  // namespace transformesh

@@ -23,7 +23,7 @@ namespace {
 /// time.
 constexpr std::size_t samples_per_patch = 4;
 constexpr std::size_t other_samples = 2000;
-/// Limit on the number of solid angles summed per mesh; these take 0.2 s on one core.
+/// Limit on the number of solid angles summed per mesh. The sums take 0.2 s on one core.
 constexpr std::size_t most_solid_angles = 20'000'000;
 
 /// A side of a face to be sampled: 1 is the front, -1 the back.
@@ -33,7 +33,7 @@ struct FaceSide {
   int side = 1;
 };
 
-/// Both meshes, scaled such that products of coordinates neither overflow nor underflow.
+/// Input and output, scaled such that products of coordinates neither overflow nor underflow.
 struct Meshes {
   Mesh input, output;
   double unit = 1;  ///< length of one scaled unit in input coordinates; a power of two
@@ -50,8 +50,8 @@ void add_sides(bool is_of_input, const std::vector<Index>& faces, std::vector<Fa
     for (const int side : {1, -1}) sides.push_back({is_of_input, face, side});
 }
 
-/// Returns some faces of each patch, at most `count`. The first face of each patch has priority
-/// over second faces of others.
+/// Returns some faces of each patch, at most `count`. A second face of a patch is taken only after
+/// the first faces of all patches.
 std::vector<Index> faces_of_patches(const UncutPatches& patches, std::size_t count) {
   std::vector<Index> firsts;
   std::vector<Index> others;

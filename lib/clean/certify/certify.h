@@ -13,9 +13,9 @@
 ///
 /// A sample is undecided if each point next to the face is too close to new or removed faces. Too
 /// close means that rounding may have moved these faces across the point. The limit along each axis
-/// is twice the spacing of `coordinate` at the face. For a new face it is 4 times the measured
-/// distance from the input, if that is larger, up to 1024 spacings. Hence a vertex that moved
-/// farther is detected, and a large coordinate elsewhere does not increase the limit.
+/// is twice the spacing of `coordinate` at the face. The limit of a new face is 4 times its
+/// measured distance from the input, if this is larger, up to 1024 spacings. Hence a vertex that
+/// moved farther is detected, and a large coordinate elsewhere does not increase the limit.
 ///
 /// If a surface moves by at most e, the winding numbers of points farther than e do not change,
 /// because the surface does not pass over them. Therefore a sample certifies all such points of its

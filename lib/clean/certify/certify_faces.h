@@ -11,8 +11,8 @@ namespace transformesh {
 
 struct FaceMatch {
   bool input_is_closed = false;      ///< each edge is traversed equally often in both directions
-  std::vector<char> input_vanished;  ///< per input face: 1 if it is not a face of the output
-  std::vector<char> output_is_new;   ///< per output face: 1 if it is not a face of the input
+  std::vector<char> input_vanished;  ///< 1 for each input face that is not a face of the output
+  std::vector<char> output_is_new;   ///< 1 for each output face that is not a face of the input
 };
 
 FaceMatch match_faces(const Mesh& input, const Mesh& output);
@@ -21,7 +21,7 @@ FaceMatch match_faces(const Mesh& input, const Mesh& output);
 /// Each region is inside one patch of the arrangement (exterior/patches.h).
 struct UncutPatches {
   std::vector<std::vector<Index>> faces;  ///< faces of each region, ascending
-  std::vector<char> is_cut;               ///< per input face: 1 if it intersects another face
+  std::vector<char> is_cut;               ///< 1 for each input face that intersects another face
 };
 
 UncutPatches find_uncut_patches(const Mesh& input, const Progress& progress);

@@ -6,7 +6,7 @@
 namespace transformesh {
 namespace {
 
-/// Barycentric weights of the points of a face that are tried in turn.
+/// Barycentric weights of the points of a face above which samples are tried in turn.
 constexpr std::array<std::array<double, 3>, 14> tried_weights = {{{0.344, 0.327, 0.329},
                                                                   {0.523, 0.218, 0.259},
                                                                   {0.231, 0.552, 0.217},
@@ -22,7 +22,8 @@ constexpr std::array<std::array<double, 3>, 14> tried_weights = {{{0.344, 0.327,
                                                                   {0.053, 0.321, 0.626},
                                                                   {0.052, 0.627, 0.321}}};
 
-/// Each further sample of a point is closer to the face by this factor.
+/// If a sample above a point of the face is rejected, the next sample is closer to the face by this
+/// factor.
 constexpr double step = 2;
 
 /// Least distance of a sample from its face, relative to the distance by which rounding may have

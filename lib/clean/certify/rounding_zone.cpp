@@ -14,8 +14,8 @@ namespace transformesh {
 namespace {
 
 /// Least margin relative to the largest one, needed because numbers near zero have a tiny spacing.
-/// For doubles all margins are equal, because a triangle cannot be measured in doubles with units
-/// that differ.
+/// For doubles all margins are equal, because doubles are too coarse to measure distances from a
+/// triangle with a different unit for each axis.
 constexpr double least_share(Scalar coordinate) {
   return coordinate == Scalar::float32 ? 0x1p-20 : 1;
 }

@@ -1,6 +1,6 @@
 /// The neighborhood in which rounding may have moved a cut surface. It surrounds the new faces of
-/// the output, and the faces of the input that are not in the output. Slivers of the latter that
-/// are thinner than the spacing of numbers may have vanished completely. Cost: O(n log n) to build;
+/// the output, and the faces of the input that are not in the output. Slivers of the input that are
+/// thinner than the spacing of numbers may have vanished completely. Cost: O(n log n) to build;
 /// O(log n) per query on usual meshes.
 #pragma once
 
@@ -12,9 +12,9 @@
 
 namespace transformesh {
 
-/// Returns per face an upper bound of the movement by rounding, along each axis. It is four times
-/// the distance of the corners, edge midpoints and centroid from the input. It is at least twice
-/// the spacing of type `coordinate` at the face. It is at most 1024 times the spacing at the
+/// Returns per face an upper bound of the movement by rounding, along each axis. The bound is four
+/// times the distance of the corners, edge midpoints and centroid from the input. It is at least
+/// twice the spacing of type `coordinate` at the face, and at most 1024 times the spacing at the
 /// largest coordinate of the face.
 std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
                                    const std::vector<Index>& faces, Scalar coordinate);
@@ -35,7 +35,7 @@ class RoundingZone {
 
  private:
   std::vector<Triangle> triangles_;
-  std::vector<Vec3> margins_;  ///< per triangle
+  std::vector<Vec3> margins_;  ///< margins of each triangle along the axes
   Bvh bvh_;                    ///< boxes around triangles and their margins
 };
 

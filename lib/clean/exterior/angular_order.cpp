@@ -5,16 +5,17 @@
 namespace transformesh {
 namespace {
 
-// A face at an edge. Its normal, reversed for backward halfedges, is perpendicular to its direction
-// from the edge, in the same rotation for all faces. Hence the normals are sorted instead of the
-// directions.
+// A face at an edge. A rotation by 90 degrees about the edge, the same for all faces, maps the
+// face's direction from the edge to its normal (reversed for backward halfedges). Hence the normals
+// are sorted instead of the directions.
 struct Spoke {
   Index face;  ///< face that contains the piece
   Triangle triangle;
   bool is_forward;
   Index halfedge;
   int sign;  ///< -1 if the normal of `triangle` has to be reversed, otherwise 1
-  /// 0: in the direction of the first spoke; 2: opposite; 1 and 3: the half-planes between.
+  /// 0: the spoke has the direction of the first spoke; 2: the opposite direction; 1 and 3: the
+  /// sides between these directions.
   int half = 0;
 };
 

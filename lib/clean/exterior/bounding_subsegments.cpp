@@ -21,7 +21,7 @@ class BoundingSubsegments {
         crossings_(geometry, in),
         left_(in.segments.size(), unknown) {}
 
-  // Each function returns false if the face has to be cut in full.
+  // Each of these functions returns false if the face has to be cut in full.
   bool join_ends();
   bool find_crossings() { return crossings_.find(); }
   bool find_windings();
@@ -50,7 +50,8 @@ class BoundingSubsegments {
   SegmentCrossings crossings_;
   /// The two segments that end at each point, or no_index.
   std::vector<std::array<Index, 2>> at_point_;
-  std::vector<int> left_;  ///< per segment: w in front of the face, to the left of its start
+  /// Winding number w in front of the face, to the left of the start of each segment.
+  std::vector<int> left_;
   std::vector<Index> stack_;
 };
 
@@ -79,7 +80,8 @@ bool BoundingSubsegments::find_windings() {
   return std::find(left_.begin(), left_.end(), unknown) == left_.end();
 }
 
-// Returns w to the left of the start of a segment, starting from a known value in the face.
+// Returns the winding number w to the left of the start of a segment, starting from a known value
+// in the face.
 std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
   const Index start = segment(s).from, edge = in_.edge_of[start];
   const Index partner = partner_at(start, s);
@@ -95,8 +97,8 @@ std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
   return std::nullopt;
 }
 
-// Returns w at a point of an edge, starting from a known value at a corner of that edge. Adds the
-// jumps of the segments that end between the two.
+// Returns the winding number w at a point of an edge, starting from a known value at a corner of
+// that edge. Adds the jumps of the segments that end between the point and the corner.
 std::optional<int> BoundingSubsegments::winding_at_edge(Index p, const KnownWinding& known) const {
   const ExactPoint& from = known.at;
   const auto distance = [&](int axis) {
@@ -118,8 +120,8 @@ std::optional<int> BoundingSubsegments::winding_at_edge(Index p, const KnownWind
   return w;
 }
 
-// Returns w at a point, starting from a known value. Adds the jumps of the segments that the
-// straight line between the two crosses.
+// Returns the winding number w at a point, starting from a known value. Adds the jumps of the
+// segments that the straight line from the known point crosses.
 std::optional<int> BoundingSubsegments::winding_at(Index p, const KnownWinding& known) const {
   const ExactPoint &from = known.at, &to = point(p);
   const Eigen::AlignedBox2d box = crossings_.box_of(from, to);
@@ -153,7 +155,7 @@ bool BoundingSubsegments::is_on_left(Index s, Index partner, const ExactPoint& s
   return turn > 0 ? is_left && !is_left_of_partner : is_left || !is_left_of_partner;
 }
 
-// Propagates w along the curve of the seed, and to the curves that it crosses.
+// Propagates the winding number w along the curve of the seed, and to the curves that it crosses.
 bool BoundingSubsegments::spread(Index seed, int w) {
   if (!visit(seed, w)) return false;
   while (!stack_.empty()) {
@@ -170,8 +172,8 @@ bool BoundingSubsegments::spread(Index seed, int w) {
   return true;
 }
 
-// Propagates w to the segment that shares the point `p` with `s`. `left` is w to the left of `s` at
-// `p`.
+// Propagates the winding number w to the segment that shares the point `p` with `s`. `left` is w to
+// the left of `s` at `p`.
 bool BoundingSubsegments::continue_at(Index p, Index s, int left) {
   const Index next = partner_at(p, s);
   if (next == no_index) return true;
@@ -183,7 +185,7 @@ bool BoundingSubsegments::continue_at(Index p, Index s, int left) {
   return visit(next, there);
 }
 
-// Propagates w to the other segment of a crossing.
+// Propagates the winding number w to the other segment of a crossing.
 bool BoundingSubsegments::spread_over(const Crossing& crossing) {
   const Index s = crossing.segment, other = crossing.other;
   const auto there = crossings_.of(other);
@@ -192,9 +194,9 @@ bool BoundingSubsegments::spread_over(const Crossing& crossing) {
   const std::optional<int> here = crossings_.change_before(crossing),
                            beyond = crossings_.change_before(*back);
   if (!here || !beyond) return false;
-  int w = left_[s] + *here;  // left of s, on the side of `other` at which s starts
-  if (crossing.side < 0) w -= segment(other).jump;  // left of both segments
-  // Left of `other`, on the side of s at which `other` starts.
+  int w = left_[s] + *here;  // w to the left of s, on the side of `other` at which s starts
+  if (crossing.side < 0) w -= segment(other).jump;  // w to the left of both segments
+  // Now w to the left of `other`, on the side of s at which `other` starts.
   if (back->side < 0) w += segment(s).jump;
   return visit(other, w - *beyond);
 }
@@ -206,7 +208,8 @@ bool BoundingSubsegments::visit(Index s, int left) {
   return true;
 }
 
-// True if w in front of the face may equal `front` next to some part of the segment.
+// True if the winding number w in front of the face may equal `front` next to some part of the
+// segment.
 bool BoundingSubsegments::may_reach(Index s, int front) const {
   int least = left_[s], most = left_[s];
   for (const Crossing& crossing : crossings_.of(s)) {
@@ -217,8 +220,8 @@ bool BoundingSubsegments::may_reach(Index s, int front) const {
   return least <= front && front <= most;
 }
 
-// Lists the parts with w = `front` on exactly one side. This is the value of w in front of the
-// exterior.
+// Lists the parts with winding number w = `front` on exactly one side. `front` is the value of w in
+// front of the exterior.
 bool BoundingSubsegments::find_subsegments(int front, std::vector<Subsegment>& parts) {
   for (Index s = 0; s < in_.segments.size(); ++s) {
     if (!may_reach(s, front)) continue;

@@ -12,7 +12,8 @@
 
 namespace transformesh {
 
-/// A point of the face that is on no segment, and at which w in front of the face is known.
+/// A point of the face that is on no segment, and at which the winding number w in front of the
+/// face is known.
 struct KnownWinding {
   ExactPoint at;
   int w;
@@ -24,13 +25,13 @@ struct KnownWinding {
 struct Subsegment {
   Index segment;
   Index from, to;
-  bool is_left;  ///< true if the exterior is on its left
+  bool is_left;  ///< true if the exterior is to the left of the subsegment
 };
 
 /// Returns the parts of segments that have exterior on exactly one side, in the order of the
-/// segments. Exterior means w < winding level in front of the face and w >= winding level behind
-/// it. Returns nothing if the face has to be cut in full: segments touch, three segments meet in
-/// one point, or no winding number is known.
+/// segments. Exterior means the winding number w < winding level in front of the face and w >=
+/// winding level behind it. Returns nothing if the face has to be cut in full: segments touch,
+/// three segments meet in one point, or no winding number is known.
 std::optional<std::vector<Subsegment>> find_bounding_subsegments(
     const ExactGeometry& geometry, const SegmentsInFace& in, const std::vector<KnownWinding>& known,
     int winding_level);

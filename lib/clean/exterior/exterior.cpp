@@ -18,7 +18,8 @@ Problem nothing_enclosed(bool has_area) {
               "sheet whose border is filled flat"};
 }
 
-// Returns 1 for each component that is inside others, i.e. if w > 0 in front of its first face.
+// Returns 1 for each component that is inside others, i.e. if the winding number w > 0 in front of
+// its first face.
 std::vector<char> find_enclosed(const Mesh& mesh, const Components& components) {
   const WeldedMesh welded = weld(mesh);
   const ExactGeometry geometry(welded.points, welded.faces);

@@ -12,8 +12,8 @@
 namespace transformesh {
 
 /// Finds the exterior of a closed mesh by one ray per piece (paper 4.5). Returns 1 for pieces with
-/// w < winding level in front and w >= winding level behind. Exact; deterministic. Cost: O(n log n)
-/// for n pieces if rays meet few faces.
+/// winding number w < winding level in front and w >= winding level behind. Exact; deterministic.
+/// Cost: O(n log n) for n pieces if rays meet few faces.
 std::vector<char> find_exterior_by_rays(const Arrangement& arrangement, int winding_level,
                                         const Progress& progress);
 
@@ -25,7 +25,7 @@ Problem nothing_kept(const WeldedMesh& welded, bool has_surface, int winding_lev
 /// considered). Drops components that bound cavities, and components inside cavities. Returns the
 /// number of dropped components.
 std::size_t drop_enclosed_components(Mesh& mesh);
-/// Uses precomputed components of `mesh`.
+/// Does the same with the known components of `mesh`.
 std::size_t drop_enclosed_components(Mesh& mesh, const Components& components);
 
 }  // namespace transformesh

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t planes_per_task = 4;  ///< affects time only
 constexpr int unknown = std::numeric_limits<int>::min();
 
-/// True if exactly one of both sides has a winding number below the level.
+/// True if exactly one of the two winding numbers is below the level.
 bool parts(int front, int behind, int winding_level) {
   return (front < winding_level) != (behind < winding_level);
 }
@@ -41,9 +41,9 @@ class FacetChooser {
   const RegionGrowingWinding& windings_;
   const RayCastFrontWinding& ray_;
   int winding_level_;
-  std::vector<int> front_;       ///< w in front of each facet
-  std::vector<char> is_chosen_;  ///< per facet
-  std::vector<OpenFacet> open_;  ///< per facet
+  std::vector<int> front_;       ///< winding number in front of each facet
+  std::vector<char> is_chosen_;  ///< 1 for each chosen facet
+  std::vector<OpenFacet> open_;  ///< one for each facet
   std::vector<Index> stack_;
   std::size_t rays_ = 0;
   bool has_surface_ = false;
@@ -135,12 +135,13 @@ class ExteriorArranger {
   Planes planes_;
   WindingJumps jumps_;
   RegionGrowingWinding windings_;
-  std::vector<char> is_visible_;  ///< per plane: 1 if it is cut
+  std::vector<char> is_visible_;  ///< 1 for each plane that is cut
   RayCastFrontWinding ray_;
   std::atomic<std::size_t> rays_;
   std::atomic<bool> has_surface_ = false;
-  std::vector<PlaneCut> cuts_;  ///< per plane
-  /// Per plane and facet of its cut, if everything is arranged.
+  std::vector<PlaneCut> cuts_;  ///< one for each plane
+  /// For each plane: 1 for each chosen facet of its cut, else 0. Empty unless everything is
+  /// arranged.
   std::vector<std::vector<char>> chosen_;
 };
 

@@ -20,15 +20,15 @@ namespace transformesh {
 
 struct ExteriorArrangement {
   Arrangement arrangement;
-  std::vector<char> kept;       ///< per piece
-  std::size_t whole_faces = 0;  ///< faces that take part in no intersection, kept or not
+  std::vector<char> kept;       ///< 1 for each piece that is kept
+  std::size_t whole_faces = 0;  ///< faces that take part in no intersection, whether kept or not
   std::size_t rays = 0;
   bool has_surface = false;  ///< false if all coincident faces cancel out
 };
 
 struct ExteriorArrangementOptions {
   int winding_level = 1;
-  bool arranges_everything = false;      ///< return hidden pieces, too, which are not kept
+  bool arranges_everything = false;      ///< also return hidden pieces, which are not kept
   const Surroundings* around = nullptr;  ///< set for a part of a closed mesh, null for a whole mesh
 };
 

@@ -25,9 +25,9 @@ class ExteriorCutter::FaceCut {
     for (const Index v : cutter.welded_.faces[face_]) corners_.push_back(geometry_.given(v));
   }
 
-  /// Collects the segments. Returns false if a face does more than cross this one.
+  /// Collects the segments. Returns false if another face does more than cross this face.
   bool gather(const Plane& plane);
-  /// Finds points with known w. Returns false if there are none.
+  /// Finds points with known winding number w. Returns false if there are none.
   bool find_known(std::size_t& rays);
   std::optional<PlaneCut> cut();
 
@@ -143,7 +143,7 @@ namespace {
 /// Marks the exterior facets of the face. Crossing a bounding part switches between exterior and
 /// hidden. `exterior_edge` must have an exterior facet on its left.
 std::vector<char> find_exterior(const PlanarTriangulation& triangulation, Index exterior_edge) {
-  constexpr char unknown = 2;  // neither 0 nor 1, the two answers
+  constexpr char unknown = 2;  // a mark other than 0 (hidden) and 1 (exterior)
   const auto& facets = triangulation.facets();
   std::vector<char> is_exterior(facets.size(), unknown);
   is_exterior[exterior_edge / 3] = 1;

@@ -14,8 +14,8 @@ namespace transformesh {
 
 class ExteriorCutter {
  public:
-  /// Keeps references to all arguments except the level. The exterior has w < winding level in
-  /// front and w >= winding level behind.
+  /// Keeps references to all arguments except the level. The exterior has winding number w <
+  /// winding level in front and w >= winding level behind.
   ExteriorCutter(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
                  const RegionGrowingWinding& windings, const RayCastFrontWinding& ray,
                  int winding_level)

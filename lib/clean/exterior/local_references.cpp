@@ -8,8 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Points that are tried in a cell. A path touches an edge only by coincidence, so a second point
-/// is rarely needed. Exception: a cell that is only a few coordinate spacings wide.
+/// Number of points that are tried in a cell. A path touches an edge only by coincidence, so a
+/// second point is rarely needed. Exception: a cell that is only a few coordinate spacings wide.
 constexpr int most_attempts = 16;
 
 /// Returns the cells that share a side with a cell.

@@ -16,7 +16,8 @@ Patches::Patches(const Arrangement& arrangement) : arrangement_(arrangement) {
   number_patches(edges);
 }
 
-// True if the surface continues across the edge, and no other piece meets it there.
+// True if the surface continues across the edge: exactly two pieces meet at it, in opposite
+// directions and with equal multiplicity.
 bool Patches::is_inner_edge(std::span<const Index> halfedges) const {
   const auto& all = arrangement_.pieces;
   return halfedges.size() == 2 && is_forward(all, halfedges[0]) != is_forward(all, halfedges[1]) &&

@@ -22,7 +22,8 @@ class Patches {
  public:
   explicit Patches(const Arrangement& arrangement);
 
-  std::vector<Index> patch_of;             ///< per piece; no_index if its multiplicity is 0
+  /// Patch of each piece; no_index if the piece's multiplicity is 0.
+  std::vector<Index> patch_of;
   std::vector<std::vector<Index>> pieces;  ///< pieces of each patch
 
   std::size_t size() const { return pieces.size(); }

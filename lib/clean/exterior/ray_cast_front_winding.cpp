@@ -11,9 +11,10 @@ namespace transformesh {
 namespace {
 
 constexpr int most_attempts = 20000;  // the square of an attempt fits into an int
-constexpr std::size_t few_rays = 8;   ///< a choice; affects time only
-/// Reference points that are tried for one origin. Up to three may be in the plane of the piece,
-/// where a segment is useless.
+/// Up to this number of rays, no tree is built; affects time only.
+constexpr std::size_t few_rays = 8;
+/// Number of reference points that are tried for one origin. Up to three of them may be in the
+/// plane of the piece; segments from these points are useless.
 constexpr int references_per_origin = 4;
 
 Bvh build_bvh(const WeldedMesh& welded) {

@@ -15,7 +15,8 @@
 
 namespace transformesh {
 
-/// A face that a ray crosses, and its contribution to w at the origin of the ray.
+/// A face that a ray crosses, and its contribution to the winding number w at the origin of the
+/// ray.
 struct FaceCrossing {
   Index face;
   int winding;

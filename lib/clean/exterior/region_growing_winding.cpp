@@ -51,7 +51,7 @@ RegionGrowingWinding::RegionGrowingWinding(const WeldedMesh& welded, const Plane
   if (around_) grow_from_cut_faces();
 }
 
-// Faces that meet an incomplete face may be outside the part and change w there.
+// Faces that meet an incomplete face may be outside the part and change the winding number w there.
 void RegionGrowingWinding::leave_out_incomplete() {
   for (Index h = 0; h < across_.size(); ++h) {
     if (across_[h] != no_index && (!is_complete(h / 3) || !is_complete(across_[h] / 3)))
@@ -69,8 +69,9 @@ RegionGrowingWinding::CutFace RegionGrowingWinding::trace(const Plane& plane) co
   return cut;
 }
 
-// Adds the changes of w along the edges of `face` that a meeting causes. A common segment that ends
-// on an edge changes w along this edge, unless the other face contains the edge.
+// Adds the changes of the winding number w along the edges of `face` that a meeting causes. A
+// common segment that ends on an edge changes w along this edge, unless the other face contains the
+// edge.
 void RegionGrowingWinding::trace_meeting(const Meeting& meeting, Index face, CutFace& cut) const {
   const bool is_first = meeting.first == face;
   const Contacts& contacts = meeting.contacts;
@@ -91,9 +92,9 @@ void RegionGrowingWinding::trace_meeting(const Meeting& meeting, Index face, Cut
   }
 }
 
-// Returns the smallest of a whole face and its whole neighbors, all of which have the same w in
-// front. If many faces meet in one place, small faces lie near its outside, where rays cross fewer
-// faces.
+// Returns the smallest of a whole face and its whole neighbors, all of which have the same winding
+// number w in front. If many faces meet in one place, small faces lie near its outside, where rays
+// cross fewer faces.
 Index RegionGrowingWinding::seed_near(Index face) const {
   const auto extent = [&](Index f) {
     const Triangle t = welded_.triangle(f);
@@ -122,8 +123,8 @@ void RegionGrowingWinding::grow() {
   }
 }
 
-// Casts rays from cut faces that are connected to no whole face in the part. In the whole mesh,
-// such a face may be connected to one.
+// Casts rays from cut faces that are connected to no whole face in this part of the mesh. In the
+// whole mesh, such a face may be connected to a whole face.
 void RegionGrowingWinding::grow_from_cut_faces() {
   std::optional<RayCastFrontWinding> ray;
   for (Index f = 0; f < welded_.faces.size(); ++f) {
@@ -172,7 +173,7 @@ void RegionGrowingWinding::spread(Index face, Index at, int w) {
   }
 }
 
-// A whole face has the same w at all corners.
+// A whole face has the same winding number w at all corners.
 void RegionGrowingWinding::visit_corner(Index face, Index i, int w) {
   if (front_[3 * face + i] != unknown) return;
   if (planes_.is_whole(face)) {
@@ -185,7 +186,8 @@ void RegionGrowingWinding::visit_corner(Index face, Index i, int w) {
   stack_.push_back(3 * face + i);
 }
 
-// Propagates w to both neighbors of the face at the corner, next to the common edges.
+// Propagates the winding number w to both neighbors of the face at the corner, next to the common
+// edges.
 void RegionGrowingWinding::step_across(Index face, Index i, int w) {
   const Index out = across_[3 * face + i];
   if (out != no_index) visit_corner(out / 3, next_corner(out % 3), w);
@@ -193,9 +195,9 @@ void RegionGrowingWinding::step_across(Index face, Index i, int w) {
   if (in != no_index) visit_corner(in / 3, in % 3, w);
 }
 
-// On the straight line from a corner to any point of the face, w changes only at intersecting
-// faces. It decreases at most by the faces that have the corner behind them, and increases at most
-// by the others.
+// On the straight line from a corner to any point of the face, the winding number w changes only at
+// intersecting faces. It decreases at most by the faces that have the corner behind them, and
+// increases at most by the others.
 bool RegionGrowingWinding::is_hidden(const Plane& plane, int winding_level) const {
   if (plane.faces.size() > 1 || jumps_.multiplicity(plane.faces[0]) != 1) return false;
   const Index face = plane.faces[0];

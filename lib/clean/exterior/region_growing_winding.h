@@ -23,23 +23,23 @@ class RegionGrowingWinding {
   RegionGrowingWinding(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
                        const Surroundings* around = nullptr);
 
-  /// Returns w in front of a face near its corner `i`. Returns nothing if other faces meet the
-  /// corner, or if the face is not connected to a whole face.
+  /// Returns the winding number w in front of a face near its corner `i`. Returns nothing if other
+  /// faces meet the corner, or if the face is not connected to a whole face.
   std::optional<int> at(Index face, Index i) const {
     const int w = front_[3 * face + i];
     return w == unknown ? std::nullopt : std::optional(w);
   }
-  /// True if the face of a plane certainly has no part with w < winding level in front and w >=
-  /// winding level behind. False does not mean that the face has such a part.
+  /// True if the face of a plane certainly has no part with winding number w < winding level in
+  /// front and w >= winding level behind. False does not mean that the face has such a part.
   bool is_hidden(const Plane& plane, int winding_level) const;
   std::size_t rays() const { return rays_; }
 
  private:
   static constexpr int unknown = std::numeric_limits<int>::min();
-  /// Changes of w in front along the edges of a cut face.
+  /// Changes of the winding number w in front along the edges of a cut face.
   struct CutFace {
-    std::array<int, 3> along{};    ///< change from corner i to the next corner
-    std::array<bool, 3> is_met{};  ///< other faces meet corner i
+    std::array<int, 3> along{};    ///< change of w from corner i to the next corner
+    std::array<bool, 3> is_met{};  ///< true if other faces meet corner i
   };
 
   CutFace trace(const Plane& plane) const;
@@ -58,9 +58,9 @@ class RegionGrowingWinding {
   const Planes& planes_;
   const WindingJumps& jumps_;
   const Surroundings* around_;      ///< null for a whole mesh
-  std::vector<CutFace> cut_faces_;  ///< per plane
-  std::vector<Index> across_;       ///< per halfedge
-  std::vector<int> front_;          ///< per corner
+  std::vector<CutFace> cut_faces_;  ///< one for each plane
+  std::vector<Index> across_;       ///< opposite halfedge of each halfedge, or no_index
+  std::vector<int> front_;          ///< winding number in front of the face at each corner
   std::vector<Index> stack_;        ///< corners whose neighbors have to be visited
   std::size_t rays_ = 0;
 };

@@ -16,11 +16,12 @@ namespace transformesh {
 
 /// The segment in which another face intersects the face.
 struct PlanarSegment {
-  Index from, to;  ///< indices of points; only `to` may be a corner of the face
+  Index from, to;  ///< indices of its ends in `points`; only `to` may be a corner of the face
   Index face;      ///< the intersecting face
-  int jump;        ///< Increase of w in front from left to right of the segment: +1 or -1. The sign
-             ///< determines whether the left side is in front of the intersecting face or behind
-             ///< it.
+  /// Increase of the winding number in front of the face, from left to right of the segment: +1 or
+  /// -1. The sign determines whether the left side is in front of the intersecting face or behind
+  /// it.
+  int jump;
 };
 
 /// All segments in a face.
@@ -28,7 +29,8 @@ struct SegmentsInFace {
   Index face = no_index;
   PlaneProjection projection;      ///< projection in which the face is counter-clockwise
   std::vector<ExactPoint> points;  ///< ends of the segments
-  std::vector<Index> edge_of;  ///< per point: the edge of the face that contains it, or no_index
+  /// For each point the edge of the face that contains it, or no_index.
+  std::vector<Index> edge_of;
   std::vector<PlanarSegment> segments;
 
   bool is_corner(Index p) const {
@@ -59,13 +61,13 @@ class SegmentCrossings {
   }
   /// Sorts the crossings of a segment. Returns false if three segments meet in one of its points.
   bool sort_along(Index s);
-  /// Returns the increase of w in front along the segment at a crossing.
+  /// Returns the increase of the winding number w in front along the segment at a crossing.
   int jump_over(const Crossing& crossing) const {
     const int jump = in_.segments[crossing.other].jump;
     return crossing.side > 0 ? jump : -jump;
   }
-  /// Returns the increase of w in front from the start of the segment to just before a crossing.
-  /// Returns nothing if another segment crosses at the same point.
+  /// Returns the increase of the winding number w in front from the start of the segment to just
+  /// before a crossing. Returns nothing if another segment crosses at the same point.
   std::optional<int> change_before(const Crossing& crossing) const;
 
   /// Returns the side of a segment on which a point is: +1 for left.
@@ -90,12 +92,14 @@ class SegmentCrossings {
 
   const ExactGeometry& geometry_;
   const SegmentsInFace& in_;
-  std::vector<Eigen::AlignedBox2d> boxes_;   ///< per segment
-  std::vector<Crossing> found_, crossings_;  ///< in order of detection; sorted by segment
+  std::vector<Eigen::AlignedBox2d> boxes_;  ///< projected box of each segment
+  /// Crossings in order of detection; crossings sorted by segment.
+  std::vector<Crossing> found_, crossings_;
   std::vector<Index> first_;
-  /// Intersecting faces' planes, computed on demand.
+  /// Planes of the intersecting faces, each computed on demand.
   mutable std::vector<std::optional<ExactPlane>> planes_;
-  mutable std::unordered_map<Index, ExactPoint> points_;  ///< per crossing pair, computed on demand
+  /// The point of each Crossing::pair, computed on demand.
+  mutable std::unordered_map<Index, ExactPoint> points_;
 };
 
 }  // namespace transformesh

@@ -36,8 +36,8 @@ bool FlatOutlines::is_outline(Index halfedge) const {
   return region_across(halfedge) != of_face_[halfedge / 3];
 }
 
-/// A vertex is on an edge if exactly two outline edges meet there, and all its faces belong to
-/// regions.
+/// A vertex is on an edge if exactly two outline edges meet at the vertex, and all its faces belong
+/// to regions.
 void FlatOutlines::find_places() {
   const std::vector<Face>& faces = surface_.mesh.faces;
   std::vector<char> edges(places_.size(), 0);
@@ -69,8 +69,8 @@ Index FlatOutlines::next_around(Index halfedge) const {
   return next;
 }
 
-/// Returns the vertices of an outline from the source of a halfedge to the next corner. If there is
-/// no corner, the row ends at the first vertex.
+/// Returns the vertices of an outline from the source of a halfedge to the next corner. If the
+/// outline has no corner, the returned row ends at its first vertex.
 std::vector<Index> FlatOutlines::row_from(Index halfedge) const {
   std::vector<Index> row{halfedge_source(surface_.mesh, halfedge)};
   for (Index at = halfedge;; at = next_around(at)) {

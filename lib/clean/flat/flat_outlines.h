@@ -1,13 +1,13 @@
 /// Outlines of flat regions after removing vertices inside the regions and on straight edges.
 ///
-/// A vertex is removed if all its faces belong to regions, and one of two conditions holds. It is
-/// inside a region, or it is on a straight edge between two regions or between a region and a
-/// border. Vertices at the position of another vertex stay, and so do edges between such vertices:
-/// sheets touch there. A row of vertices between two regions becomes as few segments as the
-/// tolerance permits. Reference: Douglas & Peucker, "Algorithms for the reduction of the number of
-/// points required to represent a digitized line or its caricature", Cartographica 10(2), 1973.
-/// Departure: the tolerance is that of each vertex, not of the line. Deterministic. Cost: O(n log
-/// n) on usual outlines.
+/// A vertex is removed if all its faces belong to regions, and one of two conditions holds. The
+/// vertex is inside a region, or it is on a straight edge between two regions or between a region
+/// and a border. Vertices at the position of another vertex stay, because sheets touch there. Edges
+/// between such vertices also stay. A chain of vertices between two regions is replaced by as few
+/// segments as the tolerance permits. Reference: Douglas & Peucker, "Algorithms for the reduction
+/// of the number of points required to represent a digitized line or its caricature", Cartographica
+/// 10(2), 1973. Departure: each vertex has its own tolerance. Deterministic. Cost: O(n log n) on
+/// usual outlines.
 #pragma once
 
 #include <span>
@@ -21,7 +21,7 @@ namespace transformesh {
 struct FlatSurface {
   const Mesh& mesh;
   std::span<const Index> opposites;
-  std::span<const char> has_copy;  ///< per vertex: 1 if another vertex has its position
+  std::span<const char> has_copy;  ///< 1 for each vertex with the position of another vertex
   double spacings;                 ///< tolerance in spacings of type `coordinate`
   Scalar coordinate;
 };
@@ -62,9 +62,9 @@ class FlatOutlines {
 
   const FlatSurface& surface_;
   std::span<const Index> of_face_;
-  std::vector<Place> places_;      ///< per vertex
-  std::vector<char> goes_;         ///< per vertex
-  std::vector<char> is_followed_;  ///< per halfedge on an outline
+  std::vector<Place> places_;      ///< place of each vertex
+  std::vector<char> goes_;         ///< 1 for each vertex that is removed
+  std::vector<char> is_followed_;  ///< 1 for each halfedge on an outline that was visited
   double movement_ = 0;
 };
 

@@ -11,9 +11,8 @@
 namespace transformesh {
 namespace {
 
-/// Least height of the first face of a region, in tolerances. The plane of a lower face is not
-/// representative of the surface. A choice: a lower value finds more regions and less reliable
-/// planes.
+/// Least height of the first face of a region, in tolerances. The plane of a face with less height
+/// deviates from the surface. A choice: a lower limit finds more regions and less reliable planes.
 constexpr double least_height = 64;
 
 bool are_equal_rows(const Column& column, Index a, Index b) {
@@ -144,8 +143,8 @@ FlatRegion RegionFinder::fitted() const {
   return fitted;
 }
 
-/// Fits the plane. Returns false and changes nothing unless the fit reduces the height of the
-/// region and keeps all corners within the tolerance.
+/// Fits the plane. Returns false and changes nothing unless the fit reduces the extent of the
+/// region along the normal and keeps all corners within the tolerance.
 bool RegionFinder::fit() {
   FlatRegion better = fitted();
   if (!(better.high - better.low < plane_.high - plane_.low) || better.high > tolerance_ ||

@@ -16,15 +16,15 @@
 namespace transformesh {
 
 struct FlatRegion {
-  Vec3 point = Vec3::Zero();  ///< a point on the plane
+  Vec3 point = Vec3::Zero();  ///< a point on the plane of the region
   Vec3 normal = Vec3::Zero();
   double low = 0, high = 0;  ///< range of the signed distances of the corners from the plane
   std::vector<Index> faces;
 };
 
 struct FlatRegions {
-  std::vector<FlatRegion> regions;  ///< each has at least two faces
-  std::vector<Index> of_face;       ///< per face: its region, or no_index
+  std::vector<FlatRegion> regions;  ///< the regions, each of at least two faces
+  std::vector<Index> of_face;       ///< region of each face, or no_index
 };
 
 /// Finds the regions that contain a face marked in `wanted`. `opposites` are those of a manifold.

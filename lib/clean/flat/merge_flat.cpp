@@ -48,7 +48,8 @@ bool have_boundary(const std::vector<CornerTriangle>& triangles,
   return there == back;
 }
 
-/// Returns a triangulation of the region with fewer faces, or no faces if there is none.
+/// Returns a triangulation of the region with fewer faces. Returns no faces if there is no such
+/// triangulation.
 std::vector<Face> triangulated(const Mesh& mesh, const FlatRegion& region, RegionOutlines left) {
   std::vector<Index> vertices;
   for (const std::vector<Index>& outline : left.outlines)
@@ -92,7 +93,7 @@ class FlatMerger {
   MergeFlatResult run(const Progress& progress);
 
  private:
-  /// The new faces with the region of each.
+  /// The new faces, and the region of each new face.
   struct Plan {
     std::vector<Face> faces;
     std::vector<Index> regions;
@@ -110,7 +111,7 @@ class FlatMerger {
   std::vector<Index> opposites_;
   FlatSurface surface_;
   FlatRegions flat_;
-  std::vector<char> is_replaced_;  ///< per region
+  std::vector<char> is_replaced_;  ///< 1 for each region whose faces are replaced
   MergeFlatResult result_;
 };
 
@@ -143,8 +144,8 @@ FlatMerger::Plan FlatMerger::plan() {
   }
 }
 
-/// Keeps the faces of regions with a new edge that already exists elsewhere. Returns true if there
-/// are any.
+/// Keeps the old faces of regions with a new edge that already exists elsewhere. Returns true if
+/// there are such regions.
 bool FlatMerger::give_up_double_edges(const Plan& plan) {
   struct Edge {
     std::array<Index, 2> ends;
@@ -198,8 +199,8 @@ Assembly FlatMerger::applied(const Plan& plan) const {
   return merged;
 }
 
-/// Keeps the faces of regions with a new face that intersects another face. Returns true if there
-/// are any.
+/// Keeps the old faces of regions with a new face that intersects another face. Returns true if
+/// there are such regions.
 bool FlatMerger::give_up_broken(const Plan& plan, const Assembly& merged) {
   const std::size_t first_new = merged.mesh.faces.size() - plan.faces.size();
   bool is_any = false;

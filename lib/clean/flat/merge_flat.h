@@ -20,13 +20,14 @@
 namespace transformesh {
 
 /// Tolerance of flat regions, in spacings of the coordinates. The smallest of 1, 4, 16, 64, 256 and
-/// 4096 for which no region of a series of 100 capsules was refused (docs/design/flat-faces.md).
+/// 4096 with which merging succeeds in all regions of 100 test capsules
+/// (docs/design/flat-faces.md).
 inline constexpr double flat_spacings = 64;
 
 struct MergeFlatResult {
-  std::size_t regions = 0;       ///< regions with fewer faces than before
-  std::size_t kept_regions = 0;  ///< regions that could not be merged: they would intersect a face,
-                                 ///< or have no triangulation
+  std::size_t regions = 0;  ///< regions with fewer faces than before
+  /// Regions that keep their faces: new faces would intersect a face, or there is no triangulation.
+  std::size_t kept_regions = 0;
   std::size_t removed_faces = 0;  ///< number of faces before minus number after
   double displacement = 0;
 };

@@ -11,16 +11,16 @@
 namespace transformesh {
 namespace {
 
-/// Meshes with at most this number of faces are searched without sampling. This is a choice: below
-/// it, a full search is fast.
+/// Meshes with at most this number of faces are searched without sampling. The number is a choice:
+/// a full search of so few faces is fast.
 constexpr std::size_t few_faces = 20000;
-/// Number of samples, and `cells_per_axis` the resolution of the grid around them. Choices: more
-/// samples or larger cells detect rarer self-intersections in the first search, which then takes
-/// longer.
+/// Number of sampled faces. `cells_per_axis` is the resolution of the grid in which faces near them
+/// are found. Choices: more samples or larger cells detect rarer self-intersections in the first
+/// search, which then takes longer.
 constexpr std::size_t sampled_faces = 1024;
 constexpr std::size_t things_per_task = 8192;  ///< affects time only
 constexpr unsigned cells_per_axis = 128;
-/// A face in more cells is large, and counts as near every sample.
+/// A face that overlaps more grid cells than this is large, and counts as near every sample.
 constexpr std::size_t many_cells = 64;
 
 class MarkedCells {
@@ -53,7 +53,8 @@ class MarkedCells {
 // Returns the i-th sample. Multiples of the golden section modulo 1 are spread evenly for any
 // number of samples.
 Index sampled_face(std::size_t i, std::size_t faces) {
-  constexpr std::uint64_t golden_section = 0x9e3779b97f4a7c15ULL;  // times 2^64, as a fraction
+  // The fraction of the golden section, times 2^64.
+  constexpr std::uint64_t golden_section = 0x9e3779b97f4a7c15ULL;
   const auto share = static_cast<double>(i * golden_section) * 0x1p-64;
   return static_cast<Index>(
       std::min(share * static_cast<double>(faces), static_cast<double>(faces - 1)));

@@ -5,13 +5,14 @@
 namespace transformesh {
 namespace {
 
-constexpr FaceSimplex outside = 255;  ///< not a face simplex, which are 0 to 6
+constexpr FaceSimplex outside = 255;  ///< not a face simplex: face simplices are 0 to 6
 
 // One of the two faces, with the relations of its corners to the other face.
 struct Side {
   std::array<const Vec3*, 3> p{};
-  std::array<int, 3> sign{};    ///< side of the other face's plane on which each corner is
-  std::array<int, 3> shared{};  ///< index of the equal corner of the other face, or -1
+  std::array<int, 3> sign{};  ///< side of each corner relative to the other face's plane
+  /// For each corner: index of the equal corner of the other face, or -1.
+  std::array<int, 3> shared{};
 };
 
 Side make_side(const WeldedMesh& welded, Index face) {

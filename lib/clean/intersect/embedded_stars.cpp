@@ -28,8 +28,8 @@ std::vector<AxisDirections> find_common_directions(const WeldedMesh& welded,
 }  // namespace
 
 // In the projection along a common direction, the point is to the left of each opposite edge. These
-// edges form closed polygons around the point. The number of times that they cross the ray to the
-// right of the point upwards is the number of turns.
+// edges form closed polygons around the point. The number of turns is the number of times that
+// these edges cross, upwards, the ray that runs from the point to the right.
 std::vector<char> find_embedded_stars(const WeldedMesh& welded, std::span<const char> is_wanted) {
   const std::vector<AxisDirections> directions = find_common_directions(welded, is_wanted);
   std::vector<char> turns(welded.points.size(), 0);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t faces_per_task = 4096;  ///< affects time only
 /// A face is thin if its longest edge is at least this multiple of its height. With strips for all
-/// faces, the union of two spheres and a folded sphere take a tenth longer.
+/// faces, cleaning two overlapping spheres and a folded sphere takes a tenth longer.
 constexpr double thinness = 8;
 /// Twice the rounding error of a sum of three products, relative to the sum of their absolute
 /// values. The value of a point and the bound each have an error of 3 units of 2^-53.
@@ -29,8 +29,8 @@ Vec3 longest_edge(const Triangle& t) {
 
 Vec3 twice_area(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
-// The fourth power of a length above 1e77 overflows, and below 1e-81 it underflows. In both cases
-// no face counts as thin, so that strip values neither overflow nor underflow.
+// The fourth power of a length overflows above 1e77, and underflows below 1e-81. Faces of such
+// lengths do not count as thin, so that strip values neither overflow nor underflow.
 bool is_thin(const Triangle& t) {
   const double length = longest_edge(t).squaredNorm();
   return length * length > thinness * thinness * twice_area(t).squaredNorm();
@@ -38,8 +38,8 @@ bool is_thin(const Triangle& t) {
 
 }  // namespace
 
-// The direction is nearly perpendicular to the longest edge and to the normal. Rounding affects
-// only the efficiency: any direction gives a valid strip.
+// The direction of the strip is nearly perpendicular to the longest edge and to the normal.
+// Rounding affects only the efficiency: any direction gives a valid strip.
 FaceStrips::Strip FaceStrips::strip_of(const Triangle& t, const Vec3& largest) {
   const Vec3 direction = longest_edge(t).cross(twice_area(t)).stableNormalized();
   const double a = direction.dot(t[0]), b = direction.dot(t[1]), c = direction.dot(t[2]);

@@ -39,7 +39,7 @@ class FaceStrips {
 
   const WeldedMesh& welded_;
   std::span<const Index> faces_;
-  /// Index into `strips_` per face of the list; no_index if the face is not thin.
+  /// Index into `strips_` of each face of the list; no_index if the face is not thin.
   std::vector<Index> place_of_;
   std::vector<Strip> strips_;
 };

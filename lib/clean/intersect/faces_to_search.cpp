@@ -7,11 +7,11 @@
 namespace transformesh {
 namespace {
 
-/// The grid has about as many cells as faces. Large faces together may be entered into at most this
-/// multiple of the number of faces; otherwise no face is left out. This is a choice that bounds
+/// Large faces together may cover at most this number of cells per face of the mesh; otherwise no
+/// face is left out. The grid has about as many cells as the mesh has faces. This choice bounds
 /// time.
 constexpr std::size_t most_cells_per_face = 16;
-/// 255 with the margin of a region grid, so that an index fits into a byte.
+/// RegionGrid adds a margin of two cells. The sum, 255, fits into a byte.
 constexpr unsigned most_cells_per_axis = 253;
 constexpr Index several = no_index - 1;  ///< marks a cell with faces of several regions or of none
 
@@ -38,8 +38,8 @@ bool is_usual(const CellRange& range) {
   return most <= 1;
 }
 
-/// The regions of faces per grid cell. A usual face is entered into its lowest cell only. If two
-/// usual faces share a cell, their lowest cells are equal or adjacent.
+/// For each grid cell the region of its faces. A usual face is entered into its lowest cell only.
+/// If two usual faces share a cell, their lowest cells are equal or adjacent.
 class RegionGrid {
  public:
   explicit RegionGrid(unsigned per_axis)

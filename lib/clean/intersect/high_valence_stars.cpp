@@ -109,13 +109,14 @@ HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& 
     return welded_->points[p][u] != center[u] || welded_->points[p][v] != center[v];
   });
   if (end - corners.begin() < 2) return all;
-  // `from` has no other corner behind, and `to` has none ahead.
+  // No other corner is clockwise of `from`, and no other corner is counter-clockwise of `to`.
   Index from = no_index, to = no_index;
   for (const auto* i = corners.begin(); i != end; ++i) {
     bool has_behind = false, has_ahead = false;
     for (const auto* k = corners.begin(); k != end; ++k) {
       const bool is_one_way = is_ahead(star, *i, *k), is_other_way = is_ahead(star, *k, *i);
-      if (!is_one_way && !is_other_way) return all;  // opposite sides of the center
+      if (!is_one_way && !is_other_way)
+        return all;  // the two corners are on opposite sides of the center
       has_behind |= !is_one_way;
       has_ahead |= !is_other_way;
     }

@@ -16,12 +16,12 @@ namespace transformesh {
 class HighValenceStars {
  public:
   /// Returns 1 for each point whose valence is so high that it has a simplex link
-  /// (simplex_links.h). Empty if there are no links.
+  /// (simplex_links.h). Returns an empty list if there are no links.
   static std::vector<char> crowded_points(const WeldedMesh& welded, const SimplexLinks& links);
 
   HighValenceStars() = default;
   /// Builds the stars of the points that are marked both as embedded and as crowded. A face around
-  /// several such points belongs to the star of the lowest one.
+  /// several such points belongs to the star of the point with the lowest index.
   HighValenceStars(const WeldedMesh& welded, std::span<const char> is_embedded,
                    std::span<const char> is_crowded);
 
@@ -39,11 +39,11 @@ class HighValenceStars {
     Index center;
     PlaneProjection projection;
     std::vector<Index> faces;
-    std::vector<Index> rim;     ///< per face: its first corner after the center
-    std::vector<char> is_late;  ///< per face: 1 if the angle from rim[0] is pi or more
+    std::vector<Index> rim;     ///< for each face its first corner after the center
+    std::vector<char> is_late;  ///< 1 for each face at an angle of pi or more from rim[0]
     FloatBox box;
   };
-  /// `count` sectors from `first` on, modulo the number of sectors
+  /// A range of `count` sectors from `first` on, modulo the number of sectors.
   struct Range {
     std::size_t first;
     std::size_t count;
@@ -56,8 +56,8 @@ class HighValenceStars {
   void add_pairs(Index star, Index face, std::vector<Bvh::Pair>& pairs) const;
 
   const WeldedMesh* welded_ = nullptr;
-  std::vector<Index> star_of_;   ///< per face, or no_index; empty if there are no stars
-  std::vector<FloatBox> boxes_;  ///< per face
+  std::vector<Index> star_of_;   ///< star of each face, or no_index; empty if there are no stars
+  std::vector<FloatBox> boxes_;  ///< box of each face
   std::vector<Star> stars_;
 };
 

@@ -8,8 +8,8 @@ namespace transformesh {
 namespace {
 
 /// Largest number of faces of a region. Larger regions have fewer neighbors in other regions, but
-/// their outlines intersect themselves more often. If a large region fails, regions of the smaller
-/// size are tried.
+/// their outlines intersect themselves more often. If the outline of a large region intersects
+/// itself, regions of at most `small_region` faces are tried.
 constexpr std::size_t large_region = 65536;
 constexpr std::size_t small_region = 1024;
 
@@ -96,7 +96,7 @@ class RegionFinder {
   std::span<const FaceDirections> directions_;
   std::vector<Index> region_of_;
   std::vector<char> is_seam_;
-  std::vector<Index> reached_by_;  ///< per point: the last region with a face there
+  std::vector<Index> reached_by_;  ///< for each point the last region with a face at that point
   std::vector<Index> faces_;       ///< faces of the region that grows
   AxisDirections direction_ = 0;
   std::vector<char> is_region_;

@@ -12,7 +12,7 @@ constexpr std::size_t most_steps = 64;
 
 }  // namespace
 
-// The sweep is along the longer side of the bounding box.
+// The sweep moves along the longer side of the bounding box.
 void ProjectedPolygon::measure() {
   Vec3 low = points_[edges_[0].from], high = low;
   for (const Edge& edge : edges_) {

@@ -18,8 +18,9 @@ class ProjectedPolygon {
   std::size_t size() const { return edges_.size(); }
 
   /// True if the projected polygon is simple: edges have only the common end of consecutive edges
-  /// in common. The edges must form one cycle, and none may be projected to a point. True is
-  /// certain; false is also returned if the sweep exceeds its limit of steps. Cost: O(n log n).
+  /// in common. The edges must form one cycle, and none may be projected to a point. The answer
+  /// true is certain; false is also returned if the sweep exceeds its limit of steps. Cost: O(n log
+  /// n).
   bool is_simple(PlaneProjection projection);
 
  private:

@@ -11,7 +11,7 @@ namespace transformesh {
 namespace {
 
 /// Rounding is not checked if the mean edge length is at least this multiple of the coordinate
-/// spacing. A choice: a higher value checks finer meshes, which takes a search each.
+/// spacing. A choice: with a higher value, more meshes are checked, and each check takes a search.
 constexpr double spacings_per_edge = 1000;
 
 }  // namespace

@@ -57,14 +57,14 @@ class SingleHashes {
   }
 
  private:
-  /// Bits per item; fewer bits mistake more single hashes for repeated ones.
+  /// Bits per item. With fewer bits, more hashes that occur once seem to be repeated.
   static constexpr std::size_t bits_each = 16;
   static constexpr std::size_t word = 64;  ///< bits per word
   std::size_t mask_;
   std::vector<std::uint64_t> once_, twice_;
 };
 
-/// Finds the first of equal items: a hash table with open addressing, whose slots hold item
+/// Finds the first of equal items by a hash table with open addressing, whose slots hold item
 /// numbers.
 class FirstOfEqual {
  public:

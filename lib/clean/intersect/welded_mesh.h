@@ -1,5 +1,5 @@
 /// Welded mesh: vertices with equal positions are one point, and faces without area are left out.
-/// Faces that touched a face without area still meet, in equal or touching edges.
+/// Faces on both sides of a face without area still meet, in equal or touching edges.
 #pragma once
 
 #include <vector>
@@ -13,19 +13,19 @@
 namespace transformesh {
 
 struct WeldedMesh {
-  std::vector<Vec3> points;                ///< all distinct
+  std::vector<Vec3> points;                ///< distinct positions of all vertices
   std::vector<Index> vertex_of;            ///< first mesh vertex at each point
   std::vector<Index> point_of;             ///< point of each mesh vertex
   std::vector<Face> faces;                 ///< corners are indices of points; no face is degenerate
-  std::vector<Index> face_of;              ///< mesh face of each face; ascending
-  std::vector<FaceDirections> directions;  ///< axis directions per face
+  std::vector<Index> face_of;              ///< index in the mesh of each welded face; ascending
+  std::vector<FaceDirections> directions;  ///< axis directions of each face
   /// Per face: the first face with the same three points, in any order.
   std::vector<Index> first_copy;
   Edges edges;
   /// Per halfedge: the halfedge in the opposite direction, if the edge has no other halfedges;
   /// otherwise no_index.
   std::vector<Index> opposites;
-  BoxFrame frame;  ///< for boxes in floats
+  BoxFrame frame;  ///< frame of the faces' boxes in floats
   /// Per face its open component (clean/open/open_components.h), or no_index in the closed part.
   /// Empty if all faces are closed.
   std::vector<Index> open_component{};

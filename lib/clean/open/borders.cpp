@@ -16,11 +16,11 @@
 namespace transformesh {
 namespace {
 
-// Border edges from point to point, in the direction of the faces.
+// Maps the start point of each border edge to its end point, in the direction of the face.
 using BorderEdges = std::multimap<Index, Index>;
 
 // Splits the border edges into loops. Each point has equally many outgoing and incoming border
-// edges, so each walk closes.
+// edges, so each path along border edges closes.
 std::vector<std::vector<Index>> walk(BorderEdges border) {
   std::vector<std::vector<Index>> loops;
   while (!border.empty()) {
@@ -68,8 +68,8 @@ bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
 }
 
 // True if borders coincide in the same direction only because sheets end at another sheet. Cleaning
-// creates such meshes. Reversing sheets cannot repair them. Hence false if reversing repairs the
-// mesh.
+// creates such meshes. Reversing sheets cannot repair such meshes. Hence returns false if reversing
+// repairs the mesh.
 bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& borders) {
   return is_stitched(mesh, borders) &&
          !(has_reversed_patch(welded, mesh) && can_be_oriented(with_joined_vertices(welded, mesh)));
@@ -109,7 +109,7 @@ std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh) {
 }
 
 Borders find_borders(const WeldedMesh& welded, const Mesh& mesh) {
-  // Usually these are the faces of the welded mesh.
+  // Usually the faces by points are the faces of the welded mesh.
   const bool are_same = welded.faces.size() == mesh.faces.size();
   const auto others = are_same ? std::vector<Face>() : faces_by_points(welded, mesh);
   const Edges other_edges = are_same ? Edges() : Edges(others, welded.points.size());

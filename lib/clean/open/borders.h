@@ -1,6 +1,6 @@
 /// Borders of a mesh, and the check whether it is oriented (paper 4.6). The criterion is the sum
-/// along each edge: the number of faces that traverse it in one direction minus the number in the
-/// other (stitch/orientation_check.h). Cost: O(n log n). Deterministic.
+/// along each edge: the number of faces that traverse the edge in one direction minus the number in
+/// the other direction (stitch/orientation_check.h). Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ struct Borders {
 Borders find_borders(const WeldedMesh& welded, const Mesh& mesh);
 
 /// Returns all mesh faces with points as corners. This includes faces without area, which the
-/// welded mesh does not contain. They create no border: a face that refers to a point twice
-/// traverses its edge in both directions.
+/// welded mesh does not contain. Faces without area create no border: a face that refers to a point
+/// twice traverses its edge in both directions.
 std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh);
 
 /// Returns the borders of a mesh that can be cleaned. Throws InputError if the mesh is not

@@ -10,18 +10,19 @@ namespace transformesh {
 namespace {
 
 /// All pieces of a patch are sampled, or a limited number at equal shares of the area. The limit is
-/// such that about `most_faces_summed` faces are summed, within [least_samples, most_samples]. With
+/// in [least_samples, most_samples], and such that about `most_faces_summed` faces are summed. With
 /// 15 samples for all components, 6 of 10,000 random meshes changed with a rotation, because the
 /// order of pieces of equal area changed.
 constexpr std::size_t most_faces_summed = 2'000'000;
 constexpr std::size_t most_samples = 200;
 constexpr std::size_t least_samples = 15;
 
-/// Sums with a smaller relative difference are equal up to rounding.
+/// Sums whose relative difference is smaller are equal up to rounding.
 constexpr double rounding = 1e-9;
 
-/// Least winding number on itself of a body with holes. A flat sheet has 0, a hemisphere 1/4, and a
-/// sphere without 30 % of its area 0.35.
+/// An open component is a body with holes if its winding number at its own surface is at least
+/// this. The number of a flat sheet is 0, of a hemisphere 1/4, and of a sphere without 30 % of its
+/// area 0.35.
 constexpr double least_of_body = 0.3;
 
 Index add_position(const Vec3& position, Index point, std::vector<Index>& number_of, Mesh& mesh) {
@@ -127,8 +128,7 @@ std::vector<ComponentWinding::Sample> ComponentWinding::choose(const std::vector
   return chosen.empty() ? std::vector<Sample>{samples.front()} : chosen;
 }
 
-// Returns the median, weighted by area; the mean of two values if each has exactly half of the
-// area.
+// Returns the median, weighted by area. If two numbers halve the area exactly, returns their mean.
 double ComponentWinding::median_of(const std::vector<Number>& numbers) {
   double total = 0, sum = 0;
   for (const Number& n : numbers) total += n.area;

@@ -44,9 +44,10 @@ class ComponentWinding {
   double number_at(Index component, Index piece) const;
 
   const Arrangement& arrangement_;
-  std::vector<Mesh> meshes_;                      ///< per component
-  std::vector<std::vector<Index>> pieces_of_;     ///< per component
-  std::vector<std::optional<double>> on_itself_;  ///< per component
+  std::vector<Mesh> meshes_;                   ///< mesh of each component
+  std::vector<std::vector<Index>> pieces_of_;  ///< pieces of each component
+  /// Result of on_itself() for each component, if computed.
+  std::vector<std::optional<double>> on_itself_;
 };
 
 }  // namespace transformesh

@@ -19,11 +19,11 @@ class Sheets {
   /// Keeps a reference to `welded`.
   explicit Sheets(const WeldedMesh& welded);
 
-  std::vector<Index> sheet_of;  ///< per face: the first face of its sheet
+  std::vector<Index> sheet_of;  ///< for each face the first face of its sheet
   /// Returns the number of forward minus backward faces along an edge, without the faces in
   /// `left_out`.
   int sum_along(std::size_t edge, const std::vector<char>& left_out) const;
-  /// Unmarks sheets until removing the marked ones leaves no border.
+  /// Unmarks sheets until removing the marked sheets leaves no border.
   void restore_needed(std::vector<char>& marks) const;
 
  private:
@@ -139,8 +139,8 @@ Arrangement arrange_without(const WeldedMesh& welded, const std::vector<char>& m
 
 }  // namespace
 
-// Repeats the search without the sheets found. If faces coincide, some contradictions appear only
-// after other sheets are removed.
+// Removes the sheets that were found, and repeats the search. If faces coincide, some
+// contradictions appear only after other sheets are removed.
 std::vector<char> find_enclosed_sheets(const Arrangement& arrangement, int winding_level,
                                        const Progress& progress) {
   const WeldedMesh& welded = *arrangement.welded;

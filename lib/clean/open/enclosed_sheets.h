@@ -1,6 +1,6 @@
-/// Finds sheets of an open mesh that are inside its bodies (beyond paper 4.6). An example is a wall
-/// between two bodies that is present only once. With the wall, winding numbers contradict each
-/// other; without it, the surface around both bodies is closed.
+/// Finds sheets of an open mesh that are inside its bodies (beyond paper 4.6). An example is a
+/// single wall between two bodies, which both bodies share. With the wall, winding numbers
+/// contradict each other; without it, the surface around both bodies is closed.
 ///
 /// The patches divide space into cells. The winding number is 0 in the unbounded cell and is
 /// propagated from cell to cell, in breadth-first order. A sheet is enclosed if three conditions

@@ -15,7 +15,7 @@ namespace {
 /// A halfedge without partner.
 struct LooseHalfedge {
   Index set;
-  int direction;  ///< 1 forward, -1 backward
+  int direction;  ///< 1 for a forward halfedge, -1 for a backward one
 };
 
 class Decomposition {
@@ -38,10 +38,12 @@ class Decomposition {
   std::pair<int, int> counts(const std::vector<LooseHalfedge>& edge) const;
 
   const Mesh& mesh_;
-  std::vector<Face> faces_;  ///< points or vertices at their corners; includes faces without area
+  /// Points or vertices at the corners of faces; includes faces without area.
+  std::vector<Face> faces_;
   DisjointSets sets_;
-  std::vector<std::vector<LooseHalfedge>> loose_;  ///< per edge that has any
-  std::vector<char> is_open_;                      ///< per set
+  /// Halfedges without partner of each edge that has such halfedges.
+  std::vector<std::vector<LooseHalfedge>> loose_;
+  std::vector<char> is_open_;  ///< 1 for each set that is an open component
 };
 
 void Decomposition::connect(const Edges& edges) {
@@ -64,7 +66,7 @@ void Decomposition::connect(const Edges& edges) {
   }
 }
 
-// Connects each pair of halfedges that no other halfedge shares both vertices with. Removes these
+// Connects two halfedges of an edge if no third halfedge has the same two vertices. Removes these
 // pairs from the list.
 void Decomposition::connect_by_vertices(std::vector<Index>& halfedges) {
   std::map<std::pair<Index, Index>, std::vector<Index>> by_vertices;

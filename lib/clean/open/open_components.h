@@ -9,12 +9,13 @@
 /// each edge of the remaining faces is zero, in this order:
 ///
 /// 1. Sets with an edge that the remaining faces traverse in one direction only.
-/// 2. If edges with a surplus remain: sheets that bodies enclose (enclosed_sheets.h).
+/// 2. If edges with a nonzero sum (a surplus) remain: sheets that bodies enclose
+/// (enclosed_sheets.h).
 /// 3. All sets that belong to such a surplus.
 ///
-/// Hence a wall inside a body that is present once is open, and the surface around the wall is
-/// closed. The result does not depend on the order of faces. Cost: O(n log n), plus that of
-/// enclosed_sheets.h if there is a surplus.
+/// Hence a single wall inside a body is open, and the surface around the wall is closed. The result
+/// does not depend on the order of faces. Cost: O(n log n), plus that of enclosed_sheets.h if there
+/// is a surplus.
 #pragma once
 
 #include <functional>

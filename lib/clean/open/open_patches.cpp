@@ -15,14 +15,15 @@ namespace transformesh {
 namespace {
 
 constexpr Index closed_part = no_index;
-/// Numbers and lengths with a smaller difference are equal up to rounding; the difference of
-/// lengths is relative.
+/// Winding numbers are equal up to rounding if their difference is smaller. Lengths are equal if
+/// their relative difference is smaller.
 constexpr double rounding = 1e-9;
 
 /// The two halfedges with which a component passes through an edge.
 struct Passage {
   Index component;
-  std::size_t forward, backward;  ///< positions in angular order
+  /// Positions of the two halfedges in the angular order at the edge.
+  std::size_t forward, backward;
 };
 
 struct FrontAndBack {
@@ -46,8 +47,9 @@ class PatchFinder {
   };
   /// A segment of a curve along which two components pass through each other.
   struct Crossing {
-    Index front, back;  ///< pieces of the first component, in front of and behind the other one
-    /// Pieces of the other component, in front of and behind the first one.
+    /// Pieces of the first component, in front of and behind the other component.
+    Index front, back;
+    /// Pieces of the other component, in front of and behind the first component.
     Index other_front, other_back;
     Index other;
     double length;
@@ -74,13 +76,14 @@ class PatchFinder {
   DisjointSets sets_;  ///< sets of pieces; finally each set is a patch
   ComponentWinding winding_;
   std::vector<Crossing> crossings_;
-  std::map<Pair, Lengths> curves_;  ///< per patch and component
+  std::map<Pair, Lengths> curves_;  ///< lengths of the common curves of a patch and a component
   std::map<Index, std::set<Index>>
-      intersect_;  ///< per component: the components with a curve that separates its patches
-  std::set<Index> self_intersect_;              ///< components
-  std::map<Index, std::vector<Index>> pieces_;  ///< per patch
+      intersect_;  ///< for each component, the components with a curve that separates its patches
+  std::set<Index> self_intersect_;              ///< components that intersect themselves
+  std::map<Index, std::vector<Index>> pieces_;  ///< pieces of each patch
   OpenPatches result_;
-  bool is_by_number_ = false;  ///< the current patch needed a generalized winding number
+  /// The decision on the current patch needed a generalized winding number.
+  bool is_by_number_ = false;
 };
 
 Index PatchFinder::component(Index piece) const {
@@ -129,7 +132,8 @@ void PatchFinder::visit_curve(std::span<const Index> halfedges) {
   }
 }
 
-/// Returns the pieces of `one` in front of and behind `other`, or nothing if both are on one side.
+/// Returns the pieces of `one` in front of and behind `other`, or nothing if both pieces are on one
+/// side of `other`.
 std::optional<FrontAndBack> PatchFinder::find_sides(const std::vector<Index>& sorted,
                                                     const Passage& one, const Passage& other) {
   // The front of `other` is the range from its forward piece to its backward piece.
@@ -179,7 +183,7 @@ int PatchFinder::round(double number) {
   return static_cast<int>(rounded);
 }
 
-// Returns the number of other components that have the patch behind them.
+// Returns the number of other components behind which the patch is.
 int PatchFinder::count_around(Index patch) {
   const Index own = component(patch);
   const auto others = intersect_.find(own);
@@ -248,9 +252,9 @@ void PatchFinder::decide() {
   }
 }
 
-// Drops patches that would make the result misoriented. This happens at a curve of two components
-// if one patch of each is left, with equal directions. The patch that is behind the other component
-// is dropped.
+// Drops patches that would make the result misoriented. The result is misoriented at a common curve
+// of two components if one patch of each component is kept, and both patches traverse the curve in
+// the same direction. The patch that is behind the other component is dropped.
 bool PatchFinder::drop_contradictions() {
   const auto& kept = result_.kept;
   std::set<Index> dropped;

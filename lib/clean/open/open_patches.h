@@ -5,18 +5,18 @@
 /// which no other component passes.
 ///
 /// The winding number in front of a patch is a sum of three terms. The first is the winding number
-/// of the closed part. The second is the number of open components that have the patch behind them.
-/// The third is the winding number of the patch's own component. A component has a patch behind it
-/// if the patch is behind it along most of the length of their common curves that separate patches.
-/// If the two have no such curve, but other patches of the component have one, the generalized
-/// winding number of the other component decides. Then its median over the area of the patch must
-/// be above 1/2. Only components that intersect themselves have an own term. Only bodies with holes
-/// have parts of the closed part behind them. These are open components that enclose most of what
-/// they would enclose with filled holes.
+/// of the closed part. The second is the number of open components behind which the patch is. The
+/// third is the winding number of the patch's own component. A patch is behind another component if
+/// it is behind it along most of the length of their common curves that separate patches. If the
+/// patch has no such curve, but other patches of its component do, the generalized winding number
+/// of the other component decides. Then the median of this number over the area of the patch must
+/// be above 1/2. The third term is 0 unless the component intersects itself. Patches of the closed
+/// part are only behind bodies with holes. These are open components that enclose most of what they
+/// would enclose with filled holes.
 ///
 /// Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using
 /// generalized winding numbers", ACM TOG 32(4), 2013. Here integer winding numbers and curves
-/// decide first, generalized ones only where these leave a choice.
+/// decide first. Generalized winding numbers decide only if these leave a choice.
 ///
 /// Deterministic; independent of the order of faces. Cost: O(n log n), and O(m) for each sample of
 /// a generalized winding number of a component with m faces.
@@ -29,10 +29,10 @@
 namespace transformesh {
 
 struct OpenPatches {
-  std::vector<char> kept;             ///< per piece: 1 if it is exterior
+  std::vector<char> kept;             ///< 1 for each exterior piece
   std::size_t patches = 0;            ///< number of patches
   std::size_t decided_by_number = 0;  ///< patches for which a generalized winding number was needed
-  /// Least distance of such a number from the value at which the rounded number changes.
+  /// Least distance of a generalized winding number from the value at which its rounding changes.
   double least_margin = 0.5;
 };
 

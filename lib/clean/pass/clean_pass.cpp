@@ -21,7 +21,7 @@
 namespace transformesh {
 namespace {
 
-// Throws UsageError: in front of a piece of an open mesh, the winding number is not an integer.
+// Throws UsageError, because winding numbers in front of pieces of an open mesh are not integers.
 void refuse_static_test(std::size_t borders) {
   throw UsageError(
       ErrorKind::static_test_of_open_mesh,
@@ -71,10 +71,10 @@ class CleanPassRun {
   const CleanPassOptions& options_;
   const Progress& progress_;
   std::shared_ptr<WeldedMesh> welded_;
-  std::optional<std::vector<Index>> opposites_;  ///< set for a closed manifold
+  std::optional<std::vector<Index>> opposites_;  ///< opposite halfedges; set for a closed manifold
   Borders borders_;
   Arrangement arrangement_;
-  std::vector<char> kept_;  ///< per piece
+  std::vector<char> kept_;  ///< 1 for each piece that is kept
   bool has_surface_ = true;
   std::size_t whole_faces_ = 0;
   CleanPass pass_;
@@ -133,8 +133,8 @@ void CleanPassRun::find_exterior_growing(const std::vector<Meeting>& meetings) {
   if (!welded_->open_component.empty()) keep_exterior_patches();
 }
 
-// Selects patches with open components. If no piece is cut, nothing separates a part of an open
-// component from the remainder, and the selection stays.
+// Selects patches with open components. If no face is cut, no part of an open component is
+// separated from the rest of it, and the selection stays.
 void CleanPassRun::keep_exterior_patches() {
   if (arrangement_.whole_pieces == arrangement_.pieces.size() && options_.winding_level == 1)
     return;

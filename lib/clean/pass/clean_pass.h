@@ -19,16 +19,17 @@
 namespace transformesh {
 
 struct CleanPass {
-  /// Intersecting face pairs; if there are too many, all other members are empty.
+  /// Number of intersecting pairs of faces. If it exceeds `most_pairs`, all other members are
+  /// empty.
   std::size_t pairs = 0;
-  std::size_t pieces = 0;  ///< pieces in the arrangement; hidden ones may be left out
+  std::size_t pieces = 0;  ///< pieces in the arrangement; hidden pieces may be left out
   std::size_t cut_faces = 0;
   std::size_t removed_faces = 0;      ///< whole faces that were removed
-  bool is_open = false;               ///< the mesh has borders
+  bool is_open = false;               ///< true if the mesh has borders
   std::size_t rays = 0;               ///< rays cast to find winding numbers
   std::size_t open_patches = 0;       ///< patches of a mesh with open components
   std::size_t decided_by_number = 0;  ///< patches for which a generalized winding number was needed
-  /// Least distance of such a number from the value at which the rounded number changes.
+  /// Least distance of a generalized winding number from the value at which its rounding changes.
   double least_margin = 0.5;
   bool unchanged = false;
   /// Set if the mesh is a closed manifold without intersections, and all faces are exterior.
@@ -39,11 +40,12 @@ struct CleanPass {
 struct CleanPassOptions {
   int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
-  bool check_orientation = true;          ///< throw if the mesh is not oriented
-  const PieceChooser* chooser = nullptr;  ///< null: the winding level decides alone
+  bool check_orientation = true;  ///< throw if the mesh is not oriented
+  /// Selects the pieces; null: the winding level alone decides.
+  const PieceChooser* chooser = nullptr;
   /// Changes which pieces of a closed mesh are kept; called before stitching.
   std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
-  /// The clean pass ends early if more pairs intersect.
+  /// The clean pass ends early if more pairs of faces than this intersect.
   std::size_t most_pairs = std::numeric_limits<std::size_t>::max();
 };
 

@@ -15,8 +15,8 @@ class PieceChooser {
   PieceChooser(const PieceChooser&) = delete;
   PieceChooser& operator=(const PieceChooser&) = delete;
 
-  /// Marks open components (WeldedMesh::open_component) if the operation treats faces as a sheet.
-  /// Called before the other functions.
+  /// Marks open components (WeldedMesh::open_component) if the operation treats some faces as a
+  /// sheet. Is called before the other functions.
   virtual void mark_open(WeldedMesh& welded) const = 0;
 
   /// Returns true if the region of the operation is { p : w(p) >= winding level }. Then choose() is
@@ -25,8 +25,8 @@ class PieceChooser {
                             const std::vector<Meeting>& meetings) const = 0;
 
   /// Marks the kept pieces of the whole arrangement, and reverses pieces if necessary so that the
-  /// region is behind them. All of `kept` is 0 before. May change multiplicities, but to 0 only if
-  /// the piece separates nothing.
+  /// region is behind them. All entries of `kept` are 0 before the call. May change multiplicities
+  /// of pieces; a multiplicity may become 0 only if the piece is not on a boundary.
   virtual void choose(Arrangement& arrangement, std::vector<char>& kept) const = 0;
 };
 

@@ -69,7 +69,7 @@ UnorderedFace unordered(const Face& face, Index index) {
   return {corners, is_even, index};
 }
 
-// Returns the faces with all corners at new faces, sorted by their corners.
+// Returns the faces all of whose corners are corners of new faces, sorted by corners.
 std::vector<UnorderedFace> sorted_faces_at_new_ones(const Assembly& assembly) {
   const std::vector<Face>& faces = assembly.mesh.faces;
   std::vector<char> is_at_new(assembly.mesh.positions.size(), 0);
@@ -116,7 +116,7 @@ void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
 
 }  // namespace
 
-// The search is limited to faces near new faces, because no other face can intersect a new face.
+// Only faces near new faces are searched, because no other face can intersect a new face.
 BrokenFaces find_broken_faces(const Assembly& assembly) {
   const std::vector<Index> rows = marked(find_faces_at_new_ones(assembly));
   const Mesh part = mesh_of_faces(assembly.mesh, rows);

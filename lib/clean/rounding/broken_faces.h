@@ -7,7 +7,7 @@
 
 namespace transformesh {
 
-/// Broken faces, in the coordinates as they are.
+/// Broken faces at the present coordinates.
 struct BrokenFaces {
   std::vector<Index> faces;  ///< faces that intersect a new face, or have no area; ascending
   std::size_t pairs = 0;     ///< number of intersecting pairs with at least one new face
@@ -16,10 +16,10 @@ struct BrokenFaces {
 /// Finds the broken faces. Whole input faces must not intersect each other. Cost: O(n log n).
 BrokenFaces find_broken_faces(const Assembly& assembly);
 
-/// Returns the faces, and all faces that share a corner with them; ascending.
+/// Returns `faces` and all faces that share a corner with them, in ascending order.
 std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces);
 
-/// Returns the number of connected sets of the faces; faces that share a corner are connected.
+/// Returns the number of connected sets of `faces`. Faces that share a corner are connected.
 std::size_t count_places(const Mesh& mesh, const std::vector<Index>& faces);
 
 /// Merges the indices of vertices with equal positions. Drops faces that refer to a vertex twice,

@@ -10,20 +10,20 @@
 namespace transformesh {
 
 struct Displacement {
-  double spacings = 0;  ///< in spacings at the largest coordinate of the moved point
-  double length = 0;    ///< in units of the coordinates
+  double spacings = 0;  ///< distance in spacings at the largest coordinate of the moved point
+  double length = 0;    ///< distance in units of the coordinates
 
-  /// Adds one of several points that move simultaneously: takes the maximum.
+  /// Adds a point that moves at the same time as the earlier points: takes the maximum.
   void note(double distance, double spacing) {
     spacings = std::max(spacings, distance / spacing);
     length = std::max(length, distance);
   }
-  /// Adds another point with all its movements: takes the maximum.
+  /// Adds the displacement of another point: takes the maximum.
   void note(const Displacement& other) {
     spacings = std::max(spacings, other.spacings);
     length = std::max(length, other.length);
   }
-  /// Adds a movement that follows the previous ones: takes the sum.
+  /// Adds a movement that follows the earlier movements: takes the sum.
   Displacement& operator+=(const Displacement& next) {
     spacings += next.spacings;
     length += next.length;

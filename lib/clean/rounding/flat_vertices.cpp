@@ -13,8 +13,9 @@
 namespace transformesh {
 namespace {
 
-/// Least cosine of the angle between the normals of a face before and after (60 degrees). Angles of
-/// 76 degrees or more repair the same meshes with larger displacements (docs/design/rounding.md).
+/// Least cosine of the angle between the normals of a face before and after a collapse (60
+/// degrees). Angles of 76 degrees or more repair the same meshes with larger displacements
+/// (docs/design/rounding.md).
 constexpr double least_cosine = 0.5;
 
 bool has_corner(const Face& face, Index v) { return face[0] == v || face[1] == v || face[2] == v; }
@@ -26,7 +27,7 @@ class FlatVertexRemover {
   bool remove_all(Displacement& moved);
 
  private:
-  /// An edge collapse, and the quality of the triangles around the removed vertex afterwards.
+  /// An edge collapse, and the quality of the triangles that it leaves around the removed vertex.
   struct Collapse {
     Index end = no_index;
     double lowest = 0;  ///< least relative height of these triangles
@@ -51,9 +52,11 @@ class FlatVertexRemover {
   double steps_;
   const VertexGrids& grids_;
   std::unordered_map<Index, std::vector<Index>> faces_at_;
-  std::unordered_map<Index, bool> is_queued_;  ///< per vertex that may be removed
+  /// For each vertex that may be removed: true if it is in the queue.
+  std::unordered_map<Index, bool> is_queued_;
   std::deque<Index> queue_;
-  std::unordered_map<Index, Displacement> moved_;  ///< per face: displacement by all its collapses
+  /// Displacement of each face by all its collapses.
+  std::unordered_map<Index, Displacement> moved_;
 };
 
 FlatVertexRemover::FlatVertexRemover(const Mesh& input, Assembly& assembly,
@@ -75,7 +78,7 @@ void FlatVertexRemover::enqueue(Index v) {
   queue_.push_back(v);
 }
 
-// Returns the vertices around `v` in order, or none unless the faces of `v` are one closed
+// Returns the vertices around `v` in order. Returns none if the faces of `v` are not one closed
 // umbrella.
 std::vector<Index> FlatVertexRemover::ring_of(Index v) const {
   std::unordered_map<Index, Index> next;
@@ -126,7 +129,8 @@ bool FlatVertexRemover::is_on_source(Index face, Index v) const {
   return true;
 }
 
-// Returns how far the face moves if its corner `v` moves to `end`, or nothing if that is too far.
+// Returns the distance by which the face moves if its corner `v` moves to `end`. Returns nothing if
+// the distance exceeds the tolerance.
 std::optional<double> FlatVertexRemover::movement(Index face, Index v, Index end) const {
   const Triangle before = triangle_of(mesh_, face);
   Triangle after = before;
@@ -158,7 +162,8 @@ std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::collapse_to(Index 
   return result;
 }
 
-// Returns the collapse with the highest lowest triangle, if this is not lower than before.
+// Returns the collapse that maximizes the least relative height of the triangles around the vertex,
+// if this height does not decrease.
 std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::best_collapse(
     Index v, const std::vector<Index>& ring) const {
   double lowest = std::numeric_limits<double>::infinity();

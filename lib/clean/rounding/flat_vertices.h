@@ -3,8 +3,8 @@
 /// cut makes them even smaller. Therefore an edge at a flat vertex is collapsed to its other end.
 /// The collapse must fulfill three conditions. The surface moves by at most the tolerance. No
 /// normal turns by more than 60 degrees. The lowest triangle around the vertex, relative to its
-/// longest edge, does not become lower. This removes cuts that only rounding caused. An edge
-/// shorter than half the tolerance is collapsed regardless of these conditions.
+/// longest edge, does not become lower. Such collapses remove cuts that only rounding caused. An
+/// edge shorter than half the tolerance is collapsed regardless of these conditions.
 ///
 /// A closed mesh stays closed: only simple umbrellas change, and only if the link condition holds
 /// (Hoppe, DeRose, Duchamp, McDonald & Stuetzle, "Mesh optimization", SIGGRAPH 1993).

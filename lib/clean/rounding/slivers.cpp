@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// Largest number of flips of a face in a round. With 1, 5 of 220 hostile meshes fail; with 6,
-/// nearly coplanar faces are refused (docs/design/rounding.md).
+/// Largest number of flips of a face in a round. With 1, repair fails in 5 of 220 difficult test
+/// meshes. With 6, it fails for nearly coplanar faces (docs/design/rounding.md).
 constexpr int most_flips_of_face = 3;
 
 class SliverFlipper {
@@ -21,7 +21,7 @@ class SliverFlipper {
   bool flip_all(Displacement& moved);
 
  private:
-  /// The longest edge a-b above which the apex of a face is, and the height of the apex.
+  /// The longest edge a-b of a face, its opposite corner (the apex), and the height of the apex.
   struct Sliver {
     Index a, b, apex;
     double height;
@@ -39,9 +39,11 @@ class SliverFlipper {
   double steps_;
   const VertexGrids& grids_;
   std::vector<Index> stack_;
-  std::map<std::pair<Index, Index>, Index> face_at_;  ///< face of each halfedge, for faces nearby
-  std::map<Index, int> flips_;                        ///< per face: number of attempts
-  std::map<Index, Displacement> moved_;               ///< per face: displacement by all its flips
+  /// Face of each halfedge of the faces to flip and their neighbors.
+  std::map<std::pair<Index, Index>, Index> face_at_;
+  std::map<Index, int> flips_;  ///< number of flips attempted for each face
+  /// Displacement of each face by all its flips.
+  std::map<Index, Displacement> moved_;
 };
 
 SliverFlipper::SliverFlipper(Assembly& assembly, const std::vector<Index>& faces, double steps,

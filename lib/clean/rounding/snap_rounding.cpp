@@ -18,20 +18,21 @@
 namespace transformesh {
 namespace {
 
-/// Height below which a part is flat, thin or a sliver, in grid steps. With 2 steps, one of two
-/// corpus meshes of coplanar boxes is refused; with 8 steps, nearly coplanar faces are
-/// (docs/design/rounding.md).
+/// Height, in grid steps, below which a surface is flat, a cell is thin, and a face is a sliver.
+/// With 2 steps, repair fails in one of two test meshes of coplanar boxes. With 8 steps, it fails
+/// for nearly coplanar faces (docs/design/rounding.md).
 constexpr double flat_steps = 4;
-/// Largest number of rounds. With 8, 3 of 220 hostile meshes fail; 32 repair hardly any more
-/// (docs/design/rounding.md).
+/// Largest number of rounds. With 8, repair fails in 3 of 220 difficult test meshes. With 32, it
+/// succeeds in hardly any more meshes (docs/design/rounding.md).
 constexpr int most_rounds = 16;
-/// Doublings of the grid steps at the restart, and in later rounds that leave no fewer faces
-/// broken: 3 makes grids 8 times coarser. With 1 or 2 in later rounds, an offset with edges of 3e-8
-/// of its size is refused; displacements grow with larger numbers (docs/design/rounding.md).
+/// Doublings of the grid steps at the restart, and in later rounds that do not reduce the number of
+/// broken faces. Three doublings make grids 8 times coarser. With 1 or 2 in later rounds, repair
+/// fails in an offset with edges of 3e-8 of its size. Larger numbers increase displacements
+/// (docs/design/rounding.md).
 constexpr int doublings_in_vain = 3;
 /// Repair fails if the number of intersecting pairs exceeds this multiple of the pairs and faces of
-/// the input. This bounds time and memory. With the factor 1, nearly coplanar faces are refused; 2
-/// and 8 make no difference (docs/design/rounding.md).
+/// the input. This bounds time and memory. With the factor 1, repair fails for nearly coplanar
+/// faces; 2 and 8 make no difference (docs/design/rounding.md).
 constexpr std::size_t most_pairs_share = 4;
 
 // Composes the results of two clean passes. Afterwards `vertex_is_new` and `source_face` of `after`
@@ -108,10 +109,10 @@ class SnapRounder {
   Progress repair_progress_;  ///< reports the phases of further clean passes as repair
   Assembly assembly_;
   VertexGrids grids_;
-  std::vector<char> is_broken_;    ///< per input face: 1 if rounding broke a part of it
+  std::vector<char> is_broken_;    ///< 1 for each input face of which rounding broke a part
   std::size_t broken_before_ = 0;  ///< broken faces of the previous round; 0 if there was none
   bool is_restarted_ = false;
-  std::optional<Vec3> place_;  ///< the first place with a broken face
+  std::optional<Vec3> place_;  ///< a corner of the first broken face
   SnapRoundingResult result_;
 };
 
@@ -137,8 +138,8 @@ void SnapRounder::drop_collapsed() {
   }
 }
 
-// Simplifies the surface around broken faces until none is left. After a restart, vertices do not
-// move to their coarse grids, because this would turn faces beyond neighboring sheets.
+// Simplifies the surface around broken faces until no face is broken. After a restart, vertices do
+// not move to their coarse grids, because this would turn faces beyond neighboring sheets.
 void SnapRounder::mend() {
   BrokenFaces broken;
   const auto is_mended = [&](bool is_changed) {
@@ -187,8 +188,9 @@ bool SnapRounder::clean_again(bool gives_cells, int winding_level, const PieceCh
 
 // Restarts repair from the input, once. If sheets intersect at tiny angles, every rounding creates
 // new intersections. Therefore thin cells between such sheets are removed in the exact arrangement
-// of the input, before rounding. The coarser grids make cells thin only at faces that broke. Open
-// meshes are not restarted, because it is not known which of their cells are inside.
+// of the input, before rounding. Coarser grids, and thus thin cells, are only at faces that
+// rounding broke. Open meshes are not restarted, because it is not known which of their cells are
+// inside.
 void SnapRounder::begin_anew() {
   is_restarted_ = true;
   broken_before_ = 0;
@@ -219,8 +221,8 @@ void SnapRounder::note_broken(const std::vector<Index>& broken) {
 }
 
 // Runs one round: rounding, repair, and a clean pass. Returns true if the mesh is the result. If
-// the first round breaks no face, a closed mesh needs no clean pass. An open mesh does, because its
-// pieces may have closed around others.
+// the first round breaks no face, a closed mesh needs no clean pass. An open mesh needs a clean
+// pass, because its pieces may now enclose other pieces.
 bool SnapRounder::repair_round(bool is_first) {
   progress_("round");
   result_.displacement += round_new_vertices(assembly_, options_.coordinate);
@@ -248,7 +250,7 @@ void SnapRounder::repair() {
   give_up();
 }
 
-// Without repairs or merged faces, whole faces stay whole, because their corners do not move.
+// If no face was repaired or merged, whole faces stay whole, because their corners do not move.
 bool SnapRounder::has_changed() const {
   return result_.repairs > 0 || first_.assembly.mesh.faces.size() != assembly_.mesh.faces.size();
 }

@@ -12,12 +12,13 @@
 ///    them is flat within four steps (flat_vertices.h).
 /// 3. Slivers lower than four steps are flipped (slivers.h).
 ///
-/// From the second round on, this includes vertices of the input. Then the surface is cleaned
-/// again, and thin cells are assigned to the side that leaves less surface (thin_cells.h). If a
-/// round does not reduce the number of broken faces, repair restarts once, from the exact
+/// From the second round on, these steps also move vertices of the input. Then the surface is
+/// cleaned again, and thin cells are assigned to the side that leaves less surface (thin_cells.h).
+/// If a round does not reduce the number of broken faces, repair restarts once, from the exact
 /// arrangement of the input. After the restart, grids at the faces that broke are 8 times coarser,
-/// and thin cells at these faces are removed before rounding. Later rounds that do not reduce the
-/// number make grids 8 times coarser, others twice. The reasons are in docs/design/rounding.md.
+/// and thin cells at these faces are removed before rounding. Later rounds make grids 8 times
+/// coarser if they do not reduce the number of broken faces, otherwise twice as coarse. The reasons
+/// are in docs/design/rounding.md.
 ///
 /// Guarantees: the result has no self-intersections. Each point moves by at most `displacement`.
 /// Hence winding numbers at points farther than this from the surface are those of the input: a
@@ -28,7 +29,7 @@
 ///
 /// References: Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002;
 /// Valque & Lazard, "Removing self-intersections in 3D meshes while preserving floating-point
-/// coordinates", 2025. There each round snaps all vertices to one grid.
+/// coordinates", 2025. In Valque & Lazard, each round snaps all vertices to one grid.
 #pragma once
 
 #include "clean/pass/clean_pass.h"
@@ -39,15 +40,17 @@ namespace transformesh {
 struct SnapRoundingOptions {
   int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
-  bool is_open = false;  ///< the mesh has borders: it is not known which cells are inside
+  /// True if the mesh has borders; then it is not known which cells are inside.
+  bool is_open = false;
   Scalar coordinate = Scalar::float64;    ///< type in which positions will be written
   const PieceChooser* chooser = nullptr;  ///< chooser of `pass`
 };
 
 struct SnapRoundingResult {
   Mesh mesh;
-  std::vector<char> face_is_new;   ///< per face: 1 unless it is a whole input face
-  std::vector<Index> source_face;  ///< per face: the input face that it is, or that it is cut from
+  std::vector<char> face_is_new;  ///< 1 for each face that is not a whole input face
+  /// For each face the input face that it is, or that it is cut from.
+  std::vector<Index> source_face;
   std::size_t new_vertices = 0;
   std::size_t copied_vertices = 0;
   std::size_t cut_faces = 0;      ///< input faces that were whole after `pass` and are cut now

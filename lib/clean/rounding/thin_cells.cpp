@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-constexpr char unknown = 2;  ///< neither 0 nor 1, the two answers
+constexpr char unknown = 2;  ///< a label other than 0 (outside) and 1 (inside)
 
 /// Error of the measured distance of a point from a plane, relative to the distance of the point
 /// from a corner of the plane.
@@ -42,12 +42,12 @@ class LabeledCells {
   Arrangement& arrangement_;
   const Thinness& thinness_;
   Patches patches_;
-  std::vector<Index> cell_of_;             ///< per side
-  std::vector<std::vector<Index>> sides_;  ///< per cell
-  std::vector<char> is_inside_;            ///< per cell: 0, 1 or `unknown`
-  std::vector<Vec3> positions_;            ///< per point
-  std::vector<double> areas_;              ///< per patch, in arbitrary units
-  std::vector<Index> largest_;             ///< per patch: its largest piece
+  std::vector<Index> cell_of_;             ///< cell of each side
+  std::vector<std::vector<Index>> sides_;  ///< sides of each cell
+  std::vector<char> is_inside_;            ///< label of each cell: 0, 1 or `unknown`
+  std::vector<Vec3> positions_;            ///< position of each point
+  std::vector<double> areas_;              ///< area of each patch, in arbitrary units
+  std::vector<Index> largest_;             ///< largest piece of each patch
 };
 
 LabeledCells::LabeledCells(Arrangement& arrangement, const std::vector<char>& kept,
@@ -172,7 +172,8 @@ bool LabeledCells::give_thin_ones_away(Displacement& moved) {
     if (is_thin(cell, thickness)) thin.push_back(cell);
   }
   bool is_any = false, is_changed = true;
-  // Each change reduces the surface, so the loop ends; the limit covers rounding errors of areas.
+  // Each change reduces the surface, so the loop ends. The limit of turns is for rounding errors of
+  // areas.
   for (std::size_t turn = 0; turn < thin.size() && is_changed; ++turn) {
     is_changed = false;
     for (const Index cell : thin) {

@@ -18,7 +18,7 @@ namespace transformesh {
 /// corners. The unit is the grid step (vertex_grids.h) of the coarsest face around the cell.
 struct Thinness {
   double steps = 0;
-  /// Doublings of grid steps, per face of the arranged mesh.
+  /// Number of doublings of the grid step at each face of the arranged mesh.
   const std::vector<std::uint8_t>& levels;
   Scalar type = Scalar::float64;
 };

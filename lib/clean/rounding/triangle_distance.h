@@ -7,15 +7,15 @@
 
 namespace transformesh {
 
-/// Returns the unit normal, or zero if the corners are collinear within rounding. It is computed at
-/// the corner opposite to the longest edge.
+/// Returns the unit normal, or zero if the corners are collinear within rounding. The normal is
+/// computed at the corner opposite to the longest edge.
 Vec3 unit_normal(const Triangle& triangle);
 
 /// Returns the distance of a point from the plane of the triangle, positive in front.
 double height_over(const Triangle& triangle, const Vec3& unit_normal, const Vec3& point);
 
-/// Distance of a point from the line through a and b. `beyond` is how far its projection is outside
-/// the segment, beyond the nearer end; negative if it is inside.
+/// Distance of a point from the line through a and b. `beyond` is the distance of the point's
+/// projection from the nearer end of the segment; negative if the projection is inside the segment.
 struct LineDistance {
   double distance = 0;
   double beyond = 0;

@@ -2,8 +2,8 @@
 /// more than two faces at its midpoint, if copies of its ends do not separate the sheets
 /// (split_singular_edges.h). If the midpoint is rounded to one of the ends, every clean pass
 /// creates the same faces without area. Such an edge is one or two spacings long. One end moves to
-/// the other, and all faces along the edge vanish. This keeps a closed mesh closed. Deterministic.
-/// Cost: O(n log n).
+/// the other, and all faces along the edge vanish. A closed mesh stays closed. Deterministic. Cost:
+/// O(n log n).
 #pragma once
 
 #include "clean/rounding/displacement.h"

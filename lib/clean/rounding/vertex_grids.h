@@ -21,7 +21,7 @@ class VertexGrids {
 
   Scalar type() const { return type_; }
   double step(const Mesh& mesh, Index vertex) const;
-  /// Returns per face the largest number of doublings at a corner.
+  /// Returns for each face the largest number of doublings at its corners.
   std::vector<std::uint8_t> levels_of_faces(const Mesh& mesh) const;
   std::uint8_t largest_level() const { return largest_level_; }
 
@@ -38,7 +38,7 @@ class VertexGrids {
 
  private:
   Scalar type_;
-  std::vector<std::uint8_t> levels_;  ///< per vertex: number of doublings
+  std::vector<std::uint8_t> levels_;  ///< number of doublings of each vertex's step
   std::uint8_t largest_level_ = 0;
 };
 

@@ -41,9 +41,10 @@ class Assembler {
   std::vector<Index> opposite_;
   bool has_singular_edges_ = false;
   Umbrellas umbrellas_;
-  std::vector<Index> old_vertex_;  ///< per umbrella: the input vertex that it keeps, or no_index
-  std::vector<Index> example_;     ///< per umbrella: a halfedge that starts there
-  std::vector<Index> vertex_of_;   ///< per umbrella: the output vertex
+  /// For each umbrella the input vertex that it keeps, or no_index.
+  std::vector<Index> old_vertex_;
+  std::vector<Index> example_;    ///< for each umbrella a halfedge that starts at its vertex
+  std::vector<Index> vertex_of_;  ///< output vertex of each umbrella
   std::vector<RowBlend> vertex_rows_;
   std::vector<Index> face_rows_;
   std::vector<Index> output_opposite_;

@@ -1,9 +1,9 @@
 /// Makes a mesh of the kept pieces of an arrangement (paper 3.3). Vertices and faces that take part
 /// in no intersection are kept in their order; new vertices and faces follow. Singular vertices and
-/// edges (paper 3.3.1 and 3.3.2) are duplicated. If copies of its ends would leave four faces on an
-/// edge, each sheet gets its own midpoint of that edge. New vertices interpolate their columns in a
-/// face that contains them; pieces inherit the columns of the face that they are cut from. Cost:
-/// O(n log n). Deterministic.
+/// edges (paper 3.3.1 and 3.3.2) are duplicated. If an edge would still have four faces after its
+/// ends are duplicated, each sheet gets its own midpoint of that edge. New vertices interpolate
+/// their columns in a face that contains them; pieces inherit the columns of the face that they are
+/// cut from. Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>
@@ -15,12 +15,15 @@ namespace transformesh {
 
 struct Assembly {
   Mesh mesh;
-  std::vector<Index> input_vertex;  ///< per vertex: the input vertex at its position, or no_index
-  std::vector<char> vertex_is_new;  ///< per vertex: 1 unless it is an input vertex or a copy of one
-  std::vector<char> face_is_new;    ///< per face: 1 unless it is a whole input face
-  std::vector<Index> source_face;   ///< per face: the input face that it is, or that it is cut from
-  std::size_t copies = 0;           ///< vertices duplicated at singular vertices and edges
-  std::size_t split_edges = 0;      ///< singular edges split at their midpoints
+  /// For each vertex the input vertex at its position, or no_index.
+  std::vector<Index> input_vertex;
+  /// 1 for each vertex that is neither an input vertex nor a copy of one.
+  std::vector<char> vertex_is_new;
+  std::vector<char> face_is_new;  ///< 1 for each face that is not a whole input face
+  /// For each face the input face that it is, or that it is cut from.
+  std::vector<Index> source_face;
+  std::size_t copies = 0;       ///< vertices duplicated at singular vertices and edges
+  std::size_t split_edges = 0;  ///< singular edges split at their midpoints
 };
 
 /// Assembles the pieces with a nonzero `kept` entry.

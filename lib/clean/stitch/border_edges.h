@@ -1,5 +1,6 @@
-/// Border edges (edges of one face), with a search for those near a vertex. Vertices are equal if
-/// their indices are. Cost: O(n) to build, O(log n) per query on usual meshes. Deterministic.
+/// Border edges (edges of one face), with a search for border edges near a vertex. Vertices are
+/// equal if their indices are. Cost: O(n) to build, O(log n) per query on usual meshes.
+/// Deterministic.
 #pragma once
 
 #include <functional>
@@ -17,7 +18,7 @@ class BorderEdges {
   explicit BorderEdges(const Mesh& mesh);
 
   const std::vector<Index>& halfedges() const { return halfedges_; }
-  /// The vertices of the border edges, ascending.
+  /// Returns the vertices of the border edges, ascending.
   const std::vector<Index>& vertices() const { return vertices_; }
 
   /// A border halfedge near a vertex, with the parameter of the nearest point along it, in [0, 1].

@@ -10,10 +10,10 @@
 namespace transformesh {
 namespace {
 
-/// Two bundles with equally many faces that are neighbors at an edge.
+/// Two neighboring bundles at an edge, with equally many faces.
 struct Joint {
   Index edge;
-  Index first, second;  ///< bundles
+  Index first, second;  ///< indices of the two bundles
 };
 
 /// Groups faces with equal corners to bundles, and assigns each face of a bundle to its own layer.
@@ -37,19 +37,20 @@ class Layers {
 
   const Mesh& mesh_;
   const Edges& edges_;
-  /// Per face; no_index if none of its edges has more than two faces.
+  /// Bundle of each face; no_index if none of its edges has more than two faces.
   std::vector<Index> bundle_of_;
-  std::vector<std::vector<Index>> bundles_;  ///< faces in the order of their layers, after ordering
+  /// Faces of each bundle; after ordering, in the order of their layers.
+  std::vector<std::vector<Index>> bundles_;
   std::vector<Joint> joints_;
-  std::vector<std::vector<Index>> joints_at_;  ///< per bundle
-  std::vector<char> is_ordered_;               ///< per bundle
-  std::vector<char> is_turned_;  ///< per bundle: 1 if its lowest face has to be reversed to agree
-                                 ///< with the first bundle
-  std::vector<Index> part_of_;   ///< per bundle: first bundle of its connected part
-  std::vector<char> has_one_side_;  ///< per part
+  std::vector<std::vector<Index>> joints_at_;  ///< joints of each bundle
+  std::vector<char> is_ordered_;               ///< 1 for each bundle whose faces have layers
+  /// 1 for each bundle whose lowest face has to be reversed to agree with the first bundle.
+  std::vector<char> is_turned_;
+  std::vector<Index> part_of_;      ///< first bundle of the connected part of each bundle
+  std::vector<char> has_one_side_;  ///< 1 for each part that is one-sided, by its first bundle
 };
 
-// Copies of a face are at the same edges, so they are all in the result.
+// The result contains all copies of a face, because copies are at the same edges.
 std::vector<Index> Layers::faces_at_multiple_edges() const {
   std::vector<Index> faces;
   for (std::size_t e = 0; e < edges_.size(); ++e)

@@ -1,6 +1,6 @@
-/// Double-sided models: each face has a reverse, so the faces enclose nothing. They are common in
-/// graphics, where only the front of a face is drawn. Two faces are reverses of each other if their
-/// corners have equal positions and opposite orientation. Deterministic; O(n log n).
+/// Double-sided models: each face has a reverse, so the faces enclose nothing. Such models are
+/// common in graphics, where only the front of a face is drawn. Two faces are reverses of each
+/// other if their corners have equal positions and opposite orientation. Deterministic; O(n log n).
 #pragma once
 
 #include <cstddef>

@@ -22,9 +22,10 @@ namespace {
 /// Faces connected across edges of two faces, or of copies of two faces (coincident_sheets.h).
 struct Sheet {
   std::vector<Index> faces;
-  bool agreed = true;       ///< consistently oriented, within the sheet and with other sheets
+  bool agreed = true;       ///< the sheet is oriented consistently, in itself and with other sheets
   bool has_border = false;  ///< the sheet has an edge of one face
-  /// `agreed` holds for all coincident copies; stored at the representative of the set.
+  /// True if `agreed` is true for all coincident copies of the sheet. Stored at the representative
+  /// of the set of copies.
   bool copies_agreed = true;
   double volume = 0;  ///< six times the volume of the cone from the group's centroid over the sheet
 };
@@ -51,14 +52,16 @@ class Orienter {
   const Mesh& mesh_;
   const bool keeps_most_;
   const Edges edges_;
-  std::vector<Index> across_;  ///< per halfedge: the halfedge that continues its sheet, or no_index
-  std::vector<Index> sheet_of_;    ///< per face
-  std::vector<char> is_reversed_;  ///< per face: 1 if it has to be reversed to agree with the first
-                                   ///< face of its sheet
+  /// For each halfedge the halfedge that continues its sheet, or no_index.
+  std::vector<Index> across_;
+  std::vector<Index> sheet_of_;  ///< sheet of each face
+  /// 1 for each face that has to be reversed to agree with the first face of its sheet.
+  std::vector<char> is_reversed_;
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;
   SheetAlignment links_{0};
-  /// Coincident sheets; if one of a set is inconsistent, the whole set is oriented.
+  /// Sets of coincident sheets. If one sheet of a set is inconsistent, all sheets of the set are
+  /// oriented.
   DisjointSets copies_{0};
 };
 
@@ -117,7 +120,7 @@ void Orienter::refuse(Index halfedge, Index across) const {
                    std::move(data));
 }
 
-// Computes how well sheets that end at the same edges agree there.
+// Computes the agreement of sheets that end at the same edges (sheet_alignment.h).
 void Orienter::link_sheets() {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto halfedges = edges_.halfedges(e);
@@ -164,7 +167,7 @@ double Orienter::volume(Index sheet) const {
 }
 
 // Reverses sheets in order of increasing volume, as long as this improves the agreement, or the
-// volume at equal agreement. Both values only grow, so the loop ends.
+// volume at equal agreement. Agreement and volume only grow, so the loop ends.
 void Orienter::improve(std::vector<Index> group, bool has_border) {
   std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
     return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);

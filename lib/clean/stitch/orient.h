@@ -5,13 +5,14 @@
 /// they traverse common edges in opposite directions.
 ///
 /// Sheets that end at edges of more than two faces are reversed as a whole. The aim is that equally
-/// many faces, except at most one, traverse such an edge in each direction. This restores the
-/// insides of solids that share edges or faces. If several choices are equally good, the larger
-/// volume decides.
+/// many faces, except at most one, traverse such an edge in each direction. Solids that share edges
+/// or faces then have consistent insides. If several choices are equally good, the larger volume
+/// decides.
 ///
 /// A group is a set of sheets that are linked by such edges. A group that was consistently oriented
-/// is not changed, even if it is inside out, unless a copy of it was inconsistent. Any other group
-/// is oriented outwards if it has no border, and like the majority of its faces if it has one.
+/// is not changed, even if it is inside out, unless a copy of one of its sheets was inconsistent.
+/// Any other group is oriented outwards if it has no border, otherwise like the majority of its
+/// faces.
 ///
 /// Faces that refer to a vertex twice are ignored and not changed. Volumes are computed in doubles.
 /// Cost: O(n log n). Deterministic. The method is a greedy heuristic without a reference.

@@ -16,17 +16,17 @@
 namespace transformesh {
 namespace {
 
-/// Number of vertices of a component that are tested for containment in another one; the majority
-/// decides. Vertices on the other component do not count, and intersecting components have vertices
-/// on both sides. A choice: more vertices take more time and are more robust.
+/// Number of vertices of a component that are tested for containment in another component; the
+/// majority decides. Vertices on the other component do not count, and intersecting components have
+/// vertices on both sides. A choice: more vertices take more time and are more robust.
 constexpr std::size_t voters = 9;
 
 class Bodies {
  public:
   explicit Bodies(const Mesh& mesh);
-  /// Per component: 1 if it belongs to a body that is inside out.
+  /// Returns 1 for each component of a body that is inside out.
   std::vector<char> inward() const;
-  /// Per component: 1 if it is closed and its orientation does not match its nesting depth.
+  /// Returns 1 for each closed component whose orientation does not match its nesting depth.
   std::vector<char> against_nesting() const;
   bool any_negative() const;
   Index of_face(std::size_t face) const { return parts_.of_face[face]; }
@@ -126,8 +126,8 @@ bool Bodies::is_in_open(Index inner) const {
   return false;
 }
 
-// A component is inward if the smallest outermost component around it is inside out. A component
-// that no other contains is inward if it is inside out itself.
+// A component is inward if the smallest of the outermost components around it is inside out. A
+// component that no other component contains is inward if it is inside out itself.
 std::vector<char> Bodies::inward() const {
   const std::vector<std::vector<Index>> around = containers();
   std::vector<char> is_inward(around.size(), 0);

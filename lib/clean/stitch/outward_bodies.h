@@ -17,8 +17,8 @@ bool has_inward_bodies(const Mesh& mesh);
 /// the number of reversed faces.
 std::size_t turn_bodies_outwards(Mesh& mesh);
 
-/// Orients closed components by their nesting depth: outwards at even depth, inwards at odd depth,
-/// as cavities. Returns the number of reversed faces.
+/// Orients closed components by their nesting depth: outwards at even depth, and inwards, like
+/// cavities, at odd depth. Returns the number of reversed faces.
 std::size_t turn_nested_alternately(Mesh& mesh);
 
 }  // namespace transformesh

@@ -7,8 +7,8 @@
 namespace transformesh {
 namespace {
 
-// The inside is between a backward piece and the forward piece that follows it. Hence pieces are
-// matched like cyclic brackets.
+// In angular order, the inside is between a backward piece and the forward piece after it. Hence
+// pieces are matched like brackets on a circle.
 void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& sorted,
                         std::vector<Index>& opposite) {
   std::vector<Index> open;

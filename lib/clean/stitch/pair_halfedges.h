@@ -16,12 +16,12 @@ namespace transformesh {
 /// the smaller to the larger point.
 using AngularSort = std::function<std::vector<Index>(std::span<const Index> halfedges)>;
 
-/// Returns the opposite of each halfedge, or no_index on a border. At a singular edge, pieces are
-/// paired across the inside, which is behind both; then sheets never intersect. If more pieces have
-/// one direction than the other, the surplus has no partner. `component_of` gives the open
-/// component of each piece, or no_index for the closed part; it is empty if all pieces are closed.
-/// An open component with exactly two pieces at an edge continues across it, and so does the closed
-/// part, regardless of other pieces. Cost: O(n) plus sorting.
+/// Returns the opposite of each halfedge, or no_index on a border. At a singular edge, two pieces
+/// are paired if the inside is between them, behind both; then sheets never intersect. If more
+/// pieces traverse the edge in one direction than in the other, the surplus has no partner.
+/// `component_of` gives the open component of each piece, or no_index for the closed part; it is
+/// empty if all pieces are closed. An open component with exactly two pieces at an edge continues
+/// across it, and so does the closed part, regardless of other pieces. Cost: O(n) plus sorting.
 std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& edges,
                                       const AngularSort& sort,
                                       std::span<const Index> component_of = {});

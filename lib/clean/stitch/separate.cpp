@@ -12,15 +12,15 @@
 namespace transformesh {
 namespace {
 
-/// A step is refused if it is not valid at 1/1024 of its length. A choice: more halvings move more
-/// vertices by tiny distances.
+/// Largest number of halvings of a step: a step that is invalid at 1/1024 of its length is refused.
+/// A choice: with more halvings, more vertices move by tiny distances.
 constexpr int most_halvings = 10;
 
 // The directions of the faces around a vertex: a cone with its apex at the vertex.
 struct Cone {
   struct Side {
     Vec3 first, second;  ///< unit vectors along the two edges
-    Vec3 normal;         ///< unit normal
+    Vec3 normal;         ///< unit normal of the face
   };
   std::vector<Side> sides;
   Vec3 normal = Vec3::Zero();  ///< unit mean of the normals, weighted by angle
@@ -58,12 +58,12 @@ Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
                                     : Vec3(along_second * side.second);
 }
 
-// Returns a positive value in front of the cone, a negative one behind it. The sign is that of
-// angle-weighted pseudonormals (Baerentzen & Aanaes 2005). Near the cone, rounding may decide; a
-// wrong sign can only cause a refusal.
+// Returns a positive value if the direction is in front of the cone, and a negative value if it is
+// behind the cone. The sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005).
+// Near the cone, rounding may decide; a wrong sign can only cause a refusal.
 double side_of(const Cone& cone, const Vec3& direction) {
   constexpr double same = 1e-12;  // distances with a smaller difference are equal up to rounding
-  double least = 1 - same;        // distance from the apex
+  double least = 1 - same;        // distance of the direction's end from the apex of the cone
   Vec3 nearest = Vec3::Zero();
   Vec3 normal = cone.normal;
   for (const Cone::Side& side : cone.sides) {
@@ -162,12 +162,13 @@ class Separator {
     return any;
   }
 
-  // Returns the unit vectors to try: away from the other copies. Empty if there are copies on both
-  // sides.
+  // Returns the unit vectors in which the vertex may move away from its copies. Empty if there are
+  // copies on both sides.
   std::vector<Vec3> ways_out(Index vertex, const std::vector<Index>& copies) const {
     if (is_border_[vertex]) return {};
     const Cone cone = cone_at(mesh_, vertex, faces_at_[vertex]);
-    // At a blade, the normals cancel each other, and only the axis points into the blade.
+    // At the edge of a thin blade, the normals cancel each other, and only the axis points into the
+    // blade.
     if (tries_all_) return {-cone.normal, cone.normal, cone.axis, -cone.axis};
     bool in_front = false;
     bool behind = false;
@@ -280,9 +281,11 @@ class Separator {
   VertexFaces faces_at_;
   std::vector<char> is_border_;
   std::vector<char> was_moved_;
-  Bvh bvh_;                 ///< built from the initial positions
-  bool tries_all_ = false;  ///< try all directions, because no side could be determined
-  double reach_ = 0;  ///< upper bound of the displacement of any vertex, including the next step
+  Bvh bvh_;  ///< tree of the faces, built from the initial positions
+  /// Try both directions of the normal and of the axis, because no side could be determined.
+  bool tries_all_ = false;
+  /// Upper bound of the distance of any vertex from its first position, including the next step.
+  double reach_ = 0;
 };
 
 }  // namespace

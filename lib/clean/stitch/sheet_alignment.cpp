@@ -15,7 +15,7 @@ void SheetAlignment::find_kinds() {
   std::map<std::vector<End>, Index> kinds;
   for (Index sheet = 0; sheet < ends_.size(); ++sheet) {
     const auto next = static_cast<Index>(kinds_.size());
-    // A sheet without ends has no links and gets its own kind.
+    // A sheet that ends at no edge of more than two faces has no links, and gets its own kind.
     const Index kind =
         ends_[sheet].empty() ? next : kinds.emplace(ends_[sheet], next).first->second;
     if (kind == next) kinds_.emplace_back().ends = &ends_[sheet];
@@ -61,7 +61,7 @@ std::vector<Index> SheetAlignment::align(Index first, std::vector<char>& is_reve
     steps_.pop();
     const Index number = kind_of_[step.sheet];
     Kind& kind = kinds_[number];
-    // Skip links that were followed already, and links for which a stronger one was found.
+    // Skip links that were followed already, and links to kinds to which a stronger link was found.
     if (kind.best < step || step < kind.best) continue;
     ++kind.aligned;
     is_reversed[step.sheet] = step.is_reversed ? 1 : 0;

@@ -1,4 +1,4 @@
-/// Edges at which more than two sheets end, and the agreement of sheets there (orient.h).
+/// Edges at which more than two sheets end, and the agreement of sheets at these edges (orient.h).
 ///
 /// The sum of a sheet at an edge is the number of its forward faces minus the number of its
 /// backward faces. The agreement of two sheets is minus the product of their sums, added over
@@ -44,11 +44,11 @@ class SheetAlignment {
   void reverse(Index sheet, bool was_reversed);
 
  private:
-  using End = std::pair<Index, int>;  ///< an edge, and the nonzero sum of a sheet there
+  using End = std::pair<Index, int>;  ///< an edge, and the nonzero sum of a sheet at this edge
   /// A link from an aligned sheet to all sheets of a kind that are not yet aligned.
   struct Step {
     std::int64_t strength = -1;
-    Index sheet = no_index;  ///< the lowest of these sheets
+    Index sheet = no_index;  ///< the lowest sheet of the kind that is not yet aligned
     bool is_reversed = false;
     bool operator<(const Step& other) const {
       if (strength != other.strength) return strength < other.strength;
@@ -59,17 +59,20 @@ class SheetAlignment {
     std::vector<Index> sheets;
     std::size_t aligned = 0;  ///< number of aligned sheets; the lowest ones are aligned first
     Step best{};              ///< the strongest link to this kind
-    std::array<bool, 2> has_links{};  ///< links from an unreversed and from a reversed sheet exist
+    /// True if links from an unreversed sheet [0] or a reversed sheet [1] exist.
+    std::array<bool, 2> has_links{};
     const std::vector<End>* ends = nullptr;
   };
 
   void push(Index kind);
   void link(Index from, bool is_reversed);
 
-  std::vector<std::vector<End>> ends_;                        ///< per sheet, sorted by edge
-  std::vector<std::int64_t> sums_;                            ///< per edge
-  std::vector<std::vector<std::pair<Index, int>>> kinds_at_;  ///< per edge: kind and sum
-  std::vector<Index> kind_of_;                                ///< per sheet
+  /// Ends of each sheet, sorted by edge.
+  std::vector<std::vector<End>> ends_;
+  std::vector<std::int64_t> sums_;  ///< sum of the sheets of the group at each edge
+  /// Kinds of the sheets that end at each edge, with their sums.
+  std::vector<std::vector<std::pair<Index, int>>> kinds_at_;
+  std::vector<Index> kind_of_;  ///< kind of each sheet
   std::vector<Kind> kinds_;
   std::priority_queue<Step> steps_;
 };

@@ -43,14 +43,14 @@ class FaceCutter {
   Mesh& mesh_;
   BorderSplits result_;
   Index face_ = no_index;          ///< face whose edges are being cut
-  std::array<Index, 3> holder_{};  ///< per edge of `face_`: the piece that contains it
+  std::array<Index, 3> holder_{};  ///< for each edge of `face_` the piece that contains it
 };
 
 void FaceCutter::cut(Index face, Index corner, const std::vector<Index>& vertices) {
   if (face != face_) holder_ = {face, face, face};
   face_ = face;
   const Index piece = holder_[corner];
-  // Each piece keeps two corners of its face; a vertex on an edge replaces the third.
+  // Each piece keeps two corners of its face; a vertex on an edge replaces the third corner.
   const Face whole = mesh_.faces[piece];
   Index from = whole[corner];
   for (const Index v : vertices) {

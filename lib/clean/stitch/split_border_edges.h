@@ -1,7 +1,7 @@
 /// Splits border edges at border vertices within a tolerance, as at T-junctions, so that both sides
 /// have the same vertices. No vertex moves or is added. The surface moves by the distance of the
-/// vertices from the edges. Faces are cut into fans; the new pieces follow all faces. Cost: O(n log
-/// n). Deterministic.
+/// vertices from the edges. Faces are cut into triangle fans; the new pieces follow all faces.
+/// Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace transformesh {
 
 struct BorderSplits {
   std::size_t edges = 0;
-  std::vector<Index> face_source;  ///< per new face: the face that it is cut from
+  std::vector<Index> face_source;  ///< for each new face the face that it is cut from
 };
 
 /// Splits the edges. Changes faces, but no columns. Vertices within the tolerance of each other

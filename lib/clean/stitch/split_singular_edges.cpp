@@ -23,7 +23,7 @@ class Splitter {
   Mesh& mesh_;
   std::vector<Index>& opposite_;
   const std::size_t old_faces_;
-  std::map<Index, Index> moved_;  ///< new halfedges of halfedges that moved to a new face
+  std::map<Index, Index> moved_;  ///< maps halfedges that moved to a new face to their new indices
   EdgeSplits result_;
 };
 
@@ -49,7 +49,7 @@ Index Splitter::split_face(Index h, Index vertex) {
   result_.face_source.push_back(source(face));
   result_.cut_faces.push_back(source(face));
 
-  // The edge after the split one moves to the new face; the cut takes its place in the old face.
+  // The edge after the split edge moves to the new face. The cut takes its place in the old face.
   pair(3 * added + next % 3, opposite_[next]);
   moved_[next] = 3 * added + next % 3;
   pair(next, 3 * added + before % 3);
@@ -84,7 +84,7 @@ std::vector<Index> Splitter::find_singular() {
 }
 
 // Repeats until no edge is singular. If one sheet has two faces with the same corners, both are cut
-// along the same edge and the cuts coincide. This takes another round.
+// along the same edge, and their cuts form a new singular edge.
 EdgeSplits Splitter::split() {
   for (auto singular = find_singular(); !singular.empty(); singular = find_singular()) {
     for (Index h : singular) {

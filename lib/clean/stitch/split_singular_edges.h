@@ -10,7 +10,7 @@
 
 namespace transformesh {
 
-/// Result of the splits. Indices of faces are those before splitting.
+/// Result of the splits. Indices of faces are the indices before splitting.
 struct EdgeSplits {
   struct Midpoint {
     Index face;                 ///< a face that contains the midpoint
@@ -18,12 +18,12 @@ struct EdgeSplits {
   };
   std::size_t edges = 0;           ///< number of split edges
   std::vector<Midpoint> vertices;  ///< new vertices
-  std::vector<Index> face_source;  ///< per new face: the face that it is cut from
+  std::vector<Index> face_source;  ///< for each new face the face that it is cut from
   std::vector<Index> cut_faces;    ///< faces that were cut; may contain duplicates
 };
 
 /// Splits the edges. Changes positions and faces, but no columns; new entries follow the old ones.
-/// `opposite` gives for each halfedge the one that continues its sheet, or no_index, and is
+/// `opposite` holds for each halfedge the halfedge that continues its sheet, or no_index, and is
 /// updated.
 EdgeSplits split_singular_edges(Mesh& mesh, std::vector<Index>& opposite);
 

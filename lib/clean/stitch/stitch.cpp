@@ -1,7 +1,7 @@
 // Stitches a mesh (paper 3.3): joins vertices, optionally orients faces, pairs the halfedges at
-// each edge, and duplicates singular vertices (3.3.1). Departure from the paper: a singular edge
-// that is left after this is split at its midpoint (split_singular_edges.h). Cost: O(n log n).
-// Deterministic.
+// each edge, and duplicates singular vertices (3.3.1). Departure from the paper: an edge that is
+// still singular after these steps is split at its midpoint (split_singular_edges.h). Cost: O(n log
+// n). Deterministic.
 #include "transformesh/stitch.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace transformesh {
 namespace {
 
-// Replaces the vertices of faces by those with which they are joined. Returns the number of
+// Replaces the corners of faces by the vertices with which they are joined. Returns the number of
 // replaced vertices.
 std::size_t join_vertices(Mesh& mesh, double tolerance) {
   const std::vector<Index> representative = weld_positions(mesh.positions, tolerance);

@@ -14,12 +14,13 @@
 namespace transformesh {
 namespace {
 
-/// Points within the tolerance along x, on average; with more, cells replace the sweep.
+/// If points have on average more other points than this within the tolerance along x, cells
+/// replace the sweep.
 constexpr std::size_t usual_window = 100;
 constexpr std::size_t most_tried = 4096;  ///< up to this number of pairs is tested without a tree
-constexpr double largest_cell = 0x1p45;   ///< in units of the tolerance: cell indices of larger
-                                          ///< coordinates are not exact in doubles
-/// Exceeds 1 plus the relative rounding error of a distance.
+/// Largest coordinate, in tolerances, whose cell index is exact in doubles.
+constexpr double largest_cell = 0x1p45;
+/// Factor that exceeds 1 plus the relative rounding error of a distance.
 constexpr double surely = 1 + 1e-9;
 
 bool is_within(const Vec3& a, const Vec3& b, double tolerance) {
@@ -71,12 +72,12 @@ class HeapWeld {
   using Key = std::array<double, 3>;
   struct Cell {
     std::vector<Index> points;
-    std::unique_ptr<KdTree> tree;  ///< built on demand
+    std::unique_ptr<KdTree> tree;  ///< tree of the cell's points, built on demand
   };
   using Place = std::map<Key, Cell>::iterator;
 
   void join_around(Place cell, DisjointSets& sets) {
-    // Points within the tolerance are two cells apart; one more for rounding.
+    // Points within the tolerance are at most two cells apart. One more cell allows for rounding.
     constexpr int reach = 3;
     const Key key = cell->first;
     for (int i = 0; i <= reach; ++i) {
@@ -121,7 +122,8 @@ class HeapWeld {
   std::map<Key, Cell> cells_;
 };
 
-// Joins equal positions, which are adjacent in `order`, and keeps one of each in `order`.
+// Joins vertices with equal positions, which are adjacent in `order`, and keeps only one of them in
+// `order`.
 void join_equal(const std::vector<Vec3>& positions, std::vector<Index>& order, DisjointSets& sets) {
   const auto is_joined = [&](Index a, Index b) {
     const bool is_equal = positions[a] == positions[b];

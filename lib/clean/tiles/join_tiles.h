@@ -14,7 +14,7 @@ namespace transformesh {
 struct JoinResult {
   std::size_t tiles = 0;
   std::size_t vertices = 0, faces = 0;  ///< number of vertices and of faces of the result
-  std::size_t joined_vertices = 0;      ///< vertices of tiles that were merged into others
+  std::size_t joined_vertices = 0;      ///< vertices of tiles that were merged into other vertices
 };
 
 /// Reads the files cleaned_tile_path() of a folder, and writes binary PLY with `comment` added.

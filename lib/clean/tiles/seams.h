@@ -26,7 +26,7 @@ class Seams {
   std::size_t join();
 
   /// Returns the vertex of the joined mesh for each vertex of a mesh. Joined vertices have the
-  /// place of the first of them; all others keep their order.
+  /// place of the first joined vertex; all others keep their order.
   std::vector<Index> numbers_of(std::size_t mesh) const;
   /// Returns true for each vertex that was merged into an earlier vertex.
   std::vector<bool> is_repeated(std::size_t mesh) const;
@@ -39,8 +39,8 @@ class Seams {
   };
   struct Part {
     std::size_t vertices = 0;  ///< number of vertices of the mesh
-    Index first_border = 0;    ///< index of its first border vertex
-    Index first_number = 0;    ///< index of its first vertex in the joined mesh
+    Index first_border = 0;    ///< index of the mesh's first border vertex
+    Index first_number = 0;    ///< index of the mesh's first vertex in the joined mesh
   };
 
   void find_borders(const std::vector<Face>& faces, std::size_t vertices);
@@ -48,13 +48,13 @@ class Seams {
   void number_vertices();
 
   std::vector<Part> parts_;
-  /// Per border vertex: the vertex of its mesh; ascending in each mesh.
+  /// Index of each border vertex in its mesh; ascending in each mesh.
   std::vector<Index> vertex_of_;
-  std::vector<Vec3> positions_;  ///< per border vertex
+  std::vector<Vec3> positions_;  ///< position of each border vertex
   std::vector<Face> halfedges_;  ///< border halfedges by border vertices of all meshes: from, to, 0
-  std::vector<Vec3> apexes_;     ///< per border halfedge
-  std::vector<Index> first_;     ///< per border vertex: the first vertex that is joined with it
-  std::vector<Index> number_;    ///< per border vertex: its vertex in the joined mesh
+  std::vector<Vec3> apexes_;     ///< position of the third corner at each border halfedge
+  std::vector<Index> first_;     ///< for each border vertex the first vertex that is joined with it
+  std::vector<Index> number_;    ///< index of each border vertex in the joined mesh
   std::vector<Index> border_vertices_;
   std::vector<BorderFace> border_faces_;
   std::size_t vertex_count_ = 0;

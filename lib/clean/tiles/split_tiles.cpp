@@ -17,9 +17,9 @@
 namespace transformesh {
 namespace {
 
-/// Number of sampled positions that determine the boxes of tiles. With a tenth of the samples, 16
-/// tiles of a million faces have equal numbers of faces within 0.1 %. Thousands of tiles need a
-/// hundred samples each.
+/// Number of sampled positions that determine the boxes of tiles. A tenth of the samples divides a
+/// million faces into 16 tiles whose numbers of faces differ by 0.1 %. Thousands of tiles need
+/// about a hundred samples per tile.
 constexpr std::size_t most_samples = 1000000;
 /// Size of the output buffer, in bytes. A choice without influence on the result.
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
@@ -28,7 +28,8 @@ constexpr Index rings = rings_of_complete + rings_around_complete;
 /// Width of a coarse cell, in cells. With 4 or 16, tiles of a million folded faces are the same,
 /// and the time differs by less than a tenth.
 constexpr double cells_per_coarse_cell = 8;
-constexpr std::size_t faces_per_report = std::size_t{1} << 16;  ///< interval of progress reports
+/// Number of faces between two reports of progress.
+constexpr std::size_t faces_per_report = std::size_t{1} << 16;
 
 class Splitter {
  public:
@@ -63,9 +64,9 @@ class Splitter {
   std::vector<Cell> coarse_cells_;
   std::vector<Index> cell_owners_;  ///< for each of `cells_`: the tile whose own box contains the
                                     ///< cell, or no_index
-  std::vector<Index> found_, owners_;  ///< tiles of the current face or cell
-  std::vector<Box> own_, held_;        ///< per tile
-  std::vector<char> has_faces_;        ///< per tile: 1 if it has own faces
+  std::vector<Index> found_, owners_;  ///< tiles that contain the current face, or the current cell
+  std::vector<Box> own_, held_;        ///< Tile::own and Tile::held of each tile
+  std::vector<char> has_faces_;        ///< 1 for each tile with own faces
   std::optional<BoxGrid> boxes_;       ///< search structure of the own boxes
   std::vector<ReferencePoint> references_;
   FaceSums sums_;
@@ -100,8 +101,8 @@ void Splitter::choose_boxes() {
   margin_ = margin_around(cell_size_.bounds(), rows_.coordinate());
 }
 
-// Returns the tile whose own box contains a cell, or no_index. All such cells count as marked for
-// the tile, so that marks are only stored outside of own boxes.
+// Returns the tile whose own box contains a cell, or no_index. Cells in the own box of a tile count
+// as marked for the tile, so that marks are only stored outside of own boxes.
 Index Splitter::owner_of(Cell cell) {
   const Box box = grid_.box_around(cell);
   boxes_->find(box.min(), box.max(), owners_);
@@ -267,8 +268,8 @@ SplitResult Splitter::split() {
   return std::move(result_);
 }
 
-/// Returns a file name. Numbers have as many digits as that of the last tile, so that a shell sorts
-/// the names by number.
+/// Returns a file name. Numbers have as many digits as the number of the last tile, so that a shell
+/// sorts the names by number.
 std::string numbered(const std::string& folder, const std::string& stem, std::size_t number,
                      std::size_t count) {
   const std::string digits = std::to_string(number);
@@ -285,7 +286,7 @@ SplitResult split_tiles(const PlyRows& rows, std::size_t count, const std::strin
   try {
     return Splitter(rows, count, folder, progress).split();
   } catch (...) {
-    std::error_code ignored;  // a folder that is not empty stays
+    std::error_code ignored;  // the error that the folder is not empty is ignored
     std::filesystem::remove(folder, ignored);
     throw;
   }

@@ -5,7 +5,7 @@
 ///
 /// The file is read six times sequentially, and once more tile by tile. Memory: 64 KB per tile,
 /// about 30 bytes per face of the largest tile, and one position per face up to a million. Each
-/// cell (cell_grid.h) outside of the own box of a tile that faces of the tile touch takes 64 bytes.
+/// cell (cell_grid.h) that a tile's faces touch outside of its own box takes 64 bytes.
 /// Deterministic.
 #pragma once
 

@@ -37,7 +37,7 @@ void TileWindings::add(const Triangle& t) {
   for (; ray != rays_.end() && ray->from.y() <= high; ++ray) ray->path.add(t);
 }
 
-// The winding number at infinity is 0.
+// Starts from the winding number at infinity, which is 0.
 ReferencePoint TileWindings::of_box(std::size_t box) const {
   if (is_empty_[box]) return {};
   for (const Ray& ray : rays_) {

@@ -26,7 +26,7 @@ class TileWindings {
     std::size_t box;
     AxisPath path;
   };
-  std::vector<Ray> rays_;  ///< sorted by y of their starts
+  std::vector<Ray> rays_;  ///< rays, sorted by the y coordinate of their starts
   std::vector<char> is_empty_;
 };
 

@@ -21,7 +21,7 @@ namespace {
 constexpr double double_sided_share = 0.5;
 
 /// Describes a mesh of coincident reverses. An empty difference and a double-sided solid are the
-/// same mesh, so the text names both. One side of a double-sided sheet is open.
+/// same mesh, so the text names both. A double-sided sheet without its reverses is open.
 Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
   const bool is_sheet = one_side_is_open(mesh);
   return {is_sheet ? ErrorKind::double_sided_sheet : ErrorKind::double_sided,

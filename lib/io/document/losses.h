@@ -12,16 +12,17 @@ namespace transformesh {
 
 /// Contents of a document that a format other than PLY stores.
 struct Keeps {
-  std::string format;  ///< name in messages, such as OFF
+  std::string format;  ///< name of the format in messages, such as OFF
   std::vector<std::string_view> vertex_columns;
   std::vector<std::string_view> face_columns;
-  std::size_t comments = static_cast<std::size_t>(-1);  ///< largest number of comments
+  /// Largest number of comments that the format stores.
+  std::size_t comments = static_cast<std::size_t>(-1);
 };
 
 std::vector<std::string> losses(const Document& document, const Keeps& keeps);
 
 /// True if a program of this suite wrote the comment (options, reference edge). Every output gets
-/// new ones, so that dropping them needs no note.
+/// new comments of this kind, so dropping them needs no note.
 bool is_own_comment(const std::string& comment);
 
 /// True if all of these columns exist, are not lists, and hold finite numbers only. Formats other

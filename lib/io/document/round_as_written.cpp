@@ -13,7 +13,8 @@ void round_columns(Columns& columns) {
     if (column.type == Scalar::float64) continue;
     with_scalar(column.type, [&](auto zero) {
       for (double& value : column.values) {
-        const volatile auto written = to_scalar<decltype(zero)>(value);  // see round_to_single()
+        // Volatile for the reason given at round_to_single().
+        const volatile auto written = to_scalar<decltype(zero)>(value);
         value = static_cast<double>(written);
       }
     });

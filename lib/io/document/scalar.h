@@ -43,10 +43,11 @@ inline bool is_floating(Scalar type) { return type == Scalar::float32 || type ==
 
 /// Returns the PLY name of a type: `uchar`, or `uint8` if `sized`.
 std::string_view scalar_name(Scalar type, bool sized);
-/// Returns the type of a PLY name in either spelling; nothing for other words.
+/// Returns the type of a PLY name in either spelling. Returns nothing for other words.
 std::optional<Scalar> scalar_of_name(std::string_view name);
 
-/// Returns the integer type if it can represent `largest`, else the narrowest wider one that can.
+/// Returns the integer type `type` if it can represent `largest`, else the narrowest wider type
+/// that can.
 Scalar widened(Scalar type, std::uint64_t largest);
 
 /// Returns the nearest value of type T. Integers are rounded and clamped, NaN becomes 0.

@@ -25,8 +25,8 @@ T byte_swapped(T value) {
 template <class T>
 T load_scalar(const char* from, bool swapped) {
   T value;
-  if constexpr (sizeof(T) == 4) {  // Swapped as an integer: copying a float may change the bits of
-                                   // a NaN.
+  // Bytes are swapped as an integer, because copying a float may change the bits of a NaN.
+  if constexpr (sizeof(T) == 4) {
     std::uint32_t bits = 0;
     std::memcpy(&bits, from, sizeof(bits));
     return std::bit_cast<T>(swapped ? byte_swapped(bits) : bits);

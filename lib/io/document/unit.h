@@ -24,11 +24,11 @@ std::span<const Unit> all_units();
 /// Returns the unit with this name or abbreviation, or null.
 const Unit* find_unit(std::string_view name);
 
-/// Returns the unit of the `tm:unit` comment. Without one, returns millimeter for STL, its usual
-/// unit, else null.
+/// Returns the unit of the `tm:unit` comment. Without the comment, returns millimeter, the usual
+/// unit, for STL, and null for other formats.
 const Unit* unit_of(const Document& document);
 
-/// Replaces the `tm:unit` comment.
+/// Replaces the `tm:unit` comment by a comment with this unit.
 void set_unit(Document& document, const Unit& unit);
 
 /// Appends a note for a format that cannot store the document's unit, unless the unit is `usual`.

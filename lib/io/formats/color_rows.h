@@ -19,12 +19,13 @@ class ColorRows {
   /// Sets the color of a row. Call in order of rows; skipped rows have no color. A color with NaN
   /// in its first `channels` values is bad and becomes zeros.
   void set(std::size_t row, const Color& color, std::size_t channels);
-  /// Call for each number as written: a point or an exponent makes all colors floating point.
+  /// Must be called with the text of each number: a point or an exponent makes all colors floating
+  /// point.
   void see_word(std::string_view word);
 
-  /// Adds red green blue (alpha), or color_index if rows have only one number. Integers become
-  /// uchar (an index int) if they fit, then int, else double. Rows without a color get zeros; rows
-  /// without alpha are opaque.
+  /// Adds red green blue (alpha), or color_index if rows have only one number. Integer channels
+  /// become uchar if they fit, else int, else double; an index becomes int or double. Rows without
+  /// a color get zeros; rows without alpha are opaque.
   void add_columns(std::size_t rows, Columns& columns);
   std::size_t missing_rows() const;
   std::size_t bad_rows() const { return bad_rows_; }

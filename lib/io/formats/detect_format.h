@@ -20,9 +20,9 @@ enum class FileKind {
   point_table
 };
 
-/// Detects the format. The extension of the name decides only if the bytes cannot: OFF without its
-/// keyword, binary STL of a wrong size, files of comments only. Throws InputError, showing the
-/// first bytes, if no format fits.
+/// Detects the format. The extension of the name decides only if the bytes are ambiguous: OFF
+/// without its keyword, binary STL of a wrong size, files of comments only. Throws InputError,
+/// showing the first bytes, if no format fits.
 FileKind detect_format(const Source& source);
 
 /// Throws InputError (unknown_format) that shows the first bytes and names all formats.

@@ -13,13 +13,13 @@
 
 namespace transformesh {
 
-/// Results of triangulation. Most polygons are fans, which need only one byte each.
+/// Results of triangulation. Most polygons become triangle fans, which are stored in one byte each.
 struct FaceRows::Cuts {
   enum class Kind : std::uint8_t { fan, not_finite, other };
 
   std::vector<Kind> kinds;                ///< kind of each polygon
   std::vector<std::size_t> numbers;       ///< indices of the polygons of kind `other`
-  std::vector<PolygonTriangles> results;  ///< triangles of these polygons
+  std::vector<PolygonTriangles> results;  ///< triangles of the polygons in `numbers`
 };
 
 void FaceRows::add(std::span<const Index> corners) {

@@ -15,7 +15,7 @@ namespace transformesh {
 class FaceRows {
  public:
   void reserve(std::size_t faces) { triangles_.reserve(faces); }
-  /// Appends a triangle. Inline for tight loops.
+  /// Appends a triangle. The function is inline because readers call it in tight loops.
   void add(const Face& triangle) {
     triangles_.push_back(triangle);
     ++rows_;
@@ -27,17 +27,18 @@ class FaceRows {
   /// Sets whether move_into() sets polygon_column (merge_polygons.h) if there are polygons.
   void keep_polygons(bool keeps) { keeps_polygons_ = keeps; }
 
-  /// Moves the faces into the mesh. Its vertices must be complete, and its face columns must have
-  /// one row for each added row. Face columns then get one row per triangle; texture coordinates
-  /// are those of its corners. Vertices with a non-finite coordinate are dropped with the rows that
-  /// use them. `notes` state how many faces were cut or dropped, numbered from `first_number`.
+  /// Moves the faces into the mesh. The mesh must have all vertices, and its face columns must have
+  /// one row for each added row. Afterwards face columns have one row for each triangle, with the
+  /// texture coordinates of the triangle's corners. Vertices with a non-finite coordinate are
+  /// dropped with the rows that use them. `notes` state how many faces were cut or dropped,
+  /// numbered from `first_number`.
   void move_into(Mesh& mesh, const std::string& format, std::vector<std::string>& notes,
                  std::uint32_t first_number = 0);
 
  private:
   struct Polygon {
     std::uint32_t row;
-    std::size_t first;  ///< first of its corners in `corners_`
+    std::size_t first;  ///< index of the polygon's first corner in `corners_`
   };
   struct Cuts;
 

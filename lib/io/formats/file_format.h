@@ -14,7 +14,7 @@ namespace transformesh {
 /// Returns the output format. `wanted` is ply, ply-ascii, ply-be, off, obj, stl, glb, vtp, 3mf or
 /// xyz. If `wanted` is empty, the extension of `name` decides, in upper or lower case. If the
 /// extension is not one of written_endings(), the format is the input's, or PLY for OBJ and STL
-/// input. The encoding is the input's if the formats are the same.
+/// input. If input and output have the same format, the encoding is the input's.
 Format format_for(Format input, std::string_view wanted, std::string_view name);
 
 /// Returns the extensions that select a format: .ply .off .obj .stl .glb .vtp .3mf .xyz.

@@ -11,8 +11,8 @@ namespace {
 
 using Group = std::vector<Column*>;
 
-/// Returns the floating-point columns with these names; empty if one of them is missing, a list or
-/// of integers.
+/// Returns the floating-point columns with these names. Returns an empty group if one of them is
+/// missing, is a list or has integers.
 Group group_of(Columns& columns, std::initializer_list<std::string_view> names) {
   Group group;
   for (const std::string_view name : names) {

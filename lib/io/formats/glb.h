@@ -9,8 +9,8 @@
 /// instead. A vertex with several texture coordinates is then repeated after the other vertices.
 /// Document::texture is the base color, shown unlit (KHR_materials_unlit), because photographs
 /// already contain the lighting. For a closed, oriented manifold, EXT_mesh_manifold (E. Lalish,
-/// Khronos glTF extensions, 2024) records this and which repeated vertices are one. Comments are in
-/// the extras of `asset`.
+/// Khronos glTF extensions, 2024) records this property and which repeated vertices are one.
+/// Comments are in the extras of `asset`.
 ///
 /// Reading joins all meshes of the scene, transformed by their nodes; gltf_mesh.h lists the
 /// attributes that are read. Colors of vertices and materials are taken unchanged, without a

@@ -54,7 +54,7 @@ class GlbReader {
   }
 
   void add_instance(const GltfInstance& instance) {
-    // A visit takes time even if the mesh is empty.
+    // Bytes counted for a visit of a node, which takes time even if the mesh is empty.
     constexpr std::size_t cost_of_visit = 64;
     budget_.spend(cost_of_visit);
     Document part;
@@ -80,7 +80,7 @@ class GlbReader {
     for (Vec3& position : mesh.positions) position = to_scene * position;
     const Eigen::Matrix3d linear = to_scene.linear();
     const double sign = linear.determinant() < 0 ? -1 : 1;
-    // The inverse transpose up to a factor, without a division.
+    // The inverse transpose up to a factor: the matrix of cofactors, which needs no division.
     Eigen::Matrix3d normal_matrix;
     normal_matrix << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
         linear.col(0).cross(linear.col(1));

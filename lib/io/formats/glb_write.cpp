@@ -60,7 +60,7 @@ bool are_in_unit_range(const Column& column) {
                      [](double value) { return value >= 0 && value <= 1; });
 }
 
-/// Repeats vertices so that each one has a single texture coordinate, in the columns s and t.
+/// Repeats vertices so that each vertex has a single texture coordinate, in the columns s and t.
 Mesh split_at_seams(const Mesh& mesh, const Column& lists) {
   Mesh split = mesh;
   std::vector<Index> rows(mesh.positions.size());
@@ -130,7 +130,7 @@ class GlbWriter {
     json["nodes"] = {{{"mesh", 0}}};
     json["meshes"] = {{{"primitives", {primitive}}}};
     if (is_manifold_) add_manifold(primitive, json);
-    // The default material is metallic and invisible from behind.
+    // Without these settings, the default material of glTF is metallic and invisible from behind.
     json["materials"] = {
         {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"doubleSided", true}}};
     if (!document_.texture.empty()) add_picture(json);
@@ -248,7 +248,8 @@ class GlbWriter {
 
   template <class T>
   std::size_t add_color_rows(const ColumnGroup& group, T opaque) {
-    constexpr std::size_t channels = 4;  // three bytes would not be aligned to 4
+    // Four, because three bytes would not be aligned to 4 bytes.
+    constexpr std::size_t channels = 4;
     std::vector<T> values;
     for (std::size_t row = 0; row < mesh_.positions.size(); ++row)
       for (std::size_t i = 0; i < channels; ++i)
@@ -291,8 +292,8 @@ class GlbWriter {
     for (const Column* column : group) kept_.push_back(column->name);
   }
 
-  /// Stores values, `width` of them per element, and returns the index of their accessor. `target`
-  /// is 0 for values that are neither vertices nor indices.
+  /// Stores values, `width` for each element, and returns the index of their accessor. `target` is
+  /// 0 for values that are neither vertices nor indices.
   template <class T>
   std::size_t add(const std::vector<T>& values, std::size_t width, int target) {
     const std::size_t start = binary_.size();

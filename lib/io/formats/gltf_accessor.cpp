@@ -14,7 +14,7 @@ namespace {
 
 using Json = GltfFile::Json;
 
-/// Calls f with a zero of the type that a component type of the standard denotes; returns false for
+/// Calls f with a zero of the C++ type for a component type of the standard. Returns false for
 /// other numbers.
 template <class Function>
 bool with_component(std::size_t type, const Function& f) {

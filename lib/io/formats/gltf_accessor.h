@@ -9,10 +9,11 @@
 namespace transformesh {
 
 struct GltfNumbers {
-  std::vector<double> values;  ///< `width` per element; normalized integers are in [-1, 1]
+  /// `width` values for each element; normalized integers are in [-1, 1].
+  std::vector<double> values;
   std::size_t width = 1;
-  bool is_byte = false;      ///< stored as unsigned bytes
-  bool is_floating = false;  ///< stored as floats
+  bool is_byte = false;      ///< true if the file stores unsigned bytes
+  bool is_floating = false;  ///< true if the file stores floats
 
   std::size_t size() const { return values.size() / width; }
 };

@@ -54,7 +54,8 @@ std::string without_escapes(std::string_view uri) {
 }  // namespace
 
 bool is_gltf_text(std::string_view bytes) {
-  constexpr std::size_t searched = 1U << 16U;  // writers put `asset` first, or after a few nodes
+  // Bytes that are searched for `asset`, which writers put first or after a few nodes.
+  constexpr std::size_t searched = 1U << 16U;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || bytes[first] != '{') return false;
   const std::string_view start = bytes.substr(0, searched);
@@ -124,8 +125,8 @@ void GltfFile::check_version() const {
     fail("version " + transformesh::quoted(version) + " is not supported, only 2");
 }
 
-/// Throws for required extensions that are not supported. Extensions that are only used have a
-/// fallback.
+/// Throws InputError for required extensions that are not supported. Extensions that are used but
+/// not required have a fallback.
 void GltfFile::check_extensions() const {
   const auto list = json_.find("extensionsRequired");
   if (list == json_.end() || !list->is_array()) return;
@@ -194,8 +195,8 @@ std::string GltfFile::read_uri(std::size_t index, const std::string& uri) const 
   return *bytes;
 }
 
-/// Rejects names that leave the folder, by themselves or by a symbolic link, and devices, whose
-/// data may be endless.
+/// Rejects names that lead out of the folder, directly or by a symbolic link. Also rejects devices,
+/// whose data may be endless.
 std::string GltfFile::read_beside(const std::string& name) const {
   const fs::path path(name);
   const bool leaves = path.is_absolute() || name.find("://") != std::string::npos ||

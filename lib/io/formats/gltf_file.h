@@ -22,17 +22,17 @@ class GltfFile {
 
   const Source& source() const { return source_; }
   const Json& json() const { return json_; }
-  /// Returns the number of bytes after the end that the GLB header states.
+  /// Returns the number of bytes after the end of the file that the GLB header states.
   std::size_t rest() const { return rest_; }
 
   /// Returns the number of elements of a top-level array: nodes, meshes, and so on.
   std::size_t count(const char* array) const;
-  /// Returns an element of such an array. Throws InputError if there is none or it is not an
-  /// object.
+  /// Returns an element of a top-level array. Throws InputError if the element is missing or is not
+  /// an object.
   const Json& element(const char* array, std::size_t index) const;
   /// Returns a member that is a nonnegative integer, or `fallback` if it is missing. Throws
-  /// InputError if it is something else, or if it is missing and there is no fallback. `what` names
-  /// the object in messages.
+  /// InputError if the member is something else, or if it is missing and there is no fallback.
+  /// `what` names the object in messages.
   std::size_t whole(const Json& object, const char* key, const std::string& what,
                     std::optional<std::size_t> fallback = {}) const;
   /// Returns the bytes of a buffer view. Throws InputError if the view exceeds its buffer.
@@ -53,7 +53,7 @@ class GltfFile {
   Source source_;
   std::string folder_;
   Json json_;
-  std::string_view binary_;  ///< the binary chunk of GLB
+  std::string_view binary_;  ///< bytes of the binary chunk of GLB
   bool has_binary_ = false;
   std::vector<std::string> buffers_;  ///< bytes of the buffers other than the binary chunk
   std::size_t rest_ = 0;

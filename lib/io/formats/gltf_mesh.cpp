@@ -64,7 +64,8 @@ class MeshReader {
       return;
     }
     const Json& attributes = member(primitive, "attributes");
-    // Primitives of several materials often share their vertices.
+    // Vertices are added only if they differ from the last primitive's: primitives of several
+    // materials often share vertices.
     if (attributes != attributes_ || mesh_.positions.empty()) add_vertices(attributes);
     if (mode == as_points) return;
     add_faces(primitive, mode);
@@ -117,7 +118,8 @@ class MeshReader {
       add_colors(found, columns);
     } else if (key == "TEXCOORD_0" && found.width == 2) {
       add_group({"s", "t"}, found, columns);
-      for (double& value : columns.find("t")->values) value = 1 - value;  // v runs downwards
+      // In glTF, v runs downwards.
+      for (double& value : columns.find("t")->values) value = 1 - value;
     } else if (key.starts_with('_') && key.size() > 1 && found.width == 1) {
       const std::string name = column_name(lower_case(key.substr(1)));
       add_group({name.c_str()}, found, columns);
@@ -135,7 +137,8 @@ class MeshReader {
     }
   }
 
-  /// Bytes stay bytes. If all vertices are opaque, there is no alpha column.
+  /// Colors that are stored as bytes stay bytes. If all vertices are opaque, no alpha column is
+  /// added.
   static void add_colors(const GltfNumbers& found, Columns& columns) {
     bool is_opaque = true;
     for (std::size_t i = 0; i < found.size() && found.width == 4; ++i)
@@ -228,8 +231,8 @@ class MeshReader {
 
   // --- EXT_mesh_manifold -------------------------------------------------------------------------
 
-  /// Takes the corners of the manifold primitive. They are those of all primitives in order, with
-  /// repeated vertices replaced by one of them.
+  /// Takes the corners of the manifold primitive. The corners are those of all primitives in order,
+  /// with repeated vertices replaced by one of them.
   void merge() {
     const Json& extension = member(member(entry_, "extensions"), "EXT_mesh_manifold");
     const Json& primitive = member(extension, "manifoldPrimitive");
@@ -298,7 +301,7 @@ class MeshReader {
   ExpansionBudget& budget_;
   GltfLosses& losses_;
   Json attributes_;        ///< attributes of the vertices read last
-  std::size_t first_ = 0;  ///< first vertex of these
+  std::size_t first_ = 0;  ///< index of the first vertex that was read last
   bool are_triangles_ = true;
   std::vector<Color> face_colors_;
   Mesh mesh_;

@@ -14,7 +14,8 @@ namespace transformesh {
 struct GltfLosses {
   std::size_t line_primitives = 0;
   std::size_t unread_attributes = 0;
-  std::size_t unused_merges = 0;  ///< meshes whose EXT_mesh_manifold does not fit their primitives
+  /// Number of meshes whose EXT_mesh_manifold does not fit their primitives.
+  std::size_t unused_merges = 0;
 };
 
 /// Returns the triangles of a mesh, or its points. NORMAL becomes nx ny nz, COLOR_0 red green blue

@@ -37,7 +37,7 @@ Eigen::Affine3d transform_of(const GltfFile& file, const Json& node) {
   const auto r = numbers_of<4>(file, node, "rotation", {0, 0, 0, 1});
   const auto s = numbers_of<3>(file, node, "scale", {1, 1, 1});
   transform.translate(Eigen::Vector3d(t[0], t[1], t[2]));
-  // Quaternions are stored as floats, so their length is not exactly 1.
+  // Quaternions are normalized, because their floats do not have length 1 exactly.
   const Eigen::Quaterniond rotation(r[3], r[0], r[1], r[2]);
   if (node.contains("rotation") && rotation.squaredNorm() > 0)
     transform.rotate(rotation.normalized());

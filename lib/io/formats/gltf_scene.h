@@ -1,4 +1,4 @@
-/// The nodes with a mesh in a glTF scene.
+/// Lists the nodes with a mesh in a glTF scene.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,9 +13,9 @@ struct GltfInstance {
   Eigen::Affine3d to_scene;  ///< maps mesh coordinates to scene coordinates
 };
 
-/// Returns the instances of the default scene, or else of the first one, or else of all nodes. The
-/// order is that of a preorder traversal. Throws InputError for a node that is reached twice: the
-/// standard allows only trees, and a cycle would not terminate.
+/// Returns the instances of meshes in the default scene, or else in the first scene, or else at all
+/// nodes. The order is that of a preorder traversal. Throws InputError for a node that is reached
+/// twice: the standard allows only trees, and a cycle would not terminate.
 std::vector<GltfInstance> gltf_instances(const GltfFile& file);
 
 }  // namespace transformesh

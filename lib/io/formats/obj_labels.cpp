@@ -10,7 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// Returns the number that a name denotes. Nothing for `007`, which would be written as `7`.
+/// Returns the number that a name denotes. Returns nothing for `007`, which would be written as
+/// `7`.
 std::optional<std::int32_t> number_named(std::string_view name) {
   std::int32_t number = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -26,7 +27,7 @@ std::string comment_of(const ObjLabelKind& kind, long number, const std::string&
   return comment_start(kind) + std::to_string(number) + ' ' + name;
 }
 
-/// Returns numbers >= 1 that are not taken, in ascending order.
+/// Yields numbers >= 1 that are not taken, in ascending order.
 class FreeNumbers {
  public:
   explicit FreeNumbers(std::set<long> taken) : taken_(std::move(taken)) {}
@@ -60,7 +61,8 @@ const Column* labels_in(const Document& document, const ObjLabelKind& kind) {
   return are_numbers ? column : nullptr;
 }
 
-/// Parses a label comment. Returns nothing if the name is a different number.
+/// Parses a label comment. Returns nothing if the name is itself a number that differs from the
+/// label's.
 std::optional<std::pair<long, std::string>> label_in(const std::string& comment,
                                                      const ObjLabelKind& kind) {
   const std::string start = comment_start(kind);
@@ -82,8 +84,9 @@ std::map<long, std::string> called(const Document& document, const ObjLabelKind&
   return names;
 }
 
-/// Returns new numbers for later labels. A label with the name of an earlier one gets its number. A
-/// label whose number has another name in the earlier document gets a free number.
+/// Returns new numbers for later labels. A later label with the name of an earlier label gets the
+/// earlier number. A label whose number has another name in the earlier document gets a free
+/// number.
 std::map<long, long> changes_between(const std::map<long, std::string>& earlier,
                                      const std::map<long, std::string>& later) {
   std::map<std::string, long> numbers;

@@ -24,7 +24,7 @@ inline constexpr std::string_view obj_library_comment = "tm:mtllib ";
 /// Removes characters that would end the name or the line.
 std::string as_obj_name(std::string_view text);
 
-/// True if the comment is one that OBJ expresses as a statement.
+/// True if OBJ expresses the comment as a statement.
 bool is_obj_comment(const std::string& comment);
 
 /// Collects one kind of label while a file is read.
@@ -36,19 +36,21 @@ class ObjLabelReader {
   void move_into(const ObjLabelKind& kind, std::uint32_t rows, Document& document);
 
  private:
-  std::vector<std::pair<std::uint32_t, std::size_t>> starts_;  ///< first row, and index of its name
+  /// First row with a label, and index of the label's name.
+  std::vector<std::pair<std::uint32_t, std::size_t>> starts_;
   std::vector<std::string> names_;
   std::unordered_map<std::string, std::size_t> places_;
 };
 
-/// Returns the names of the numbers in that column, from the comments.
+/// Returns the names, as stated in the comments, of the numbers in the column of `kind`.
 std::map<long, std::string> obj_label_names(const ObjLabelKind& kind,
                                             const std::vector<std::string>& comments);
 
 /// Renumbers the labels of `other` before it is appended to `all`. Equal names get equal numbers; a
-/// number that has another name in `all` is replaced by a free one.
+/// number that has another name in `all` is replaced by a free number.
 void separate_obj_labels(const Document& all, Document& other);
-/// True if separate_obj_labels() is needed: both have labels of a kind, and some have names.
+/// True if separate_obj_labels() is needed: both documents have labels of one kind, and some labels
+/// have names.
 bool have_obj_labels(const Document& all, const Document& other);
 
 }  // namespace transformesh

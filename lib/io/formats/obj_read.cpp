@@ -104,7 +104,7 @@ class ObjReader {
     ++texture_points_;
   }
 
-  /// Reads the statement if it is a label, and returns whether it is one.
+  /// Reads the statement and returns true if it is a label.
   bool is_label(std::string_view keyword) {
     for (std::size_t i = 0; i < obj_label_kinds.size(); ++i) {
       if (keyword != obj_label_kinds[i].keyword) continue;
@@ -123,7 +123,7 @@ class ObjReader {
   }
 
   /// A corner is `vertex`, `vertex/texture`, `vertex//normal` or `vertex/texture/normal`. Indices
-  /// start at 1; negative ones are relative to the last vertex read.
+  /// start at 1; negative indices are relative to the last vertex read.
   Index read_corner(std::string_view word) {
     const char* first = word.data();
     const char* last = first + word.size();
@@ -191,8 +191,8 @@ class ObjReader {
     }
   }
 
-  /// Comments that OBJ expresses as statements are dropped: they describe an earlier version of the
-  /// mesh.
+  /// Drops comments that OBJ expresses as statements, because they describe an earlier version of
+  /// the mesh.
   void add_comments() {
     std::vector<std::string>& comments = result_.document.style.comments;
     comments = std::move(rows_.comments);
@@ -255,7 +255,7 @@ class ObjReader {
 }  // namespace
 
 ReadResult read_obj(const Source& source) {
-  // Some programs write the terminating zero of a C string at the end.
+  // Zero bytes at the end are removed: some programs write the terminating zero of a C string.
   const std::size_t size = source.bytes.find_last_not_of('\0') + 1;
   if (size < source.bytes.size() && source.is_strict)
     source.fail_at_byte(source.begin() + size, "the text ends in a byte of value 0");

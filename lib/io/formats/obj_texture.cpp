@@ -9,7 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// True if the value, converted to float, has the same text, so that float loses nothing.
+/// True if the value as a float has the same text as the value, so that a conversion to float loses
+/// nothing.
 bool is_text_of_float(double value) {
   std::array<char, 32> text{};
   const auto [end, error] =

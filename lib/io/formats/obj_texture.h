@@ -13,13 +13,13 @@ namespace transformesh {
 
 class ObjTexture {
  public:
-  /// Adds a texture coordinate. A non-finite one counts as missing.
+  /// Adds a texture coordinate. A non-finite texture coordinate counts as missing.
   void add_point(double u, double v) { points_.push_back({u, v}); }
-  /// Adds the texture indices of a face: from 1, or negative and relative to the last coordinate
-  /// read; 0 if a corner has none.
+  /// Adds the texture indices of a face. Indices start at 1, or are negative and relative to the
+  /// last coordinate read; 0 means that a corner has none.
   void add_face(std::uint32_t row, std::span<const Index> corners,
                 std::span<const std::int64_t> numbers);
-  /// True if a face has texture indices.
+  /// True if any face has texture indices.
   bool is_used() const { return !offsets_.empty(); }
   /// Adds columns as described in obj.h. The faces of the mesh must still be the rows of the file.
   void move_into(Mesh& mesh, std::uint32_t rows, std::vector<std::string>& notes);

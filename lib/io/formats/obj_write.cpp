@@ -19,7 +19,8 @@ std::vector<const Column*> color_columns(const Columns& columns) {
   return {columns.find("red"), columns.find("green"), columns.find("blue")};
 }
 
-/// A column of labels with their names. The statement written last stays in force.
+/// A column of labels with their names. A statement is valid for all following faces until the next
+/// statement.
 struct Labels {
   const ObjLabelKind* kind = nullptr;
   const Column* column = nullptr;
@@ -40,7 +41,8 @@ class ObjWriter {
 
   WriteResult write() {
     add_comment_lines();
-    if (mesh_.positions.empty()) text_.add("o empty\n");  // makes the format detectable
+    // A mesh without vertices needs a statement by which its format is detected.
+    if (mesh_.positions.empty()) text_.add("o empty\n");
     add_vertices();
     find_texture();
     find_labels();
@@ -185,7 +187,8 @@ class ObjWriter {
   const Column* lists_;  ///< MergedPolygons::outlines, or null
   FaceOutlines outlines_;
   Keeps keeps_{"OBJ", {}, {}};
-  std::vector<std::uint64_t> texture_corners_;  ///< one per corner, 0 for none; or empty
+  /// Number of the texture coordinate of each corner, 0 for none; or empty.
+  std::vector<std::uint64_t> texture_corners_;
   std::vector<Labels> labels_;
 };
 

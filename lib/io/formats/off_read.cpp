@@ -27,7 +27,7 @@ bool take_prefix(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-/// Accepts prefixes in any order: Geomview uses ST C N, MeshLab writes N C ST.
+/// Accepts prefix letters in any order: Geomview uses ST C N, MeshLab writes N C ST.
 OffVariant off_variant(std::string_view word) {
   OffVariant variant;
   for (;;) {
@@ -106,7 +106,7 @@ class OffReader {
   }
 
   void read_vertices() {
-    constexpr std::size_t shortest_row = 6;  // `0 0 0` and a line end
+    constexpr std::size_t shortest_row = 6;  // bytes of the shortest row: `0 0 0` and a line end
     if (vertex_count_ > source_.bytes.size() / shortest_row + 1 || vertex_count_ >= no_index) {
       rows_.fail("the header announces " + counted(vertex_count_, "vertex") +
                  ", but the file has only " + counted(source_.bytes.size(), "byte") +

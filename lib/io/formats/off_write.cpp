@@ -80,8 +80,8 @@ class OffWriter {
     }
   }
 
-  /// Writes colors. In OFF only the spelling distinguishes floating-point from integer colors, for
-  /// all channels together.
+  /// Writes colors. In OFF only a decimal point or an exponent distinguishes floating-point from
+  /// integer colors, so all channels are written in the same way.
   void add_colors(const Columns& columns, const std::vector<std::string_view>& names,
                   std::size_t row) {
     const bool are_decimal = std::any_of(names.begin(), names.end(), [&](std::string_view name) {

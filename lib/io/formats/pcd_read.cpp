@@ -20,9 +20,9 @@ constexpr TextRows::Rules rules{'#', false};
 
 struct Field {
   std::string name;
-  char kind = 'F';             ///< F floating, I signed, U unsigned
-  std::size_t bytes = 4;       ///< size of a number
-  std::size_t count = 1;       ///< numbers per point
+  char kind = 'F';             ///< kind of number: F floating, I signed, U unsigned
+  std::size_t bytes = 4;       ///< size of a value in bytes
+  std::size_t count = 1;       ///< number of values for each point
   std::size_t offset = 0;      ///< offset of the first number in a point; bytes
   std::vector<double> values;  ///< the first number of each point
 
@@ -30,7 +30,7 @@ struct Field {
   std::size_t size() const { return bytes * count; }
 };
 
-/// Calls f with a zero of the field's type; returns false if there is no such type.
+/// Calls f with a zero of the field's type. Returns false if there is no such type.
 template <class Function>
 bool with_type(const Field& field, const Function& f) {
   if (field.kind == 'F' && field.bytes == 4) return f(float{}), true;
@@ -96,7 +96,8 @@ class PcdReader {
   void check_fields() {
     if (points_ == 0) points_ = width_ * height_;
     for (Field& field : fields_) {
-      constexpr std::size_t most_numbers = 1U << 16U;  // descriptors have a few hundred
+      // Largest number of values in a field; descriptors have a few hundred.
+      constexpr std::size_t most_numbers = 1U << 16U;
       if (field.count > most_numbers)
         rows_.fail("the PCD field " + transformesh::quoted(field.name) + " has " +
                    counted(field.count, "number"));
@@ -178,7 +179,7 @@ class PcdReader {
     load(expanded(bytes), 0, points_);
   }
 
-  /// Decompresses the data, which then has each field of all points in turn.
+  /// Decompresses the data, which then holds the values of all points field by field.
   std::string expanded(std::string_view bytes) const {
     constexpr std::size_t header = 8;  // two 32-bit sizes
     if (bytes.size() < header) fail_short(bytes.size());
@@ -253,7 +254,7 @@ class PcdReader {
     return Scalar::float64;
   }
 
-  /// From the highest byte, the bits are alpha, red, green and blue.
+  /// The four bytes of the bits, from the highest, are alpha, red, green and blue.
   static void add_colors(const Field& field, Columns& columns) {
     constexpr std::array<unsigned, 4> shifts{16, 8, 0, 24};
     for (std::size_t c = 0; c < (field.name == "rgba" ? 4U : 3U); ++c) {

@@ -24,17 +24,17 @@ struct PlyElement {
 struct PlyHeader {
   Style style;  ///< format, comments, names of elements
   std::vector<PlyElement> elements;
-  std::size_t size = 0;               ///< offset of the data; bytes
+  std::size_t size = 0;               ///< offset of the data after the header; bytes
   std::size_t unmarked_comments = 0;  ///< number of comments without the keyword `comment`
 };
 
-/// Reads only the header. Throws InputError, with the line.
+/// Reads only the header. Throws InputError that names the line.
 PlyHeader read_ply_header(const Source& source);
 
 /// Returns the text of a header with the format, comments and type names of the style.
 std::string ply_header_text(const Style& style, const std::vector<PlyElement>& elements);
 
-/// See read_mesh() and write_mesh(). `outlines` are MergedPolygons::outlines.
+/// Read and write PLY as read_mesh() and write_mesh() do. `outlines` are MergedPolygons::outlines.
 ReadResult read_ply(const Source& source);
 WriteResult write_ply(const Document& document, const Column* outlines = nullptr);
 

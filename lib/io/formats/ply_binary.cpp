@@ -62,7 +62,7 @@ class BinaryCursor {
   std::size_t row_ = 0;
 };
 
-/// The fast path for rows of one size: each property is decoded by a separate loop.
+/// Reads rows of equal size fast: each property is decoded by a separate loop.
 class FixedRows {
  public:
   FixedRows(const char* first, std::size_t stride, std::size_t count, bool swapped)
@@ -78,8 +78,8 @@ class FixedRows {
     });
   }
 
-  /// Appends triangles whose list is at `offset`, up to the first row that is not a triangle or has
-  /// an index out of range. Returns their number.
+  /// Appends the triangles of rows whose index list is at `offset`, up to the first row that is not
+  /// a triangle or has an index out of range. Returns the number of triangles.
   template <class T>
   std::size_t decode_triangles(std::size_t offset, std::uint64_t vertex_count,
                                FaceRows& polygons) const {
@@ -154,8 +154,8 @@ const PlyProperty* only_face_list(const PlyTable& table, std::size_t& offset) {
   return is_common ? list : nullptr;
 }
 
-/// Reads the triangles at the start of a face element whose only list is that of the corners, with
-/// a count of one byte and three indices of four bytes. Returns their number.
+/// Reads the triangles at the start of a face element whose only list holds the corners, with a
+/// count of one byte and indices of four bytes. Returns the number of triangles.
 std::size_t read_triangles(const Source& source, const char* place, bool swapped, PlyTable& table) {
   std::size_t offset = 0;
   const PlyProperty* list = only_face_list(table, offset);

@@ -31,8 +31,8 @@ class HeaderReader {
  private:
   [[noreturn]] void fail(const std::string& what) const { source_.fail_at_line(line_start_, what); }
 
-  /// Moves to the next line. Accepts line ends of Unix, DOS and old Macintoshes; the first line
-  /// decides.
+  /// Moves to the next line. Accepts line ends of Unix, DOS and old Macintoshes; the end of the
+  /// first line decides which.
   void next_line() {
     line_start_ = place_;
     const std::string_view rest =
@@ -50,7 +50,7 @@ class HeaderReader {
     words_ = line_;
   }
 
-  /// True if the line is this word, optionally followed by blanks.
+  /// True if the line consists of this word, optionally followed by blanks.
   bool is_line(std::string_view word) const {
     return line_.starts_with(word) &&
            line_.find_first_not_of(" \t", word.size()) == std::string_view::npos;
@@ -81,8 +81,8 @@ class HeaderReader {
     }
   }
 
-  /// Handles an unknown line. Before the first element it can only be a comment without keyword;
-  /// after it, it may describe data.
+  /// Handles an unknown line. Before the first element, an unknown line can only be a comment
+  /// without keyword. After the first element, it may describe data.
   void read_unknown(std::string_view keyword) {
     if (source_.is_strict || !header_.elements.empty())
       fail("unknown word in the PLY header: " + quoted(keyword));

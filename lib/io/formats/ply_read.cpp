@@ -157,8 +157,8 @@ class PlyReader {
                              list->list_offsets[row + 1] - list->list_offsets[row]));
   }
 
-  /// Adds the triangles of a strip. -1 ends a strip. Every second triangle is reversed; a triangle
-  /// with a repeated vertex is skipped, but advances the strip.
+  /// Adds the triangles of a strip. The index -1 ends a strip. Every second triangle is reversed; a
+  /// triangle with a repeated vertex is skipped, but advances the strip.
   void add_strip(const PlyTable& table, std::size_t row, std::span<const double> vertices) {
     std::size_t length = 0;
     std::array<Index, 3> last{};
@@ -220,7 +220,7 @@ class PlyReader {
   }
 
   /// Rejects a row count that the remaining bytes cannot hold, before memory is allocated for it.
-  /// In text a value takes at least a digit and, except for the last one, a separator.
+  /// In text, each value takes at least a digit, and each value except the last takes a separator.
   void check_claim(const PlyTable& table, bool is_text) const {
     const char* place = is_text ? rows_.rest() : place_;
     const auto left = static_cast<std::size_t>(source_.end() - place);

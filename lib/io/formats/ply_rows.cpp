@@ -11,7 +11,8 @@ namespace transformesh {
 namespace {
 
 /// Number of faces read between two checks of the memory in use. Each face may load some pages of 4
-/// KB. With 16 times as many, a mesh with vertices in random order would fill 1 GB between checks.
+/// KB. With 16 times as many faces, a mesh with vertices in random order would load 1 GB between
+/// two checks.
 constexpr std::size_t faces_between_releases = 1024;
 
 double load(Scalar type, const char* from, bool is_swapped) {

@@ -1,5 +1,5 @@
 /// Random access to the rows of a binary PLY file, for meshes larger than memory. All rows of an
-/// element have the same size, so that a row is found by its index.
+/// element have the same size, so the place of a row follows from its index.
 #pragma once
 
 #include "io/formats/ply.h"
@@ -10,8 +10,8 @@ namespace transformesh {
 
 class PlyRows {
  public:
-  /// Requires a regular file of binary PLY that has only vertices and faces, no lists except the
-  /// corners of triangles, and the size that the header implies. Throws InputError otherwise.
+  /// Requires a regular file of binary PLY that has only vertices and triangles, no lists except
+  /// the corners, and the size that the header implies. Throws InputError otherwise.
   explicit PlyRows(const std::string& path);
 
   const PlyHeader& header() const { return header_; }
@@ -22,10 +22,10 @@ class PlyRows {
   /// Returns the type of the coordinates.
   Scalar coordinate() const;
 
-  /// Throws InputError if a coordinate is not finite.
+  /// Returns the position of a vertex. Throws InputError if a coordinate is not finite.
   Vec3 position(std::size_t vertex) const;
-  /// Throws InputError for a polygon, and for an index out of range. Occasionally releases pages of
-  /// the file.
+  /// Returns a face. Throws InputError for a polygon, and for an index out of range. Releases pages
+  /// of the file now and then.
   Face face(std::size_t face) const;
   Triangle triangle(const Face& face) const;
 
@@ -40,7 +40,7 @@ class PlyRows {
 
  private:
   struct Table {
-    std::size_t element = 0;  ///< index in the header
+    std::size_t element = 0;  ///< index of the element in the header
     std::size_t count = 0;
     std::size_t stride = 0;
     const char* first = nullptr;
@@ -58,7 +58,7 @@ class PlyRows {
   Table vertices_, faces_;
   std::array<std::size_t, 3> axis_offset_{};
   std::array<Scalar, 3> axis_type_{};
-  std::size_t list_ = 0;         ///< property of the corners
+  std::size_t list_ = 0;         ///< index of the property that holds the corners
   std::size_t list_offset_ = 0;  ///< offset of the corner count in a row; bytes
   bool is_swapped_ = false;
   mutable std::size_t reads_ = 0;

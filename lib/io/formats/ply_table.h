@@ -15,14 +15,14 @@ namespace transformesh {
 struct PlyTable {
   struct Target {
     enum Kind { coordinate, face_list, column } kind = column;
-    std::size_t index = 0;  ///< axis, or index of the column
+    std::size_t index = 0;  ///< axis of a coordinate, or index of a column
   };
 
   PlyElement element;
-  std::vector<Target> targets;     ///< one per property
+  std::vector<Target> targets;     ///< destination of each property
   std::uint64_t vertex_count = 0;  ///< limit of the vertex indices in faces
-  std::vector<Vec3> positions;     ///< positions, if these are the vertices
-  FaceRows polygons;               ///< faces, if these are the faces
+  std::vector<Vec3> positions;     ///< positions, if the element is the vertices
+  FaceRows polygons;               ///< faces, if the element is the faces
   Columns columns;
   std::size_t long_rows = 0;  ///< text lines with more values than properties
   const char* first_long_row = nullptr;
@@ -37,8 +37,9 @@ struct PlyTable {
   [[nodiscard]] std::string bad_index(std::size_t row, double index) const;
 };
 
-/// Both read the rows of the table. The data must have the least size of these rows, with empty
-/// lists. The first returns the end of the rows; the second advances `rows`. Throw InputError.
+/// Both functions read the rows of the table, and throw InputError. The data must be at least as
+/// long as rows with empty lists. read_binary_rows() returns the end of the rows; read_text_rows()
+/// advances `rows`.
 const char* read_binary_rows(const Source& source, const char* place, bool swapped,
                              PlyTable& table);
 void read_text_rows(TextRows& rows, PlyTable& table);

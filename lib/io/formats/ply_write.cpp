@@ -17,10 +17,10 @@ struct OutProperty {
   std::string name;
   Scalar type = Scalar::float64;
   std::optional<Scalar> count_type;
-  const double* values = nullptr;  ///< value of each row, `step` apart; or lists, concatenated
+  const double* values = nullptr;  ///< values of the rows, `step` apart; or all lists, concatenated
   std::size_t step = 1;
-  const std::size_t* offsets = nullptr;  ///< starts of the lists
-  const Face* faces = nullptr;           ///< used instead of `values`
+  const std::size_t* offsets = nullptr;  ///< start of each row's list in `values`
+  const Face* faces = nullptr;           ///< corners of the faces, used instead of `values`
 };
 
 struct OutElement {
@@ -185,7 +185,7 @@ void add_text_rows(const OutElement& element, TextBuffer& text) {
   }
 }
 
-/// Stores one value per row, `stride` bytes apart.
+/// Stores one value for each row, `stride` bytes apart.
 template <class T, class ValueOfRow>
 void store_rows(char* to, std::size_t stride, std::size_t rows, bool swapped,
                 const ValueOfRow& value_of_row) {
@@ -220,7 +220,7 @@ void store_faces(const OutProperty& property, char* to, std::size_t stride, std:
   });
 }
 
-/// Writes rows of one size, by one loop per property.
+/// Writes rows of equal size, by one loop for each property.
 void add_fixed_rows(const OutElement& element, bool swapped, std::string& bytes) {
   std::size_t stride = 0;
   for (const OutProperty& property : element.properties) stride += fixed_size(property);

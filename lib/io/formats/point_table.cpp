@@ -30,7 +30,7 @@ bool is_number(std::string_view word) {
   return parse_number(first, last, value) == Parsed::ok && first == last;
 }
 
-/// Returns the column name of this suite for a name in a header.
+/// Returns the name of the column for a name in a header.
 std::string column_of(std::string_view word) {
   std::string name;
   for (const char c : word)
@@ -144,7 +144,8 @@ class TableReader {
 }  // namespace
 
 bool is_point_table(const Source& source) {
-  // Bytes; chosen by hand: longer comments at the begin are not recognized.
+  // Number of bytes that are searched; chosen by hand. A header after longer comments is not
+  // recognized.
   constexpr std::size_t searched = 4096;
   const std::string_view start = source.bytes.substr(0, searched);
   return start.find('\0') == std::string_view::npos && !header_of(with_blanks(start)).empty();

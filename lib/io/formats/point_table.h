@@ -8,7 +8,8 @@
 
 namespace transformesh {
 
-/// True if the first line is such a header and the second one starts with numbers.
+/// True if the first line is a header of names or a number of points, and the second line starts
+/// with numbers.
 bool is_point_table(const Source& source);
 
 /// Reads a mesh without faces. Normals become nx ny nz, colors red green blue alpha, and every

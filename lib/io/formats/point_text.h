@@ -1,7 +1,7 @@
 /// Points as text without a header, as in .p3d, .xyz and .pts files: lines of x y z, or of x y z
-/// and three more numbers. These are a color if they are integers up to 255 or fractions without
-/// unit length; otherwise they are a normal. Colors are not kept as normals. Empty lines and text
-/// after # are skipped.
+/// and three more numbers. The three more numbers are a color if they are integers up to 255 or
+/// fractions whose vector does not have unit length; otherwise they are a normal. Colors are
+/// dropped. Empty lines and text after # are skipped.
 #pragma once
 
 #include "io/streams/source.h"

@@ -9,7 +9,7 @@
 
 namespace transformesh {
 
-/// See read_mesh() and write_mesh().
+/// Read and write STL as read_mesh() and write_mesh() do.
 ReadResult read_stl_text(const Source& source);
 ReadResult read_stl_binary(const Source& source);
 WriteResult write_stl(const Document& document);

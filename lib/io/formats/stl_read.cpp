@@ -12,10 +12,11 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t header_size = 80;            ///< bytes of text
-constexpr std::size_t facets_start = 84;           ///< after the header and the count
-constexpr std::size_t facet_size = 50;             ///< 12 floats and a 16-bit attribute
-constexpr std::size_t most_facets = no_index / 3;  ///< each facet has three new vertices
+constexpr std::size_t header_size = 80;   ///< size of the header: 80 bytes of text
+constexpr std::size_t facets_start = 84;  ///< offset of the facets, after the header and the count
+constexpr std::size_t facet_size = 50;    ///< bytes of 12 floats and a 16-bit attribute
+/// Limit, because each facet has three new vertices.
+constexpr std::size_t most_facets = no_index / 3;
 
 void note_soup(ReadResult& result) {
   const std::size_t faces = result.document.mesh.faces.size();
@@ -98,8 +99,8 @@ class TextReader {
     has_no_end_ = true;
   }
 
-  /// Reads a facet. Its normal is ignored: it follows from the corners, and files often contain
-  /// arbitrary values.
+  /// Reads a facet. The normal in the file is ignored, because files often contain arbitrary values
+  /// and the corners determine it.
   void read_facet() {
     need("normal");
     for (int i = 0; i < 3; ++i) next_word(true);
@@ -159,7 +160,8 @@ std::string header_text(const Source& source) {
   return is_text ? text : std::string();
 }
 
-/// Returns the number of facets. Programs that stream their output may leave 0 in the header.
+/// Returns the number of facets. The number in the header may be 0 if a program streamed its
+/// output.
 std::size_t checked_facet_count(const Source& source, std::vector<std::string>& notes) {
   if (source.bytes.size() < facets_start) {
     source.fail("not an STL file: neither the word 'solid' nor a binary header of 84 bytes");
@@ -186,8 +188,8 @@ const char* facet_at(const Source& source, std::size_t row) {
   return source.begin() + facets_start + row * facet_size;
 }
 
-/// Appends the corners of a facet and returns whether they are finite. Throws if they are not and
-/// reading is strict.
+/// Appends the corners of a facet, and returns true if they are finite. Throws InputError if they
+/// are not and reading is strict.
 bool read_facet(const Source& source, std::size_t row, std::vector<Vec3>& positions) {
   constexpr std::size_t normal_size = 12;  // three floats
   const char* place = facet_at(source, row) + normal_size;
@@ -206,7 +208,7 @@ bool read_facet(const Source& source, std::size_t row, std::vector<Vec3>& positi
   return is_finite;
 }
 
-/// Reads all facets and returns the indices of the finite ones.
+/// Reads all facets, and returns the indices of facets with finite corners.
 std::vector<std::uint32_t> read_facets(const Source& source, std::size_t count, Mesh& mesh) {
   std::vector<std::uint32_t> rows;
   rows.reserve(count);

@@ -22,7 +22,8 @@ struct Facet {
   std::array<Eigen::Vector3f, 3> corners;
 };
 
-/// Returns a facet. The normal is that of the rounded corners; zero if they have no area.
+/// Returns a facet. Its normal is computed from the rounded corners, and is zero if they have no
+/// area.
 Facet facet_of(const Mesh& mesh, const Face& face) {
   Facet facet;
   for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = mesh.positions[face[i]].cast<float>();
@@ -35,8 +36,8 @@ Facet facet_of(const Mesh& mesh, const Face& face) {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\0' && c < ' '); }
 
-/// Returns the name as readers will find it: without surrounding blanks, and without a leading
-/// `solid`, by which many readers distinguish text from binary.
+/// Returns the comment as a name: without surrounding blanks, and without a leading `solid`. Many
+/// readers take a file that starts with `solid` for text.
 std::string as_name(std::string comment) {
   constexpr std::string_view word = "solid";
   std::replace_if(comment.begin(), comment.end(), is_blank, ' ');
@@ -47,8 +48,7 @@ std::string as_name(std::string comment) {
   return std::string(name);
 }
 
-/// Returns the first comment that does not come from, and does not look like it comes from, this
-/// suite.
+/// Returns the first comment that is not, and does not look like, a comment of this suite.
 std::string name_of(const Document& document) {
   for (const std::string& comment : document.style.comments) {
     std::string name = as_name(comment);
@@ -93,8 +93,8 @@ char* store_point(const Eigen::Vector3f& point, char* to) {
 
 std::string bytes_of(const Document& document, const Column* attribute) {
   constexpr bool swapped = !host_is_little;
-  constexpr std::size_t header_size = 80;  // bytes of text
-  constexpr std::size_t facet_size = 50;   // 12 floats and a 16-bit attribute
+  constexpr std::size_t header_size = 80;  // size of the header: 80 bytes of text
+  constexpr std::size_t facet_size = 50;   // bytes of 12 floats and a 16-bit attribute
   const std::vector<Face>& faces = document.mesh.faces;
   std::string bytes(header_size + sizeof(std::uint32_t) + facet_size * faces.size(), '\0');
   name_of(document).copy(bytes.data(), header_size);

@@ -69,7 +69,7 @@ const char* TextRows::find_line_end(const char* from) const {
   return found ? static_cast<const char*>(found) + 1 : source_->end();
 }
 
-/// Finds the start of a comment. The mark in `1.#QNAN` does not start one.
+/// Finds the start of a comment. The mark in `1.#QNAN` does not start a comment.
 const char* TextRows::find_comment(const char* start) const {
   const char* mark = std::find(start, line_end_, rules_.comment);
   while (mark != line_end_ && mark != start && mark[-1] == '.' &&

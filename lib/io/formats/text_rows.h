@@ -15,7 +15,7 @@ namespace transformesh {
 class TextRows {
  public:
   struct Rules {
-    char comment = '\0';           ///< starts a comment up to the end of the line
+    char comment = '\0';           ///< character that starts a comment up to the end of the line
     bool backslash_joins = false;  ///< a backslash at the end of a line continues it
   };
 
@@ -27,14 +27,16 @@ class TextRows {
   bool has_more();
   /// Returns the next word; empty at the end of the row.
   std::string_view word();
-  /// Return the result of the next word(), and the number of words left in the row.
+  /// peek() returns what the next word() will return; words_left() returns the number of words left
+  /// in the row.
   std::string_view peek() const;
   std::size_t words_left() const;
   /// Skips the rest of the row, and returns it without surrounding blanks.
   std::string_view skip_row();
   /// Returns the word or number that was read last, as text.
   std::string_view last_word() const;
-  /// Reads the next word as a number. Throws InputError, naming what(), if it is not one.
+  /// Reads the next word as a number. Throws InputError, naming what(), if the word is not a
+  /// number.
   template <class T, class What>
   T number(const What& what);
   /// Does the same as number(), and requires a finite number.
@@ -56,7 +58,7 @@ class TextRows {
   const char* place() const { return place_; }
   [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(place_, what); }
 
-  /// Comment lines so far, without the mark and one following space.
+  /// Comment lines read so far, without the mark and one following space.
   std::vector<std::string> comments;
   /// Number of comments after data, which are dropped.
   std::size_t trailing_comments = 0;
@@ -78,8 +80,8 @@ class TextRows {
   const Source* source_;
   Rules rules_;
   char terminator_;
-  const char* place_;     ///< last word or number, for messages
-  const char* next_;      ///< rest of the row
+  const char* place_;     ///< start of the last word or number, for messages
+  const char* next_;      ///< start of the unread rest of the row
   const char* row_end_;   ///< end of the row, before a comment
   const char* line_end_;  ///< end of the text line
 };

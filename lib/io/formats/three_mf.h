@@ -5,9 +5,9 @@
 /// `tm:unit`. Base materials and color groups become colors of vertices if all faces at each vertex
 /// agree, otherwise of faces.
 ///
-/// Writes one object and one item, in the unit of the comment or in millimeters. Colors of type
-/// uint8, of vertices or else of faces, become a color group. Coordinates are doubles. Other
-/// comments become the metadata `Description`.
+/// Writes one object and one item, in the unit of the comment or in millimeters. Colors of
+/// vertices, or else of faces, become a color group if their type is uint8. Coordinates are
+/// doubles. Other comments become the metadata `Description`.
 #pragma once
 
 #include "io/streams/source.h"
@@ -16,10 +16,12 @@
 
 namespace transformesh {
 
-/// See read_mesh(). Throws InputError for damaged files, encrypted parts, and cyclic components.
+/// Reads 3MF as read_mesh() does. Throws InputError for damaged files, encrypted parts, and cyclic
+/// components.
 ReadResult read_three_mf(const Source& source);
 
-/// Throws GoalError for a mesh without faces, which 3MF cannot represent.
+/// Writes 3MF as write_mesh() does. Throws GoalError for a mesh without faces, which 3MF cannot
+/// represent.
 WriteResult write_three_mf(const Document& document);
 
 }  // namespace transformesh

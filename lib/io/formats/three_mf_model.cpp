@@ -184,8 +184,8 @@ class ModelReader {
     return static_cast<Index>(value);
   }
 
-  /// Returns the colors of the corners. Missing attributes default to those of the object, or of
-  /// the first corner.
+  /// Returns the colors of the corners. Missing attributes default to attributes of the object, or
+  /// of the first corner.
   std::array<std::optional<ByteColor>, 3> colors_of(const Node& triangle,
                                                     const Node& object) const {
     std::array<std::optional<ByteColor>, 3> result;
@@ -212,7 +212,7 @@ class ModelReader {
             transform(attribute(node, "transform"))};
   }
 
-  /// Parses twelve numbers: the rows of a matrix that multiplies row vectors from the right.
+  /// Parses twelve numbers: the rows of a matrix M that maps the row vector v to v M.
   Eigen::Affine3d transform(const std::string& text) const {
     Eigen::Affine3d result = Eigen::Affine3d::Identity();
     if (text.empty()) return result;
@@ -226,7 +226,7 @@ class ModelReader {
 
   const Source& source_;
   const std::string& part_;
-  std::string object_;  ///< name in messages of the current object
+  std::string object_;  ///< name of the current object in messages
   std::map<std::string, std::vector<ByteColor>> colors_;
   ThreeMfModel model_;
 };

@@ -19,8 +19,8 @@ using ByteColor = std::array<std::uint8_t, 4>;
 
 struct ThreeMfComponent {
   std::string object;         ///< identifier of the object
-  std::string part;           ///< part with the object; empty: this part
-  Eigen::Affine3d to_parent;  ///< maps to the coordinates of the parent
+  std::string part;           ///< model part that holds the object; empty: this part
+  Eigen::Affine3d to_parent;  ///< maps the object's coordinates to the parent's
 };
 
 struct ThreeMfObject {
@@ -28,14 +28,14 @@ struct ThreeMfObject {
   std::vector<Face> faces;
   std::vector<std::array<std::optional<ByteColor>, 3>> colors;  ///< corner colors of each face
   std::vector<ThreeMfComponent> components;
-  bool is_other = false;  ///< its type excludes it from the model
+  bool is_other = false;  ///< true if the object's type excludes it from the model
 };
 
 struct ThreeMfModel {
   std::string unit = "millimeter";
-  std::string description;  ///< metadata
+  std::string description;  ///< metadata entry `Description`
   std::size_t other_metadata = 0;
-  std::map<std::string, ThreeMfObject> objects;  ///< keys are identifiers
+  std::map<std::string, ThreeMfObject> objects;  ///< objects by their identifiers
   std::vector<ThreeMfComponent> items;           ///< items of the build
   std::size_t unread_properties = 0;  ///< groups of materials other than colors, such as textures
   std::size_t beam_lattices = 0;

@@ -91,8 +91,9 @@ class ThreeMfReader {
 
   void add(const ThreeMfComponent& component, const std::string& from,
            const Eigen::Affine3d& to_build) {
-    constexpr std::size_t deepest = 256;  // a level needs 512 bytes of stack
-    // Bytes counted for a component, so that repeated empty ones are limited, too.
+    // Limit of nested components; a level needs 512 bytes of stack.
+    constexpr std::size_t deepest = 256;
+    // Bytes counted for a component, so that repeated empty components are limited, too.
     constexpr std::size_t cost_of_visit = 64;
     budget_.spend(cost_of_visit);
     const std::string part = component.part.empty() ? from : without_slash(component.part);
@@ -158,13 +159,14 @@ class ThreeMfReader {
     set_columns(of_vertices, mesh.face_columns);
   }
 
-  /// A mesh of one color stores it at its vertices, which all formats can represent.
+  /// If a mesh has only one color, the color is stored at vertices, because all formats can
+  /// represent colors of vertices.
   bool is_of_one_color() const {
     return std::all_of(colors_.begin(), colors_.end(),
                        [&](const CornerColors& colors) { return colors[0] == colors_[0][0]; });
   }
 
-  /// Returns whether all corners of each vertex have one color.
+  /// Returns true if all corners at each vertex have one color.
   bool find_vertex_colors(std::vector<ByteColor>& found) const {
     const Mesh& mesh = result_.document.mesh;
     found.assign(mesh.positions.size(), white);

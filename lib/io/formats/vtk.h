@@ -7,10 +7,10 @@
 
 namespace transformesh {
 
-/// True if the first line is that of the format.
+/// True if the first line is the first line of the legacy VTK format.
 bool is_vtk(std::string_view bytes);
 
-/// See read_mesh().
+/// Reads VTK as read_mesh() does.
 ReadResult read_vtk(const Source& source);
 
 }  // namespace transformesh

@@ -87,7 +87,8 @@ class Converter {
   }
 
   void add_list(const VtkArray& array, std::size_t rows, Columns& columns) {
-    constexpr std::size_t most = 255;  // values that the 8-bit count of a list holds
+    // Largest number of values that the 8-bit count of a list can state.
+    constexpr std::size_t most = 255;
     if (array.components > most) {
       note("array " + quoted(array.name) + " of " + counted(array.components, "component") +
            " left out");

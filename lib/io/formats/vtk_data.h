@@ -11,7 +11,7 @@ namespace transformesh {
 
 struct VtkArray {
   std::string name;
-  std::string role;  ///< Normals, TCoords or Scalars if the file says so
+  std::string role;  ///< Normals, TCoords or Scalars if the file states such a role
   Scalar type = Scalar::float32;
   std::size_t components = 1;
   std::vector<double> values;
@@ -27,23 +27,23 @@ struct VtkCells {
 };
 
 struct VtkPiece {
-  VtkArray points;  ///< three components
+  VtkArray points;  ///< array of positions, with three components
   VtkCells polygons;
   VtkCells strips;
   std::size_t cells = 0;        ///< number of cells of all kinds
-  std::size_t other_cells = 0;  ///< lines and volume cells
+  std::size_t other_cells = 0;  ///< number of lines and volume cells, which are not read
   std::vector<VtkArray> point_arrays;
   std::vector<VtkArray> cell_arrays;
 };
 
-/// Returns the mesh of a piece. Arrays become columns: Normals nx ny nz, TCoords s t, three or four
-/// bytes red green blue alpha; any other array of several components a list. Throws InputError for
-/// an index out of range and for an array of wrong length.
+/// Returns the mesh of a piece. Arrays become columns: Normals become nx ny nz, TCoords become s t,
+/// and three or four bytes become red green blue alpha. Any other array of several components
+/// becomes a list. Throws InputError for an index out of range and for an array of wrong length.
 ReadResult mesh_of_vtk(const Source& source, VtkPiece piece);
 
-/// Sets the type of an array from a VTK type of `bytes` bytes. Numbers are rounded to float if that
-/// is the type. 64-bit integers, and text integers that exceed their type, become int32 if all fit,
-/// else double.
+/// Sets the type of an array from a VTK type of `bytes` bytes. Numbers are rounded to float if the
+/// type is float. 64-bit integers, and text integers that exceed their type, become int32 if all
+/// fit, else double.
 void set_type(bool is_floating, bool is_signed, std::size_t bytes, VtkArray& array);
 
 }  // namespace transformesh

@@ -235,7 +235,7 @@ class VtkReader {
   }
 
   /// Reads the arrays of a field. An array belongs to points or cells if it has a row for each of
-  /// them. Arrays before the points belong to the whole file and are ignored.
+  /// them. Arrays that precede the points belong to the whole file and are ignored.
   void read_field() {
     stream_.raw_word();
     const std::uint64_t count = checked(stream_.count("the number of arrays"));
@@ -271,7 +271,7 @@ class VtkReader {
   VtkCells vertices_, lines_, polygons_, strips_, grid_;
   std::vector<std::uint64_t> types_;
   std::vector<VtkArray>* arrays_ = nullptr;  ///< current arrays: of points or of cells
-  std::uint64_t rows_ = 0;                   ///< length of these arrays
+  std::uint64_t rows_ = 0;                   ///< length of the current arrays
   VtkPiece piece_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Calls f with a zero of the type of this name; returns false for other names.
+/// Calls f with a zero of the type of this name. Returns false for other names.
 template <class Function>
 bool with_vtk_type(const std::string& name, const Function& f) {
   if (name == "float") return f(float{}), true;
@@ -103,7 +103,7 @@ void VtkStream::read_text(std::uint64_t count, VtkArray& array) {
   }
 }
 
-/// The bytes start after the end of the line.
+/// Binary numbers start after the end of the line.
 template <class T>
 void VtkStream::read_bytes(std::uint64_t count, VtkArray& array) {
   line();
@@ -123,7 +123,7 @@ std::vector<std::uint64_t> VtkStream::indices(const std::string& type, std::uint
   numbers(type, count, array);
   std::vector<std::uint64_t> result;
   result.reserve(array.values.size());
-  constexpr double most = 9007199254740992.0;  // 2^53: doubles represent all integers up to this
+  constexpr double most = 9007199254740992.0;  // 2^53: doubles represent all smaller integers
   for (const double value : array.values) {
     if (!(value >= 0 && value <= most) || value != std::floor(value))
       fail(what + " has an index that is not a whole number of 0 or more");

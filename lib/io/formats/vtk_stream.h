@@ -31,7 +31,7 @@ class VtkStream {
   /// the numbers are big-endian and start in the next line. Throws InputError if the data ends too
   /// early.
   void numbers(const std::string& type, std::uint64_t count, VtkArray& array);
-  /// Reads nonnegative integers like numbers().
+  /// Reads nonnegative integers as numbers() does.
   std::vector<std::uint64_t> indices(const std::string& type, std::uint64_t count,
                                      const std::string& what);
 

@@ -4,7 +4,7 @@
 
 namespace transformesh {
 
-/// Appended data starts behind an underscore in its element.
+/// Parses the XML, and finds the appended data, which starts after an underscore in its element.
 VtkXml parse_vtk_xml(const Source& source) {
   const std::string_view bytes = source.bytes;
   const std::size_t start = bytes.find("<AppendedData");
@@ -35,7 +35,8 @@ VtpEncoding VtkXml::encoding(const Source& source) const {
 }
 
 bool is_vtk_xml(std::string_view bytes) {
-  constexpr std::size_t searched = 1024;  // an XML declaration and comments may come first
+  // Bytes that are searched: an XML declaration and comments may come first.
+  constexpr std::size_t searched = 1024;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && bytes[first] == '<' &&
          bytes.substr(0, searched).find("<VTKFile") != std::string_view::npos;

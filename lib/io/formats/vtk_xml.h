@@ -1,4 +1,4 @@
-/// Files of VTK's XML format: the XML, and the data appended to it, which is no XML.
+/// Parses files of VTK's XML format: the XML, and binary data that is appended to it.
 #pragma once
 
 #include <pugixml.hpp>
@@ -19,10 +19,10 @@ struct VtkXml {
   VtpEncoding encoding(const Source& source) const;
 };
 
-/// The result refers to the bytes of the source. Throws InputError.
+/// Parses a file. The result refers to the bytes of the source. Throws InputError.
 VtkXml parse_vtk_xml(const Source& source);
 
-/// True if the bytes are XML whose first element is of VTK.
+/// True if the bytes are XML whose first element is `VTKFile`.
 bool is_vtk_xml(std::string_view bytes);
 
 }  // namespace transformesh

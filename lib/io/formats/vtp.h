@@ -11,7 +11,7 @@
 
 namespace transformesh {
 
-/// See read_mesh() and write_mesh().
+/// Read and write VTP as read_mesh() and write_mesh() do.
 ReadResult read_vtp(const Source& source);
 WriteResult write_vtp(const Document& document);
 

@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// Calls f with a zero of the type of this name; returns false for other names.
+/// Calls f with a zero of the type of this name. Returns false for other names.
 template <class Function>
 bool with_xml_type(const std::string& name, const Function& f) {
   if (name == "Float32") return f(float{}), true;
@@ -71,7 +71,7 @@ std::vector<std::uint64_t> VtpArrays::indices(const pugi::xml_node& element) con
   const VtkArray array = read(element);
   std::vector<std::uint64_t> result;
   result.reserve(array.values.size());
-  constexpr double most = 9007199254740992.0;  // 2^53: doubles represent all integers up to this
+  constexpr double most = 9007199254740992.0;  // 2^53: doubles represent all smaller integers
   for (const double value : array.values) {
     if (!(value >= 0 && value <= most) || value != std::floor(value))
       source_.fail("the array " + quoted(array.name) +
@@ -102,8 +102,8 @@ void VtpArrays::read_text(const pugi::xml_node& element, VtkArray& array) const 
 
 // --- Bytes ---------------------------------------------------------------------------------------
 
-/// Returns the bytes of an array. In base64, header and blocks of a compressed array are encoded
-/// one after the other.
+/// Returns the bytes of an array. In base64, the header and the blocks of a compressed array are
+/// encoded separately, one after the other.
 std::string VtpArrays::bytes_of(const pugi::xml_node& element, const std::string& what) const {
   std::string_view data = element.text().get();
   bool is_text = true;

@@ -15,9 +15,9 @@ namespace transformesh {
 /// Encoding of numbers in a file, from the attributes of its first element.
 struct VtpEncoding {
   bool is_big_endian = false;
-  bool has_wide_headers = false;  ///< headers have 64-bit numbers, not 32-bit
-  bool is_compressed = false;     ///< arrays are zlib-compressed blocks
-  bool is_appended_text = false;  ///< appended data is base64
+  bool has_wide_headers = false;  ///< true if headers have 64-bit numbers instead of 32-bit numbers
+  bool is_compressed = false;     ///< true if arrays are zlib-compressed blocks
+  bool is_appended_text = false;  ///< true if appended data is base64
   std::string_view appended{};
 };
 
@@ -28,7 +28,7 @@ class VtpArrays {
 
   /// Returns the array of an element. Throws InputError.
   VtkArray read(const pugi::xml_node& element) const;
-  /// Returns an array of nonnegative integers like read().
+  /// Returns an array of nonnegative integers. Throws InputError.
   std::vector<std::uint64_t> indices(const pugi::xml_node& element) const;
 
  private:

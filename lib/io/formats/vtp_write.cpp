@@ -51,7 +51,7 @@ const char* type_name(Scalar type) {
   }
 }
 
-/// Returns the number of components of all rows of a column; 0 if it differs between rows.
+/// Returns the number of components of each row of a column. Returns 0 if it differs between rows.
 std::size_t components_of(const Column& column, std::size_t rows) {
   if (!column.list_count_type) return 1;
   const std::size_t width = column.values.size() / rows;
@@ -101,7 +101,7 @@ class VtpWriter {
     text_.add('"');
   }
 
-  /// Adds an array of type T; value(i) is its number i.
+  /// Adds an array of type T, whose number i is value(i).
   template <class T, class Value>
   void add_array(const char* type, std::string_view name, std::size_t components, std::size_t size,
                  const Value& value) {
@@ -138,7 +138,7 @@ class VtpWriter {
   /// Adds columns and returns the names of those that were kept.
   Names add_columns(const std::string& element, const Columns& columns, std::size_t rows) {
     Names kept;
-    if (rows == 0) {  // vertex cells have rows of their own
+    if (rows == 0) {  // without faces, cells are points, which have other rows than face columns
       for (const Column& column : columns.columns) kept.push_back(column.name);
       return kept;
     }

@@ -7,7 +7,7 @@
 
 namespace transformesh {
 
-/// See write_mesh().
+/// Writes XYZ as write_mesh() does.
 WriteResult write_xyz(const Document& document);
 
 }  // namespace transformesh

@@ -13,8 +13,8 @@ namespace {
 
 using Halfedge = std::pair<Index, Index>;
 
-/// The vertices around triangles in order, from the first corner of the first triangle on. Empty if
-/// they are more than one loop, or if a loop visits a vertex twice.
+/// Returns the vertices around triangles in order, from the first corner of the first triangle on.
+/// Returns nothing if the outline has several loops, or if a loop visits a vertex twice.
 std::vector<Index> outline_of(std::span<const Face> triangles) {
   std::set<Halfedge> border;
   for (const Face& face : triangles)
@@ -38,7 +38,7 @@ std::vector<Index> outline_of(std::span<const Face> triangles) {
   return outline.size() == next.size() ? outline : std::vector<Index>();
 }
 
-/// One face as it is written: triangles that follow each other in an order of faces.
+/// One face that is written: the triangles that it replaces, and its outline.
 struct Row {
   std::vector<Index> faces;
   std::vector<Index> outline;
@@ -75,7 +75,7 @@ void Merger::add_polygon(std::vector<Index> faces) {
   ++unmerged_;
 }
 
-// A polygon comes where its first triangle is.
+// Lists the faces to write. A polygon takes the place of its first triangle.
 void Merger::find_rows() {
   const std::vector<double>& numbers = mesh_.face_columns.find(polygon_column)->values;
   std::map<double, std::vector<Index>> polygons;
@@ -99,7 +99,7 @@ Column Merger::outlines() const {
   return column;
 }
 
-/// A list with as many values for each corner gets those of the corners of the polygon.
+/// Returns the corner lists of the polygons, with the values of the polygon's corners.
 Column Merger::merged_list(const Column& column) const {
   Column merged{column.name, column.type, {}, column.list_count_type, {0}};
   for (const Row& row : rows_) {

@@ -1,6 +1,7 @@
-/// Makes polygons of the triangles that a reader cut them into. A face column numbers the polygon
-/// of each triangle, so that whatever selects or moves faces keeps polygons. Merged are all
-/// triangles with one number: a polygon of which faces were dropped becomes what is left of it.
+/// Makes polygons of the triangles into which a reader cut them. A face column holds the polygon
+/// number of each triangle, so that operations that select or move faces keep polygons. All
+/// triangles with one number are merged; a polygon of which triangles were dropped consists of the
+/// remaining triangles.
 #pragma once
 
 #include <span>
@@ -9,27 +10,29 @@
 
 namespace transformesh {
 
-/// Face column with the number of the polygon that a triangle is part of, from 1 on; 0 if it is a
-/// face by itself. Written to no file.
+/// Face column with the number of the polygon to which a triangle belongs, from 1; 0 if the
+/// triangle belongs to no polygon. The column is written to no file.
 inline constexpr const char* polygon_column = "tm:polygon";
 
 struct MergedPolygons {
-  /// Each polygon is a face; its corners are in `outlines`. polygon_column is gone.
+  /// Each polygon is one face, whose corners are in `outlines`. The document has no polygon_column.
   Document document;
-  Column outlines;           ///< lists: the vertices of each face in order
-  std::size_t unmerged = 0;  ///< polygons left as triangles, as their outline is no single loop
+  Column outlines;  ///< list column: the vertices of each face in order
+  /// Polygons that stay triangles, because their outline is not a single loop.
+  std::size_t unmerged = 0;
 };
 
-/// O(n log n); deterministic. The document has polygon_column.
+/// Merges the triangles of polygons. The document must have polygon_column. O(n log n);
+/// deterministic.
 MergedPolygons merge_polygons(const Document& document);
 
-/// Number of polygons, and of the triangles that they are cut into.
+/// Number of polygons, and of the triangles into which they are cut.
 struct PolygonCount {
   std::size_t polygons = 0, triangles = 0;
 };
 PolygonCount count_polygons(const Columns& face_columns);
 
-/// The corners of a face as a format writes them.
+/// Corners of faces for writers: of merged polygons, or of triangles.
 class FaceOutlines {
  public:
   /// Keeps references. `outlines` are MergedPolygons::outlines, or null for a mesh of triangles.

@@ -18,10 +18,11 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 struct VertexInfo {
   std::uint32_t corner = 0;  ///< one of the corners at this point
-  std::uint32_t visits = 0;  ///< number of corners of the outline at this point
+  std::uint32_t visits = 0;  ///< number of outline corners at this point
 };
 
-/// Per-face data. Arrays are indexed as the neighbors and vertices of the face.
+/// Data of a face of the triangulation. Arrays are indexed like the neighbors and vertices of the
+/// face.
 struct FaceInfo {
   int winding = 0;
   bool is_reached = false;
@@ -50,7 +51,7 @@ struct Part {
 
 class OutlineTriangulation {
  public:
-  /// `next[i]` is the place in `outline` of the corner after place i.
+  /// `next[i]` is the place in `outline` of the corner that follows the corner at place i.
   OutlineTriangulation(std::span<const Eigen::Vector2d> points,
                        std::span<const std::uint32_t> outline, std::span<const std::size_t> next)
       : points_(points), outline_(outline), next_(next) {}
@@ -88,7 +89,7 @@ class OutlineTriangulation {
   }
 
   /// Returns the places of a point that differs from the first one and of a point that is not
-  /// collinear with both. A place is the number of points if there is none.
+  /// collinear with both. If there is no such point, the place is the number of points.
   static std::array<std::size_t, 2> spanning_points(const std::vector<Kernel::Point_2>& points) {
     std::array<std::size_t, 2> found{1, 1};
     while (found[0] < points.size() && points[found[0]] == points[0]) ++found[0];
@@ -100,8 +101,8 @@ class OutlineTriangulation {
   }
 
   void insert(const std::vector<Kernel::Point_2>& points, std::size_t place) {
-    // CGAL's insertion at an existing vertex would circulate around it, which is slow at high
-    // valence.
+    // The point is located first: CGAL's insertion at an existing vertex would circulate around it,
+    // which is slow at high valence.
     Triangulation::Locate_type type{};
     int i = 0;
     const FaceHandle face = triangulation_.locate(points[place], type, i, near_);
@@ -136,7 +137,7 @@ class OutlineTriangulation {
     return parts;
   }
 
-  /// Returns true if no edges intersect and few pass through other corners.
+  /// Returns true if no edges intersect and few edges pass through other corners.
   bool insert_edges() {
     std::size_t touches = 0;
     for (std::size_t place = 0; place < outline_.size(); ++place) {
@@ -197,7 +198,7 @@ class OutlineTriangulation {
     }
   }
 
-  /// Assigns corners to each triangle. If several corners coincide, each one gets the triangles
+  /// Assigns corners to each triangle. If several corners coincide, each corner gets the triangles
   /// between its two edges.
   void name_corners() {
     for (const FaceHandle face : triangulation_.finite_face_handles())
@@ -244,7 +245,7 @@ class OutlineTriangulation {
   std::span<const std::uint32_t> outline_;
   std::span<const std::size_t> next_;
   Triangulation triangulation_;
-  FaceHandle near_;               ///< a face at the last point, as a hint
+  FaceHandle near_;               ///< a face at the last point, as a hint for the next search
   std::vector<Vertex> vertices_;  ///< vertices of the outline
   PlanarTriangles result_;
 };

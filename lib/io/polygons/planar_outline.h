@@ -21,7 +21,7 @@ struct PlanarTriangles {
   std::vector<CornerTriangle> triangles;
   /// Triangles without area. They occur if an edge passes through another corner of the outline.
   std::vector<CornerTriangle> flat;
-  /// Number of `triangles` that have the less frequent orientation or repeat an earlier one.
+  /// Number of `triangles` that have the less frequent orientation or repeat an earlier triangle.
   std::size_t folds = 0;
   /// Corners whose edge to the next corner has length 0 or intersects the edge of an earlier
   /// corner.
@@ -31,13 +31,14 @@ struct PlanarTriangles {
   bool is_complete = false;
 };
 
-/// `points` are all corners of a polygon; `outline` lists the remaining ones in order.
+/// Triangulates one outline. `points` are all corners of a polygon; `outline` lists the remaining
+/// corners in order.
 PlanarTriangles triangulate_outline(std::span<const Eigen::Vector2d> points,
                                     std::span<const std::uint32_t> outline);
 
 /// Triangulates several outlines that do not intersect each other, such as an outer boundary and
-/// its holes, which are clockwise. An outline of two corners is an edge constraint, one of one
-/// corner a point.
+/// its holes, which are clockwise. An outline of two corners is an edge constraint, and an outline
+/// of one corner is a point.
 PlanarTriangles triangulate_outlines(std::span<const Eigen::Vector2d> points,
                                      const std::vector<std::vector<std::uint32_t>>& outlines);
 

@@ -24,18 +24,20 @@ class RemainingCorners {
 
   /// Cuts off corners until no two consecutive corners, and no two neighbors of a corner, coincide.
   void remove_coincident();
-  /// Cuts off that end of the edge from `corner` whose triangle is smaller, and `count - 1` more
-  /// corners after it.
+  /// Cuts off one end of the edge from `corner`, the end with the smaller triangle, and `count - 1`
+  /// more corners after it.
   void cut_edge(std::uint32_t corner, std::size_t count);
-  /// Cuts off all corners as a fan from the first one.
+  /// Cuts off all corners as a triangle fan from the first corner.
   void cut_fan();
 
   /// Appends a triangle without area in the projection.
   void add_flat(const CornerTriangle& triangle) { add(triangle, upright); }
 
   std::vector<CornerTriangle> triangles;  ///< triangles that were cut off or added
-  std::size_t folds = 0;    ///< triangles cut off at an edge or in a fan, with an area in space
-  std::size_t upright = 0;  ///< triangles without area in the projection, but with one in space
+  /// Number of triangles with an area in space that were cut off at an edge or in a fan.
+  std::size_t folds = 0;
+  /// Number of triangles with an area in space, but not in the projection.
+  std::size_t upright = 0;
 
  private:
   void cut(std::uint32_t corner, std::size_t& kind);

@@ -45,14 +45,15 @@ Projection along_axis(Eigen::Index axis) {
   return {Vec3::Unit((axis + 1) % 3), Vec3::Unit((axis + 2) % 3)};
 }
 
-/// Ties are decided in favor of the last axis.
+/// Returns the axis nearest to the normal. Ties are decided in favor of the last axis.
 Eigen::Index axis_nearest_to(const Vec3& normal) {
   const Vec3 size = normal.cwiseAbs();
   if (size[2] >= size[0] && size[2] >= size[1]) return 2;
   return size[1] >= size[0] ? 1 : 0;
 }
 
-/// Projections along the normal, if it is not zero, and along the axes other than `nearest`.
+/// Returns the projections along the normal, if it is not zero, and along the axes other than
+/// `nearest`.
 std::vector<Projection> other_projections(const Vec3& normal, Eigen::Index nearest) {
   std::vector<Projection> others;
   const Vec3 direction = normal.stableNormalized();
@@ -70,8 +71,8 @@ int orientation(const Point& a, const Point& b, const Point& c) {
   return CGAL::orientation(Exact(a[0], a[1]), Exact(b[0], b[1]), Exact(c[0], c[1]));
 }
 
-/// Decides whether the fan from the first corner has triangles of one orientation in a projection,
-/// turns by less than 360 degrees, and has no triangle without area in space.
+/// Tests the triangle fan from the first corner. Its triangles must have one orientation in a
+/// projection and an area in space. The fan must turn by less than 360 degrees.
 class FanCheck {
  public:
   FanCheck(std::span<const Vec3> positions, const Projection& projected)
@@ -100,7 +101,7 @@ class FanCheck {
     if (turn != 0 && turn != sign_) return false;
     last_ = corner;
     const int side = sign_ * orientation(apex_, *first_, corner);
-    if (is_beyond_half_ && side >= 0) return false;  // more than 360 degrees
+    if (is_beyond_half_ && side >= 0) return false;  // the fan turns by more than 360 degrees
     is_beyond_half_ = side < 0;
     return true;
   }
@@ -120,8 +121,8 @@ PolygonTriangles fan_of(std::size_t size) {
   return fan;
 }
 
-/// Rotates each triangle to begin with its lowest corner, and sorts the triangles: a canonical
-/// order.
+/// Puts triangles in a canonical order: rotates each triangle so that its lowest corner is first,
+/// and sorts the triangles.
 void sort_triangles(std::vector<CornerTriangle>& triangles) {
   for (CornerTriangle& triangle : triangles)
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
@@ -164,12 +165,13 @@ bool bounds(const PlanarTriangles& result, std::span<const std::uint32_t> outlin
   return boundary_of(std::move(inside)) == boundary_of(std::move(around));
 }
 
-/// Cuts off the corners at edges that intersect others, in each round a longer part of the outline
-/// there, until the rest has no intersections.
+/// Cuts off corners at edges that intersect other edges until the rest has no intersections. Each
+/// round cuts off a longer part of the outline at such edges.
 PolygonTriangles triangulate_along(const Projection& projected, std::span<const Vec3> positions,
                                    std::span<const Index> vertices) {
-  // Growth of the number of corners that are cut off at an edge, per round. A choice: less needs
-  // more rounds, more cuts off corners without need.
+  // Growth factor, from round to round, of the number of corners that are cut off at an edge. A
+  // choice: with a smaller factor, more rounds are needed; with a larger factor, corners are cut
+  // off without need.
   constexpr std::size_t growth = 4;
   std::vector<Point> points;
   points.reserve(positions.size());

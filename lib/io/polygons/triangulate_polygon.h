@@ -8,8 +8,8 @@
 /// - Suppose that the first projection touches itself only in points and along bridges, and no edge
 ///   passes through another corner. Then the triangles do not overlap and have positive area and
 ///   equal orientation.
-/// - The fan from the first corner is kept if it has no fold in that projection and no triangle
-///   without area.
+/// - The triangle fan from the first corner is used if it has no fold in the first projection and
+/// no triangle without area.
 /// - Any other polygon is triangulated in the projection with the fewest folds and upright
 ///   triangles.
 ///
@@ -25,18 +25,20 @@ namespace transformesh {
 
 struct PolygonTriangles {
   std::vector<CornerTriangle> triangles;  ///< indices of corners; no triangle has a vertex twice
-  /// Number of triangles that overlap others in the best projection. 0 for every polygon whose
-  /// projection along an axis or its normal has no overlaps.
+  /// Number of triangles that overlap others in the best projection. It is 0 if the projection of
+  /// the polygon along an axis or its normal has no overlaps.
   std::size_t folds = 0;
-  /// Number of triangles without area in that projection, but with one in space.
+  /// Number of triangles with an area in space, but not in the best projection.
   std::size_t upright = 0;
 };
 
-/// True if the fan from the first corner is kept: its triangles are (0, i - 1, i).
+/// True if triangulate_polygon() uses the fan from the first corner, with the triangles (0, i - 1,
+/// i).
 bool is_unfolded_fan(std::span<const Vec3> positions);
 
-/// `positions` are those of the corners, `vertices` their indices; all coordinates are finite. A
-/// corner whose two neighbors are the same vertex is a spike and is left out.
+/// Triangulates a polygon. `positions` are the positions of the corners, `vertices` their indices;
+/// all coordinates are finite. A corner whose two neighbors are the same vertex is a spike and is
+/// left out.
 PolygonTriangles triangulate_polygon(std::span<const Vec3> positions,
                                      std::span<const Index> vertices);
 

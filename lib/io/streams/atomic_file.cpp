@@ -17,8 +17,9 @@
 namespace transformesh {
 namespace {
 
-// A list that a signal handler may traverse at any time. An entry is complete before it is linked,
-// and entries are never removed. The list stays short because a loop writes the same few names.
+// An entry of a list of file names, which a signal handler may traverse at any time. An entry is
+// complete before it is linked, and entries are never removed. The list stays short because a loop
+// writes to the same few names.
 struct TemporaryFile {
   const std::string path;
   TemporaryFile* const next;
@@ -53,11 +54,11 @@ std::optional<mode_t> existing_mode(const std::string& path) {
 }
 
 void write_directly(const std::string& path, std::string_view bytes) {
-  // Stdout is closed because some file systems report write errors only then.
+  // Stdout is closed, too, because some file systems report write errors only at that time.
   write_and_close(path == "-" ? STDOUT_FILENO : open_directly(path), path, bytes);
 }
 
-// Creates the temporary file. Its name is in the list before the file exists.
+// Creates the temporary file. Its name is added to the list before the file exists.
 int open_temporary(const std::string& target, std::string& name) {
   const std::string process = std::to_string(getpid());
   for (int attempt = 0; attempt < 100; ++attempt) {
@@ -99,7 +100,7 @@ void AtomicFile::append(std::string_view bytes) {
   if (!write_all(descriptor_, bytes)) throw_not_written(target_);
 }
 
-// Stdout is closed too, because some file systems report write errors only then.
+// Stdout is closed, too, because some file systems report write errors only at that time.
 void AtomicFile::finish() {
   is_finished_ = true;
   const int descriptor = std::exchange(descriptor_, -1);

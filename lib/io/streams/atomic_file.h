@@ -1,8 +1,8 @@
 /// Files that appear under their names complete or not at all. The bytes are written to a temporary
-/// file in the same folder, which is then renamed. A reader finds the old file or the new one, even
-/// if the process is killed in between. A symbolic link is kept and its target replaced. A replaced
-/// file keeps its permissions. Paths of other kinds (/dev/null, a FIFO, /dev/fd/3) are never
-/// replaced; their bytes are written by commit(). `-` is stdout, which is then closed. Data is not
+/// file in the same folder, which is then renamed. A reader finds the old file or the new file,
+/// even if the process is killed. A symbolic link is kept and its target replaced. A replaced file
+/// keeps its permissions. Paths of other kinds (/dev/null, a FIFO, /dev/fd/3) are never replaced;
+/// their bytes are written by commit(). `-` is stdout, which is then closed. Data is not
 /// synchronized to the disk (fsync), so a crash of the machine may lose it.
 #pragma once
 
@@ -28,7 +28,8 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
   AtomicFile& operator=(AtomicFile&&) = delete;
 
-  /// Append bytes to a file that was opened empty, and close it. Throw OutputError.
+  /// append() adds bytes to a file that was opened empty, and finish() closes it. Both throw
+  /// OutputError.
   void append(std::string_view bytes);
   void finish();
 
@@ -38,7 +39,7 @@ class AtomicFile {
   bool is_direct() const { return is_direct_; }
   /// Returns the path of the final file, with symbolic links resolved.
   const std::string& target() const { return target_; }
-  /// Returns a name that is equal for all paths to this file.
+  /// Returns a name that is the same for all paths to this file.
   std::string place() const { return place_of(target_); }
 
  private:
@@ -48,7 +49,7 @@ class AtomicFile {
   bool is_direct_;
   std::string bytes_;      ///< bytes to be written directly by commit()
   std::string temporary_;  ///< name of the temporary file; empty if there is none
-  int descriptor_ = -1;    ///< open while bytes are appended
+  int descriptor_ = -1;    ///< descriptor of the temporary file, open while bytes are appended
   bool is_finished_ = false;
 };
 

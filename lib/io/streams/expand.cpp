@@ -10,8 +10,9 @@
 namespace transformesh {
 namespace {
 
-constexpr int gzip_window = 15 + 16;  // the largest window; 16 selects the gzip header in zlib
-constexpr int zlib_window = 15;       ///< log2 of the window's bytes, the largest of zlib
+/// log2 of the window's bytes, the largest of zlib; plus 16, which selects the gzip header.
+constexpr int gzip_window = 15 + 16;
+constexpr int zlib_window = 15;  ///< log2 of the window's bytes, the largest of zlib
 
 /// A zlib decompressor of bytes in memory, which appends to a string.
 class Inflater {
@@ -74,10 +75,11 @@ std::size_t without_padding(std::string_view rest) { return rest.find_last_not_o
 }  // namespace
 
 std::uint64_t expansion_limit(std::size_t size) {
-  // Text meshes usually compress to a third, rarely to a fiftieth. A smaller ratio would reject
-  // regular grids. Without a ratio a file could grow by a factor of 1000, the maximum of Deflate.
+  // Largest allowed ratio of expanded to compressed bytes. Text meshes usually compress to a third,
+  // rarely to a fiftieth. With a smaller ratio, regular grids would be rejected. Without a limit, a
+  // file could grow by a factor of 1000, the maximum of Deflate.
   constexpr std::uint64_t ratio = 200;
-  // Small files may compress better; this much memory (64 MB) is always allowed.
+  // Small files may compress better, so this number of bytes (64 MB) is always allowed.
   constexpr std::uint64_t always_allowed = std::uint64_t{1} << 26U;
   return std::max(always_allowed, ratio * size);
 }

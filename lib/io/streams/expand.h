@@ -9,8 +9,8 @@
 
 namespace transformesh {
 
-/// Returns the largest number of bytes that `size` bytes of input may become by decompression or by
-/// repeated parts. The limit protects against decompression bombs.
+/// Returns the largest number of bytes to which `size` bytes of input may grow by decompression or
+/// by repeated parts. The limit protects against decompression bombs.
 std::uint64_t expansion_limit(std::size_t size);
 
 /// Rejects inputs whose repeated parts add up to more than expansion_limit() bytes.
@@ -19,7 +19,7 @@ class ExpansionBudget {
   explicit ExpansionBudget(const Source& source)
       : source_(source), left_(expansion_limit(source.bytes.size())) {}
 
-  /// Throws InputError if the sum exceeds the limit.
+  /// Adds bytes of a part. Throws InputError if the sum exceeds the limit.
   void spend(std::uint64_t bytes);
 
  private:
@@ -39,12 +39,12 @@ struct Expanded {
 };
 
 /// Decompresses all members of a gzip file. Zeros after the last member are padding and do not
-/// count as `rest`. Throws InputError, with the byte offset, for damaged data and beyond
-/// expansion_limit().
+/// count as `rest`. Throws InputError, with the byte offset, for damaged data and for more bytes
+/// than expansion_limit().
 Expanded expand_gzip(const Source& source);
 
 /// Decompresses a zlib stream of at most `most` bytes. Throws InputError, with `what` as prefix,
-/// for damaged or incomplete data and for more bytes.
+/// for damaged or incomplete data and for more than `most` bytes.
 std::string expand_zlib(const Source& source, std::string_view stream, std::size_t most,
                         const std::string& what);
 

@@ -75,7 +75,7 @@ bool is_folder(const std::string& path) {
   return fs::is_directory(path, error);
 }
 
-/// Unlike fs::is_regular_file(), also true for pipes.
+/// True for files. Unlike fs::is_regular_file(), also true for pipes.
 bool is_file(const std::string& path) {
   std::error_code error;
   return fs::exists(path, error) && !fs::is_directory(path, error);

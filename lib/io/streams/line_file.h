@@ -9,13 +9,13 @@ namespace transformesh {
 
 class LineFile {
  public:
-  /// Creates the file with these lines, complete or not at all. Throws OutputError.
+  /// Creates the file with the lines in `beginning`, complete or not at all. Throws OutputError.
   LineFile(std::string path, std::string_view beginning);
   ~LineFile();
   LineFile(const LineFile&) = delete;
   LineFile& operator=(const LineFile&) = delete;
 
-  /// Throws OutputError.
+  /// Appends a line. Throws OutputError.
   void append(const std::string& line) const;
 
  private:

@@ -6,7 +6,8 @@ namespace transformesh {
 
 std::optional<std::string> expand_lzf(std::string_view data, std::size_t size) {
   std::string bytes;
-  constexpr std::size_t largest_ratio = 88;  // three bytes repeat at most 264 bytes
+  // Bytes of output for a byte of input: three bytes repeat at most 264 bytes.
+  constexpr std::size_t largest_ratio = 88;
   bytes.reserve(std::min(size, largest_ratio * data.size()));
   std::size_t at = 0;
   const auto next = [&]() -> std::size_t { return static_cast<unsigned char>(data[at++]); };

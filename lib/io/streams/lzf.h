@@ -9,7 +9,8 @@
 
 namespace transformesh {
 
-/// Returns the decompressed bytes; nothing if their number is not `size` or the data is damaged.
+/// Returns the decompressed bytes. Returns nothing if their number is not `size` or the data is
+/// damaged.
 std::optional<std::string> expand_lzf(std::string_view data, std::size_t size);
 
 }  // namespace transformesh

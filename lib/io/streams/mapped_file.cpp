@@ -15,15 +15,15 @@
 namespace transformesh {
 namespace {
 
-/// A choice. Half of the value would cause repeated reads; twice the value would be half of a small
-/// machine's memory.
+/// Largest number of bytes of mapped files in memory. A choice: with half of the value, pages would
+/// be read repeatedly; twice the value would be half of a small machine's memory.
 constexpr std::size_t most_resident_bytes = std::size_t{256} << 20;
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
   throw InputError(input_name(path) + ": cannot be read: " + reason);
 }
 
-/// Returns the bytes of file pages that are resident for this process.
+/// Returns the number of bytes of file pages that are resident for this process.
 std::size_t resident_file_bytes() {
   std::ifstream file("/proc/self/statm");
   std::size_t total = 0, resident = 0, shared = 0;

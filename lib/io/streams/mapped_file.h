@@ -1,5 +1,6 @@
 /// A memory-mapped file, for files larger than memory. The system can drop its pages at any time,
-/// so they do not count as memory of the process. release() nevertheless keeps their number small.
+/// so they do not count as memory of the process. release() nevertheless limits the number of pages
+/// in memory.
 #pragma once
 
 #include <string>

@@ -5,7 +5,8 @@
 namespace transformesh {
 
 bool is_below_one(std::string_view number) {
-  // If the exponent overflows an int, its sign alone decides: no number has that many digits.
+  // If the exponent overflows an int, its sign alone decides, because no number has that many
+  // digits.
   const std::size_t exponent_mark = number.find_first_of("eE");
   int exponent = 0;
   if (exponent_mark != std::string_view::npos) {

@@ -1,4 +1,5 @@
-/// Numbers as text: independent of the locale, the shortest text that reads back as the same value.
+/// Conversion of numbers to and from text, independent of the locale. A number becomes the shortest
+/// text that reads back as the same value.
 #pragma once
 
 #include <charconv>
@@ -16,12 +17,12 @@ bool is_below_one(std::string_view number);
 
 /// Returns the length of the ending that old Microsoft C libraries write after `1.` for NaN and
 /// infinity: `#QNAN`, `#SNAN`, `#IND` or `#INF`, optionally followed by digits. Returns 0 if
-/// [first, last) does not start with one.
+/// [first, last) does not start with such an ending.
 std::size_t special_ending(const char* first, const char* last);
 
 /// Parses the number at the start of [first, last) and moves `first` past it. Accepts a plus sign.
-/// Floating-point types also accept nan, inf, and `1.#QNAN` and `1.#INF`, which both become NaN.
-/// Underflow becomes zero; overflow returns out_of_range.
+/// Floating-point types also accept nan and inf, and `1.#QNAN` and `1.#INF`, both of which become
+/// NaN. Underflow becomes zero; overflow returns out_of_range.
 template <class T>
 Parsed parse_number(const char*& first, const char* last, T& value) {
   const char* start = first;

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Limits of Linux: bytes of a file name, and symbolic links in a path.
+// Limits of Linux: number of bytes of a file name, and number of symbolic links in a path.
 constexpr std::size_t longest_name = 255;
 constexpr int most_links = 40;
 
@@ -39,7 +39,7 @@ std::optional<int> descriptor_named(std::string_view path) {
 
 bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-// The FNV-1a hash (Fowler, Noll & Vo).
+// Returns the FNV-1a hash of a text (Fowler, Noll & Vo).
 std::uint64_t hash_of(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;

@@ -9,7 +9,8 @@ namespace transformesh {
 /// open descriptors such as /dev/stdout or /dev/fd/63. Throws OutputError for a cycle of links.
 std::string end_of_links(const std::string& path);
 
-/// Returns a name that is equal for all paths to the same file; the path itself if this is unknown.
+/// Returns a name that is the same for all paths to one file. Returns the path itself if such a
+/// name is unknown.
 std::string place_of(const std::string& path);
 
 /// True if both paths lead to the same file.
@@ -28,7 +29,7 @@ int open_directly(const std::string& path);
 std::string name_beside(const std::string& path, const std::string& prefix,
                         const std::string& suffix);
 
-/// Throws an OutputError for errno.
+/// Throws an OutputError whose reason is errno.
 [[noreturn]] void throw_not_written(const std::string& path);
 
 }  // namespace transformesh

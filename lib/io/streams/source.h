@@ -10,8 +10,9 @@ namespace transformesh {
 struct Source {
   std::string_view bytes;
   std::string name;
-  bool is_strict = false;  ///< rejects content that is otherwise dropped or skipped with a count
-  bool keeps_polygons = false;  ///< numbers the triangles of polygons (merge_polygons.h)
+  /// True: content that is otherwise dropped or skipped with a note is an error.
+  bool is_strict = false;
+  bool keeps_polygons = false;  ///< true: the triangles of polygons are numbered (merge_polygons.h)
 
   const char* begin() const { return bytes.data(); }
   const char* end() const { return bytes.data() + bytes.size(); }

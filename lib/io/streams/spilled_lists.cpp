@@ -12,7 +12,8 @@
 namespace transformesh {
 namespace {
 
-/// A block is 64 KB. Smaller blocks need more system calls; larger ones need more memory per list.
+/// Number of indices in a block of 64 KB. Smaller blocks need more system calls; larger blocks need
+/// more memory for each list.
 constexpr std::size_t block = std::size_t{1} << 14;
 constexpr std::size_t block_bytes = block * sizeof(std::uint32_t);
 

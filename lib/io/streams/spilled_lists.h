@@ -1,4 +1,5 @@
-/// Lists of indices that grow in turn and are stored in an unnamed file instead of memory.
+/// Several lists of indices that grow at the same time and are stored in an unnamed file instead of
+/// memory.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,7 @@ class SpilledLists {
  private:
   struct List {
     std::vector<std::uint32_t> last;     ///< indices not yet written to the file
-    std::vector<std::uint64_t> offsets;  ///< positions of full blocks in the file
+    std::vector<std::uint64_t> offsets;  ///< offsets of the list's full blocks in the file
   };
 
   void write(List& list);

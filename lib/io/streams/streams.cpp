@@ -15,7 +15,7 @@
 namespace transformesh {
 namespace {
 
-// 1 MB, the largest pipe buffer that Linux allows by default.
+// Size of reads and of pipe buffers: 1 MB, the largest pipe buffer that Linux allows by default.
 constexpr std::size_t block = std::size_t{1} << 20;
 
 class Descriptor {
@@ -48,15 +48,16 @@ bool may_retry(int descriptor, short events) {
   return true;
 }
 
-// A larger pipe means fewer context switches between the programs of a pipeline. Failure does no
-// harm.
+// Enlarges the buffer of a pipe, for fewer context switches between the programs of a pipeline. If
+// this fails, the buffer stays smaller.
 void widen_pipe([[maybe_unused]] int descriptor) {
 #ifdef F_SETPIPE_SZ
   fcntl(descriptor, F_SETPIPE_SZ, static_cast<int>(block));
 #endif
 }
 
-// Size of a regular file plus 1, so that one read reaches the end; otherwise one block.
+// Returns the size of a regular file plus 1, so that one read reaches its end. Returns the size of
+// a block for other files.
 std::size_t first_read_size(int descriptor) {
   struct stat status {};
   if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return block;

@@ -11,7 +11,7 @@ namespace transformesh {
 /// A buffer that grows without being zeroed, and without being copied if it is large.
 class Bytes {
  public:
-  /// Returns room for `size` more bytes after the present ones. Throws std::bad_alloc.
+  /// Returns room for `size` more bytes after the present bytes. Throws std::bad_alloc.
   char* reserve(std::size_t size);
   void grow(std::size_t size) { size_ += size; }
   std::string_view view() const { return {data_.get(), size_}; }
@@ -31,11 +31,11 @@ Bytes read_all(const std::string& path);
 /// Returns the name of an input in messages.
 std::string input_name(const std::string& path);
 
-/// Returns the folder of a regular file, `.` if the path has none. Empty for `-` and for other
-/// kinds of paths.
+/// Returns the folder of a regular file, `.` if the path has none. Returns an empty name for `-`
+/// and for other kinds of paths.
 std::string input_folder(const std::string& path);
 
-/// Writes all bytes; returns false, with errno set, on failure.
+/// Writes all bytes. Returns false, with errno set, on failure.
 bool write_all(int descriptor, std::string_view bytes);
 
 }  // namespace transformesh

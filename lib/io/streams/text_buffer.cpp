@@ -3,8 +3,8 @@
 namespace transformesh {
 namespace {
 
-/// True for line ends, which would end the comment, and for control bytes, which would make the
-/// file look binary.
+/// True for line ends, which would end a comment, and for control bytes, which would make the file
+/// seem binary.
 bool is_blanked(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte < '\t' || byte == '\n' || byte == '\r';

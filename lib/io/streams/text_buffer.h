@@ -33,7 +33,7 @@ class TextBuffer {
   std::string take();
 
  private:
-  /// Bytes; the shortest text of a double has at most 24.
+  /// Room for a number, in bytes. The shortest text of a double has at most 24 bytes.
   static constexpr std::size_t longest_number = 32;
 
   void ensure(std::size_t size) {
@@ -45,8 +45,8 @@ class TextBuffer {
   char* end_ = nullptr;
 };
 
-/// Appends one line per comment: the mark, a space, the text. Line ends and bytes below the tab
-/// become blanks.
+/// Appends one line for each comment: the mark, a space, the text. Line ends and bytes below the
+/// tab become blanks.
 void add_comments(std::string_view mark, const std::vector<std::string>& comments,
                   TextBuffer& text);
 

@@ -16,14 +16,14 @@ bool is_zip(std::string_view bytes);
 
 class ZipReader {
  public:
-  /// Throws InputError if the bytes have no directory of files.
+  /// Opens an archive. Throws InputError if the bytes have no directory of files.
   ZipReader(const Source& source, ExpansionBudget& budget);
   ~ZipReader();
   ZipReader(const ZipReader&) = delete;
   ZipReader& operator=(const ZipReader&) = delete;
 
-  /// Returns the bytes of a file; nothing if there is none. Names are case-insensitive. Throws
-  /// InputError for damaged data and beyond the budget.
+  /// Returns the bytes of a file. Returns nothing if there is no such file. Names are
+  /// case-insensitive. Throws InputError for damaged data and beyond the budget.
   std::optional<std::string> read(const std::string& name) const;
 
  private:

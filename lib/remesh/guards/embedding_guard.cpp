@@ -13,12 +13,13 @@
 namespace transformesh {
 namespace {
 
-/// Cells are 1.5 longest edges wide. Most patches lie within 0.9 edges of their center. Each face
-/// that meets a ball has a corner within 0.58 edges of the ball. The sum is about 1.5.
+/// Width of cells, in lengths of the longest edge: the sum of two distances. Most patches lie
+/// within 0.9 lengths of their center. Each face that meets a ball has a corner within
+/// `corner_reach` lengths of the ball.
 constexpr double cell_edges = 1.5;
 constexpr double corner_reach = 0.58;
-/// The tree of faces is built when so many vertices of cells were visited per face of the mesh that
-/// building it would have been no slower. Meshes of equal edges stay below.
+/// The tree of faces is built after this number of visited cell vertices per face of the mesh,
+/// which take as long as building it. Meshes with edges of similar length need fewer visits.
 constexpr std::size_t scans_per_face = 16;
 
 Vec3 lowest(const Triangle& triangle) {
@@ -105,7 +106,7 @@ void EmbeddingGuard::count_scanned(std::size_t vertices) {
 }
 
 bool EmbeddingGuard::keeps_out(const Patch& patch) {
-  std::vector<Index> faces = patch.replaced;  // which may contain duplicates
+  std::vector<Index> faces = patch.replaced;  // may contain duplicates
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   std::vector<Triangle> replaced;
@@ -131,8 +132,8 @@ bool EmbeddingGuard::is_embedded(const Patch& patch) {
   enclose(patch);
   if (!tree_ && is_seen_around(patch)) return true;
   find_faces_near(patch);
-  // The tree has no cells for is_seen_around(): the same certificate is tested with the faces
-  // found.
+  // A tree has no cells, which is_seen_around() needs. Hence the same certificate is tested with
+  // the faces that the tree finds.
   const std::optional<Direction> direction = tree_ ? direction_of(patch) : std::nullopt;
   return (direction && is_seen_in_slab(patch, direction->unit)) || is_height_field(patch) ||
          (!meets_itself(patch) && !meets_others(patch));
@@ -145,7 +146,7 @@ bool EmbeddingGuard::is_certified(const Patch& patch) {
   return lies_within(cells_.cell_size() - corner_reach * longest_edge_, patch);
 }
 
-/// True if the ball of that radius around the old center contains the old and the new patch.
+/// True if the ball with radius `radius` around the old center contains the old and the new patch.
 bool EmbeddingGuard::lies_within(double radius, const Patch& patch) const {
   const double limit = radius * radius;
   const Vec3& center = mesh_.position(patch.center);
@@ -164,8 +165,8 @@ Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
   return slab;
 }
 
-/// True if the direction sees all near faces that meet the slab of the patch, and these belong to
-/// the component of the patch.
+/// True if the direction is in front of all near faces that meet the slab of the patch, and these
+/// faces belong to the component of the patch.
 bool EmbeddingGuard::is_seen_in_slab(const Patch& patch, const Vec3& direction) const {
   const Index component = cells_[patch.center].component;
   const Slab slab = slab_of(patch, direction);
@@ -176,8 +177,9 @@ bool EmbeddingGuard::is_seen_in_slab(const Patch& patch, const Vec3& direction) 
   });
 }
 
-/// The certificate of the header for another convex body: the intersection of slab_of() with the
-/// bounding box of both patches. All faces that meet it must be in front of the mean normal.
+/// Tests the certificate of the header for another convex body: the intersection of slab_of() with
+/// the bounding box of both patches. The mean normal must be in front of all faces that meet this
+/// body.
 bool EmbeddingGuard::is_height_field(const Patch& patch) const {
   if (cells_[patch.center].component == no_index) return false;
   const Vec3 direction = sum_of(patch.normals).normalized();
@@ -197,8 +199,8 @@ bool EmbeddingGuard::meets_others(const Patch& patch) const {
   });
 }
 
-/// Computes the bounding box of the old and the new patch, and the box that contains the nearest
-/// corner of each face that meets the first one.
+/// Computes the bounding box of the old and the new patch, and a larger box that contains a corner
+/// of each face that meets the bounding box.
 void EmbeddingGuard::enclose(const Patch& patch) {
   low_ = high_ = patch.center_position;
   const auto extend = [&](const Triangle& triangle) {

@@ -2,22 +2,22 @@
 ///
 /// Most patches are allowed by a certificate. Suppose that all faces that meet a ball have normals
 /// on one side of a plane. Then a closed connected surface without self-intersections is a height
-/// field in that ball: a line along the plane's normal enters and leaves it alternately. A new
-/// patch with the same rim and with normals on the same side has the same projection, and cannot
-/// meet the rest.
+/// field in the ball, because a line along the plane's normal enters and leaves the solid
+/// alternately. A new patch with the same rim and with normals on the same side has the same
+/// projection as the old patch, and cannot meet the rest of the surface.
 ///
 /// There are three tests, from fast to slow:
 /// - Each cell of a grid stores the normal cone of its faces (normal_cone.h). The test of a whole
 ///   neighborhood is one bitwise AND.
-/// - If that fails, for example between the two sides of a thin plate, the certificate is tested
-/// with
-///   the single faces around the bounding box of the patch.
-/// - If that fails too, and near borders or a second component, every new triangle is tested
-/// against
-///   all triangles nearby and those of its own patch (triangle_contact.h).
+/// - If the first test fails, for example between the two sides of a thin plate, the certificate is
+/// tested with the single faces around the bounding box of the patch.
+/// - The last test is also used near borders and near a second component. It tests every new
+/// triangle against all triangles nearby and against the other triangles of its patch
+/// (triangle_contact.h).
 ///
-/// Cells are as wide as the longest edge, so that a mesh of slivers has thousands of faces in each.
-/// The second and third test then find near faces in a tree instead (face_tree.h).
+/// The width of cells is proportional to the longest edge, so a cell of a mesh of slivers may have
+/// thousands of faces. The second and third test then find near faces in a tree instead
+/// (face_tree.h).
 ///
 /// If an obstacle is given, patches are also kept away from it (keep_out.h).
 #pragma once
@@ -40,15 +40,16 @@ struct Patch {
   Index center = no_index;         ///< a living vertex that belongs to the old and the new part
   Vec3 center_position;            ///< new position of the center
   std::vector<Triangle> made;      ///< new triangles
-  std::vector<Vec3> normals;       ///< their normals, of any length
+  std::vector<Vec3> normals;       ///< normals of the new triangles, of any length
   std::optional<NormalCone> cone;  ///< cone of the normals, if known; the certificate then does not
                                    ///< need `normals`
   double longest_squared = 0;      ///< squared length of the longest new edge
-  double reach_squared = -1;    ///< squared distance of the center from the farthest vertex; < 0:
-                                ///< unknown
+  /// Squared distance of the farthest vertex from the center; < 0: unknown.
+  double reach_squared = -1;
   std::vector<Index> replaced;  ///< replaced faces
   std::vector<Index> vertices;  ///< corners of the new triangles
-  /// For a collapse: per new triangle, the halfedge of its old face that leaves the center.
+  /// Only for collapses: for each new triangle, the halfedge of its old face that leaves the
+  /// center.
   std::vector<Index> spokes;
 
   void clear();
@@ -65,8 +66,8 @@ class EmbeddingGuard {
   /// True if the patch certainly meets the rest of the surface only at its rim, and does not
   /// intersect itself. Contact within rounding errors counts as intersection.
   bool allows(const Patch& patch) { return certifies(patch) || allows_uncertified(patch); }
-  /// The two stages of allows(); the second is needed only if the first returns false. certifies()
-  /// does not need `made` and `replaced`, and returns false if there is an obstacle.
+  /// The two stages of allows(). allows_uncertified() is needed only if certifies() returns false.
+  /// certifies() does not need `made` and `replaced`, and returns false if there is an obstacle.
   bool certifies(const Patch& patch) { return keep_out_ == nullptr && is_certified(patch); }
   bool allows_uncertified(const Patch& patch);
   /// Returns the number of patches that were refused only because of the obstacle.
@@ -100,18 +101,20 @@ class EmbeddingGuard {
   const KeepOut* keep_out_;
   std::size_t kept_out_ = 0;
   double longest_allowed_;
-  double longest_edge_;  ///< longest edge so far
+  double longest_edge_;  ///< length of the longest edge so far
   VertexCells cells_;
-  std::optional<FaceTree> tree_;  ///< finds near faces in place of cells, once these were too slow
-  std::size_t scanned_ = 0;       ///< vertices of cells visited so far
-  std::vector<std::uint32_t> stamp_;  ///< per face: `stamp_now_` if already visited
+  /// Finds near faces instead of the cells; set if cells were too slow.
+  std::optional<FaceTree> tree_;
+  std::size_t scanned_ = 0;           ///< vertices of cells visited so far
+  std::vector<std::uint32_t> stamp_;  ///< `stamp_now_` for each face that was already visited
   std::uint32_t stamp_now_ = 0;
   NormalCone cone_ = 0;      ///< cone of the last allowed patch
   Vec3 low_ = Vec3::Zero();  ///< corners of the box around the old and the new part
   Vec3 high_ = Vec3::Zero();
-  Vec3 low_corner_ = Vec3::Zero();  ///< the box, extended so that it has a corner of each near face
+  /// Corners of the box, enlarged to contain a corner of each near face.
+  Vec3 low_corner_ = Vec3::Zero();
   Vec3 high_corner_ = Vec3::Zero();
-  std::vector<Index> near_;  ///< faces whose bounding boxes touch the box
+  std::vector<Index> near_;  ///< faces whose bounding boxes touch the box from `low_` to `high_`
 };
 
 }  // namespace transformesh

@@ -7,21 +7,21 @@ namespace transformesh {
 namespace {
 
 /// The allowed distance is reduced by this share of the largest coordinate. Closest points and the
-/// cuts of triangle_cover.h have rounding errors of up to 1e-14 of that coordinate, by which a
-/// result could exceed the allowed distance otherwise.
+/// cuts of triangle_cover.h have rounding errors of up to 1e-14 of that coordinate. Without the
+/// reduction, a result could exceed the allowed distance by these errors.
 constexpr double rounding_share = 1e-13;
-/// Larger distances are replaced by this one, so that their squares are finite.
+/// Larger distances are replaced by this distance, so that their squares are finite.
 constexpr double largest_distance = 1e150;
 /// A patch may take least_cuts cuts of triangles, and cuts_per_face more for each face of the input
-/// in gather(). The limit keeps the cost of a patch linear. Half of the cuts leave 2 % more faces
-/// of noisy and folded shapes, and twice as many leave 1 % fewer in the same time.
+/// in gather(). The limit keeps the cost of a patch linear. With half of the cuts, noisy and folded
+/// shapes keep 2 % more faces. With twice as many cuts, they keep 1 % fewer faces in the same time.
 constexpr std::size_t least_cuts = 64;
 constexpr std::size_t cuts_per_face = 8;
 /// The limit on faces and on cuts for one face of the result when certified() measures the
 /// distance.
 constexpr std::size_t most_measured_faces = 4096;
-/// certified() finds the distance by attempts. The first attempt uses this share of the error, and
-/// each later one a distance larger by this factor.
+/// certified() tries growing distances. The first distance is `first_share` of the error, and each
+/// later distance is `growth` times as large.
 constexpr double first_share = 1.0 / 1024;
 constexpr double growth = 1.25;
 
@@ -101,7 +101,8 @@ void ErrorBound::gather(const Patch& patch) {
   }
 }
 
-/// The squared distances of a vertex of the input from each new face, computed once per patch.
+/// Returns the squared distances of a vertex of the input from each new face. They are computed
+/// once per patch.
 const double* ErrorBound::distances_of(Index vertex) {
   if (vertex_stamp_[vertex] != stamp_) {
     vertex_stamp_[vertex] = stamp_;
@@ -117,13 +118,13 @@ CoverTriangle ErrorBound::corners_of(Index input) const {
   return {CoverCorner{triangle[0]}, CoverCorner{triangle[1]}, CoverCorner{triangle[2]}};
 }
 
-/// Most input faces are near a single new face, as the distances of their corners show. Returns
-/// false if a corner is not near any face that may be a witness; most patches are refused by this
-/// test.
+/// Finds the input faces that are near a single new face, by the distances of their corners.
+/// Returns false if a corner is not near any face that may be a witness. Most refused patches are
+/// refused here.
 bool ErrorBound::find_close_witnesses() {
   for (const Index input : inputs_) {
     const Face& corners = input_.faces[input];
-    // adds all rows first, because adding rows moves them in memory
+    // all rows are added first, because adding a row moves the other rows in memory
     for (const Index v : corners) distances_of(v);
     const double *a = distances_of(corners[0]), *b = distances_of(corners[1]),
                  *c = distances_of(corners[2]);
@@ -188,8 +189,8 @@ void ErrorBound::add_witness_candidates(Index input, Candidates& candidates) con
   });
 }
 
-/// True if all points of the new faces are within the distance of the input. Vertices 2 i and 2 i +
-/// 1 of the patch are corners of new face i.
+/// True if all points of the new faces are within the allowed distance of the input. Vertices 2 i
+/// and 2 i + 1 of the patch are corners of new face i.
 bool ErrorBound::is_near_input(const Patch& patch) {
   NearInput input(input_, input_query_, distance_);
   const std::size_t most = least_cuts + cuts_per_face * inputs_.size();

@@ -2,14 +2,14 @@
 /// replaced.
 ///
 /// Both directions are certified by triangle_cover.h. Each face of the input has witnesses
-/// (witness_links.h): faces of the result such that all points of the input face are within the
-/// distance of them. A patch is allowed under two conditions. Each input face with a witness in the
-/// patch must find new witnesses among new faces, faces around them, and remaining witnesses. Each
-/// new face must be within the distance of faces of the input. Errors therefore do not accumulate,
-/// and the bound holds after each step. Since a certificate may not be found, a patch that keeps
-/// the bound may be refused. See docs/design/decimation-error.md. Reference: Cohen, Varshney,
-/// Manocha, Turk, Weber, Agarwal, Brooks & Wright, "Simplification envelopes", SIGGRAPH 1996, for
-/// the bound in both directions. Witnesses replace their envelopes.
+/// (witness_links.h): faces of the result such that each point of the input face is within the
+/// distance of one of them. A patch is allowed under two conditions. Each input face that loses a
+/// witness must get new witnesses. These are new faces, faces around new faces, and remaining
+/// witnesses. Each new face must be within the distance of faces of the input. Errors therefore do
+/// not accumulate, and the bound holds after each step. A certificate is not always found, so a
+/// patch that keeps the bound may be refused. See docs/design/decimation-error.md. Reference:
+/// Cohen, Varshney, Manocha, Turk, Weber, Agarwal, Brooks & Wright, "Simplification envelopes",
+/// SIGGRAPH 1996, for the bound in both directions. Witnesses replace the envelopes of that paper.
 #pragma once
 
 #include <cstdint>
@@ -61,22 +61,24 @@ class ErrorBound {
   double error_;
   double distance_;  ///< error minus the bound of rounding errors
   WitnessLinks links_;
-  ProjectedFaces projected_;    ///< faces of the input
-  std::vector<Index> nearest_;  ///< per vertex of the result: nearest face of the input
+  ProjectedFaces projected_;    ///< certificates by projection onto input faces
+  std::vector<Index> nearest_;  ///< nearest input face of each vertex of the result
   Index nearest_center_ = no_index;
   std::size_t refused_ = 0;
 
   // Data of the current patch.
   std::uint32_t stamp_ = 0;
-  std::vector<std::uint32_t> replaced_stamp_;  ///< per face of the result
-  std::vector<std::uint32_t> input_stamp_;     ///< per face of the input
-  std::vector<std::uint32_t> vertex_stamp_;    ///< per vertex of the input
-  std::vector<Index> row_;          ///< per vertex of the input: first entry in distances_
-  std::vector<double> distances_;   ///< squared distances from the new faces, in rows
-  Candidates candidates_;           ///< new faces, then faces around them
+  /// `stamp_` for each face of the result that is replaced.
+  std::vector<std::uint32_t> replaced_stamp_;
+  std::vector<std::uint32_t> input_stamp_;   ///< `stamp_` for each input face in `inputs_`
+  std::vector<std::uint32_t> vertex_stamp_;  ///< `stamp_` for each input vertex with a row
+  std::vector<Index> row_;                   ///< first entry of each input vertex in `distances_`
+  /// Squared distances from the new faces, one row for each input vertex.
+  std::vector<double> distances_;
+  Candidates candidates_;           ///< new faces, then the faces around the new faces
   std::size_t made_ = 0;            ///< number of new faces in candidates_
   std::vector<Index> inputs_;       ///< faces of the input that lose a witness
-  std::vector<Index> open_inputs_;  ///< inputs_ that are not near a single new face
+  std::vector<Index> open_inputs_;  ///< faces of `inputs_` that are not near a single new face
   std::vector<Witness> witnesses_;  ///< new witnesses of inputs_
 };
 

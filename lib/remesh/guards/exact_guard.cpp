@@ -54,8 +54,8 @@ void ExactGuard::divide(Index face, std::span<const Index> parts) {
   }
 }
 
-/// Enlarges the boxes of a node and its ancestors until they contain another box: rounding moves
-/// the parts of a divided face out of its box.
+/// Enlarges the boxes of a node and its ancestors to contain another box. Rounding may move the
+/// parts of a divided face out of its box.
 void ExactGuard::widen(Index node, const FloatBox& box) {
   while (!holds(nodes_[node].box, box)) {
     nodes_[node].box = nodes_[node].box.merged(box);
@@ -92,7 +92,7 @@ bool ExactGuard::for_each_near(const Triangle& triangle,
                                 [&](Index root) { return visit_below(root, box, visit); });
 }
 
-/// True if each remaining face that the triangle meets also met one of the replaced faces.
+/// True if each remaining face that meets the triangle also meets one of the replaced faces.
 bool ExactGuard::keeps_apart(const Triangle& triangle, std::span<const Index> replaced) const {
   return for_each_near(triangle, [&](Index face) {
     if (std::find(replaced.begin(), replaced.end(), face) != replaced.end()) return true;

@@ -1,11 +1,11 @@
 /// Decides exactly whether triangles that replace faces would intersect the rest of the surface.
 ///
-/// A new triangle may intersect a face only if one of the faces that it replaces did so already.
-/// Therefore no intersections are added to those of the input. The embedding guard is faster, but
-/// counts distances within rounding errors as contact. The exact guard is for meshes with thinner
-/// features. Intersection is defined by triangles_meet() (contacts.h). Faces are stored in a
-/// bounding volume hierarchy that is built once; the parts of a divided face become children of its
-/// leaf. Cost of a test: O(log n + number of near faces).
+/// A new triangle may intersect a face only if one of the replaced faces already intersects that
+/// face. Therefore no intersections are added to those of the input. The embedding guard is faster,
+/// but counts distances within rounding errors as contact. The exact guard is for meshes with
+/// features as thin as rounding errors. Intersection is defined by triangles_meet() (contacts.h).
+/// Faces are stored in a bounding volume hierarchy that is built once; the parts of a divided face
+/// become children of its leaf. Cost of a test: O(log n + number of near faces).
 #pragma once
 
 #include <functional>
@@ -27,12 +27,12 @@ class ExactGuard {
   /// only if one of `replaced` has none.
   bool allows(std::span<const Triangle> made, std::span<const Index> replaced) const;
 
-  /// Calls visit(face) for each living face whose box touches that of the triangle until it returns
-  /// false. Returns false if visit did.
+  /// Calls visit(face) for each living face whose box touches the triangle's box, until a call
+  /// returns false. Returns false if a call did.
   bool for_each_near(const Triangle& triangle, const std::function<bool(Index)>& visit) const;
 
-  /// Stores `parts` as children of `face`, which they replace. One of them may be `face` itself;
-  /// others may have been stored before, and are moved.
+  /// Stores `parts` as children of `face`, which they replace. One of `parts` may be `face` itself.
+  /// Parts that were stored before are moved.
   void divide(Index face, std::span<const Index> parts);
 
  private:
@@ -52,7 +52,7 @@ class ExactGuard {
   double slack_;
   BoxFrame frame_;
   std::vector<Node> nodes_;
-  std::vector<Index> leaf_of_;  ///< per face
+  std::vector<Index> leaf_of_;  ///< leaf of each face
   Bvh bvh_;                     ///< tree of the initial nodes, one per face
   std::vector<Index> widened_;  ///< initial nodes that have outgrown their boxes in `bvh_`
 };

@@ -1,5 +1,5 @@
-/// The two surfaces for TriangleCover: a few faces, all of which are tested, and all faces of a
-/// mesh, which are searched in a tree.
+/// The two kinds of surfaces for TriangleCover. NearCandidates tests each of a few faces; NearInput
+/// searches all faces of a mesh in a tree.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@ struct NearCandidate {
   NearTriangle triangle;
 };
 
-/// A few faces. used() lists those that cover a part of the triangle.
+/// A few faces, as a surface for TriangleCover. used() lists the faces that cover a part of the
+/// triangle.
 class NearCandidates {
  public:
   NearCandidates(const std::vector<NearCandidate>& all, double limit) : all_(all), limit_(limit) {}
@@ -54,7 +55,7 @@ class NearCandidates {
   std::vector<Index> used_;
 };
 
-/// All faces of the input.
+/// All faces of the input, as a surface for TriangleCover.
 class NearInput {
  public:
   NearInput(const Mesh& input, const ClosestPointQuery& query, double distance)

@@ -1,10 +1,9 @@
 /// Computes the distances of many points from a triangle.
 ///
-/// Each result is the distance from one point of the triangle, which is the closest point except
-/// for rounding errors. The distance is too large if rounding selects another point of the
-/// triangle, which happens in slivers. The distance is too small by at most the rounding error of a
-/// coordinate. Reference for the regions: Ericson, "Real-time
-/// collision detection", 2005, section 5.1.5.
+/// Each result is the distance from one point of the triangle, the closest point unless rounding
+/// selects another one. The distance is too large if rounding selects another point, which happens
+/// in slivers. The distance is too small by at most the rounding error of a coordinate. Reference
+/// for the regions: Ericson, "Real-time collision detection", 2005, section 5.1.5.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +34,8 @@ class NearTriangle {
   }
 
  private:
-  /// `point` is relative to the first end of the segment.
+  /// Returns the squared distance of a point from a segment. `point` is relative to the segment's
+  /// first end.
   static double squared_distance_of_segment(const Vec3& point, const Vec3& along) {
     const double product = along.dot(point), squared = along.squaredNorm();
     if (!(product > 0)) return point.squaredNorm();

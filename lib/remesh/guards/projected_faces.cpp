@@ -6,11 +6,12 @@
 namespace transformesh {
 namespace {
 
-/// A triangle is projected onto only if the squared ratio of its height to its longest edge is
-/// above this. In narrower triangles, barycentric coordinates have rounding errors above 1e-10.
+/// Faces are projected onto a triangle only if its squared ratio of height to longest edge is above
+/// this. In narrower triangles, barycentric coordinates have rounding errors above 1e-10.
 constexpr double least_squared_sine = 1e-12;
-/// Edges that pass the triangle within this share of its size may meet it. Rounding errors of the
-/// barycentric coordinates are a tenth of that; a larger margin only collects more faces.
+/// An edge may meet the triangle if its distance from it is below this share of the triangle's
+/// size. Rounding errors of the barycentric coordinates are a tenth of this share. A larger margin
+/// only collects more faces.
 constexpr double margin = 1e-9;
 
 bool is_wide(const TriangleAxes& axes) {
@@ -38,9 +39,9 @@ bool ProjectedFaces::may_meet(const Place& from, const Place& to) {
   return !(low > least || high < -least);
 }
 
-/// The signed number of crossings of the edge with the ray from the triangle's middle along the
-/// first axis: 1 upwards, -1 downwards. The ends are sorted, so both halfedges of an edge yield
-/// opposite numbers.
+/// Returns the signed number of times that the edge crosses the ray from the triangle's center
+/// along the first axis: 1 upwards, -1 downwards. The ends are sorted, so both halfedges of an edge
+/// yield opposite numbers.
 int ProjectedFaces::turns_around_middle(const Place& from, const Place& to) {
   constexpr double middle = 1.0 / 3;  // barycentric coordinate of the center
   const bool is_above = from.second > middle;

@@ -4,10 +4,10 @@
 /// faces are collected across edges that meet the triangle in the projection. The boundary of the
 /// collected faces thus does not meet the triangle. Then all points of the triangle are covered
 /// equally often, counted with the orientation of the faces (the degree of the projection). If this
-/// number is not zero, each point of the triangle is the projection of a point of the surface.
-/// Their distance is a convex function on each face, and is largest at the corners of the part of
-/// the face over the triangle. The certificate may not be found if the surface folds or ends, but
-/// it is never wrong. Cost: O(number of faces over the triangle).
+/// number is not zero, each point of the triangle is the projection of a point of the surface. The
+/// distance of both points is a convex function on each face. It is largest at a corner of the part
+/// of the face over the triangle. The certificate may not be found if the surface folds or ends,
+/// but it is never wrong. Cost: O(number of faces over the triangle).
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,8 @@ class ProjectedFaces {
   const Mesh& mesh_;
   std::vector<Index> opposites_;
   std::uint32_t stamp_ = 0;
-  std::vector<std::uint32_t> stamps_;  ///< per face
+  /// For each face the number of the last search that visited it.
+  std::vector<std::uint32_t> stamps_;
   std::vector<Index> found_;
 };
 

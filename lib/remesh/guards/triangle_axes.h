@@ -30,8 +30,9 @@ struct TriangleAxes {
   }
 
   Vec3 corner;
-  Vec3 first, second;              ///< edges from the corner
-  Vec3 first_dual = Vec3::Zero();  ///< its product with a vector from the corner is Place::first
+  Vec3 first, second;  ///< vectors of the two edges from the corner
+  /// The product of `first_dual` and a vector from the corner is Place::first.
+  Vec3 first_dual = Vec3::Zero();
   Vec3 second_dual = Vec3::Zero();
   double squared_normal;
 };

@@ -7,8 +7,9 @@
 namespace transformesh {
 namespace {
 
-/// Gaps must exceed this share of the sizes involved; their relative rounding errors are below
-/// 1e-14. A larger margin refuses more patches, a smaller one accepts contacts.
+/// A gap between triangles must exceed this share of the sizes involved. Relative rounding errors
+/// of gaps are below 1e-14. With a larger margin, more patches are refused; with a smaller margin,
+/// contacts may be accepted.
 constexpr double margin = 1e-12;
 constexpr double nearly_zero = 1e-9;
 
@@ -52,18 +53,20 @@ bool are_apart(const Triangle& first, const Triangle& second) {
   return false;
 }
 
-/// The unit directions of the four edges of two triangles at their common corner.
+/// The unit directions of the four edges at the common corner of two triangles.
 struct Wedges {
-  std::array<Vec3, 4> rays;  ///< two edges of the first triangle, then two of the second
+  /// Directions of two edges of the first triangle, then two edges of the second.
+  std::array<Vec3, 4> rays;
 
-  /// The signed distance of a ray's end from the plane with that normal. The sign is reversed for
-  /// the second triangle, so all distances are positive if the plane separates the triangles.
+  /// Returns the signed distance of a ray's end from the plane with normal `axis`. The sign is
+  /// reversed for the second triangle, so all distances are positive if the plane separates the
+  /// triangles.
   double side(const Vec3& axis, std::size_t ray) const {
     return (ray < 2 ? 1.0 : -1.0) * axis.dot(rays[ray]);
   }
 
-  /// True if the plane separates the triangles. If rays lie in it, it is tilted slightly away from
-  /// them first.
+  /// True if the plane separates the triangles. If rays lie in the plane, the plane is first tilted
+  /// slightly away from these rays.
   bool separates(const Vec3& unit_axis) const {
     double least = 1;
     Vec3 tilt = Vec3::Zero();
@@ -123,7 +126,8 @@ bool is_open_hinge(const Vec3& edge, const Vec3& first_apex, const Vec3& second_
 struct CommonCorners {
   std::array<std::size_t, 3> in_first{};
   std::array<std::size_t, 3> in_second{};
-  std::size_t count = 0;  ///< 3 also if a triangle has two equal corners: it may touch any other
+  /// Also 3 if a triangle has two equal corners, because it may touch any other triangle.
+  std::size_t count = 0;
 
   CommonCorners(const Triangle& first, const Triangle& second) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -160,7 +164,7 @@ bool may_touch(const Triangle& first, const Triangle& second) {
       return !is_open_hinge(edge, first[3 - i - common.in_first[1]] - origin,
                             second[3 - j - common.in_second[1]] - origin);
     }
-    default:  // the same triangle, or one with two equal corners
+    default:  // the triangles are the same, or one has two equal corners
       return true;
   }
 }

@@ -1,7 +1,6 @@
-/// A conservative test for contact of two triangles: rounding errors count as contact.
-/// Two triangles are certainly apart if a plane separates them with a margin far above rounding
-/// errors. This is certain no matter how the plane was found. Corners with equal coordinates are
-/// the same.
+/// A conservative test for contact of two triangles: rounding errors count as contact. Two
+/// triangles are certainly apart if a plane separates them with a margin far above rounding errors.
+/// It does not matter how the plane was found. Corners with equal coordinates are the same.
 #pragma once
 
 #include "mesh/triangle.h"

@@ -1,11 +1,11 @@
 /// Certifies that all points of a triangle are within a distance of a surface.
 ///
 /// The distance from a convex set, such as a face, is a convex function. If the three corners of a
-/// triangle are within the distance of one face, then all of its points are. A triangle without
-/// such a face is cut in two, and each part is certified separately. The cut is where an edge
-/// passes from the face near one end to the face near the other end. Therefore a triangle is cut
-/// about as often as edges of the surface cross it, for any distance. Since the number of cuts is
-/// limited, the certificate may not be found, but it is never wrong.
+/// triangle are within the distance of one face, then all points of the triangle are. A triangle
+/// without such a face is cut in two parts, which are certified separately. The cut is where an
+/// edge passes from the face near one end to the face near the other end. Therefore a triangle is
+/// cut about as often as edges of the surface cross it, for any distance. Since the number of cuts
+/// is limited, the certificate may not be found, but it is never wrong.
 #pragma once
 
 #include <cmath>
@@ -31,7 +31,7 @@ class TriangleCover {
  public:
   TriangleCover(Surface& surface, std::size_t most_cuts) : surface_(surface), cuts_(most_cuts) {}
 
-  /// True if the triangle is certified. Finds the faces of corners that have none.
+  /// True if the triangle is certified. First finds a face for each corner without one.
   bool covers(CoverTriangle corners) {
     for (CoverCorner& corner : corners) {
       if (corner.face == no_index) corner.face = surface_.nearest(corner.point, corners[0].face);
@@ -42,9 +42,9 @@ class TriangleCover {
   std::size_t cuts_left() const { return cuts_; }
 
  private:
-  /// Largest number of cuts after each other. Rounding of a cut moves a point by at most two
-  /// spacings, and all cuts together by 32, which `rounding_share` in error_bound.cpp assumes.
-  /// Twice as many levels find no more certificates on folded and noisy shapes.
+  /// Largest number of consecutive cuts. Rounding moves a point by at most two spacings in each
+  /// cut, and by 32 spacings in all cuts, as `rounding_share` in error_bound.cpp assumes. Twice as
+  /// many levels certify no more triangles of folded and noisy shapes.
   static constexpr int most_levels = 16;
 
   bool covers(const CoverTriangle& corners, int levels) {
@@ -64,7 +64,7 @@ class TriangleCover {
 
   struct Cut {
     std::size_t edge = 0;
-    double share = 0.5;  ///< part of the edge before the cut
+    double share = 0.5;  ///< fraction of the edge before the cut
   };
 
   /// Returns a cut on the longest edge whose ends are both not near the face of the other end. If

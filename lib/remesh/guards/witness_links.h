@@ -1,6 +1,7 @@
-/// The relation between faces of the input and their witnesses: faces of the result such that all
-/// points of the input face are within a distance of them. Links are stored in lists of both sides,
-/// so that a change takes constant time. About 25 bytes per link.
+/// The relation between faces of the input and their witnesses. Witnesses are faces of the result
+/// such that each point of the input face is within a distance of one of them. Each link is stored
+/// in a list of the input face and a list of the witness, so that a change takes constant time. A
+/// link takes about 25 bytes.
 #pragma once
 
 #include <vector>
@@ -41,7 +42,7 @@ class WitnessLinks {
   std::vector<Link> links_;
   std::vector<Index> first_of_face_;
   std::vector<Index> first_of_input_;
-  Index first_free_ = no_index;  ///< first unused link; they are chained by next_of_input
+  Index first_free_ = no_index;  ///< first unused link; unused links are chained by next_of_input
 };
 
 }  // namespace transformesh

@@ -34,7 +34,7 @@ void EditableMesh::find_outgoing() {
   std::vector<Index> count(positions_.size(), 0);
   for (Index h = 0; h < halfedge_slots(); ++h) {
     ++count[source(h)];
-    // Chooses the border halfedge if there is one, otherwise the lowest.
+    // Chooses the outgoing border halfedge if there is one, otherwise the lowest outgoing halfedge.
     if (outgoing_[source(h)] == no_index || is_border(h)) outgoing_[source(h)] = h;
   }
   isolated_.assign(positions_.size(), false);
@@ -103,7 +103,7 @@ Index EditableMesh::valence(Index vertex) const {
   return count;
 }
 
-/// Whether a vertex that is not on the border has exactly three neighbors.
+/// True if a vertex that is not on the border has exactly three neighbors.
 bool EditableMesh::has_three_neighbors(Index vertex) const {
   Index halfedge = outgoing_[vertex];
   for (int i = 0; i < 3; ++i) halfedge = opposites_[previous_halfedge(halfedge)];
@@ -210,8 +210,8 @@ bool EditableMesh::can_collapse(Index halfedge) const {
   const bool border_edge = o == no_index;
   if (is_border_vertex(from) && is_border_vertex(to) && !border_edge) return false;
 
-  // The apex of each face that vanishes must keep a valid star: at least one face on a border, and
-  // at least three elsewhere.
+  // The apex of each face that vanishes must keep at least one face if it is on a border, otherwise
+  // at least three faces.
   for (const Index h : {halfedge, o}) {
     if (h == no_index) continue;
     const Index n = opposites_[next_halfedge(h)];
@@ -226,7 +226,8 @@ bool EditableMesh::can_collapse(Index halfedge) const {
 
 /// Returns the number of common neighbors of two adjacent vertices.
 Index EditableMesh::count_common_neighbors(Index from, Index to) const {
-  constexpr std::size_t usual = 24;  // neighbors without an allocation; affects time only
+  // Number of neighbors that need no allocation; affects time only.
+  constexpr std::size_t usual = 24;
   std::array<Index, usual> ring;
   std::size_t count = 0;
   for_each_neighbor(to, [&](Index neighbor, Index) {
@@ -245,7 +246,7 @@ Index EditableMesh::count_common_neighbors(Index from, Index to) const {
   return common;
 }
 
-/// Joins the two remaining edges of a face that vanishes into one.
+/// Makes one edge of the two remaining edges of a face that vanishes.
 void EditableMesh::close_gap(Index removed, Index other_removed) {
   const Index first = opposites_[removed];
   const Index second = opposites_[other_removed];
@@ -287,7 +288,7 @@ void EditableMesh::collapse(Index halfedge, const Vec3& position, double source_
     if (h == no_index) continue;
     const Index n = next_halfedge(h);
     const Index p = previous_halfedge(h);
-    // On either side of the edge, p leaves the apex and n arrives there.
+    // On either side of the edge, halfedge p leaves the apex and halfedge n arrives at it.
     close_gap(n, p);
     if (outgoing_[source(p)] == p) outgoing_[source(p)] = opposites_[n];
     const Index leaves_kept = opposites_[p];

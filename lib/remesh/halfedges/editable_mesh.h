@@ -1,8 +1,8 @@
 /// The triangle mesh that remeshing edits in place: an index-based halfedge structure for oriented
 /// manifolds with or without borders. Halfedge 3 * face + corner is defined as in mesh.h, so that
 /// next and previous are arithmetic, and only `opposite` is stored. A removed face or vertex leaves
-/// a dead slot, and new ones are appended. Remaining elements thus keep their order; to_mesh()
-/// removes dead slots. Every vertex and face has the index of its row of attributes.
+/// a dead slot; new faces and vertices are appended. Remaining elements thus keep their order;
+/// to_mesh() removes dead slots. Every vertex and face has the index of its row of attributes.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ class EditableMesh {
   /// index out of range, a face with a repeated corner, and an edge of three faces. Also throws if
   /// two faces traverse an edge in the same direction, or if a vertex has several umbrellas. O(n).
   explicit EditableMesh(const Mesh& mesh);
-  /// The same for a mesh whose manifold_opposites() (halfedges.h) are known.
+  /// Builds the mesh from known manifold_opposites() (halfedges.h).
   EditableMesh(const Mesh& mesh, std::vector<Index> opposites);
   /// Returns the living vertices and faces in slot order: first those of the input, then new ones.
   Mesh to_mesh() const;
@@ -36,13 +36,13 @@ class EditableMesh {
   Index target(Index halfedge) const { return sources_[next_halfedge(halfedge)]; }
   Index apex(Index halfedge) const { return sources_[previous_halfedge(halfedge)]; }
   Index opposite(Index halfedge) const { return opposites_[halfedge]; }
-  /// True for one halfedge of each edge: the one with the lower index, or the only one.
+  /// True for one halfedge of each edge: the halfedge with the lower index, or the only halfedge.
   bool is_edge(Index halfedge) const {
     return has_halfedge(halfedge) && halfedge < opposites_[halfedge];
   }
   bool is_border(Index halfedge) const { return opposites_[halfedge] == no_index; }
-  /// Returns the first outgoing halfedge in counter-clockwise order. At a border vertex it is on
-  /// the border.
+  /// Returns the first outgoing halfedge in counter-clockwise order. At a border vertex, this
+  /// halfedge is on the border.
   Index outgoing(Index vertex) const { return outgoing_[vertex]; }
   bool is_border_vertex(Index vertex) const { return is_border(outgoing_[vertex]); }
 
@@ -111,7 +111,8 @@ class EditableMesh {
   bool has_features() const { return !features_.empty(); }
   bool is_feature(Index halfedge) const { return !features_.empty() && features_[halfedge]; }
 
-  /// Sets a wanted edge length per vertex. The operations interpolate it like attributes.
+  /// Sets a wanted edge length at each vertex. The operations interpolate these lengths like
+  /// attributes.
   void set_sizes(std::vector<double> sizes) { sizes_ = std::move(sizes); }
   bool has_sizes() const { return !sizes_.empty(); }
   double mean_size(Index first, Index second) const {
@@ -149,7 +150,7 @@ class EditableMesh {
   void flip(Index halfedge);
   /// Copies the attributes of the face `from` to the face `to`.
   void copy_face_row(Index from, Index to) { face_rows_[to] = face_rows_[from]; }
-  /// Removes a face without updating its neighbors; for removing whole components.
+  /// Removes a face without updating its neighbors. Only for removing whole components.
   void remove_face(Index face);
   void remove_vertex(Index vertex) { outgoing_[vertex] = no_index; }
 
@@ -172,13 +173,16 @@ class EditableMesh {
   std::vector<Index> squeezed_vertices(std::vector<Index>& new_index) const;
 
   std::vector<Vec3> positions_;
-  std::vector<Index> sources_;     ///< per halfedge; no_index in dead faces
-  std::vector<Index> opposites_;   ///< per halfedge
-  std::vector<Index> outgoing_;    ///< per vertex; no_index for dead and isolated ones
-  std::vector<bool> isolated_;     ///< vertices without a face in the input, which are kept
-  std::vector<char> features_;     ///< per halfedge; empty if there are no features
-  std::vector<double> sizes_;      ///< per vertex; empty if there are no sizes
-  std::vector<Index> components_;  ///< per vertex, or empty
+  std::vector<Index> sources_;    ///< source of each halfedge; no_index in dead faces
+  std::vector<Index> opposites_;  ///< opposite of each halfedge
+  /// An outgoing halfedge of each vertex; no_index for dead and isolated vertices.
+  std::vector<Index> outgoing_;
+  std::vector<bool> isolated_;  ///< true for vertices without a face in the input; they are kept
+  /// 1 for each halfedge of a feature; empty if there are no features.
+  std::vector<char> features_;
+  /// Wanted edge length at each vertex; empty if there are no sizes.
+  std::vector<double> sizes_;
+  std::vector<Index> components_;  ///< label of each vertex's component, or empty
   std::vector<Index> vertex_rows_;
   std::vector<Index> face_rows_;
   Columns vertex_columns_;

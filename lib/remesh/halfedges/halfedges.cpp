@@ -54,15 +54,15 @@ void check_corners(const Mesh& mesh) {
                    std::move(data));
 }
 
-/// The opposites of an oriented manifold, found in one pass over the halfedges. Returns nothing if
-/// an edge has two halfedges of the same direction or three halfedges, or if vertices have so many
-/// edges that the search would take long. Pre: has_good_corners().
+/// Returns the opposites of an oriented manifold, found in one pass over the halfedges. Returns
+/// nothing if an edge has two halfedges of the same direction or three halfedges, or if vertices
+/// have so many edges that the search would take long. Pre: has_good_corners().
 std::optional<std::vector<Index>> quick_opposites(const Mesh& mesh) {
   struct Waiting {
     Index larger;  ///< the larger vertex of the edge
     Index next;    ///< next halfedge in the list of the smaller vertex
   };
-  constexpr std::size_t usual_steps = 16;  // per halfedge, on average
+  constexpr std::size_t usual_steps = 16;  // largest mean number of search steps per halfedge
   const auto halfedges = static_cast<Index>(3 * mesh.faces.size());
   std::size_t steps_left = usual_steps * halfedges;
   std::vector<Index> first_at(mesh.positions.size(), no_index);
@@ -88,7 +88,7 @@ std::optional<std::vector<Index>> quick_opposites(const Mesh& mesh) {
   return opposites;
 }
 
-/// The lowest two halfedges with the same direction along an edge, or no_index twice.
+/// Returns the lowest two halfedges with the same direction along an edge, or no_index twice.
 std::pair<Index, Index> find_alike(const Mesh& mesh, const Edges& edges) {
   std::pair<Index, Index> lowest{no_index, no_index};
   for (std::size_t e = 0; e < edges.size(); ++e) {

@@ -10,7 +10,8 @@ namespace {
 
 /// A direction is in front of a face if the cosine of its angle to the normal is above this.
 constexpr float least_cosine = 0.03F;
-/// Single precision represents the coordinates of normals between these lengths well.
+/// Single precision represents the coordinates of normals accurately if their length is between
+/// these limits.
 constexpr double smallest = 1e-30;
 constexpr double largest = 1e30;
 
@@ -19,7 +20,7 @@ using Floats = float __attribute__((vector_size(16)));
 using Words = std::int32_t __attribute__((vector_size(16)));
 
 /// The thirteen directions in groups of four: the axes, the diagonals of a cube's faces, and the
-/// diagonals of the cube. Unused places have no bit.
+/// diagonals of the cube. Unused places of the last group have no bit.
 struct FourDirections {
   Floats x, y, z, length;
   Words bits;
@@ -51,7 +52,8 @@ float needed_length(const Vec3& normal) {
   return is_usual ? least_cosine * static_cast<float>(length) : HUGE_VALF;
 }
 
-/// Loads the first four normals. If there are fewer, copies of the first one fill the rest.
+/// Loads the first four normals. If there are fewer than four, copies of the first normal fill the
+/// rest.
 FourNormals four_normals(std::span<const Vec3> normals) {
   const Vec3& a = normals[0];
   const Vec3& b = normals[normals.size() > 1 ? 1 : 0];
@@ -96,7 +98,7 @@ Words cones_of_four(const FourNormals& n) {
   return front | back << 16;
 }
 
-/// needed_length() of four normals, given by their squared lengths.
+/// Computes needed_length() of four normals from their squared lengths.
 Floats needed_lengths(NumberPair first_squares, NumberPair second_squares) {
   const NumberPair first = square_roots(first_squares);
   const NumberPair second = square_roots(second_squares);

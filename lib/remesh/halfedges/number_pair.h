@@ -19,7 +19,7 @@ inline NumberPair lesser(NumberPair a, NumberPair b) { return b < a ? b : a; }
 inline NumberPair greater(NumberPair a, NumberPair b) { return a < b ? b : a; }
 inline bool any(MaskPair mask) { return (mask[0] | mask[1]) != 0; }
 inline bool all(MaskPair mask) { return (mask[0] & mask[1]) != 0; }
-/// Returns the two middle ones of four numbers.
+/// Returns the two middle numbers of a[0], a[1], b[0], b[1].
 inline NumberPair middle(NumberPair a, NumberPair b) { return NumberPair{a[1], b[0]}; }
 
 inline NumberPair square_roots(NumberPair squares) {

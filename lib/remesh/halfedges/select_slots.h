@@ -10,8 +10,8 @@
 
 namespace transformesh {
 
-/// Calls find(index, found) for all indices below `count`, which appends to `found`. Returns all
-/// results in the order of the indices. `find` is called from several threads.
+/// Calls find(index, found) for all indices below `count`; `find` appends indices to `found`.
+/// Returns all results in the order of the indices. `find` is called from several threads.
 template <class Find>
 std::vector<Index> indices_where_in(Index count, const Find& find) {
   constexpr std::size_t per_chunk = 4096;  // affects time only
@@ -47,7 +47,8 @@ inline std::vector<Vec3> positions_of(const EditableMesh& mesh) {
 }
 
 /// Returns the lower halfedges of the edges for whose scaled squared length is_wanted() is true.
-/// The three lengths of a face are computed at once, which costs little more than one.
+/// The three lengths of a face are computed at once, which costs little more than computing one
+/// length.
 template <class IsWanted>
 std::vector<Index> edges_where(const EditableMesh& mesh, const IsWanted& is_wanted) {
   return indices_where_in(mesh.face_slots(), [&](Index face, std::vector<Index>& found) {

@@ -17,20 +17,20 @@ constexpr double steady_spacings = 16;
 /// Least angles between the normals at sharp edges and at lines; lines include sharp edges.
 constexpr double sharp_deg = 60;
 constexpr double line_deg = 40;
-/// A sharp edge is intended, not noise, if the edges at its ends that are not lines turn by less
-/// than this share of its angle.
+/// A sharp edge is intended, and not noise, if the edges at its ends, except lines, turn by less
+/// than this share of the turn of the sharp edge.
 constexpr double smooth_share = 0.35;
-/// A mesh has sharp edges if the intended ones have more than these shares of the length of all
-/// sharp edges and of all lines. Larger shares miss features of noisy meshes; smaller ones take
-/// noise for features.
+/// A mesh has sharp edges if the length of intended edges exceeds these shares of the length of all
+/// sharp edges and of all lines. With larger shares, features of noisy meshes are missed; with
+/// smaller shares, noise passes for features.
 constexpr double meant_share = 0.9;
 constexpr double meant_of_lines = 0.25;
-/// The total length of intended edges must exceed this share of the square root of the area.
+/// The total length of intended edges must exceed this multiple of the square root of the area.
 constexpr double least_length = 0.5;
 
 double cosine_of(double degrees) { return elementary::cos(degrees * std::numbers::pi / 180); }
 
-/// The angle in radians.
+/// Returns the angle with this cosine, in radians.
 double angle_of(double cosine) {
   return elementary::atan2(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine);
 }
@@ -49,7 +49,7 @@ double spacing_at_face(const EditableMesh& mesh, Index face) {
   return spacing;
 }
 
-/// Returns the unit normal of a face, or zero if the face is too thin for a reliable one.
+/// Returns the unit normal of a face, or zero if the face is too thin for a reliable normal.
 Vec3 own_normal(const EditableMesh& mesh, Index face) {
   const Vec3 normal = mesh.face_normal(face);
   const double area = normal.stableNorm();
@@ -58,9 +58,9 @@ Vec3 own_normal(const EditableMesh& mesh, Index face) {
   return is_steady ? Vec3(normal / area) : Vec3(Vec3::Zero());
 }
 
-/// Walks from each thin face across longest edges until a face has a normal, and gives that normal
-/// to all faces on the path. Paths that end in a cycle yield no normal, for example if two thin
-/// faces share their longest edge.
+/// Follows longest edges from each thin face to a face with a normal, which all faces on the path
+/// then take. A path that ends in a cycle yields no normal, for example if two thin faces share
+/// their longest edge.
 void take_over_across_longest(const EditableMesh& mesh, const std::vector<Index>& thin,
                               std::vector<Vec3>& normals) {
   std::vector<char> is_visited(normals.size(), 0);
@@ -79,8 +79,8 @@ void take_over_across_longest(const EditableMesh& mesh, const std::vector<Index>
   }
 }
 
-/// Gives each face without a normal that of the nearest face with one; the distance is the number
-/// of edges crossed.
+/// Gives each face without a normal the normal of the nearest face that has one. Distance is the
+/// number of crossed edges.
 void take_over_across_any(const EditableMesh& mesh, std::vector<Vec3>& normals) {
   std::vector<Index> reached;
   for (Index face = 0; face < mesh.face_slots(); ++face)
@@ -113,7 +113,8 @@ bool may_have_sharp_edges(const EditableMesh& mesh) {
   return false;
 }
 
-/// Total lengths of lines, of the sharp edges among them, and of the intended edges among those.
+/// Total lengths of lines, of sharp edges, and of intended edges. Intended edges are sharp, and
+/// sharp edges are lines.
 struct SharpLengths {
   double lines = 0, sharp = 0, meant = 0;
 };
@@ -166,7 +167,8 @@ class SharpEdges {
 
   const EditableMesh& mesh_;
   std::vector<Vec3> normals_;
-  std::vector<double> flattest_;  ///< per vertex: least cosine at edges that are not lines
+  /// For each vertex the least cosine at its edges that are not lines.
+  std::vector<double> flattest_;
   double sharp_cosine_ = cosine_of(sharp_deg), line_cosine_ = cosine_of(line_deg);
 };
 

@@ -8,8 +8,8 @@
 
 namespace transformesh {
 
-/// Returns the area divided by the sum of the squared edge lengths, scaled so that it is 1 for an
-/// equilateral triangle. It is 0 for a degenerate triangle.
+/// Returns the area divided by the sum of the squared edge lengths, scaled to 1 for an equilateral
+/// triangle. The roundness of a degenerate triangle is 0.
 inline double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -23,7 +23,7 @@ inline double cosine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3&
   const double ab = (b - a).squaredNorm();
   const double bc = (c - b).squaredNorm();
   const double ca = (a - c).squaredNorm();
-  // Minima and maxima select the shortest edge, since a branch could not be predicted.
+  // Minima and maxima select the shortest edge, because a branch would be unpredictable.
   const double lesser = std::min(ab, bc), greater = std::max(ab, bc);
   const double shortest = std::min(lesser, ca);
   const double product = std::max(lesser, std::min(greater, ca)) * std::max(greater, ca);

@@ -1,6 +1,6 @@
-/// Stores the ordered neighbors of all vertices, found in parallel. Walking around a vertex is slow
-/// because of cache misses, and sweeps that only move vertices can reuse the rings. O(n);
-/// deterministic.
+/// Stores the ordered neighbors of all vertices, found in parallel. Traversing the halfedges around
+/// a vertex is slow because of cache misses. Sweeps that only move vertices can reuse the rings.
+/// O(n); deterministic.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ class VertexRings {
   explicit VertexRings(const EditableMesh& mesh);
 
   /// Returns the neighbors of a living vertex, counter-clockwise, starting with the target of
-  /// outgoing(). The first is repeated at the end, unless the vertex lies on a border.
+  /// outgoing(). The first neighbor is repeated at the end, unless the vertex lies on a border.
   std::span<const Index> operator[](Index vertex) const {
     const Chunk& chunk = chunks_[vertex / chunk_size];
     const Index* end = chunk.ends.data() + vertex % chunk_size;
@@ -28,7 +28,7 @@ class VertexRings {
   /// Rings of consecutive vertices.
   struct Chunk {
     std::vector<Index> neighbors;
-    std::vector<Index> ends;  ///< per vertex: begin of its ring; then the end of the last ring
+    std::vector<Index> ends;  ///< start of the ring of each vertex; then the end of the last ring
   };
   static Chunk chunk_of(const EditableMesh& mesh, Index first, Index last);
 

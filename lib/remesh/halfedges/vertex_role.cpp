@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// The cosine of 45 degrees: a vertex where a line turns by more is a corner.
+/// The cosine of 45 degrees. A vertex at which a line turns by more than 45 degrees is a corner.
 constexpr double corner_cosine = 0.7071067811865476;
 
 }  // namespace

@@ -1,6 +1,6 @@
-/// Roles of vertices, which decide how they may move and merge. A vertex is free inside a smooth
-/// part, bound to a line (a border or a chain of sharp edges), or fixed if lines meet, end or turn
-/// there.
+/// Roles of vertices, which decide how they may move and merge. A vertex inside a smooth part is
+/// free. A vertex on a line (a border or a chain of sharp edges) is bound to it. A vertex at which
+/// lines meet, end or turn is fixed.
 #pragma once
 
 #include "remesh/halfedges/editable_mesh.h"
@@ -9,7 +9,8 @@ namespace transformesh {
 
 enum class VertexRole { free, on_line, fixed };
 
-/// Marks the edges between faces whose normals differ by more than an angle; none if it is >= 180.
+/// Marks the edges between faces whose normals differ by more than the feature angle. Marks no edge
+/// if the angle is >= 180.
 void mark_features(EditableMesh& mesh, double feature_angle_deg);
 
 /// True if the edge is a border or a feature.

@@ -12,7 +12,8 @@ namespace transformesh {
 /// Triangle i lies between neighbors i and i + 1 of the vertex, counter-clockwise.
 class VertexStar {
  public:
-  /// Data of neighbors and triangles 2 k and 2 k + 1. Entries after the last one are undefined.
+  /// Data of the neighbors 2 k and 2 k + 1 and of the triangles with these numbers. Entries after
+  /// the last triangle are undefined.
   struct Pair {
     VectorPair rim;             ///< positions of the neighbors
     VectorPair way;             ///< vectors from the vertex to the neighbors
@@ -24,7 +25,8 @@ class VertexStar {
   };
 
   void gather(const EditableMesh& mesh, Index vertex);
-  /// The same for a known ring (vertex_rings.h), which must outlive the use of this object.
+  /// Gathers the star from a known ring (vertex_rings.h), which must outlive the use of this
+  /// object.
   void gather(const EditableMesh& mesh, Index vertex, std::span<const Index> neighbors);
 
   std::size_t size() const { return ring_.size() - 1; }  ///< number of triangles
@@ -40,7 +42,8 @@ class VertexStar {
   /// Returns the pairs of all triangles, followed by one more pair.
   const Pair* pairs() const { return pairs_.data(); }
   std::size_t pair_count() const { return (size() + 1) / 2; }
-  /// Returns which triangles of a pair exist.
+  /// Returns for both triangles of a pair whether they exist: the last pair may have only one
+  /// triangle.
   MaskPair is_there(std::size_t pair) const { return MaskPair{-1, 2 * pair + 1 < size() ? -1 : 0}; }
 
  private:

@@ -9,24 +9,27 @@
 namespace transformesh {
 namespace {
 
-/// The share of each step that is taken. Larger steps even out faster and may overshoot.
+/// Each vertex moves by this share of the difference of heights. Larger shares even out heights
+/// faster and may overshoot.
 constexpr double share = 0.3;
 /// A vertex that is higher above its neighbors than this share of the edge length is at a crease
 /// and does not move.
 constexpr double crease = 0.25;
-/// Moves shorter than this share of the edge length are skipped.
+/// Movements shorter than this share of the edge length are skipped.
 constexpr double rest = 1e-3;
-/// The squared edge length of six equal equilateral triangles whose doubled areas sum to 1.
+/// The squared edge length of six equal equilateral triangles if the sum of their areas is 1/2.
 constexpr double squared_edge_by_area = 0.19245008972987526;
 
 constexpr double not_smooth = std::numeric_limits<double>::quiet_NaN();
 
 struct Vertex {
   Vec3 neighbors = Vec3::Zero();  ///< sum of the neighbors' positions
-  Vec3 normal = Vec3::Zero();     ///< sum of the normals of the faces; later its direction
+  /// Sum of the normals of the faces; later the unit vector in this direction.
+  Vec3 normal = Vec3::Zero();
   double valence = 0;
   double edge = 0;
-  double height = not_smooth;  ///< above the mean of the neighbors, along the normal
+  /// Height of the vertex above the mean of its neighbors, along the normal.
+  double height = not_smooth;
 };
 
 std::vector<Vertex> heights(const EditableMesh& mesh, const VertexRoles& roles) {

@@ -10,11 +10,11 @@
 namespace transformesh {
 namespace {
 
-/// Edges of up to this many times the shortest allowed length are collapsed if that makes valences
-/// more regular. Larger values make more valences regular and more edges long.
+/// Edges up to this multiple of the shortest allowed length are collapsed if the collapse makes
+/// valences more regular. Larger values make more valences regular, and more edges long.
 constexpr double longest_irregular = 1.15;
 
-/// The queue of edges to collapse, shortest first.
+/// The queue of edges to collapse, the shortest edge first.
 template <class Wanted>
 class Candidates {
  public:
@@ -96,14 +96,14 @@ class IsIrregular {
       if (!mesh.has_halfedge(h)) continue;
       ++excess_[mesh.source(h)];
       if (mesh.is_border(h))
-        ++excess_[mesh.target(h)];  // a border vertex has one more edge than faces
+        ++excess_[mesh.target(h)];  // a border vertex has one edge more than it has faces
     }
   }
   bool operator()(Index halfedge) const {
     return mesh_.scaled_squared_length(halfedge) < limit_ && !mesh_.is_border(halfedge) &&
            gain(halfedge) > 0;
   }
-  // Tests valences before lengths, since few edges pass.
+  // Tests valences before lengths, because few edges pass the test of valences.
   std::vector<Index> all() const {
     return indices_where_in(mesh_.face_slots(), [&](Index face, std::vector<Index>& found) {
       if (!mesh_.has_face(face)) return;
@@ -113,8 +113,8 @@ class IsIrregular {
         const Index h = 3 * face + i;
         const Index opposite = mesh_.opposite(h);
         if (opposite == no_index) continue;
-        // The comparison of both halfedges is unpredictable for the processor, so it comes after
-        // the test that rejects most edges.
+        // The comparison of both halfedges is an unpredictable branch, so it comes after the test
+        // that rejects most edges.
         const int gained = gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                 excess_[mesh_.apex(opposite)]);
         if (gained > 0 && h < opposite && mesh_.scaled_squared_length(h) < limit_)
@@ -133,17 +133,18 @@ class IsIrregular {
     return gain(excess_[mesh_.source(halfedge)], excess_[mesh_.target(halfedge)],
                 excess_[mesh_.apex(halfedge)], excess_[mesh_.apex(mesh_.opposite(halfedge))]);
   }
-  /// The decrease of the sum of squared deviations from valence six. The arguments are the signed
-  /// deviations before the collapse.
+  /// Returns the decrease, by a collapse, of the sum of squared deviations from valence six. The
+  /// arguments are the signed deviations before the collapse.
   static int gain(int source, int target, int left, int right) {
     const int merged = source + target + 2;
-    // Each apex loses an edge, which decreases the sum by x^2 - (x - 1)^2 = 2x - 1.
+    // Each apex, with deviation x, loses an edge, which decreases the sum by x^2 - (x - 1)^2 = 2x -
+    // 1.
     return source * source + target * target - merged * merged + 2 * left + 2 * right - 2;
   }
 
   const EditableMesh& mesh_;
   double limit_;
-  std::vector<int> excess_;  ///< valence minus six
+  std::vector<int> excess_;  ///< valence minus six of each vertex
 };
 
 }  // namespace
@@ -158,7 +159,8 @@ CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
   counts.films_kept = collapser.films_kept();
   if (counts.refused == 0) return counts;
 
-  // An edge may have been refused several times, or may not exist any more.
+  // Refused edges are counted at the end, because an edge may be refused several times, or vanish
+  // afterwards.
   counts.refused = is_short.all().size();
   return counts;
 }

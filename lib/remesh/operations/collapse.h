@@ -10,19 +10,19 @@ namespace transformesh {
 
 struct CollapseCounts {
   std::size_t done = 0;
-  std::size_t refused = 0;     ///< remaining short edges
+  std::size_t refused = 0;     ///< number of short edges that remain
   std::size_t films_kept = 0;  ///< collapses refused only because of ShapeRules::min_film
 };
 
 /// Collapses edges shorter than `limits.shortest`, the shortest first. A collapse must keep the
 /// topology (link condition; a closed component keeps four faces) and rotate no normal by more than
-/// 60 degrees. It must make no sliver, no too long edge and no contact. The merged vertex lies at
-/// the end that must stay, or else at the midpoint, shifted along the normal so that the volume
-/// stays. Reference: Lindstrom & Turk, "Fast and memory efficient polygonal simplification",
-/// Visualization 1998.
-/// ShapeRules::curved chooses among both ends and the middle of the curved edge the position with
-/// the least sum of squared distances to the planes of the replaced faces. Reference: Garland &
-/// Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997.
+/// 60 degrees. A collapse must make no sliver, no edge that is too long, and no contact. The merged
+/// vertex lies at the end that must stay, or else at the midpoint, shifted along the normal so that
+/// the volume stays. Reference: Lindstrom & Turk, "Fast and memory efficient polygonal
+/// simplification", Visualization 1998. With ShapeRules::curved, the merged vertex lies at one of
+/// both ends or at the middle of the curved edge. The position with the least sum of squared
+/// distances to the planes of the replaced faces is chosen. Reference: Garland & Heckbert, "Surface
+/// simplification using quadric error metrics", SIGGRAPH 1997.
 CollapseCounts collapse_short_edges(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits,
                                     const Progress& progress);

@@ -10,20 +10,21 @@
 namespace transformesh {
 namespace {
 
-/// The cosine of 40 degrees, the usual feature angle. Smooth faces with equal edges turn by this
-/// much if the radius of curvature is below the edge length; a quadric does not describe them then.
+/// The cosine of 40 degrees, the usual feature angle. Faces with equal edges on a smooth surface
+/// turn by this angle if the radius of curvature is below the edge length. A quadric does not
+/// describe such a surface.
 constexpr double crease_cosine = 0.7660444431189780;
-/// The cosine of 60 degrees: faces that turn by more from the plane do not belong to a height
+/// The cosine of 60 degrees. Faces whose angle to the plane is larger do not belong to a height
 /// field.
 constexpr double field_cosine = 0.5;
-/// Heights of more than this share of the edge belong to a fold, not to a smooth surface. On a
-/// sphere whose faces turn by 40 degrees the share is 0.16.
+/// A height above the edge of more than this share of its length belongs to a fold, not to a smooth
+/// surface. On a sphere whose faces turn by 40 degrees the share is 0.16.
 constexpr double largest_height = 0.2;
 /// Share of the largest diagonal entry that is added to the normal equations, so that curvatures
-/// that no vertex determines become 0. Without it a strip with two apexes has no solution; more
-/// than 1e-3 flattens regular neighborhoods.
+/// that no vertex determines become 0. Without damping, an edge whose only neighbors are the two
+/// apexes has no solution; more than 1e-3 flattens regular neighborhoods.
 constexpr double damping = 1e-6;
-/// The cosine of 45 degrees: a crease that turns by more at a vertex has a corner there.
+/// The cosine of 45 degrees. A vertex at which a crease turns by more than 45 degrees is a corner.
 constexpr double corner_cosine = 0.7071067811865476;
 
 bool is_crease(const EditableMesh& mesh, Index h) {
@@ -31,8 +32,8 @@ bool is_crease(const EditableMesh& mesh, Index h) {
   return turns(mesh.face_normal(h / 3), mesh.face_normal(mesh.opposite(h) / 3), crease_cosine);
 }
 
-/// Visits the neighbors of the source of a halfedge that can be reached across smooth edges,
-/// through faces that face along `normal`. Returns whether these are all faces at the vertex.
+/// Visits the neighbors of a halfedge's source that can be reached across smooth edges and through
+/// faces in front of which `normal` is. Returns true if these are all faces at the vertex.
 template <class Visit>
 bool visit_sector(const EditableMesh& mesh, Index start, const Vec3& normal, const Visit& visit) {
   const auto is_passable = [&](Index edge) {
@@ -76,7 +77,7 @@ class Fit {
   Row right_ = Row::Zero();
 };
 
-/// Coordinates along a plane and its normal, in units of a length.
+/// A coordinate system of a plane and its normal, with a given unit of length.
 struct Frame {
   Vec3 origin, x, y, z;
   double unit;
@@ -87,8 +88,8 @@ struct Frame {
   }
 };
 
-/// Near vertices have larger weights, because the error of a quadric grows with the third power of
-/// distance.
+/// Nearer vertices have larger weights, because the error of a quadric grows with the third power
+/// of distance.
 double weight_of(const Vec3& point) {
   const double squared = point.squaredNorm();
   return 1 / (squared * squared);
@@ -121,7 +122,7 @@ Vec3 smooth_midpoint(const EditableMesh& mesh, Index h) {
 }
 
 /// Returns the vertex to which a crease continues straight beyond the target of one of its
-/// halfedges; no_index if it ends, branches or turns there.
+/// halfedges; no_index if the crease ends, branches or turns at the target.
 Index crease_beyond(const EditableMesh& mesh, Index source, Index target) {
   Index beyond = no_index;
   int count = 0;
@@ -136,8 +137,8 @@ Index crease_beyond(const EditableMesh& mesh, Index source, Index target) {
   return turns(in, out, corner_cosine) ? no_index : beyond;
 }
 
-/// Returns the height above the middle of the chord of the parabola through `from`, `to` and
-/// `beyond`. The parameter of each point is its distance from the point before.
+/// Returns the height, above the middle of the chord from `from` to `to`, of the parabola through
+/// `from`, `to` and `beyond`. The parameter of each point is its distance from the point before.
 Vec3 parabola_height(const Vec3& from, const Vec3& to, const Vec3& beyond) {
   const double step = (to - from).norm();
   const double next = (beyond - to).norm();
@@ -145,9 +146,9 @@ Vec3 parabola_height(const Vec3& from, const Vec3& to, const Vec3& beyond) {
   return -0.25 * step * step * second;
 }
 
-/// The mean of the parabolas with either neighbor is a cubic through all four vertices if these are
-/// evenly spaced. Reference: Dyn, Levin & Gregory, "A 4-point interpolatory subdivision scheme for
-/// curve design", Computer Aided Geometric Design 1987.
+/// The mean of the two parabolas, each with one neighbor beyond the edge, is a cubic through all
+/// four vertices if these are evenly spaced. Reference: Dyn, Levin & Gregory, "A 4-point
+/// interpolatory subdivision scheme for curve design", Computer Aided Geometric Design 1987.
 Vec3 crease_midpoint(const EditableMesh& mesh, Index h) {
   const Index source = mesh.source(h);
   const Index target = mesh.target(h);

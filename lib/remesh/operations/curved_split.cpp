@@ -16,13 +16,14 @@ namespace {
 /// edge from the largest extent of a mesh to the shortest edge that is split. More rounds would
 /// only repeat refused splits.
 constexpr int most_rounds = 64;
-/// Triangles of at least this roundness may become narrower when a new vertex leaves its chord. The
-/// usual 0.6 would keep vertices on chords beside edges that were split one after the other,
-/// because triangles halved twice are narrower than that. Values far below 0.1 would allow slivers.
+/// Triangles of at least this roundness may become narrower when a new vertex leaves its chord.
+/// With the usual limit of 0.6, vertices beside edges that were split one after the other would
+/// stay on chords, because triangles halved twice are less round. Values far below 0.1 would allow
+/// slivers.
 constexpr double round_enough = 0.1;
 
-/// The curved midpoints of the edges that are too long, by the ends of the edges. They are computed
-/// before the splits, which put vertices on chords.
+/// The curved midpoints of the edges that are too long, by the ends of the edges. The midpoints are
+/// computed before the splits, because splits put vertices on chords.
 class CurvedMidpoints {
  public:
   CurvedMidpoints(const EditableMesh& mesh, double longest) {
@@ -36,7 +37,7 @@ class CurvedMidpoints {
   }
 
   bool empty() const { return places_.empty(); }
-  /// Null for edges that were not too long.
+  /// Returns null for edges that were not too long.
   const Vec3* find(const std::array<Index, 2>& edge) const {
     const auto ends = ends_of(edge[0], edge[1]);
     const auto found = std::ranges::lower_bound(places_, ends, {}, &Place::ends);

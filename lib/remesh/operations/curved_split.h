@@ -8,10 +8,11 @@
 namespace transformesh {
 
 /// Splits edges like split_safely(), and moves each new vertex to curved_midpoint() of the edge
-/// that it halves. The vertex moves half of the way or not at all if the guard or the shape of the
-/// triangles requires that. Edges that splits have made are split in further rounds, after these
-/// moves and after flips by `rule` within `limits`. The flips divide a face of three long edges in
-/// four, so that no median is split. No other vertex moves. Adds the number of flips to `flips`.
+/// that it halves. If the guard or the shape of the triangles forbids the movement, the vertex
+/// moves half of the way or not at all. Edges that splits have made are split in further rounds.
+/// Before each round, vertices move, and edges are flipped by `rule` within `limits`. The flips
+/// divide a face of three long edges in four, so that no median is split. No other vertex moves.
+/// Adds the number of flips to `flips`.
 SafeSplits split_onto_curves(EditableMesh& mesh, SafeSplitOptions options, FlipRule rule,
                              const EdgeLimits& limits, std::size_t& flips,
                              const Progress& progress);

@@ -8,8 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// A face whose shortest edge is below this share of the longest one is a needle: that edge is
-/// collapsed. The longest edge of other degenerate faces is flipped.
+/// A face is a needle if its shortest edge is below this share of its longest edge; the shortest
+/// edge is then collapsed. The longest edge of other degenerate faces is flipped.
 constexpr double short_edge = 0.1;
 constexpr int most_rounds = 4;
 

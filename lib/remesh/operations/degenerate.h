@@ -8,16 +8,16 @@
 
 namespace transformesh {
 
-/// A triangle is degenerate if its height is at most this share of its longest edge. A larger share
-/// changes more of the surface; at a smaller one, normals of remaining thin faces are less
-/// reliable.
+/// A triangle is degenerate if its height is at most this share of its longest edge. With a larger
+/// share, more of the surface changes; with a smaller share, normals of the remaining thin faces
+/// are less reliable.
 inline constexpr double least_height = 1e-3;
 
 /// The measures of a face that decide whether it is degenerate.
 struct FaceShape {
   double doubled_area_squared;
-  double longer_squared;  ///< the longer one of two edges
-  double third_squared;   ///< the other edge
+  double longer_squared;  ///< squared length of the longer one of two edges
+  double third_squared;   ///< squared length of the third edge
 
   FaceShape(const EditableMesh& mesh, Index face) {
     const Vec3& a = mesh.position(mesh.source(3 * face));
@@ -35,8 +35,8 @@ struct FaceShape {
 };
 
 /// Removes degenerate triangles. The short edge of a needle is collapsed; the longest edge of a
-/// cap, which has no short edge, is flipped. Returns the number of triangles that are left because
-/// both were refused.
+/// cap, which has no short edge, is flipped. Returns the number of degenerate triangles that are
+/// left because their collapse or flip was refused.
 std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits);
 

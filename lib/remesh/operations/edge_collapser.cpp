@@ -10,13 +10,15 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_turn_cosine = 0.5;  ///< 60 degrees; chosen by hand, not measured
-/// Collapses may leave triangles of at least this roundness, or none less round than before.
+constexpr double least_turn_cosine = 0.5;  ///< cosine of 60 degrees; chosen by hand, not measured
+/// A collapse is allowed if all its triangles have at least this roundness, or if none becomes less
+/// round.
 constexpr double round_enough = 0.3;
-/// The same for collapse_to(), where the shape of the surface matters more than that of triangles.
+/// Least roundness for collapse_to(), where the shape of the surface matters more than the shape of
+/// triangles.
 constexpr double round_enough_for_shape = 0.001;
-/// Normals of triangles that are at most this round are mostly rounding error: new normals are
-/// compared with the mean normal of the star instead.
+/// The normal of a triangle of at most this roundness is mostly rounding error. New normals are
+/// then compared with the mean normal of the star instead.
 constexpr double normal_roundness = 0.02;
 /// Limits for vertices of high valence, whose triangles are all narrow. Each collapse may make
 /// triangles narrower and squared lengths longer by these factors. Long edges are split afterwards.
@@ -25,12 +27,12 @@ constexpr double narrowing_of_stars = 0.5;
 constexpr double stretch_of_stars = 1.02;
 /// Under ShapeRules::curved, collapses leave edges that are shorter than the longest allowed length
 /// by this share of the collapsed edge. A flow that stretches the surface would soon split longer
-/// ones again, and each step interpolates. In Enright's test with 5,000 faces, 0.3 and 0.75 have
-/// about the same error, 1 has a Hausdorff distance 1.4 times as large.
+/// edges again, and each split interpolates. In Enright's test with 5,000 faces, 0.3 and 0.75 give
+/// about the same error; 1 gives 1.4 times the Hausdorff distance.
 constexpr double room_to_stretch = 0.5;
 /// Under ShapeRules::curved and without min_film, collapses move the surface by at most this share
-/// of the longest edge. Without a limit, collapses at the corners of Zalesak's sphere cut off half
-/// an edge length. A third of the limit leaves a tenth more faces after Enright's test.
+/// of the longest edge. Without a limit, collapses cut off half an edge length at the corners of
+/// Zalesak's sphere. With a third of the limit, a tenth more faces are left after Enright's test.
 constexpr double curved_shift = 0.05;
 
 }  // namespace
@@ -151,8 +153,8 @@ bool EdgeCollapser::try_curved_positions() {
   });
 }
 
-/// True if the collapse would move the surface farther than the limits for films or curved shapes
-/// allow.
+/// True if the collapse would move the surface farther than ShapeRules::min_film or the limit for
+/// curved shapes allows.
 bool EdgeCollapser::moves_too_far(const Vec3& position) const {
   const bool has_film = shape_.min_film > 0;
   if (!has_film && !shape_.curved) return false;
@@ -177,7 +179,7 @@ EdgeCollapser::SurfaceShift EdgeCollapser::shift_to(const Vec3& position) const 
 }
 
 Vec3 EdgeCollapser::volume_keeping_shift(const Vec3& position) const {
-  // The volume is linear in the position: six times the volume is position . ring + constant.
+  // Six times the volume is a linear function of the position: position . ring + constant.
   const Vec3& origin = mesh_.position(stays_);
   Vec3 ring = Vec3::Zero();
   for (const Spoke& spoke : spokes_) {

@@ -37,7 +37,7 @@ class EdgeCollapser {
   bool was_too_long() const { return was_too_long_; }
 
  private:
-  /// A remaining triangle, without its corner at the edge.
+  /// A triangle that remains after the collapse, given without its corner at the edge.
   struct Spoke {
     Vec3 first;
     Vec3 second;
@@ -50,7 +50,7 @@ class EdgeCollapser {
   /// Distances of a position from the planes of the faces that are replaced.
   struct SurfaceShift {
     double quadric = 0;  ///< sum of the squared distances, weighted by twice the area
-    double most = 0;     ///< largest distance
+    double most = 0;     ///< largest distance from one of the planes
   };
 
   bool prepare(Index halfedge);

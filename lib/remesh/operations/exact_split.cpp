@@ -50,7 +50,7 @@ std::vector<Index> ExactSplitter::split(Index halfedge, bool keep_border) {
   return vertices;
 }
 
-/// Fills copies_ with the edge and all edges whose ends have the same positions.
+/// Fills `copies_` with the edge and all other edges whose ends have the same positions.
 void ExactSplitter::find_copies(Index halfedge) {
   const Vec3& a = mesh_.position(mesh_.source(halfedge));
   const Vec3& b = mesh_.position(mesh_.target(halfedge));

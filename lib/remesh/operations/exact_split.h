@@ -28,7 +28,7 @@ class ExactSplitter {
 
   EditableMesh& mesh_;
   ExactGuard& guard_;
-  std::vector<Index> copies_;    ///< halfedges, one per edge
+  std::vector<Index> copies_;    ///< a halfedge of each edge to split
   std::vector<Index> replaced_;  ///< faces at `copies_`
   std::vector<Triangle> made_;
 };

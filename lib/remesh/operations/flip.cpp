@@ -11,12 +11,13 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_cosine = 0.5;          ///< 60 degrees; chosen by hand, not measured
+/// Cosine of 60 degrees; chosen by hand, not measured.
+constexpr double least_cosine = 0.5;
 constexpr std::size_t faces_per_task = 2048;  ///< affects time only
-/// The cosine of 20 degrees: a flip for valence may not decrease the least angle below that.
+/// The cosine of 20 degrees. A flip for valence may not decrease the least angle below 20 degrees.
 constexpr double narrow = 0.9396926207859084;
-/// A flip to an edge above the longest length, and within EdgeLimits::stretched(), may move the
-/// surface by at most this share of the edge. Larger values allow more flips and worse shapes.
+/// If a flip makes an edge longer than the limit, but within EdgeLimits::stretched(), it may move
+/// the surface by at most this share of the edge. Larger values allow more flips and worse shapes.
 constexpr double farthest_shift = 0.012;
 /// The cosine of the least angle must decrease by more than rounding errors, so that no edge flips
 /// back and forth.
@@ -60,15 +61,17 @@ class Flipper {
   EmbeddingGuard& guard_;
   FlipRule rule_;
   EdgeLimits limits_;
-  std::vector<int> excess_;  ///< per vertex: valence minus 6, or minus 4 on borders
+  std::vector<int> excess_;  ///< valence of each vertex minus 6, or minus 4 on borders
   std::vector<Index> queue_;
-  /// State of a halfedge. `edge`: it was the lower one of its edge before the first flip, and only
-  /// such halfedges are visited. `wanted_before`: look_ahead() wanted to flip the edge. `changed`:
-  /// a flip nearby may have changed that. `queued`: it is in the queue.
+  /// State of a halfedge. `edge`: the halfedge was the lower halfedge of its edge before the first
+  /// flip; only such halfedges are visited. `wanted_before`: look_ahead() wanted to flip the edge.
+  /// `changed`: a flip nearby may have changed the result of look_ahead(). `queued`: the halfedge
+  /// is in the queue.
   using State = std::uint8_t;
   enum : State { edge = 1, wanted_before = 2, changed = 4, queued = 8 };
   std::vector<State> states_;
-  Index swept_ = 0;  ///< edges below this one were visited; again only if they are in the queue
+  /// Edges with lower halfedges were visited, and are visited again only from the queue.
+  Index swept_ = 0;
   Patch patch_;
   std::size_t refused_ = 0;
 };
@@ -83,10 +86,11 @@ void Flipper::count_valences() {
   }
 }
 
-/// The decrease of the sum of squared deviations from ideal valences. The arguments are the signed
-/// deviations before the flip.
+/// Returns the decrease, by a flip, of the sum of squared deviations from ideal valences. The
+/// arguments are the signed deviations before the flip.
 int deviation_gain(int from, int to, int left, int right) {
-  // The decrease is x^2 - (x - 1)^2 at each end and x^2 - (x + 1)^2 at each apex.
+  // If x is a vertex's deviation, the decrease is x^2 - (x - 1)^2 at each end and x^2 - (x + 1)^2
+  // at each apex.
   return 2 * (from + to - left - right) - 4;
 }
 
@@ -110,7 +114,7 @@ bool Flipper::is_wanted(Index halfedge) const {
 }
 
 /// Tests all edges in parallel before the first flip. Edges that a flip changes are tested again
-/// later. Valences are tested before angles, since few edges pass.
+/// later. Valences are tested before angles, because few edges pass the test of valences.
 void Flipper::look_ahead() {
   states_.assign(mesh_.halfedge_slots(), 0);
   parallel_for(mesh_.face_slots(), faces_per_task, [&](std::size_t first, std::size_t last) {
@@ -123,8 +127,8 @@ void Flipper::look_ahead() {
         const Index opposite = mesh_.opposite(h);
         states_[h] = static_cast<State>(h < opposite ? edge : 0);
         if (opposite == no_index) continue;
-        // The comparison of both halfedges is unpredictable for the processor, so it comes after
-        // the test that rejects most edges.
+        // The comparison of both halfedges is an unpredictable branch, so it comes after the test
+        // that rejects most edges.
         const int gain = deviation_gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                         excess_[mesh_.apex(opposite)]);
         if ((gain >= 0 || rule_ == FlipRule::angle) && h < opposite && is_wanted(h))
@@ -134,7 +138,8 @@ void Flipper::look_ahead() {
   });
 }
 
-/// Updates valences and states after a flip of the edge that had these corners.
+/// Updates valences and states after a flip. `at` holds the corners of both faces of the flipped
+/// edge.
 void Flipper::note_change(const Corners& at) {
   --excess_[at.from];
   --excess_[at.to];
@@ -167,7 +172,7 @@ bool Flipper::is_sound(Index halfedge, const Corners& at) const {
   const auto [a, b, c, d] = positions(at);
   if ((d - c).squaredNorm() > mesh_.squared_length(halfedge) && is_too_long(at)) return false;
 
-  // All four normals must be similar.
+  // The normals of both old and both new faces must be similar.
   const Vec3 left = normal_of(a, b, c);
   const Vec3 right = normal_of(a, d, b);
   const Vec3 first = normal_of(a, d, c);

@@ -19,14 +19,14 @@ struct FlipCounts {
 /// (4 on borders) decreases, or if it stays equal and the least angle increases.
 ///
 /// Edges on lines, and between faces whose normals differ by more than 60 degrees, are not flipped.
-/// A flip must not make an existing edge, rotate a normal by more than 60 degrees, or make a too
-/// long edge. Stretched edges (edge_rules.h) are made only if the surface hardly moves. Edges are
-/// tried in order, then again around each flipped edge.
+/// A flip must not make an existing edge, rotate a normal by more than 60 degrees, or make an edge
+/// that is too long. Stretched edges (edge_rules.h) are made only if the surface hardly moves.
+/// Edges are tried in order, then again around each flipped edge.
 FlipCounts flip_edges(EditableMesh& mesh, EmbeddingGuard& guard, FlipRule rule,
                       const EdgeLimits& limits, const Progress& progress);
 
-/// Flips an edge if the conditions above hold, without a rule. Without limits, edges do not become
-/// longer.
+/// Flips an edge if the conditions of flip_edges() hold, without a rule. Without limits, edges do
+/// not become longer.
 bool flip_edge(EditableMesh& mesh, EmbeddingGuard& guard, Index halfedge,
                const EdgeLimits& limits = {});
 

@@ -11,11 +11,11 @@
 namespace transformesh {
 namespace {
 
-/// Vertices with more faces are treated here. EmbeddingGuard takes a hundredth of a second for a
-/// collapse at a vertex with this many faces.
+/// Only vertices with more faces than this are treated here. EmbeddingGuard takes a hundredth of a
+/// second for a collapse at a vertex with this many faces.
 constexpr Index usual_valence = 256;
 
-/// The number of faces at each vertex.
+/// Returns the number of faces at each vertex.
 std::vector<Index> valences_of(const EditableMesh& mesh) {
   std::vector<Index> valences(mesh.vertex_slots(), 0);
   for (Index face = 0; face < mesh.face_slots(); ++face) {
@@ -54,7 +54,7 @@ class StarThinner {
  private:
   bool is_crowded(Index vertex) const { return valences_[vertex] > usual_valence; }
 
-  /// True if the edge is short and opposite to a crowded vertex, and neither end is crowded.
+  /// True if the edge is short, its opposite vertex has high valence, and neither of its ends has.
   bool is_wanted(Index h) const {
     const Index opposite = mesh_.opposite(h);
     return (is_crowded(mesh_.apex(h)) ||
@@ -71,7 +71,7 @@ class StarThinner {
     --valences_[left];
     if (right != no_index) --valences_[right];
     valences_[vertex] = mesh_.valence(vertex);
-    // The edges at the vertex and those opposite to it have new lengths or apexes.
+    // The edges at the vertex, and the edges opposite to the vertex, have new lengths or apexes.
     mesh_.for_each_outgoing(vertex, [&](Index outgoing) {
       for (const Index edge : {outgoing, next_halfedge(outgoing), previous_halfedge(outgoing)})
         if (is_wanted(edge)) queue_.emplace(mesh_, edge);

@@ -11,7 +11,7 @@ namespace transformesh {
 class Quadric {
  public:
   Quadric() = default;
-  /// The plane through a point with a unit normal.
+  /// Makes the quadric of the plane through `point` with the unit normal `normal`.
   Quadric(const Vec3& point, const Vec3& normal, double weight)
       : matrix_(weight * normal * normal.transpose()),
         linear_(-weight * normal.dot(point) * normal),
@@ -32,9 +32,10 @@ class Quadric {
   /// Returns the point with the least value. Among points with nearly equal values, returns the one
   /// nearest to `start`. Uses the pseudoinverse, and steps that correct its rounding errors.
   Vec3 least_near(const Vec3& start) const {
-    // Smaller eigenvalues, as a fraction of the largest, count as 0; chosen by hand, not measured.
+    // Eigenvalues below this fraction of the largest eigenvalue count as 0; chosen by hand, not
+    // measured.
     constexpr double least_share = 1e-4;
-    constexpr int steps = 3;  // chosen by hand; not measured
+    constexpr int steps = 3;  // number of correction steps; chosen by hand, not measured
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_);
     const Vec3& values = solver.eigenvalues();
     if (!(values[2] > 0)) return start;

@@ -11,15 +11,15 @@
 namespace transformesh {
 namespace {
 
-/// Compares the contacts of a mesh after its edges were split with those before.
+/// Compares the contacts of faces after edges were split with the contacts before.
 class ContactCheck {
  public:
   ContactCheck(const EditableMesh& before, const EditableMesh& after,
                std::span<const Index> parents)
       : before_(before), after_(after), parents_(parents), guard_(after) {}
 
-  /// True if a face at the vertex intersects others or has no area, although the face of which it
-  /// is a part did not.
+  /// True if a face at the vertex intersects other faces or has no area, although the face that it
+  /// was cut from did not.
   bool is_worse_at(Index vertex) const {
     bool is_worse = false;
     after_.for_each_outgoing(

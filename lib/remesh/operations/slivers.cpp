@@ -72,7 +72,7 @@ class SliverRemoval {
     return !mesh_.is_border(halfedge) && collapse(mesh_.opposite(halfedge));
   }
 
-  /// Merges the source into the target, which keeps its position.
+  /// Merges the source of the halfedge into its target, which keeps its position.
   bool collapse(Index halfedge) {
     const Index from = mesh_.source(halfedge);
     const Index to = mesh_.target(halfedge);
@@ -93,7 +93,7 @@ class SliverRemoval {
   }
 
   /// Flips the longest edge of a sliver. Both new faces are parts of the face across that edge and
-  /// get its attributes.
+  /// take its attributes.
   bool flip(Index halfedge) {
     if (mesh_.is_border(halfedge) || !mesh_.can_flip(halfedge)) return false;
     const Index sliver = halfedge / 3;
@@ -112,8 +112,8 @@ class SliverRemoval {
     return true;
   }
 
-  /// True if a flip leaves fewer slivers, or as many slivers and a shorter edge. This ensures
-  /// termination.
+  /// True if a flip leaves fewer slivers, or as many slivers and a shorter edge. Therefore flips
+  /// end.
   bool is_progress(Index across, bool is_shorter) const {
     const auto is_made_thin = [&](const Triangle& t) { return is_sliver_.is_sliver(t); };
     const auto after = std::count_if(made_.begin(), made_.end(), is_made_thin);
@@ -132,7 +132,7 @@ class SliverRemoval {
   ExactGuard guard_;
   int round_ = 0;
   std::vector<int>
-      merged_in_;  ///< per vertex: last round in which another vertex was merged into it
+      merged_in_;  ///< for each vertex the last round in which another vertex was merged into it
   std::vector<Triangle> made_;
   std::vector<Index> replaced_;
 };

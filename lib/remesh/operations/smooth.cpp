@@ -11,9 +11,9 @@
 namespace transformesh {
 namespace {
 
-/// Moves shorter than this share of the root of the star's doubled area are skipped.
+/// Movements shorter than this share of the square root of the star's doubled area are skipped.
 constexpr double rest = 5e-3;
-/// Smaller weights of edges, which may be negative, are replaced by this one.
+/// Smaller weights of edges, which may be negative, are replaced by this weight.
 constexpr double least_weight = 0.01;
 constexpr std::size_t things_per_task = 2048;  ///< affects time only
 
@@ -62,7 +62,8 @@ class Relaxer {
 };
 
 Vec3 Relaxer::free_target() const {
-  // Mean of the centroids of the triangles, weighted by area, relative to the old position.
+  // The mean (x, y, z) of the centroids of the triangles, weighted by area, relative to the old
+  // position.
   double x = 0, y = 0, z = 0, weight = 0;
   const VertexStar::Pair* const pairs = star_.pairs();
   for (std::size_t i = 0; i < star_.size(); i += 2) {
@@ -95,8 +96,8 @@ Vec3 Relaxer::line_target(Index vertex) const {
 
 void Relaxer::carry_attributes(Index vertex) {
   if (!mesh_.has_vertex_attributes()) return;
-  // Takes the triangle of the old star in which the least barycentric coordinate of the new
-  // position is largest: it contains the position or is nearest to that.
+  // Finds the triangle of the old star that contains the new position or is nearest to it. In this
+  // triangle, the least barycentric coordinate of the position is largest.
   const Vec3 shift = mesh_.position(vertex) - star_.center();
   double best = -HUGE_VAL;
   std::array<Index, 3> sources{vertex, vertex, vertex};
@@ -169,7 +170,7 @@ class Laplacian {
 
   const EditableMesh& mesh_;
   const VertexRoles& roles_;
-  std::vector<double> cotangents_;  ///< per halfedge: cotangent of the opposite angle
+  std::vector<double> cotangents_;  ///< cotangent of the angle opposite to each halfedge
 };
 
 }  // namespace

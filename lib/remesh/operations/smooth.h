@@ -13,15 +13,16 @@ struct SmoothCounts {
   std::size_t refused = 0;
 };
 
-/// Tangential relaxation. Moves each vertex towards the centroid of its star, within the plane
-/// through the vertex perpendicular to its area normal, which keeps the volume. Vertices move one
+/// Tangential relaxation. Moves each vertex towards the centroid of its star, in the plane through
+/// the vertex perpendicular to its area normal. Such movements keep the volume. Vertices move one
 /// after the other, in slot order, so that the volume of a closed mesh stays up to rounding.
 /// Attributes are interpolated at the new position. Vertices on lines slide along them.
 ///
 /// A movement must not rotate a normal by more than 60 degrees, make a poor triangle poorer, or
 /// make contact. Otherwise it is halved, then refused. If there is a `surface`, free vertices then
-/// move to its closest point. Without one, `curved` moves them onto the quadric through the
-/// vertices around (curved_edge.h), which keeps curvature instead of volume.
+/// move to its closest point. Without a `surface`, and with `curved`, free vertices move onto the
+/// quadric that fits the vertices around them (curved_edge.h). This keeps curvature instead of
+/// volume.
 SmoothCounts relax_tangentially(EditableMesh& mesh, EmbeddingGuard& guard, const VertexRoles& roles,
                                 const ClosestPointQuery* surface, const Progress& progress,
                                 bool curved = false);

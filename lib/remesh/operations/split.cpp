@@ -17,10 +17,10 @@ namespace {
 /// A midpoint that touches other faces is moved along its normal by these distances, in spacings of
 /// its largest coordinate.
 constexpr std::array<double, 3> roundings{1, 2, 4};
-constexpr int most_rounds = 4;  ///< chosen by hand; not measured
+constexpr int most_rounds = 4;  ///< largest number of rounds; chosen by hand, not measured
 /// Edges shorter than this many spacings are not split. Rounding moves midpoints by up to half the
-/// square root of 3 spacings. From this length on, edges to the midpoint of a longest edge are
-/// still shorter than that edge; otherwise splits might not end.
+/// square root of 3 spacings. If the edge is longer, all edges to its midpoint are shorter than the
+/// edge itself; otherwise splits might not end.
 constexpr double least_spacings = 8;
 
 double rounding_at(const EditableMesh& mesh, const Vec3& point) {
@@ -80,9 +80,10 @@ class Splitter {
     if (!mesh_.is_border(halfedge)) is_held_[mesh_.opposite(halfedge)] = is_held;
   }
 
-  /// True if a face at the edge has a longer edge that is held and longer than 1.5 times the limit.
-  /// Splitting the other edges of such a face would never make all of them short: in turn, they
-  /// approach one and two thirds of the held edge. Longer edges are always decided earlier.
+  /// True if a face at the edge has a longer edge that cannot be split (is held) and is longer than
+  /// 1.5 times the limit. Splitting the other edges of such a face would never make all of them
+  /// short: their lengths approach one third and two thirds of the held edge. Longer edges are
+  /// always decided earlier.
   bool is_beside_held(const QueuedEdge& edge) const {
     const auto holds = [&](Index other) {
       const double length = mesh_.scaled_squared_length(other);
@@ -116,8 +117,8 @@ class Splitter {
     ++counts_.refused;
   }
 
-  /// Enqueues the edges at a new vertex, which may be too long, and those around it, whose
-  /// halfedges may have new indices.
+  /// Enqueues the edges at a new vertex, which may be too long. Also enqueues the edges around it,
+  /// whose halfedges may have new indices.
   void push_around(Index vertex) {
     ++counts_.done;
     mesh_.for_each_outgoing(vertex, [&](Index outgoing) {
@@ -133,7 +134,8 @@ class Splitter {
   Index first_left_;  ///< edges with an end at this vertex or a later one are not split
   ExactSplitter* exact_;
   EdgeQueue<LongerFirst> queue_;
-  std::vector<bool> is_held_;  ///< per halfedge: whether its edge stays; empty while all may split
+  /// True for each halfedge whose edge cannot be split; empty while all edges may be split.
+  std::vector<bool> is_held_;
   SplitCounts counts_;
 };
 
@@ -172,7 +174,7 @@ std::vector<Index> settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, I
   };
   for (Index v = first; v < mesh.vertex_slots(); ++v) try_to_settle(v);
 
-  // Tries again, since neighbors may have moved out of the way.
+  // Tries again, because neighbors may have moved out of contact.
   for (int round = 0; round < most_rounds && !in_contact.empty(); ++round) {
     const std::vector<Index> again = std::exchange(in_contact, {});
     std::for_each(again.begin(), again.end(), try_to_settle);

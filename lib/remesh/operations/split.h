@@ -12,24 +12,26 @@ namespace transformesh {
 struct SplitCounts {
   std::size_t done = 0;
   std::size_t refused = 0;
-  std::vector<Index> parents;              ///< per new face: the face of which it is a half
-  std::vector<std::array<Index, 2>> ends;  ///< per new vertex: the ends of the edge that was split
+  std::vector<Index> parents;  ///< for each new face the face of which it is a half
+  /// For each new vertex the ends of the edge that was split.
+  std::vector<std::array<Index, 2>> ends;
 };
 
 struct SplitLimits {
-  double longest = 0;        ///< longer edges are split
+  double longest = 0;        ///< edges longer than this are split
   bool keep_border = false;  ///< do not split border edges
   bool only_given = false;   ///< do not split edges that splits have made
 };
 
-/// Splits edges longer than the limit until none is left, the longest first; ties are broken by the
-/// lowest halfedge. The surface moves only by rounding, which is not checked. Refuses nothing.
+/// Splits edges longer than the limit until none is left, the longest edge first; ties are broken
+/// by the lowest halfedge. The surface moves only by rounding, which is not checked for
+/// intersections. No split is refused.
 SplitCounts split_long_edges(EditableMesh& mesh, const SplitLimits& limits,
                              const Progress& progress);
 
-/// The same, with exact tests that no split adds self-intersections or faces without area
-/// (exact_split.h). An edge that cannot be split stays, and so do shorter edges of its faces.
-/// `ends` stays empty.
+/// Does the same as split_long_edges(), with exact tests that no split adds self-intersections or
+/// faces without area (exact_split.h). An edge that cannot be split stays, and so do shorter edges
+/// of its faces. `ends` stays empty.
 SplitCounts split_long_edges_exactly(EditableMesh& mesh, const SplitLimits& limits,
                                      const Progress& progress);
 

@@ -5,18 +5,18 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_turn_cosine = 0.5;  ///< 60 degrees; chosen by hand, not measured
-/// Normals of triangles that are at most this round are mostly rounding error.
+constexpr double least_turn_cosine = 0.5;  ///< cosine of 60 degrees; chosen by hand, not measured
+/// The normal of a triangle of at most this roundness is mostly rounding error.
 constexpr double normal_roundness = 0.02;
 /// Triangles with a smaller squared roundness have no reliable normal (normal_cone.h).
 constexpr double thin = 1e-16;
 
-/// The squares of roundness() in triangle_quality.h, for two triangles.
+/// Returns the squares of roundness() (triangle_quality.h) of two triangles.
 NumberPair squared_roundness(NumberPair normal_squared, NumberPair squares) {
   return squares > twice(0) ? 12 * normal_squared / (squares * squares) : twice(0);
 }
 
-/// The squared roundness of the least round triangle.
+/// Returns the squared roundness of the least round triangle of the star.
 double least_squared_roundness(const VertexStar& star) {
   NumberPair least = twice(1);
   for (std::size_t k = 0; k < star.pair_count(); ++k) {
@@ -27,8 +27,8 @@ double least_squared_roundness(const VertexStar& star) {
   return std::min(least[0], least[1]);
 }
 
-/// The normals with which new ones are compared: those before the move, or the normal of the whole
-/// star if those are mostly rounding error.
+/// Returns the normals with which new normals are compared. These are the old normals, or the
+/// normal of the whole star if the old normals are mostly rounding error.
 NormalPair normals_before(const VertexStar& star, const VertexStar::Pair& pair) {
   const NumberPair bound = twice(normal_roundness * normal_roundness) * pair.squares * pair.squares;
   const MaskPair has_normal = 12 * pair.squared > bound;
@@ -39,7 +39,7 @@ NormalPair normals_before(const VertexStar& star, const VertexStar::Pair& pair) 
           has_normal ? pair.squared : mean.squared()};
 }
 
-/// turns() in triangle_quality.h, for two triangles.
+/// Computes turns() (triangle_quality.h) for two triangles.
 MaskPair turn(const NormalPair& before, const NormalPair& after) {
   const NumberPair dot = before.normal.dot(after.normal);
   const NumberPair bound =
@@ -67,7 +67,8 @@ void VertexMover::place_ways(const VertexStar& star, const Vec3& target) {
   }
 }
 
-/// Computes the normals after the move; false if a triangle turns too far or becomes too narrow.
+/// Computes the normals after the move. Returns false if a triangle turns too far or becomes too
+/// narrow.
 bool VertexMover::place_triangles(const VertexStar& star, const Vec3& target) {
   place_ways(star, target);
   const WayPair* const ways = ways_.data();

@@ -10,13 +10,14 @@ namespace transformesh {
 
 class VertexMover {
  public:
-  /// Triangles with at least this roundness() (triangle_quality.h) may become less round down to
-  /// this value; others must not become less round. A larger value refuses more movements.
+  /// Triangles with at least this roundness() (triangle_quality.h) may become less round, down to
+  /// this value; other triangles must not become less round. With a larger value, more movements
+  /// are refused.
   static constexpr double round_enough = 0.6;
   VertexMover(EditableMesh& mesh, EmbeddingGuard& guard, double enough = round_enough)
       : mesh_(mesh), guard_(guard), enough_(enough) {}
 
-  /// Moves the vertex to `target`, or halfway. Returns false if both are refused.
+  /// Moves the vertex to `target`, or half of the way. Returns false if both movements are refused.
   bool move(Index vertex, const VertexStar& star, const Vec3& target);
 
  private:
@@ -34,7 +35,7 @@ class VertexMover {
 
   EditableMesh& mesh_;
   EmbeddingGuard& guard_;
-  bool has_thin_ = false;  ///< a triangle of the star would have no reliable normal
+  bool has_thin_ = false;  ///< true if a triangle of the star would have no reliable normal
   double enough_;
   std::vector<WayPair> ways_;
   std::vector<NormalPair> normals_;  ///< normals of the moved triangles

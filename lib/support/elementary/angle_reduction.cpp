@@ -9,18 +9,19 @@
 namespace transformesh::elementary {
 namespace {
 
-// Below this magnitude products of the parts of pi/2 with the quotient are exact.
+// For angles below this magnitude, products of the parts of pi/2 with the quotient are exact.
 constexpr double least_large = 0x1p20;
 
-/// pi/2 in parts of 33 bits, whose products with integers up to 2^20 are exact, and a last part.
+/// The sum of these parts is pi/2. All parts except the last have 33 bits, so their products with
+/// integers up to 2^20 are exact.
 constexpr std::array parts = {0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3198a2e000000p-69,
                               0x1.b839a252049c1p-104};
 
-// Reduction of moderate angles (Cody & Waite). The first part, and the other parts as one number,
-// are enough unless the angle is close to a multiple of pi/2.
+// Reduces moderate angles (Cody & Waite). Two numbers, the first part of pi/2 and the sum of the
+// other parts, are enough unless the angle is close to a multiple of pi/2.
 ReducedAngle reduced_by_parts(double x) {
   constexpr double all_but_first = 0x1.0b4611a626331p-34;  // pi/2 without its first part
-  // Closer to a multiple, the error of `all_but_first` is too large.
+  // If the angle is closer to a multiple of pi/2, the error of `all_but_first` is too large.
   constexpr double near = 0x1p-6;
   const double n = nearest_integer(x * inverse(half_pi.high));
   const int quarters = static_cast<int>(n) & 3;
@@ -82,8 +83,8 @@ Fraction part_below_1_of_product(std::uint64_t factor, const Fraction& fraction)
   return product;
 }
 
-/// Converts a fraction in [0, 1) to [-1/2, 1/2). The ones' complement is off by one in the last
-/// bit.
+/// Converts a fraction in [0, 1) to [-1/2, 1/2). The ones' complement differs from the negative
+/// number by one in the last bit.
 DoubleDouble signed_value(const Fraction& fraction) {
   const bool is_negative = fraction[2] >> 63U != 0;
   DoubleDouble sum;
@@ -95,8 +96,8 @@ DoubleDouble signed_value(const Fraction& fraction) {
   return is_negative ? -sum : sum;
 }
 
-// Reduction of large angles (Payne & Hanek): x is an integer times 2^exponent, and the bits of 2/pi
-// that contribute only whole turns are skipped.
+// Reduces large angles (Payne & Hanek). The angle x is an integer times 2^exponent, and the bits of
+// 2/pi that contribute only whole turns are skipped.
 ReducedAngle reduced_by_bits(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const std::uint64_t integer = (bits & 0xfffffffffffffU) | 0x10000000000000U;

@@ -6,8 +6,9 @@
 namespace transformesh::elementary {
 
 struct ReducedAngle {
-  int quarters = 0;   ///< number of subtracted quarter turns, modulo 4
-  DoubleDouble rest;  ///< magnitude at most pi/4, up to rounding; precise to at least 60 bits
+  int quarters = 0;  ///< number of subtracted quarter turns, modulo 4
+  /// Remaining angle: magnitude at most pi/4, up to rounding; precise to at least 60 bits.
+  DoubleDouble rest;
 };
 
 /// Reduces any finite angle, in radians.

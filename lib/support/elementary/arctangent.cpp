@@ -13,7 +13,7 @@
 namespace transformesh::elementary {
 namespace {
 
-constexpr int steps = 64;      ///< table intervals from 0 to 1
+constexpr int steps = 64;      ///< number of table intervals from 0 to 1
 constexpr int first_step = 8;  ///< the series is used below this entry
 
 constexpr DoubleDouble arctangent_series(const DoubleDouble& x) {
@@ -22,7 +22,7 @@ constexpr DoubleDouble arctangent_series(const DoubleDouble& x) {
   return x * sum;
 }
 
-/// atan(j/64), computed from the previous entry: the difference is atan(1 / (64 + j (j - 1) / 64)).
+/// Entry j is atan(j/64). It is the previous entry plus atan(1 / (64 + j (j - 1) / 64)).
 constexpr auto table = [] {
   std::array<DoubleDouble, steps + 1> angles;
   for (int j = 1; j <= steps; ++j)
@@ -30,8 +30,7 @@ constexpr auto table = [] {
   return angles;
 }();
 
-// Evaluates the series for a quotient of at most 1/8 that is known to twice the precision of a
-// double.
+// Returns the arctangent of low / high by its power series. The quotient must be at most 1/8.
 DoubleDouble angle_by_series(double low, double high) {
   const double quotient = low / high;
   const DoubleDouble product = exact_product(quotient, high);
@@ -43,8 +42,9 @@ DoubleDouble angle_by_series(double low, double high) {
   return fast_sum(quotient, rest + quotient * z * series);
 }
 
-// Adds the difference to the nearest angle of the table. The terms of the numerator are exact: the
-// tangents of the table have 7 bits, and `first` has 45 bits of `high`.
+// Returns the arctangent of low / high: the nearest angle of the table plus the difference. The
+// terms of the numerator are exact: the tangents of the table have 7 bits, and `first` has 45 bits
+// of `high`.
 DoubleDouble angle_by_table(double low, double high) {
   const double step = nearest_integer(low / high * steps);
   const double tangent = step / steps;
@@ -62,7 +62,7 @@ DoubleDouble angle_of(double low, double high) {
   return low * steps < high * first_step ? angle_by_series(low, high) : angle_by_table(low, high);
 }
 
-/// Returns the rounded sum; a must not be smaller than b in magnitude.
+/// Returns the rounded sum a + b. The magnitude of a must not be smaller than that of b.
 double rounded_sum(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble high = fast_sum(a.high, b.high);
   return high.high + (high.low + (a.low + b.low));
@@ -90,8 +90,8 @@ double extreme_angle(double y, double x, bool is_left) {
   }
   const double larger = std::max(x, y);
   if (larger == 0) return is_left ? pi.high : 0;
-  // Scale the larger coordinate to about 1. If the other one is then below all digits of the angle,
-  // or the angle equals its tangent, the result is known.
+  // Scales the larger coordinate to about 1. If the smaller coordinate is then below `negligible`,
+  // it does not affect the rounded angle, or the angle equals its tangent.
   constexpr double negligible = 0x1p-60;
   const int exponent = std::ilogb(larger);
   const double scaled_x = std::ldexp(x, -exponent);

@@ -1,4 +1,4 @@
-/// Arctangents that are the same on every machine, by IEEE operations only; those of libm differ
+/// Arctangents that are the same on every machine, by IEEE operations only; results of libm differ
 /// between processors in the last digit. Errors are at most .56 units in the last place (ulp), and
 /// 1 ulp for subnormal results. References: Tang, "Table-lookup algorithms for elementary functions
 /// and their error analysis", ARITH 10, 1991; Muller, "Elementary Functions", 3rd ed., Birkhäuser

@@ -1,7 +1,8 @@
-/// Double-double arithmetic: sums of two doubles with about 104 bits, by IEEE operations only,
-/// hence the same on every machine. Magnitudes must be 0 or in [2^-480, 2^480]. References: Dekker,
-/// "A floating-point technique for extending the available precision", Numerische Mathematik 18,
-/// 1971; Knuth, "The Art of Computer Programming", vol. 2, 4.2.2.
+/// Double-double arithmetic: a number is the sum of two doubles, with about 104 bits. Only IEEE
+/// operations are used, so results are the same on every machine. Magnitudes must be 0 or in
+/// [2^-480, 2^480]. References: Dekker, "A floating-point technique for extending the available
+/// precision", Numerische Mathematik 18, 1971; Knuth, "The Art of Computer Programming", vol. 2,
+/// 4.2.2.
 #pragma once
 
 namespace transformesh::elementary {
@@ -15,7 +16,7 @@ struct DoubleDouble {
   constexpr DoubleDouble operator-() const { return {-high, -low}; }
 };
 
-/// Exact sum. Requires that a is 0 or not smaller than b in magnitude.
+/// Returns the exact sum of a and b. Requires that a is 0 or not smaller than b in magnitude.
 constexpr DoubleDouble fast_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
@@ -28,7 +29,7 @@ constexpr DoubleDouble exact_sum(double a, double b) {
 }
 
 constexpr DoubleDouble exact_product(double a, double b) {
-  // Veltkamp's splitting into halves of 26 bits.
+  // Splits a and b into halves of 26 bits (Veltkamp).
   constexpr double splitter = 0x1p27 + 1;
   const double a_high = splitter * a - (splitter * a - a);
   const double b_high = splitter * b - (splitter * b - b);

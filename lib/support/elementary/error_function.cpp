@@ -10,9 +10,9 @@
 namespace transformesh::elementary {
 namespace {
 
-constexpr int steps = 8;       ///< table intervals per unit
-constexpr double limit = 6;    ///< erf rounds to 1 from here on
-constexpr int last_step = 48;  ///< entry at the limit
+constexpr int steps = 8;       ///< number of table intervals per unit
+constexpr double limit = 6;    ///< erf(x) rounds to 1 for larger x
+constexpr int last_step = 48;  ///< index of the last table entry, at the limit
 
 constexpr DoubleDouble two_over_root_of_pi{0x1.20dd750429b6dp+0, 0x1.1ae3a914fed80p-56};
 
@@ -39,8 +39,8 @@ constexpr DoubleDouble ratio_to_derivative(double x) {
   return sum;
 }
 
-/// The derivative at j/8 is exp(-j^2/64) times the derivative at 0; each entry follows from the
-/// previous one.
+/// Entry j is for x = j/8. The derivative at j/8 is exp(-j^2/64) times the derivative at 0, and is
+/// computed from the previous entry.
 constexpr auto table = [] {
   std::array<Entry, last_step + 1> entries;
   entries[0].derivative = two_over_root_of_pi;

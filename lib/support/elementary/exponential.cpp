@@ -16,9 +16,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int steps = 64;                     ///< table intervals from 1 to 2
-constexpr double largest_argument = 709.79;   ///< exp overflows above
-constexpr double smallest_argument = -745.2;  ///< exp is 0 below
+constexpr int steps = 64;                     ///< number of table intervals from 1 to 2
+constexpr double largest_argument = 709.79;   ///< exp(x) overflows for larger x
+constexpr double smallest_argument = -745.2;  ///< exp(x) rounds to 0 for smaller x
 
 constexpr DoubleDouble exp_series(const DoubleDouble& x) {
   DoubleDouble sum = one;
@@ -26,7 +26,7 @@ constexpr DoubleDouble exp_series(const DoubleDouble& x) {
   return sum;
 }
 
-/// 2^(j/64).
+/// Entry j is 2^(j/64).
 constexpr auto roots_of_2 = [] {
   std::array<DoubleDouble, steps> table;
   for (int j = 0; j < steps; ++j) table[j] = exp_series(log_of_2 * (1.0 * j / steps));
@@ -61,10 +61,11 @@ double exp_of(const DoubleDouble& x) {
 }
 
 constexpr int pieces = 128;      ///< intervals of the numbers from 1 to 2
-constexpr int first_piece = 90;  ///< interval of the square root of 1/2
+constexpr int first_piece = 90;  ///< index of the interval that contains the square root of 1/2
 constexpr int last_piece = 182;  ///< just above the interval of the square root of 2
 
-/// A short number near the inverse of an interval's center, and minus its logarithm.
+/// A number with few bits near the inverse of an interval's center, and minus the logarithm of this
+/// number.
 struct Inverse {
   double factor = 1;
   DoubleDouble log;
@@ -99,7 +100,7 @@ DoubleDouble log_near_1(const DoubleDouble& x) {
   return fast_sum(first.high, first.low + low);
 }
 
-/// Returns the logarithm of a finite positive number, to about 67 bits.
+/// Returns the logarithm of a finite positive number, accurate to about 67 bits.
 DoubleDouble log_of(double x) {
   int exponent = 0;
   if (x < std::numeric_limits<double>::min()) {

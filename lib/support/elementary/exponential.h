@@ -1,4 +1,4 @@
-/// Exponentials and logarithms that are the same on every machine, by IEEE operations only; those
+/// Exponentials and logarithms that are the same on every machine, by IEEE operations only; results
 /// of libm differ between processors in the last digit. Errors are at most .52 units in the last
 /// place (ulp), and 1 ulp for subnormal results. References: Tang, "Table-driven implementation of
 /// the exponential function in IEEE floating-point arithmetic", ACM TOMS 15, 1989; Tang,
@@ -11,15 +11,15 @@ namespace transformesh::elementary {
 double exp(double x);
 double exp2(double x);
 
-/// Logarithms of 0 are minus infinity, those of negative numbers NaN.
+/// Logarithms of 0 are minus infinity; logarithms of negative numbers are NaN.
 double log(double x);
 double log2(double x);
 double log10(double x);
 
-/// NaN if the base is negative; pow(x, 0) = pow(1, x) = 1. Exact if a double can represent the
-/// result.
+/// Returns base^exponent, or NaN if the base is negative; pow(x, 0) = pow(1, x) = 1. The result is
+/// exact if a double can represent it.
 double pow(double base, double exponent);
-/// Exact for cubes.
+/// Returns the cube root. The result is exact for cubes of doubles.
 double cbrt(double x);
 
 }  // namespace transformesh::elementary

@@ -11,10 +11,10 @@ namespace transformesh::elementary {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double negligible = 0x1p-27;  ///< sin(x) and tan(x) round to x below this magnitude
+constexpr double negligible = 0x1p-27;  ///< sin(x) and tan(x) round to x if |x| is smaller
 
-constexpr int steps = 32;      ///< table intervals per radian
-constexpr int last_step = 26;  ///< just above pi/4
+constexpr int steps = 32;      ///< number of table intervals per radian
+constexpr int last_step = 26;  ///< index of the last table entry, just above pi/4
 
 struct SineAndCosine {
   DoubleDouble sine;
@@ -37,8 +37,8 @@ constexpr auto table = [] {
   return entries;
 }();
 
-// Sum formulas from the nearest angle of the table. The main terms of a sine (table entry and
-// difference) are added exactly, so that small sines keep their digits.
+// Returns sine and cosine by addition formulas from the nearest angle of the table. The main terms
+// of a sine (table entry and difference) are added exactly, so that small sines keep their digits.
 SineAndCosine of_positive(const DoubleDouble& x) {
   const double step = nearest_integer(x.high * steps);
   const auto& [sine, cosine] = table[static_cast<std::size_t>(step)];

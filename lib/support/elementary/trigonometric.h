@@ -1,4 +1,4 @@
-/// Sines, cosines and tangents that are the same on every machine, by IEEE operations only; those
+/// Sines, cosines and tangents that are the same on every machine, by IEEE operations only; results
 /// of libm differ between processors in the last digit. Errors are at most .55 units in the last
 /// place, for arguments of any size. Results are NaN for arguments that are not finite. References:
 /// Cody & Waite, "Software Manual for the Elementary Functions", Prentice-Hall 1980; Payne & Hanek,
