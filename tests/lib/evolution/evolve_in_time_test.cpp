@@ -78,6 +78,21 @@ TEST_CASE("steps continue in time, and their stages lie within the step") {
   CHECK(bounding_box(mesh).center().x() == doctest::Approx(1).epsilon(1e-3));
 }
 
+TEST_CASE("a motion with an integrator of its own is seldom evaluated in vain") {
+  Mesh mesh = test::icosphere(3);
+  std::size_t calls = 0;
+  Motion motion = growing(1);
+  motion.displacement = [&](const Mesh& now, const Moment& moment, const Progress&) {
+    ++calls;
+    return normal_velocities(now, moment.span);
+  };
+  const TimeResult result = evolve_in_time(mesh, motion, {.end = 1}, unsmoothed());
+  CHECK(result.evolution.iterations > 10);
+  // Two trials in vain find the span of the first step.
+  CHECK(calls <= result.evolution.iterations + 3);
+  CHECK(result.max_move <= 0.5);
+}
+
 TEST_CASE("the time at which two balls touch is found within the tolerance") {
   Document document = two_balls(0.3);
   Record record;
