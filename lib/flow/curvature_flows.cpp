@@ -74,7 +74,7 @@ Mesh moved_by(Mesh mesh, const std::vector<Vec3>& displacements, double factor) 
 /// Returns the displacements of the implicit midpoint rule: the flow of the linear equations of the
 /// surface in the middle of the span. A step over half of the span predicts that surface. The step
 /// over the whole span from the predicted surface corrects it once. The predicted surface alone
-/// gives order 2 as well, but on a shrinking sphere ten times the error.
+/// gives order 2 as well, but on a shrinking sphere 16 times the error.
 std::vector<Vec3> integrated(const Mesh& start, const CurvatureFlow& flow, double span) {
   const auto around = [&](const Mesh& shape, double length) {
     return flow.vectors(start, shape, DiffusionStep(shape), length);
