@@ -9,7 +9,7 @@ namespace transformesh {
 namespace {
 
 /// The diagonal coefficient of the method. With 1 - 1 / sqrt(2) it is L-stable and of order 2; the
-/// other solution, 1 + 1 / sqrt(2), has an error seventy times as large.
+/// other solution, 1 + 1 / sqrt(2), has an error 34 times as large.
 constexpr double diagonal = 1 - 1 / std::numbers::sqrt2;
 
 [[noreturn]] void refuse() {
@@ -30,8 +30,8 @@ Relaxation::Relaxation(const Unknowns& unknowns, Eigen::VectorXd masses, const M
   if (factors_.info() != Eigen::Success) refuse();
 }
 
-/// The stages are k1 and k2 with (M + g span K) k1 = M b and (M + g span K) k2 = M b - (1 - g) span
-/// K k1, where g is the coefficient. K k1 follows from the first equation.
+/// The stages k1 and k2 solve (M + g span K) k1 = M b and (M + g span K) k2 = M b - (1 - g) span K
+/// k1 with the coefficient g. The first equation gives K k1.
 Relaxation::Rows Relaxation::solved(const Rows& rates) const {
   const Rows right = masses_.asDiagonal() * rates;
   const Rows first = factors_.solve(right);

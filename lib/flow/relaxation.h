@@ -1,9 +1,9 @@
-/// A step of the linear equations M y' = M b - K y from y = 0, with a diagonal mass matrix M, a
-/// symmetric and positive semidefinite stiffness matrix K and constant rates b. The method is the
-/// diagonally implicit Runge-Kutta method of two stages and order 2 that is L-stable: it damps what
-/// changes fast, however long the span is. Both stages share one sparse factorization without
-/// pivoting: deterministic. Reference: Alexander, "Diagonally implicit Runge-Kutta methods for
-/// stiff O.D.E.'s", SIAM Journal on Numerical Analysis 14, 1977.
+/// A step of the linear equations M y' = M b - K y from y = 0 with constant rates b. The mass
+/// matrix M is diagonal. The stiffness matrix K is symmetric and positive semidefinite. The method
+/// is the diagonally implicit Runge-Kutta method of two stages and order 2 that is L-stable: it
+/// damps what changes fast, however long the span is. Both stages share one sparse factorization
+/// without pivoting: deterministic. Reference: Alexander, "Diagonally implicit Runge-Kutta methods
+/// for stiff O.D.E.'s", SIAM Journal on Numerical Analysis 14, 1977.
 #pragma once
 
 #include <Eigen/SparseCholesky>
