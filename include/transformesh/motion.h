@@ -30,8 +30,8 @@ using VectorField =
 struct Motion {
   VectorField velocity;  ///< input units per time
   /// If set, the motion has its own integrator, such as an implicit one: returns the displacement
-  /// from `moment.time` to `moment.time + moment.span`, in input units. `velocity` then serves only
-  /// to choose the span.
+  /// from `moment.time` to `moment.time + moment.span`, in input units. `velocity` and the
+  /// integrator and tolerance of TimeOptions are then not used by evolve_in_time().
   VectorField displacement = {};
 };
 

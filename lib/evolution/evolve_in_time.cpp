@@ -30,13 +30,8 @@
 namespace transformesh {
 namespace {
 
-/// Largest growth factor of the span from one step to the next, if the error or an implicit
-/// integrator limits the span. If the longer span fails, one evaluation is lost. Smaller factors
-/// take more steps after a fast motion ends.
-constexpr double span_growth = 1.5;
-
-/// Bound for the relative rounding error of a sum of a million spans. A time that rounding errors
-/// leave before the end of an event is ignored, because it would become a step that is too short.
+/// Bound for the relative rounding error of a sum of a million spans. Without it, a remainder of
+/// rounding size before the end of an event would become a step, which is too short.
 constexpr double rounding = 1e-9;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -89,7 +84,7 @@ class TimeLoop : public Loop {
     const double remaining = options_.end - time_;
     TrialStep step =
         chosen_step(integration, options_, remaining, longest_span(), edges.vertex_mean);
-    if (!is_near_event()) usual_span_ = step.span;
+    if (!is_near_event()) next_span_ = next_span(step, options_);
     iterate_along(document, step, edges.mean, progress);
     while (changes_topology() && step.span > options_.event_tolerance &&
            options_.event_tolerance > 0) {
@@ -115,8 +110,8 @@ class TimeLoop : public Loop {
   void remember(LoopState& loop_state) override {
     end_rule_.remember(loop_state);
     if (events_) events_->remember(loop_state);
-    loop_state("done", is_done_)("time", time_)("span", span_)("usual_span", usual_span_)(
-        "event_end", event_end_);
+    loop_state("done", is_done_)("time", time_)("span", span_)("next_span", next_span_)("event_end",
+                                                                                        event_end_);
     loop_state("components", topology_.components)("genus", topology_.genus);
     loop_state("closed", is_closed_)("drift", drift_)("repeated", repeated_);
     loop_state("max_move", max_move_)("held_back", held_back_)("pairs", last_.pairs)(
@@ -168,7 +163,7 @@ class TimeLoop : public Loop {
       return gap > options_.event_tolerance ? gap / 2 : gap;
     }
     const bool is_limited = motion_.displacement || options_.tolerance > 0;
-    return is_limited && usual_span_ > 0 ? span_growth * usual_span_ : infinite;
+    return is_limited && options_.span == 0 && next_span_ > 0 ? next_span_ : infinite;
   }
 
   BodyContact contact() const { return {options_.bodies, options_.gap}; }
@@ -228,7 +223,8 @@ class TimeLoop : public Loop {
   IterationResult last_;
   Topology topology_;
   double time_ = 0, event_end_ = 0;
-  double span_ = 0, usual_span_ = 0;  ///< span of the last step; of the last one far from events
+  double span_ = 0;       ///< time of the last step
+  double next_span_ = 0;  ///< next_span() of the last step that was not near an event
   double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
   std::size_t repeated_ = 0, held_back_ = 0;
   bool is_closed_ = false, is_done_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "support/elementary/exponential.h"
 #include "support/number.h"
@@ -19,6 +20,10 @@ constexpr double shortest_span = 1e-12;
 /// recommend 0.8 to 0.9.
 constexpr double safety = 0.9;
 
+/// Largest growth factor of the span from one step to the next. If the longer span fails, one
+/// evaluation is lost. Smaller factors take more steps after a fast motion ends.
+constexpr double span_growth = 1.5;
+
 /// Returns the longest span of at most `span` that divides `remaining` into equal steps, so that
 /// the last step is not much shorter.
 double divided(double remaining, double span) {
@@ -27,12 +32,18 @@ double divided(double remaining, double span) {
   return remaining / std::ceil(remaining / span - tiny);
 }
 
-/// Returns the factor by which the span of a trial must be multiplied; 1 if the trial is accepted.
+bool is_accepted(const TrialStep& trial, const TimeOptions& options) {
+  return trial.max_move <= options.max_move &&
+         (options.tolerance <= 0 || trial.integrated.error <= options.tolerance);
+}
+
+/// Returns the factor of the span for which movement and error are a little below their limits.
+/// Both are assumed to grow with the span as they do for short spans.
 double allowed_factor(const TrialStep& trial, const TimeOptions& options) {
-  double factor = 1;
-  if (trial.max_move > options.max_move) factor = safety * options.max_move / trial.max_move;
+  double factor = std::numeric_limits<double>::infinity();
+  if (trial.max_move > 0) factor = safety * options.max_move / trial.max_move;
   const double error = trial.integrated.error;
-  if (options.tolerance > 0 && error > options.tolerance) {
+  if (options.tolerance > 0 && error > 0) {
     const double power = 1.0 / error_order(options.integrator);
     factor = std::min(factor, safety * elementary::pow(options.tolerance / error, power));
   }
@@ -75,11 +86,14 @@ TrialStep chosen_step(const Integration& integration, const TimeOptions& options
                       ": the motion is too fast for the edges or the tolerance");
     }
     TrialStep trial = step_over(integration, span, edge_means);
-    const double factor = allowed_factor(trial, options);
-    if (factor == 1) return trial;
+    if (is_accepted(trial, options)) return trial;
     // The span shrinks at most to a tenth at once, since estimates are unreliable for long spans.
-    span *= std::clamp(factor, 0.1, safety);
+    span *= std::clamp(allowed_factor(trial, options), 0.1, safety);
   }
+}
+
+double next_span(const TrialStep& step, const TimeOptions& options) {
+  return std::min(span_growth, allowed_factor(step, options)) * step.span;
 }
 
 }  // namespace transformesh

@@ -26,6 +26,11 @@ double largest_share(std::span<const Vec3> vectors, std::span<const double> scal
 TrialStep chosen_step(const Integration& integration, const TimeOptions& options, double remaining,
                       double longest, std::span<const double> edge_means);
 
+/// Returns the longest span to try after this step, if the error or an implicit integrator limits
+/// spans. At this span the movement and the error are expected a little below their limits. The
+/// span grows by at most half.
+double next_span(const TrialStep& step, const TimeOptions& options);
+
 /// Returns the step over a given span.
 TrialStep step_over(const Integration& integration, double span,
                     std::span<const double> edge_means);

@@ -86,24 +86,24 @@ void remove_volume_rates(const Mesh& mesh, std::vector<Vec3>& velocities) {
   volumes.add(factors, normals, velocities);
 }
 
-/// Newton's method for one distance per component: the volume is a cubic polynomial of it.
-void restore_volumes(const Mesh& mesh, std::vector<Vec3>& displacements) {
+/// Newton's method for one factor per component: the volume is a cubic polynomial of it.
+void restore_volumes(const Mesh& mesh, const std::vector<Vec3>& directions,
+                     std::vector<Vec3>& displacements) {
   // If the volume is off by a tenth, four steps converge to rounding; long spans may need more.
   constexpr int most_steps = 8;
   const ComponentVolumes volumes(mesh);
-  const std::vector<Vec3> normals = vertex_normals(mesh);
-  const std::vector<double> wanted = volumes.at(mesh.positions, normals).value;
+  const std::vector<double> wanted = volumes.at(mesh.positions, directions).value;
   for (int step = 0; step < most_steps; ++step) {
-    const Volumes now = volumes.at(sum_of(mesh.positions, displacements), normals);
-    std::vector<double> distances(volumes.count(), 0);
+    const Volumes now = volumes.at(sum_of(mesh.positions, displacements), directions);
+    std::vector<double> factors(volumes.count(), 0);
     bool is_done = true;
-    for (std::size_t part = 0; part < distances.size(); ++part) {
+    for (std::size_t part = 0; part < factors.size(); ++part) {
       if (!(now.rate[part] > 0) || now.value[part] == wanted[part]) continue;
-      distances[part] = (wanted[part] - now.value[part]) / now.rate[part];
+      factors[part] = (wanted[part] - now.value[part]) / now.rate[part];
       is_done = false;
     }
     if (is_done) return;
-    volumes.add(distances, normals, displacements);
+    volumes.add(factors, directions, displacements);
   }
 }
 

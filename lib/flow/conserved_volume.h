@@ -1,4 +1,4 @@
-/// Corrections along the vertex normals that keep the volume of each component of a closed mesh.
+/// Corrections that keep the volume of each component of a closed mesh.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,10 @@ void require_volume(const Mesh& mesh);
 /// derivative of the volume of each component is zero.
 void remove_volume_rates(const Mesh& mesh, std::vector<Vec3>& velocities);
 
-/// Adds to the displacements a motion along the normals, of one distance per component, after which
-/// each component has its volume again, up to rounding.
-void restore_volumes(const Mesh& mesh, std::vector<Vec3>& displacements);
+/// Adds to the displacements the directions times one factor per component, after which each
+/// component has its volume again, up to rounding. A component whose volume does not grow along the
+/// directions, as if it is inside out, stays as it is.
+void restore_volumes(const Mesh& mesh, const std::vector<Vec3>& directions,
+                     std::vector<Vec3>& displacements);
 
 }  // namespace transformesh

@@ -1,6 +1,6 @@
 /// Flows whose velocity follows from the curvature of the surface. Steps are semi-implicit, stable
-/// for any span, and of second order in the span by Richardson extrapolation. H is the sum of the
-/// principal curvatures, and N is the normal.
+/// for any span, and of second order in the span. H is the sum of the principal curvatures, and N
+/// is the normal.
 ///
 ///     mean-curvature              -H N; a sphere has r(t)^2 = r(0)^2 - 4 t
 ///     volume-preserving-curvature (mean of H - H) N, for each component
@@ -8,10 +8,13 @@
 ///
 /// Borders do not move. A component that would vanish within the span becomes tiny, and its
 /// orientation may be reversed.
-/// Reference for the step of mean-curvature flow: Desbrun, Meyer, Schroeder & Barr, "Implicit
-/// fairing of irregular meshes using diffusion and curvature flow", SIGGRAPH 1999. For the
-/// extrapolation: Hairer, Norsett & Wanner, "Solving ordinary differential equations I", 1993,
-/// section II.9.
+/// A step follows linear equations, with the cotangents, areas and normals of the surface in the
+/// middle of the span. Two shorter computations predict that surface. On a shrinking sphere of
+/// radius r the relative error of a short step is 0.4 (span / r^2)^3.
+/// Reference for linear equations of mean-curvature flow: Desbrun, Meyer, Schroeder & Barr,
+/// "Implicit fairing of irregular meshes using diffusion and curvature flow", SIGGRAPH 1999. For
+/// steps around the middle of a span: Hairer, Norsett & Wanner, "Solving ordinary differential
+/// equations I", 1993, section II.7.
 /// For constant volume: Huisken, "The volume preserving mean curvature flow", Journal fuer die
 /// reine und angewandte Mathematik 382, 1987. For curvature and velocity as separate unknowns:
 /// Baensch, Morin & Nochetto, "A finite element method for surface diffusion: the parametric case",

@@ -1,40 +1,19 @@
 #include "flow/diffusion_step.h"
 
-#include <Eigen/SparseCholesky>
-
-#include "transformesh/errors.h"
 #include "transformesh/measure.h"
 
 namespace transformesh {
-namespace {
-
-using Matrix = Eigen::SparseMatrix<double>;
-
-/// Solves a linear system for the columns of `right`. Throws GoalError if the result is not finite.
-template <class Right>
-Right solution(const Matrix& matrix, const Right& right) {
-  const Eigen::SimplicialLDLT<Matrix> factors(matrix);
-  if (factors.info() == Eigen::Success) {
-    Right result = factors.solve(right);
-    if (result.allFinite()) return result;
-  }
-  throw GoalError(
-      "the equations of the step have no solution in double precision: the span is too long, or "
-      "the coordinates are too small or too large");
-}
-
-}  // namespace
 
 DiffusionStep::DiffusionStep(const Mesh& mesh)
     : mesh_(mesh),
       laplacian_(cotangent_laplacian(mesh, CotangentBounds::each_triangle)),
-      row_of_(mesh.positions.size(), no_index) {
-  for (std::size_t v = 0; v < row_of_.size(); ++v) {
+      unknowns_{std::vector<Index>(mesh.positions.size(), no_index), {}} {
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const bool is_border = laplacian_.is_border[v] != 0;
     border_count_ += is_border;
     if (is_border || !(laplacian_.areas[v] > 0)) continue;
-    row_of_[v] = static_cast<Index>(vertex_of_.size());
-    vertex_of_.push_back(static_cast<Index>(v));
+    unknowns_.row_of[v] = static_cast<Index>(unknowns_.vertex_of.size());
+    unknowns_.vertex_of.push_back(static_cast<Index>(v));
   }
 }
 
@@ -42,79 +21,78 @@ DiffusionStep::DiffusionStep(const Mesh& mesh)
 DiffusionStep::Matrix DiffusionStep::stiffness() const {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * laplacian_.edges.size());
+  const std::vector<Index>& row_of = unknowns_.row_of;
   for (const auto& [from, to, weight] : laplacian_.edges) {
-    const auto a = static_cast<int>(row_of_[from]), b = static_cast<int>(row_of_[to]);
-    const bool is_a_free = row_of_[from] != no_index, is_b_free = row_of_[to] != no_index;
+    const auto a = static_cast<int>(row_of[from]), b = static_cast<int>(row_of[to]);
+    const bool is_a_free = row_of[from] != no_index, is_b_free = row_of[to] != no_index;
     if (is_a_free) entries.emplace_back(a, a, weight / 2);
     if (is_b_free) entries.emplace_back(b, b, weight / 2);
     if (!is_a_free || !is_b_free) continue;
     entries.emplace_back(a, b, -weight / 2);
     entries.emplace_back(b, a, -weight / 2);
   }
-  const auto size = static_cast<Eigen::Index>(vertex_of_.size());
+  const auto size = static_cast<Eigen::Index>(unknowns_.vertex_of.size());
   Matrix matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 
-std::vector<Vec3> DiffusionStep::second_order(double span) const {
-  std::vector<Vec3> result(mesh_.positions.size(), Vec3::Zero());
-  if (vertex_of_.empty()) return result;
-  // For the displacements d the equation is (M - span L) d = span L p.
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-  Rows right = Rows::Zero(static_cast<Eigen::Index>(vertex_of_.size()), 3);
-  for (const auto& [from, to, weight] : laplacian_.edges) {
-    const Vec3 pull = span * (weight / 2) * (mesh_.positions[to] - mesh_.positions[from]);
-    if (row_of_[from] != no_index) right.row(row_of_[from]) += pull.transpose();
-    if (row_of_[to] != no_index) right.row(row_of_[to]) -= pull.transpose();
-  }
-  Matrix matrix = span * stiffness();
-  for (std::size_t row = 0; row < vertex_of_.size(); ++row)
-    matrix.coeffRef(static_cast<int>(row), static_cast<int>(row)) +=
-        laplacian_.areas[vertex_of_[row]];
-  const Rows solved = solution(matrix, right);
-  for (std::size_t row = 0; row < vertex_of_.size(); ++row)
-    result[vertex_of_[row]] = solved.row(static_cast<Eigen::Index>(row));
-  return result;
+Eigen::VectorXd DiffusionStep::areas() const {
+  Eigen::VectorXd areas(static_cast<Eigen::Index>(unknowns_.vertex_of.size()));
+  for (Eigen::Index row = 0; row < areas.size(); ++row)
+    areas[row] = laplacian_.areas[unknowns_.vertex_of[static_cast<std::size_t>(row)]];
+  return areas;
 }
 
-std::vector<Vec3> DiffusionStep::curvature_vectors() const {
-  std::vector<Vec3> vectors(mesh_.positions.size(), Vec3::Zero());
+std::vector<Vec3> DiffusionStep::curvature_vectors(const std::vector<Vec3>& positions) const {
+  std::vector<Vec3> vectors(positions.size(), Vec3::Zero());
   for (const auto& [from, to, weight] : laplacian_.edges) {
-    const Vec3 pull = weight / 2 * (mesh_.positions[to] - mesh_.positions[from]);
+    const Vec3 pull = weight / 2 * (positions[to] - positions[from]);
     vectors[from] += pull;
     vectors[to] -= pull;
   }
-  for (std::size_t v = 0; v < vectors.size(); ++v)
-    vectors[v] = row_of_[v] == no_index ? Vec3::Zero() : Vec3(vectors[v] / laplacian_.areas[v]);
+  for (std::size_t v = 0; v < vectors.size(); ++v) {
+    const bool is_fixed = unknowns_.row_of[v] == no_index;
+    vectors[v] = is_fixed ? Vec3::Zero() : Vec3(vectors[v] / laplacian_.areas[v]);
+  }
   return vectors;
 }
 
+Relaxation DiffusionStep::second_order(double span) const {
+  return {unknowns_, areas(), stiffness(), span};
+}
+
 Eigen::VectorXd DiffusionStep::curvature_sums() const {
-  const std::vector<Vec3> vectors = curvature_vectors();
+  const std::vector<Vec3> vectors = curvature_vectors(mesh_.positions);
   const std::vector<Vec3> normals = vertex_normals(mesh_);
-  Eigen::VectorXd sums(static_cast<Eigen::Index>(vertex_of_.size()));
-  for (std::size_t row = 0; row < vertex_of_.size(); ++row) {
-    const Index v = vertex_of_[row];
-    sums[static_cast<Eigen::Index>(row)] = -vectors[v].dot(normals[v]);
+  Eigen::VectorXd sums(static_cast<Eigen::Index>(unknowns_.vertex_of.size()));
+  for (Eigen::Index row = 0; row < sums.size(); ++row) {
+    const Index v = unknowns_.vertex_of[static_cast<std::size_t>(row)];
+    sums[row] = -vectors[v].dot(normals[v]);
   }
   return sums;
 }
 
-std::vector<double> DiffusionStep::fourth_order(double span) const {
+std::vector<double> DiffusionStep::diffusion_speeds(const std::vector<double>& offsets) const {
   std::vector<double> result(mesh_.positions.size(), 0);
-  if (vertex_of_.empty()) return result;
-  Eigen::VectorXd areas(static_cast<Eigen::Index>(vertex_of_.size()));
-  for (std::size_t row = 0; row < vertex_of_.size(); ++row)
-    areas[static_cast<Eigen::Index>(row)] = laplacian_.areas[vertex_of_[row]];
+  const std::vector<Index>& vertices = unknowns_.vertex_of;
+  if (vertices.empty()) return result;
   const Matrix laplacian = stiffness();
-  const Eigen::VectorXd right = -(laplacian * curvature_sums());
-  Matrix matrix = span * (laplacian * areas.cwiseInverse().asDiagonal() * laplacian);
-  for (int row = 0; row < areas.size(); ++row) matrix.coeffRef(row, row) += areas[row];
-  const Eigen::VectorXd solved = solution(matrix, right);
-  for (std::size_t row = 0; row < vertex_of_.size(); ++row)
-    result[vertex_of_[row]] = solved[static_cast<Eigen::Index>(row)];
+  const Eigen::VectorXd masses = areas();
+  Eigen::VectorXd moved(masses.size());
+  for (Eigen::Index row = 0; row < moved.size(); ++row)
+    moved[row] = offsets[vertices[static_cast<std::size_t>(row)]];
+  const Eigen::VectorXd sums = curvature_sums() - (laplacian * moved).cwiseQuotient(masses);
+  const Eigen::VectorXd speeds = -(laplacian * sums).cwiseQuotient(masses);
+  for (Eigen::Index row = 0; row < speeds.size(); ++row)
+    result[vertices[static_cast<std::size_t>(row)]] = speeds[row];
   return result;
+}
+
+Relaxation DiffusionStep::fourth_order(double span) const {
+  const Matrix laplacian = stiffness();
+  const Eigen::VectorXd masses = areas();
+  return {unknowns_, masses, laplacian * masses.cwiseInverse().asDiagonal() * laplacian, span};
 }
 
 }  // namespace transformesh

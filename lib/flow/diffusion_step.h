@@ -1,43 +1,49 @@
-/// Implicit steps of diffusion on a surface, as sparse linear systems. Their matrices are symmetric
-/// and positive definite for any span, and are factorized without pivoting: deterministic.
+/// Equations of diffusion on a surface: mean-curvature flow and surface diffusion, linear in the
+/// movement of the vertices while the cotangents, areas and normals of one mesh are kept.
 #pragma once
 
 #include <Eigen/Sparse>
 #include <vector>
 
+#include "flow/relaxation.h"
 #include "mesh/cotangent_laplacian.h"
 
 namespace transformesh {
 
 /// The equations of one mesh. Vertices on borders, or without area around them, are fixed; all
-/// others are unknowns.
+/// others are unknowns. In the formulas M is the diagonal matrix of vertex areas, and L the
+/// cotangent matrix without areas.
 class DiffusionStep {
  public:
   explicit DiffusionStep(const Mesh& mesh);
 
   std::size_t border_count() const { return border_count_; }
 
-  /// Returns at each vertex the inward normal times the sum of the principal curvatures; zero at
-  /// fixed vertices.
-  std::vector<Vec3> curvature_vectors() const;
-  /// Solves (M - span L) x = M p for the positions x after a step of mean-curvature flow. Here p
-  /// are the positions, M is the diagonal matrix of vertex areas, and L the cotangent matrix
-  /// without areas. Returns x - p.
-  std::vector<Vec3> second_order(double span) const;
-  /// Solves (M + span L inverse(M) L) v = L h for the speeds v of surface diffusion along the
-  /// normals, where h is the sum of the principal curvatures.
-  std::vector<double> fourth_order(double span) const;
+  /// Returns inverse(M) L p for these positions p. For the positions of the mesh, this is at each
+  /// vertex the inward normal times the sum of the principal curvatures. Zero at fixed vertices.
+  std::vector<Vec3> curvature_vectors(const std::vector<Vec3>& positions) const;
+  /// Returns the equations M y' = M b + L y of mean-curvature flow, where b are the curvature
+  /// vectors at the start of the span. Pre: the object outlives the result.
+  Relaxation second_order(double span) const;
+
+  /// Returns the speeds of surface diffusion along the normals, inverse(M) L h, for the surface
+  /// from which this mesh is at `offsets` along its normals. The sum of the principal curvatures
+  /// there is h = h0 + inverse(M) L offsets, where h0 is that of the mesh. Zero at fixed vertices.
+  std::vector<double> diffusion_speeds(const std::vector<double>& offsets) const;
+  /// Returns the equations M y' = M b - L inverse(M) L y of surface diffusion, where b are the
+  /// speeds at the start of the span. Pre: the object outlives the result.
+  Relaxation fourth_order(double span) const;
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
 
   Matrix stiffness() const;
+  Eigen::VectorXd areas() const;
   Eigen::VectorXd curvature_sums() const;
 
   const Mesh& mesh_;
   CotangentLaplacian laplacian_;
-  std::vector<Index> row_of_;     ///< per vertex; no_index if it is fixed
-  std::vector<Index> vertex_of_;  ///< per row
+  Unknowns unknowns_;
   std::size_t border_count_ = 0;
 };
 

@@ -135,6 +135,14 @@ Flow motion_of(const TimeChoices& choices, const std::function<std::size_t()>& i
   return {{velocity_through(choices.velocity, iteration)}, nullptr};
 }
 
+void check_integrator(const Flow& flow, const TimeChoices& choices, const Program& program) {
+  if (!flow.motion.displacement) return;
+  for (const char* name : {"integrator", "tolerance"})
+    if (program.options.find(name)->is_given)
+      throw UsageError("the flow '" + choices.flow + "' has implicit steps of its own, without --" +
+                       name + ": --max-move or --time-step limits their span");
+}
+
 void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
   const bool is_given = !choices.span.empty() && choices.span != "auto";
   if (is_given && result.max_move > 1) {

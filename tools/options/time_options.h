@@ -42,6 +42,9 @@ TimeOptions time_options_of(const TimeChoices& choices, Run& run);
 /// returns the number of the iteration, which is passed to commands as TM_ITERATION.
 Flow motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration);
 
+/// Throws UsageError if options of integrators are given for a flow that has its own.
+void check_integrator(const Flow& flow, const TimeChoices& choices, const Program& program);
+
 /// Prints notes about steps of a given span that moved vertices far, and about the volume that was
 /// not kept.
 void note_time(const TimeResult& result, const TimeChoices& choices, Run& run);

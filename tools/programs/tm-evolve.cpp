@@ -54,6 +54,7 @@ EvolveResult evolve_by_time(const tool::EvolveChoices& choices, Document& docume
                             tool::Run& run) {
   const EvolveOptions options = evolution_of(choices, run);
   const Flow flow = motion_of(choices.time, [&] { return record.iteration() + 1; });
+  check_integrator(flow, choices.time, run.program());
   LoopOptions loop = tool::loop_of(choices.loop, run);
   if (!run.program().options.find("iterations")->is_given) loop.iterations = SIZE_MAX;
   const TimeResult result =

@@ -6,11 +6,14 @@
 #include <numbers>
 
 #include "evolution/recorded_loops.h"
+#include "helpers/revolution_flow.h"
 #include "helpers/shapes.h"
 #include "helpers/temporary_folder.h"
 #include "transformesh/errors.h"
+#include "transformesh/flow.h"
 #include "transformesh/measure.h"
 #include "transformesh/mesh_io.h"
+#include "transformesh/shapes.h"
 #include "transformesh/velocity.h"
 
 using namespace transformesh;
@@ -51,7 +54,42 @@ Motion approaching() {
   }};
 }
 
+/// Returns the relative error of the volume after mean-curvature flow with default steps.
+double curvature_error(ShapeOptions shape, std::size_t faces, double end,
+                       const test::Profile& start) {
+  shape.faces = faces;
+  Mesh mesh = make_shape(shape);
+  evolve_in_time(mesh, make_flow("mean-curvature").motion, {.end = end}, unsmoothed());
+  test::RevolutionFlow exact(start);
+  exact.advance_to(end);
+  return volume(mesh) / exact.volume() - 1;
+}
+
 }  // namespace
+
+TEST_CASE("default steps take bodies of 5,000 faces within 1 % of the one-dimensional solver") {
+  const auto check = [](const ShapeOptions& shape, double end, const test::Profile& start) {
+    const double coarse = curvature_error(shape, 1250, end, start);
+    const double fine = curvature_error(shape, 5000, end, start);
+    MESSAGE(shape.kind, ": errors of the volume ", coarse, " ", fine);
+    CHECK(std::abs(fine) < 0.01);
+    CHECK(std::abs(fine) < 0.4 * std::abs(coarse));
+  };
+  ShapeOptions sphere, torus, dumbbell, ellipsoid;
+  sphere.kind = "sphere";
+  sphere.radius = 1;
+  check(sphere, 0.1875, test::ellipsoid_profile(1, 1, 201));
+  torus.kind = "torus";
+  torus.radius = 1;
+  torus.tube = 0.4;
+  check(torus, 0.06, test::torus_profile(1, 0.4, 200));
+  dumbbell.kind = "dumbbell";
+  dumbbell.neck = 0.25;
+  check(dumbbell, 0.04, test::dumbbell_profile(0.25, 201));
+  ellipsoid.kind = "ellipsoid";
+  ellipsoid.parameters = {"0.5", "0.5", "1"};
+  check(ellipsoid, 0.06, test::ellipsoid_profile(0.5, 1, 201));
+}
 
 TEST_CASE("a sphere that grows with unit speed has radius 1 + t at time t") {
   Mesh mesh = test::icosphere(4);
@@ -76,6 +114,21 @@ TEST_CASE("steps continue in time, and their stages lie within the step") {
   CHECK(last == doctest::Approx(1));
   // The mesh moved at the speed 2 t, hence by 1 from t = 0 to t = 1.
   CHECK(bounding_box(mesh).center().x() == doctest::Approx(1).epsilon(1e-3));
+}
+
+TEST_CASE("a motion with an integrator of its own is seldom evaluated in vain") {
+  Mesh mesh = test::icosphere(3);
+  std::size_t calls = 0;
+  Motion motion = growing(1);
+  motion.displacement = [&](const Mesh& now, const Moment& moment, const Progress&) {
+    ++calls;
+    return normal_velocities(now, moment.span);
+  };
+  const TimeResult result = evolve_in_time(mesh, motion, {.end = 1}, unsmoothed());
+  CHECK(result.evolution.iterations > 10);
+  // Two trials in vain find the span of the first step.
+  CHECK(calls <= result.evolution.iterations + 3);
+  CHECK(result.max_move <= 0.5);
 }
 
 TEST_CASE("the time at which two balls touch is found within the tolerance") {

@@ -62,6 +62,19 @@ TEST_CASE("a limit of the span holds for given spans as well") {
   CHECK(step_of(moving_at(1e-9), {.span = 0.5}, 1, 0.25).span == 0.25);
 }
 
+TEST_CASE("the next span is a little below the limits, and at most half as long again") {
+  const TimeOptions options{.integrator = Integrator::rk4, .max_move = 0.5, .tolerance = 1e-3};
+  const auto next = [&](double max_move, double error) {
+    return next_span({2, {{}, error}, max_move}, options);
+  };
+  CHECK(next(0, 0) == 3);
+  CHECK(next(0.1, 1e-6) == 3);
+  CHECK(next(0.5, 0) == doctest::Approx(1.8));
+  CHECK(next(0.6, 0) == doctest::Approx(1.5));
+  CHECK(next(0.1, 1e-3) == doctest::Approx(1.8));
+  CHECK(next(0.1, 8e-3) == doctest::Approx(0.9));  // the error grows with the third power
+}
+
 TEST_CASE("a motion that needs endless steps is refused") {
   CHECK_THROWS_AS(step_of(moving_at(1e14), {}, 1), GoalError);
 }

@@ -30,7 +30,7 @@ Value laplacian_at(const Mesh& mesh, Index v, const std::vector<Value>& f) {
 
 }  // namespace
 
-TEST_CASE("the implicit step solves its equation, also where neighbors are fixed") {
+TEST_CASE("curvature vectors apply the cotangents of the mesh to other positions") {
   // Half of a ball, stretched so that some angles are obtuse.
   Mesh mesh = test::icosphere(3);
   std::erase_if(mesh.faces, [&](const Face& face) {
@@ -40,22 +40,46 @@ TEST_CASE("the implicit step solves its equation, also where neighbors are fixed
   for (Vec3& p : mesh.positions) p.x() *= 3;
   const DiffusionStep step(mesh);
   CHECK(step.border_count() > 20);
-  const double span = 0.03;
-  const std::vector<Vec3> displacements = step.second_order(span);
-  std::vector<Vec3> ends = mesh.positions;
-  for (std::size_t v = 0; v < ends.size(); ++v) ends[v] += displacements[v];
   const CotangentLaplacian laplacian = cotangent_laplacian(mesh, CotangentBounds::each_triangle);
-  for (Index v = 0; v < ends.size(); ++v) {
-    if (laplacian.is_border[v] != 0 || laplacian.areas[v] == 0) {
-      CHECK(displacements[v] == Vec3::Zero());
-      continue;
-    }
-    const Vec3 right = span * laplacian_at(mesh, v, ends);
-    CHECK((laplacian.areas[v] * displacements[v] - right).norm() < 1e-13);
+  std::vector<Vec3> others = mesh.positions;
+  for (Vec3& p : others) p.z() += p.x() * p.y();
+  const std::vector<Vec3> vectors = step.curvature_vectors(others);
+  for (Index v = 0; v < others.size(); ++v) {
+    const bool is_fixed = laplacian.is_border[v] != 0 || laplacian.areas[v] == 0;
+    const Vec3 wanted = is_fixed ? Vec3::Zero() : laplacian_at(mesh, v, others);
+    CHECK((laplacian.areas[v] * vectors[v] - wanted).norm() < 1e-13);
   }
 }
 
-TEST_CASE("the speeds of surface diffusion solve their equation and sum up to no volume") {
+TEST_CASE("a short relaxation has the slopes and curvatures of its equations") {
+  // For y' = b + A y, y(t) = t b + t^2 / 2 A b up to third order in t.
+  Mesh mesh = test::icosphere(2);
+  for (Vec3& p : mesh.positions) p *= 1 + 0.1 * p.z() * p.z();
+  const DiffusionStep step(mesh);
+  const CotangentLaplacian laplacian = cotangent_laplacian(mesh, CotangentBounds::each_triangle);
+  const auto applied = [&](const std::vector<double>& f) {
+    std::vector<double> result(f.size());
+    for (Index v = 0; v < f.size(); ++v) result[v] = laplacian_at(mesh, v, f) / laplacian.areas[v];
+    return result;
+  };
+  std::vector<double> rates;
+  for (const Vec3& p : mesh.positions) rates.push_back(p.x() * p.y() + p.z());
+  const auto check = [&](const Relaxation& equations, double span,
+                         const std::vector<double>& curvature, double sign) {
+    const std::vector<double> result = equations.after(rates);
+    double worst = 0, largest = 0;
+    for (std::size_t v = 0; v < rates.size(); ++v) {
+      const double second = sign * span * span / 2 * curvature[v];
+      worst = std::max(worst, std::abs(result[v] - span * rates[v] - second));
+      largest = std::max(largest, std::abs(second));
+    }
+    CHECK(worst < 0.01 * largest);
+  };
+  check(step.second_order(2e-5), 2e-5, applied(rates), 1);
+  check(step.fourth_order(1e-8), 1e-8, applied(applied(rates)), -1);
+}
+
+TEST_CASE("speeds of surface diffusion sum up to no volume, and offsets shift the curvature") {
   Mesh mesh = test::icosphere(3);
   for (Vec3& p : mesh.positions) p *= 1 + 0.1 * p.z() * p.z();
   const DiffusionStep step(mesh);
@@ -65,33 +89,35 @@ TEST_CASE("the speeds of surface diffusion solve their equation and sum up to no
     for (std::size_t v = 0; v < speeds.size(); ++v) sum += laplacian.areas[v] * speeds[v];
     return sum;
   };
-  const std::vector<double> at_once = step.fourth_order(0);
-  CHECK(std::abs(sum_of(at_once)) < 1e-10);
-
-  // The speeds v satisfy (M + span L inverse(M) L) v = M v_0. M is the diagonal matrix of vertex
-  // areas, L is the Laplacian, and v_0 are the speeds for a span of 0.
-  const double span = 1e-3;
-  const std::vector<double> speeds = step.fourth_order(span);
+  const std::vector<double> none(mesh.positions.size(), 0);
+  const std::vector<double> speeds = step.diffusion_speeds(none);
   CHECK(std::abs(sum_of(speeds)) < 1e-10);
-  std::vector<double> inner(speeds.size());
-  for (Index v = 0; v < speeds.size(); ++v)
-    inner[v] = laplacian_at(mesh, v, speeds) / laplacian.areas[v];
-  double worst = 0, largest = 0;
-  for (Index v = 0; v < speeds.size(); ++v) {
-    const double left = laplacian.areas[v] * speeds[v] + span * laplacian_at(mesh, v, inner);
-    worst = std::max(worst, std::abs(left - laplacian.areas[v] * at_once[v]));
-    largest = std::max(largest, std::abs(laplacian.areas[v] * at_once[v]));
+  CHECK(std::abs(sum_of(step.fourth_order(1e-3).after(speeds))) < 1e-10);
+
+  std::vector<double> offsets;
+  for (const Vec3& p : mesh.positions) offsets.push_back(0.01 * p.x());
+  const std::vector<double> shifted = step.diffusion_speeds(offsets);
+  std::vector<double> inner(offsets.size());
+  for (Index v = 0; v < offsets.size(); ++v)
+    inner[v] = laplacian_at(mesh, v, offsets) / laplacian.areas[v];
+  for (Index v = 0; v < offsets.size(); ++v) {
+    const double wanted = laplacian_at(mesh, v, inner) / laplacian.areas[v];
+    CHECK(shifted[v] - speeds[v] == Approx(wanted).epsilon(1e-6).scale(0.01));
   }
-  CHECK(worst < 1e-8 * largest);
 }
 
 TEST_CASE("vertices without faces or area do not move") {
   Mesh mesh = test::cube();
   mesh.positions.emplace_back(9, 9, 9);
-  CHECK(DiffusionStep(mesh).second_order(0.1)[8] == Vec3::Zero());
+  const DiffusionStep cube(mesh);
+  CHECK(cube.curvature_vectors(mesh.positions)[8] == Vec3::Zero());
+  CHECK(cube.second_order(0.1).after(mesh.positions)[8] == Vec3::Zero());
   Mesh nothing;
   nothing.positions.assign(3, Vec3::Zero());
   nothing.faces = {{0, 1, 2}};
-  for (const Vec3& moved : DiffusionStep(nothing).second_order(1)) CHECK(moved == Vec3::Zero());
-  CHECK(DiffusionStep(nothing).fourth_order(1) == std::vector<double>(3, 0));
+  const DiffusionStep step(nothing);
+  const std::vector<double> ones(3, 1), zeros(3, 0);
+  CHECK(step.second_order(1).after(ones) == zeros);
+  CHECK(step.fourth_order(1).after(ones) == zeros);
+  CHECK(step.diffusion_speeds(ones) == zeros);
 }

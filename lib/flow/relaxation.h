@@ -1,0 +1,46 @@
+/// A step of the linear equations M y' = M b - K y from y = 0 with constant rates b. The mass
+/// matrix M is diagonal. The stiffness matrix K is symmetric and positive semidefinite. The method
+/// is the diagonally implicit Runge-Kutta method of two stages and order 2 that is L-stable: it
+/// damps what changes fast, however long the span is. Both stages share one sparse factorization
+/// without pivoting: deterministic. Reference: Alexander, "Diagonally implicit Runge-Kutta methods
+/// for stiff O.D.E.'s", SIAM Journal on Numerical Analysis 14, 1977.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <vector>
+
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+/// The unknowns of a system among the vertices of a mesh. All others are fixed.
+struct Unknowns {
+  std::vector<Index> row_of;     ///< per vertex; no_index if it is fixed
+  std::vector<Index> vertex_of;  ///< per row
+};
+
+class Relaxation {
+ public:
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
+
+  /// Factorizes the equations. Pre: `unknowns` outlives the object. Throws GoalError if they have
+  /// no solution in double precision.
+  Relaxation(const Unknowns& unknowns, Eigen::VectorXd masses, const Matrix& stiffness,
+             double span);
+
+  /// Return y after the span for the rates b, both per vertex; zero at fixed vertices. Throw
+  /// GoalError if the result is not finite.
+  std::vector<Vec3> after(const std::vector<Vec3>& rates) const;
+  std::vector<double> after(const std::vector<double>& rates) const;
+
+ private:
+  Rows solved(const Rows& rates) const;
+
+  const Unknowns& unknowns_;
+  Eigen::VectorXd masses_;
+  double span_;
+  Eigen::SimplicialLDLT<Matrix> factors_;
+};
+
+}  // namespace transformesh
