@@ -253,9 +253,7 @@ class OutlineTriangulation {
 
 PlanarTriangles triangulate_outline(std::span<const Eigen::Vector2d> points,
                                     std::span<const std::uint32_t> outline) {
-  std::vector<std::size_t> next(outline.size());
-  for (std::size_t i = 0; i < next.size(); ++i) next[i] = i + 1 < next.size() ? i + 1 : 0;
-  return OutlineTriangulation(points, outline, next).run();
+  return triangulate_outlines(points, {{outline.begin(), outline.end()}});
 }
 
 PlanarTriangles triangulate_outlines(std::span<const Eigen::Vector2d> points,

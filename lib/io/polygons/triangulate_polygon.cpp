@@ -1,7 +1,5 @@
 #include "io/polygons/triangulate_polygon.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/numbers/predicates.h"
 #include "io/polygons/remaining_corners.h"
 
 namespace transformesh {
@@ -66,8 +65,7 @@ std::vector<Projection> other_projections(const Vec3& normal, Eigen::Index neare
 }
 
 int orientation(const Point& a, const Point& b, const Point& c) {
-  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  return CGAL::orientation(Exact(a[0], a[1]), Exact(b[0], b[1]), Exact(c[0], c[1]));
+  return orient2d({a[0], a[1], 0}, {b[0], b[1], 0}, {c[0], c[1], 0}, {0, 1});
 }
 
 /// Decides whether the fan from the first corner has triangles of one orientation in a projection,
@@ -82,7 +80,7 @@ class FanCheck {
       const Point corner = projected_(positions_[i]);
       const Point before = projected_(positions_[i - 1]);
       const bool has_area = i == 1 || orientation(apex_, before, corner) != 0 ||
-                            !is_collinear(positions_[0], positions_[i - 1], positions_[i]);
+                            !collinear(positions_[0], positions_[i - 1], positions_[i]);
       if (!has_area || (corner != apex_ && !turns_to(corner))) return false;
     }
     return sign_ != 0;
