@@ -67,7 +67,7 @@ MeshPointer make_hull(const Path& cameras, const Path& silhouettes, int resoluti
   options.resolution = resolution;
   options.edge = edge;
   options.keep = share_of(keep);
-  if (!box.is_none()) options.box = box_of(box);
+  options.box = optional_box(box);
   const CheckedViews checked =
       checked_views({cameras.string(), "", silhouettes.string(), mirror},
                     ViewCheckOptions{least_agreement, drop_bad_views}, progress);
@@ -75,9 +75,7 @@ MeshPointer make_hull(const Path& cameras, const Path& silhouettes, int resoluti
       progress, [&](const Progress& to) { return visual_hull(checked.views, options, to); });
   Entries report = entries_of(checked.check, checked.views.size());
   append(report, {{"cell", result.cell}, {"dropped_components", result.dropped_components}});
-  Document document;
-  document.mesh = std::move(result.mesh);
-  return mesh_of(std::move(document), report);
+  return mesh_of(std::move(result.mesh), report);
 }
 
 // --- reconstruct ---------------------------------------------------------------------------------
@@ -150,7 +148,7 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
   if (is_exact) check = {least_agreement, drop_bad_views};
   CheckedViews checked =
       checked_views({cameras.string(), images.string(), silhouettes.string(), mirror}, check,
-                    progress, box.is_none() ? std::nullopt : std::optional(box_of(box)));
+                    progress, optional_box(box));
   Document document = start ? (*start)->document : Document();
   const ReconstructionResult result = without_lock(progress, [&](const Progress& to) {
     Record record;
