@@ -253,7 +253,9 @@ class OutlineTriangulation {
 
 PlanarTriangles triangulate_outline(std::span<const Eigen::Vector2d> points,
                                     std::span<const std::uint32_t> outline) {
-  return triangulate_outlines(points, {{outline.begin(), outline.end()}});
+  std::vector<std::size_t> next(outline.size());
+  for (std::size_t i = 0; i < next.size(); ++i) next[i] = i + 1 < next.size() ? i + 1 : 0;
+  return OutlineTriangulation(points, outline, next).run();
 }
 
 PlanarTriangles triangulate_outlines(std::span<const Eigen::Vector2d> points,

@@ -1,5 +1,7 @@
 #include "io/polygons/triangulate_polygon.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -65,7 +67,8 @@ std::vector<Projection> other_projections(const Vec3& normal, Eigen::Index neare
 }
 
 int orientation(const Point& a, const Point& b, const Point& c) {
-  return orient2d({a[0], a[1], 0}, {b[0], b[1], 0}, {c[0], c[1], 0}, {0, 1});
+  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  return CGAL::orientation(Exact(a[0], a[1]), Exact(b[0], b[1]), Exact(c[0], c[1]));
 }
 
 /// Decides whether the fan from the first corner has triangles of one orientation in a projection,
