@@ -19,9 +19,15 @@ std::vector<double> numbers_of(const py::handle& value, std::size_t count,
 
 Vec3 vector_of(const std::vector<double>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-Box box_of(const py::handle& value) {
+std::optional<Vec3> optional_vector(const py::handle& value, const std::string& name) {
+  if (value.is_none()) return std::nullopt;
+  return vector_of(numbers_of(value, 3, name));
+}
+
+std::optional<Box> optional_box(const py::handle& value) {
+  if (value.is_none()) return std::nullopt;
   const std::vector<double> corners = numbers_of(value, 6, "box");
-  return {vector_of(corners), vector_of({corners.begin() + 3, corners.end()})};
+  return Box{vector_of(corners), vector_of({corners.begin() + 3, corners.end()})};
 }
 
 std::size_t choice(const std::string& name, const std::string& word,
@@ -65,14 +71,14 @@ void warn(const std::vector<std::string>& notes) {
     if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
 }
 
-std::size_t join_places(Mesh& mesh) {
+Entries join_places(Mesh& mesh) {
   const StitchResult result = join_soup(mesh);
   if (result.joined_vertices > 0)
     warn({counted(result.joined_vertices, "vertex") +
           " joined with others in the same place, as stitch() does"});
   if (result.dropped_faces > 0)
     warn({counted(result.dropped_faces, "face") + " with two corners in one place dropped"});
-  return result.joined_vertices;
+  return {{"joined_vertices", result.joined_vertices}};
 }
 
 }  // namespace transformesh::python

@@ -18,8 +18,10 @@ namespace transformesh::python {
 /// Returns the numbers of a scalar, sequence or array of any shape. Their number must be `count`.
 std::vector<double> numbers_of(const py::handle& value, std::size_t count, const std::string& name);
 Vec3 vector_of(const std::vector<double>& numbers);
-/// Returns the box between two corners.
-Box box_of(const py::handle& value);
+/// Returns the vector of three numbers, or nothing for None.
+std::optional<Vec3> optional_vector(const py::handle& value, const std::string& name);
+/// Returns the box between two corners, or nothing for None.
+std::optional<Box> optional_box(const py::handle& value);
 
 /// Returns the index of `word` in `words`.
 std::size_t choice(const std::string& name, const std::string& word,
@@ -36,8 +38,8 @@ KeepOutOptions keep_out_of(const std::optional<MeshPointer>& surface,
 /// Issues Python warnings for notes that a program would print on stderr.
 void warn(const std::vector<std::string>& notes);
 
-/// Merges equal positions of a soup (join_soup.h) and issues a warning. Returns the number of
-/// vertices that were merged.
-std::size_t join_places(Mesh& mesh);
+/// Merges equal positions of a soup (join_soup.h) and issues a warning. Returns the entry of the
+/// report with the number of vertices that were merged.
+Entries join_places(Mesh& mesh);
 
 }  // namespace transformesh::python

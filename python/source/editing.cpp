@@ -24,7 +24,7 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
                       const std::optional<PythonLength>& max_diameter, bool refine, bool fair,
                       bool allow_self_intersections, const py::object& progress) {
   Document document = mesh.document;
-  const std::size_t joined = join_places(document.mesh);
+  Entries report = join_places(document.mesh);
   FillOptions options;
   if (max_edges && *max_edges < 3) throw UsageError("max_edges: a hole has at least 3");
   options.max_edges = max_edges.value_or(options.max_edges);
@@ -35,7 +35,6 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
   options.coordinate = document.style.coordinate;
   const FillResult result = without_lock(
       progress, [&](const Progress& to) { return fill_holes(document.mesh, options, to); });
-  Entries report{{"joined_vertices", joined}};
   append(report, entries_of(result));
   return mesh_of(std::move(document), report);
 }
@@ -45,13 +44,13 @@ MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& 
 MeshPointer remove_handles_of(const PythonMesh& mesh, const PythonLength& max_length,
                               const py::object& progress) {
   Document document = mesh.document;
-  const std::size_t joined = join_places(document.mesh);
+  Entries report = join_places(document.mesh);
   HandleOptions options;
   options.max_length = Lengths(document)(max_length);
   options.coordinate = document.style.coordinate;
   const HandleResult result = without_lock(
       progress, [&](const Progress& to) { return remove_handles(document.mesh, options, to); });
-  Entries report{{"joined_vertices", joined}, {"max_length", options.max_length}};
+  report.emplace_back("max_length", options.max_length);
   append(report, entries_of(result));
   report.emplace_back("genus", connected_components(document.mesh).genus());
   return mesh_of(std::move(document), report);
@@ -125,8 +124,6 @@ MeshPointer align_mesh(const PythonMesh& mesh, const PythonMesh& reference, std:
 
 // --- select, split -------------------------------------------------------------------------------
 
-using Numbers = std::optional<std::vector<double>>;
-
 /// Sets the selection from a condition as text, or from a boolean per face.
 void set_where(const py::object& where, SelectionOptions& options) {
   if (py::isinstance<py::str>(where)) {
@@ -147,8 +144,8 @@ MeshPointer select_faces_of(const PythonMesh& mesh, const std::optional<std::siz
   options.at_least = at_least;
   options.by = component_size_of(by);
   set_where(where, options);
-  if (!box.is_none()) options.box = box_of(box);
-  if (!around.is_none()) options.around = vector_of(numbers_of(around, 3, "around"));
+  options.box = optional_box(box);
+  options.around = optional_vector(around, "around");
   options.invert = invert;
   const SelectionResult result =
       without_lock(py::none(), [&](const Progress&) { return select(document.mesh, options); });

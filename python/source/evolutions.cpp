@@ -44,14 +44,11 @@ LoopOptions loop_of(std::size_t iterations, const py::object& on_iteration) {
 
 // --- evolve --------------------------------------------------------------------------------------
 
-/// Converts a Python function that receives the current mesh and returns (n, 3) velocities.
-Velocity velocity_of(const py::function& function) {
-  return [function](const Mesh& now, const Progress&) {
-    const py::gil_scoped_acquire locked;
-    Document document;
-    document.mesh = now;
-    return vectors_of(py::array::ensure(function(mesh_of(std::move(document)))), "the velocities");
-  };
+/// Calls a Python function with a mesh and further values, and returns its (n, 3) velocities.
+template <typename... Values>
+std::vector<Vec3> velocities_by(const py::function& function, const Mesh& now, Values... values) {
+  const py::gil_scoped_acquire locked;
+  return vectors_of(py::array::ensure(function(mesh_of(now), values...)), "the velocities");
 }
 
 UntilRule until_of(const std::variant<std::monostate, double, std::string>& until) {
@@ -72,7 +69,9 @@ MeshPointer evolve_mesh(const PythonMesh& mesh, const py::function& velocity,
   Document document = beginning(mesh);
   EvolveOptions options{iteration_of(min_edge, max_edge, smooth, document), until_of(until)};
   options.iteration.outermost = outermost;
-  const Step step = step_along(velocity_of(velocity), {time_step, alpha});
+  const Step step =
+      step_along([&](const Mesh& now, const Progress&) { return velocities_by(velocity, now); },
+                 {time_step, alpha});
   const LoopOptions loop = loop_of(iterations, on_iteration);
   const EvolveResult result = without_lock(progress, [&](const Progress& to) {
     Record record;
@@ -87,17 +86,6 @@ MeshPointer evolve_mesh(const PythonMesh& mesh, const py::function& velocity,
 }
 
 // --- evolve_in_time ------------------------------------------------------------------------------
-
-/// Converts a Python function that receives mesh and time of a stage and returns (n, 3) velocities.
-Motion motion_of(const py::function& function) {
-  return {[function](const Mesh& now, const Moment& moment, const Progress&) {
-    const py::gil_scoped_acquire locked;
-    Document document;
-    document.mesh = now;
-    return vectors_of(py::array::ensure(function(mesh_of(std::move(document)), moment.time)),
-                      "the velocities");
-  }};
-}
 
 py::dict volumes_of(const std::vector<LabeledVolume>& components) {
   py::dict volumes;
@@ -146,7 +134,9 @@ MeshPointer evolve_mesh_in_time(const PythonMesh& mesh, const py::function& velo
   options.iteration.remesh.curved = curved;
   if (curved) options.iteration.remesh.flip = FlipRule::angle;
   options.finds_events = events;
-  const Motion motion = motion_of(velocity);
+  const Motion motion{[&](const Mesh& now, const Moment& moment, const Progress&) {
+    return velocities_by(velocity, now, moment.time);
+  }};
   const LoopOptions loop = loop_of(std::numeric_limits<std::size_t>::max(), on_iteration);
   const TimeResult result = without_lock(progress, [&](const Progress& to) {
     Record record;
@@ -160,11 +150,9 @@ MeshPointer evolve_mesh_in_time(const PythonMesh& mesh, const py::function& velo
 // --- morph ---------------------------------------------------------------------------------------
 
 std::optional<MorphDistance> distance_of(const std::string& name) {
-  if (name == "auto") return std::nullopt;
-  if (name == "surface") return MorphDistance::surface;
-  if (name == "points") return MorphDistance::points;
-  if (name == "vertex") return MorphDistance::vertex;
-  throw UsageError("distance: '" + name + "' is none of auto, surface, points, vertex");
+  using enum MorphDistance;
+  const std::array<std::optional<MorphDistance>, 4> known{{{}, surface, points, vertex}};
+  return known[choice("distance", name, {"auto", "surface", "points", "vertex"})];
 }
 
 MeshPointer morph_mesh(const PythonMesh& source, const PythonMesh& target, std::size_t iterations,

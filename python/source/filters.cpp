@@ -37,7 +37,7 @@ MeshPointer clean_mesh(const PythonMesh& mesh, int winding_level, bool outermost
     options.method = ExteriorMethod::static_test;
   options.coordinate = document.style.coordinate;
   options.separate = Lengths(document)(separate_by);
-  if (!box.is_none()) options.box = box_of(box);
+  options.box = optional_box(box);
   options.only = only;
   options.sources = source        ? CleanSources::points
                     : source_face ? CleanSources::faces
@@ -79,8 +79,7 @@ MeshPointer cat(const py::args& meshes) {
   if (meshes.empty()) throw UsageError("cat: at least one mesh is needed");
   Document all = py::cast<const PythonMesh&>(meshes[0]).document;
   for (std::size_t i = 1; i < meshes.size(); ++i)
-    for (const std::string& note : append(all, py::cast<const PythonMesh&>(meshes[i]).document))
-      if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+    warn(append(all, py::cast<const PythonMesh&>(meshes[i]).document));
   return mesh_of(std::move(all));
 }
 
@@ -140,7 +139,7 @@ MeshPointer offset_mesh(const PythonMesh& mesh, const PythonLength& distance,
                         const std::optional<PythonLength>& edge, std::size_t iterations, bool miter,
                         const py::object& progress) {
   Document document = mesh.document;
-  const std::size_t joined = join_places(document.mesh);
+  Entries report = join_places(document.mesh);
   Lengths lengths(document);
   if (miter) {
     const double length = lengths(distance);
@@ -148,12 +147,12 @@ MeshPointer offset_mesh(const PythonMesh& mesh, const PythonLength& distance,
       offset_mitered(document.mesh, length, document.style.coordinate, to);
       return true;
     });
-    return mesh_of(std::move(document), Entries{{"joined_vertices", joined}});
+    return mesh_of(std::move(document), report);
   }
   const OffsetOptions options{lengths(distance), lengths(edge, 0), iterations};
   const OffsetResult result =
       without_lock(progress, [&](const Progress& to) { return offset(document, options, to); });
-  Entries report{{"joined_vertices", joined}, {"converged", result.is_done()}};
+  report.emplace_back("converged", result.is_done());
   append(report, entries_of(result));
   return mesh_of(std::move(document), report);
 }
@@ -164,24 +163,27 @@ MeshPointer shape(const std::string& kind, const py::args& parameters, const py:
   for (const py::handle& parameter : parameters) options.parameters.push_back(py::str(parameter));
   for (const auto& [key, value] : given) {
     const std::string name = py::str(key);
+    const auto set = [&value](auto& member) {
+      member = py::cast<std::decay_t<decltype(member)>>(value);
+    };
     if (name == "faces")
-      options.faces = py::cast<std::size_t>(value);
+      set(options.faces);
     else if (name == "edge")
-      options.edge = py::cast<double>(value);
+      set(options.edge);
     else if (name == "radius")
-      options.radius = py::cast<double>(value);
+      set(options.radius);
     else if (name == "tube")
-      options.tube = py::cast<double>(value);
+      set(options.tube);
     else if (name == "gap")
-      options.gap = py::cast<double>(value);
+      set(options.gap);
     else if (name == "neck")
-      options.neck = py::cast<double>(value);
+      set(options.neck);
     else if (name == "count")
-      options.count = py::cast<std::size_t>(value);
+      set(options.count);
     else if (name == "noise")
-      options.noise = py::cast<double>(value);
+      set(options.noise);
     else if (name == "seed")
-      options.seed = py::cast<std::uint64_t>(value);
+      set(options.seed);
     else if (name == "around")
       options.around = bounding_box(py::cast<const PythonMesh&>(value).document.mesh);
     else if (name == "of")
@@ -189,10 +191,8 @@ MeshPointer shape(const std::string& kind, const py::args& parameters, const py:
     else
       throw UsageError("shape: there is no '" + name + "'");
   }
-  Document document;
-  document.mesh =
-      without_lock(py::none(), [&](const Progress& to) { return make_shape(options, to); });
-  return mesh_of(std::move(document));
+  return mesh_of(
+      without_lock(py::none(), [&](const Progress& to) { return make_shape(options, to); }));
 }
 
 // --- intersect -----------------------------------------------------------------------------------

@@ -11,18 +11,13 @@
 namespace transformesh::python {
 namespace {
 
-std::optional<Vec3> vector_in(const py::object& value, const char* name) {
-  if (value.is_none()) return std::nullopt;
-  return vector_of(numbers_of(value, 3, name));
-}
-
 MeshPointer flow_of(const PythonMesh& mesh, const std::string& name, double time, double span,
                     double speed, const std::optional<double>& period, const py::object& center,
                     const py::object& direction, const std::optional<std::string>& column,
                     const std::string& grid, double grid_step, const py::object& progress) {
   Document document = mesh.document;
-  FlowOptions options{speed, period, vector_in(center, "center"), vector_in(direction, "direction"),
-                      column};
+  FlowOptions options{speed, period, optional_vector(center, "center"),
+                      optional_vector(direction, "direction"), column};
   Flow flow;
   const FlowSpeeds speeds = without_lock(progress, [&](const Progress& to) {
     options.grids = read_flow_grids(name, grid, grid_step);

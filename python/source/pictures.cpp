@@ -137,19 +137,15 @@ std::string viewer_page(const std::string& given) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::string text_of(const py::handle& path) {
-  return py::str(py::module_::import("os").attr("fspath")(path));
-}
-
 py::bytes report(const py::args& runs, std::size_t every, const std::string& title,
                  const std::string& color_by, const std::string& up, const py::object& viewer,
                  const py::object& progress) {
   std::vector<std::string> folders;
-  for (const py::handle& run : runs) folders.push_back(text_of(run));
+  for (const py::handle& run : runs) folders.push_back(path_text(run));
   if (folders.empty()) throw UsageError("report: the folder of a run is needed");
   if (every < 1) throw UsageError("every: from 1 on");
   axis_of(up);
-  const std::string around = viewer_page(viewer.is_none() ? "" : text_of(viewer));
+  const std::string around = viewer_page(viewer.is_none() ? "" : path_text(viewer));
   return without_lock(progress, [&](const Progress& to) {
     Page page = read_runs_page(folders, {every}, to);
     if (!color_by.empty() && !has_column(page, color_by))

@@ -30,7 +30,8 @@ void check_rows(const py::array& array, const std::string& name) {
 
 template <typename Number>
 std::vector<Vec3> read_vectors(const py::array& array) {
-  const auto rows = py::array_t<Number>(array).template unchecked<2>();
+  const py::array_t<Number> numbers(array);  // a converted copy must outlive `rows`
+  const auto rows = numbers.template unchecked<2>();
   std::vector<Vec3> vectors(static_cast<std::size_t>(rows.shape(0)));
   for (py::ssize_t i = 0; i < rows.shape(0); ++i)
     vectors[static_cast<std::size_t>(i)] = Vec3(rows(i, 0), rows(i, 1), rows(i, 2));
@@ -39,7 +40,8 @@ std::vector<Vec3> read_vectors(const py::array& array) {
 
 template <typename Number>
 std::vector<Face> read_faces(const py::array& array, std::size_t vertices) {
-  const auto rows = py::array_t<Number>(array).template unchecked<2>();
+  const py::array_t<Number> numbers(array);  // a converted copy must outlive `rows`
+  const auto rows = numbers.template unchecked<2>();
   std::vector<Face> faces(static_cast<std::size_t>(rows.shape(0)));
   for (py::ssize_t i = 0; i < rows.shape(0); ++i)
     for (py::ssize_t corner = 0; corner < 3; ++corner) {
@@ -109,10 +111,6 @@ MeshPointer parse(std::string_view bytes, const std::string& name, const ReadOpt
   return mesh_of(std::move(result.document));
 }
 
-std::string path_text(const py::object& path) {
-  return py::str(py::module_::import("os").attr("fspath")(path));
-}
-
 MeshPointer read(const py::object& path, bool strict) {
   const std::string name = path_text(path);
   const Bytes bytes = read_all(name);
@@ -163,6 +161,10 @@ void bind_files(py::module_& module) {
 
 }  // namespace
 
+std::string path_text(const py::handle& path) {
+  return py::str(py::module_::import("os").attr("fspath")(path));
+}
+
 std::vector<Vec3> vectors_of(const py::array& array, const std::string& name) {
   check_rows(array, name);
   return holds<float>(array) ? read_vectors<float>(array) : read_vectors<double>(array);
@@ -196,15 +198,20 @@ MeshPointer mesh_of(Document document, py::dict report) {
   return std::make_shared<PythonMesh>(PythonMesh{std::move(document), std::move(report)});
 }
 
-MeshPointer make_mesh(const py::object& positions, const py::object& faces) {
+MeshPointer mesh_of(Mesh mesh, const Entries& report) {
   Document document;
-  Mesh& mesh = document.mesh;
+  document.mesh = std::move(mesh);
+  return mesh_of(std::move(document), report);
+}
+
+MeshPointer make_mesh(const py::object& positions, const py::object& faces) {
+  Mesh mesh;
   mesh.positions = vectors_of(py::array::ensure(positions), "positions");
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     if (!mesh.positions[v].allFinite())
       throw InputError("vertex " + std::to_string(v) + " has a coordinate that is not finite");
   if (!faces.is_none()) mesh.faces = faces_of(py::array::ensure(faces), mesh.positions.size());
-  return mesh_of(std::move(document));
+  return mesh_of(std::move(mesh));
 }
 
 void bind_mesh(py::module_& module) {

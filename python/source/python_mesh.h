@@ -30,7 +30,10 @@ MeshPointer make_mesh(const py::object& positions, const py::object& faces);
 py::dict dict_of(const Entries& entries);
 MeshPointer mesh_of(Document document, py::dict report = {});
 MeshPointer mesh_of(Document document, const Entries& report);
+MeshPointer mesh_of(Mesh mesh, const Entries& report = {});
 
+/// Returns the text of a str or a path-like object.
+std::string path_text(const py::handle& path);
 /// Returns the rows of an array (n, 3). Throws InputError for other shapes.
 std::vector<Vec3> vectors_of(const py::array& array, const std::string& name);
 py::array array_of(const std::vector<Vec3>& vectors);

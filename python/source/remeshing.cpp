@@ -68,12 +68,6 @@ RemeshOptions remesh_options(const RemeshChoices& choices, Document& document) {
 
 // --- remesh --------------------------------------------------------------------------------------
 
-MeshPointer mesh_with_joins(Document document, std::size_t joined, const Entries& result) {
-  Entries report{{"joined_vertices", joined}};
-  append(report, result);
-  return mesh_of(std::move(document), report);
-}
-
 /// Returns the options of alignment. Throws if options are set that only remeshing has.
 AlignOptions align_options(const RemeshOptions& remesh, const RemeshChoices& choices) {
   const RemeshOptions usual;
@@ -111,7 +105,7 @@ MeshPointer remesh_mesh(
     const std::optional<MeshPointer>& align, const std::optional<MeshPointer>& keep_out,
     const std::optional<PythonLength>& gap, bool source, const py::object& progress) {
   Document document = mesh.document;
-  const std::size_t joined = join_places(document.mesh);
+  Entries report = join_places(document.mesh);
   const RemeshChoices choices{min_edge,   max_edge, adaptive, min_film, pinch,
                               size_field, smooth,   flip,     only,     curved};
   RemeshOptions options = remesh_options(choices, document);
@@ -130,13 +124,15 @@ MeshPointer remesh_mesh(
         return align_features(changed, target, aligning, to);
       });
     });
-    return mesh_with_joins(std::move(document), joined, entries_of(result));
+    append(report, entries_of(result));
+    return mesh_of(std::move(document), report);
   }
   const RemeshResult result = without_lock(progress, [&](const Progress& to) {
     return change_with_source_points(source, document.mesh,
                                      [&](Mesh& changed) { return remesh(changed, options, to); });
   });
-  return mesh_with_joins(std::move(document), joined, entries_of(result));
+  append(report, entries_of(result));
+  return mesh_of(std::move(document), report);
 }
 
 // --- decimate ------------------------------------------------------------------------------------
@@ -149,7 +145,7 @@ MeshPointer decimate_mesh(const PythonMesh& mesh, std::optional<std::size_t> fac
   if (!faces && !error) throw UsageError("give faces, error or both");
   if (faces == 0) throw UsageError("a closed surface has at least 4 faces; 0 are too few");
   Document document = mesh.document;
-  const std::size_t joined = join_places(document.mesh);
+  Entries report = join_places(document.mesh);
   Lengths lengths(document);
   DecimateOptions options{faces.value_or(0), feature_angle, keep_border, document.style.coordinate,
                           keep_out_of(keep_out, gap, lengths)};
@@ -158,7 +154,8 @@ MeshPointer decimate_mesh(const PythonMesh& mesh, std::optional<std::size_t> fac
     return change_with_source_points(source, document.mesh,
                                      [&](Mesh& changed) { return decimate(changed, options, to); });
   });
-  return mesh_with_joins(std::move(document), joined, entries_of(result));
+  append(report, entries_of(result));
+  return mesh_of(std::move(document), report);
 }
 
 }  // namespace

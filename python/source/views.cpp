@@ -67,7 +67,7 @@ MeshPointer make_hull(const Path& cameras, const Path& silhouettes, int resoluti
   options.resolution = resolution;
   options.edge = edge;
   options.keep = share_of(keep);
-  if (!box.is_none()) options.box = box_of(box);
+  options.box = optional_box(box);
   const CheckedViews checked =
       checked_views({cameras.string(), "", silhouettes.string(), mirror},
                     ViewCheckOptions{least_agreement, drop_bad_views}, progress);
@@ -75,9 +75,7 @@ MeshPointer make_hull(const Path& cameras, const Path& silhouettes, int resoluti
       progress, [&](const Progress& to) { return visual_hull(checked.views, options, to); });
   Entries report = entries_of(checked.check, checked.views.size());
   append(report, {{"cell", result.cell}, {"dropped_components", result.dropped_components}});
-  Document document;
-  document.mesh = std::move(result.mesh);
-  return mesh_of(std::move(document), report);
+  return mesh_of(std::move(result.mesh), report);
 }
 
 // --- reconstruct ---------------------------------------------------------------------------------
@@ -148,8 +146,7 @@ MeshPointer reconstruct_surface(
   if (is_exact) check = {least_agreement, drop_bad_views};
   ViewSources sources{cameras.string(), images.string(), silhouettes.string(), mirror};
   if (preview) sources.reduction = preview_reduction;
-  CheckedViews checked = checked_views(sources, check, progress,
-                                       box.is_none() ? std::nullopt : std::optional(box_of(box)));
+  CheckedViews checked = checked_views(sources, check, progress, optional_box(box));
   Document document = start ? (*start)->document : Document();
   const ReconstructionResult result = without_lock(progress, [&](const Progress& to) {
     Record record;

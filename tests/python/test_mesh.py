@@ -42,6 +42,13 @@ def test_faces_of_any_integers(dtype):
     assert tm.info(tm.Mesh(TETRAHEDRON, FACES.astype(dtype)))["closed"]
 
 
+def test_converted_arrays_are_read_from_the_copy():
+    ball = tm.shape("sphere", faces=20000)
+    mesh = tm.Mesh(np.round(1000 * ball.positions).astype(np.int32), ball.faces.astype(np.int16))
+    assert (mesh.faces == ball.faces).all()
+    assert (mesh.positions == np.round(1000 * ball.positions)).all()
+
+
 def test_arrays_of_any_layout():
     columns = np.asfortranarray(TETRAHEDRON)
     every_other = np.repeat(TETRAHEDRON, 2, axis=0)[::2]

@@ -101,7 +101,7 @@ def test_report(runs, tmp_path):
 
 
 def test_the_viewer_is_found_where_it_is_installed(runs):
-    if os.path.exists(os.path.join(BUILD, "share", "tm", "viewer.html")):
+    if os.path.exists(os.path.join(BUILD, "share", "transformesh", "viewer.html")):
         assert tm.report(runs / "one") == run("tm-report", runs / "one")
     else:
         with pytest.raises(tm.GoalError, match="scripts/setup --browser"):

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 
 #include "io/streams/atomic_file.h"
 #include "support/number.h"
@@ -63,15 +62,26 @@ void remove_views(const std::string& folder) {
   if (fs::is_empty(photographs, ignored)) fs::remove(photographs, ignored);
 }
 
+/// True for `.NAME.PROCESS-ATTEMPT.tmp`, as AtomicFile names temporary files.
+bool is_unfinished(const fs::path& file) {
+  const std::string name = file.stem().string();
+  const std::string numbers = file.stem().extension().string();
+  const std::size_t dash = std::min(numbers.find('-'), numbers.size());
+  const auto is_number = [](const std::string& text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  };
+  return file.extension() == ".tmp" && name.starts_with('.') && numbers.size() + 2 <= name.size() &&
+         dash > 0 && dash < numbers.size() && is_number(numbers.substr(1, dash - 1)) &&
+         is_number(numbers.substr(dash + 1));
+}
+
 /// Removes the temporary files of a run that was killed while it was writing (atomic_file.h).
 void remove_unfinished_files(const std::string& folder) {
-  static const std::regex unfinished(R"(\..+\.[0-9]+-[0-9]+\.tmp)");
   std::error_code ignored;
   std::vector<fs::path> paths;
   for (auto entry = fs::recursive_directory_iterator(folder, ignored);
        entry != fs::recursive_directory_iterator(); entry.increment(ignored))
-    if (std::regex_match(entry->path().filename().string(), unfinished))
-      paths.push_back(entry->path());
+    if (is_unfinished(entry->path())) paths.push_back(entry->path());
   for (const fs::path& path : paths) fs::remove(path, ignored);
 }
 

@@ -1,10 +1,10 @@
 #include "io/polygons/remaining_corners.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "geometry/numbers/predicates.h"
 
 namespace transformesh {
 namespace {
@@ -91,7 +91,7 @@ void RemainingCorners::add(const CornerTriangle& triangle, std::size_t& kind) {
       vertices_[a] != vertices_[b] && vertices_[b] != vertices_[c] && vertices_[c] != vertices_[a];
   if (!is_triangle) return;
   triangles.push_back(triangle);
-  if (!is_collinear(positions_[a], positions_[b], positions_[c])) ++kind;
+  if (!collinear(positions_[a], positions_[b], positions_[c])) ++kind;
 }
 
 void RemainingCorners::cut(std::uint32_t corner, std::size_t& kind) {
@@ -108,11 +108,6 @@ double RemainingCorners::area(std::uint32_t corner) const {
   const Eigen::Vector2d a = points_[previous_[corner]] - points_[corner];
   const Eigen::Vector2d b = points_[next_[corner]] - points_[corner];
   return std::abs(a[0] * b[1] - a[1] * b[0]);
-}
-
-bool is_collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
-  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-  return CGAL::collinear(Point(a[0], a[1], a[2]), Point(b[0], b[1], b[2]), Point(c[0], c[1], c[2]));
 }
 
 }  // namespace transformesh

@@ -54,7 +54,4 @@ class RemainingCorners {
   std::uint32_t first_ = 0;  ///< index of a remaining corner
 };
 
-/// True if three points are collinear in space; exact.
-bool is_collinear(const Vec3& a, const Vec3& b, const Vec3& c);
-
 }  // namespace transformesh

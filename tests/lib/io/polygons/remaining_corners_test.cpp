@@ -63,12 +63,6 @@ TEST_CASE("the end of an edge with the smaller triangle is cut off") {
   CHECK(corners.triangles == std::vector<CornerTriangle>{{0, 1, 2}});
 }
 
-TEST_CASE("collinearity is exact") {
-  CHECK(is_collinear({0, 0, 0}, {1, 2, 3}, {3, 6, 9}));
-  CHECK(is_collinear({.5, .5, .5}, {.5, .5, .5}, {1, 2, 3}));
-  CHECK(!is_collinear({0, 0, 0}, {1, 2, 3}, {3, 6, std::nextafter(9.0, 10.0)}));
-}
-
 TEST_CASE("whatever is cut off, the triangles and the rest have the boundary of the polygon") {
   test::Random random(4);
   for (int round = 0; round < 50; ++round) {
