@@ -108,10 +108,9 @@ class GlbReader {
     const auto left_out = [&](std::size_t count, const std::string& what) {
       if (count > 0) note(counted(count, what) + " left out");
     };
-    left_out(losses_.line_primitives, "primitive of lines");
-    left_out(losses_.unread_attributes, "vertex attribute of an unsupported type");
-    left_out(losses_.unused_merges,
-             "mesh extension EXT_mesh_manifold that does not match its triangles");
+    left_out(losses_.line_primitives, "line primitive");
+    left_out(losses_.unread_attributes, "unsupported vertex attribute");
+    left_out(losses_.unused_merges, "mismatched EXT_mesh_manifold extension");
     left_out(file_.count("images"), "picture");
     left_out(file_.count("animations"), "animation");
     left_out(file_.count("skins"), "skin");

@@ -13,6 +13,7 @@ struct GltfNumbers {
   std::size_t width = 1;
   bool is_byte = false;      ///< stored as unsigned bytes
   bool is_floating = false;  ///< stored as floats
+  double one = 1;            ///< greatest stored value, for integers that are not normalized
 
   std::size_t size() const { return values.size() / width; }
 };

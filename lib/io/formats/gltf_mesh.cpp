@@ -135,16 +135,17 @@ class MeshReader {
     }
   }
 
-  /// Bytes stay bytes. If all vertices are opaque, there is no alpha column.
+  /// Bytes stay bytes. If all vertices are opaque, there is no alpha column. The standard requires
+  /// integer colors to be normalized; integers without that mark are read as if they had it.
   static void add_colors(const GltfNumbers& found, Columns& columns) {
     bool is_opaque = true;
     for (std::size_t i = 0; i < found.size() && found.width == 4; ++i)
-      is_opaque = is_opaque && found.values[4 * i + 3] == 1;
+      is_opaque = is_opaque && found.values[4 * i + 3] == found.one;
     const Scalar type = found.is_byte ? Scalar::uint8 : Scalar::float32;
     for (std::size_t c = 0; c < (is_opaque ? 3 : found.width); ++c) {
       Column& column = columns.get(color_channels[c], type, found.size());
       for (std::size_t i = 0; i < found.size(); ++i) {
-        const double value = found.values[i * found.width + c];
+        const double value = found.values[i * found.width + c] / found.one;
         column.values[i] = found.is_byte ? std::round(255 * value) : value;
       }
     }
