@@ -23,8 +23,8 @@ class ColorRows {
   void see_word(std::string_view word);
 
   /// Adds red green blue (alpha), or color_index if rows have only one number. Integers become
-  /// uchar (an index int) if they fit, then int, else double. Rows without a color get zeros; rows
-  /// without alpha are opaque.
+  /// uchar (an index int) if they fit, then int, else double. Rows without a color become
+  /// white, as in glTF and 3MF (of an index: 0); rows without alpha are opaque.
   void add_columns(std::size_t rows, Columns& columns);
   std::size_t missing_rows() const;
   std::size_t bad_rows() const { return bad_rows_; }
