@@ -89,7 +89,7 @@ class MeshReader {
     mesh_.positions.insert(mesh_.positions.end(), part.positions.begin(), part.positions.end());
   }
 
-  GltfNumbers numbers(const Json& attributes, const char* key, std::size_t most) {
+  GltfNumbers numbers(const Json& attributes, const std::string& key, std::size_t most) {
     const std::size_t accessor = file_.whole(attributes, key, "a primitive of " + name_);
     constexpr std::size_t bytes = 8;  // size of a double; bytes
     const Json& entry = file_.element("accessors", accessor);
@@ -102,7 +102,7 @@ class MeshReader {
     const std::size_t rows = part.positions.size();
     for (const auto& [key, value] : attributes.items()) {
       if (key == "POSITION") continue;
-      const GltfNumbers found = numbers(attributes, key.c_str(), rows);
+      const GltfNumbers found = numbers(attributes, key, rows);
       if (found.size() != rows)
         file_.fail("the attribute " + transformesh::quoted(key) + " of " + name_ + " has " +
                    counted(found.size(), "element") + ", but " + there_are(rows, "vertex"));

@@ -82,6 +82,19 @@ TEST_CASE("gltf: colors of integers that are not marked as normalized are read a
   CHECK(column(of_shorts.vertex_columns, "alpha").values[3] == 0.2);
 }
 
+TEST_CASE("gltf: names of attributes may have any bytes, which messages do not repeat") {
+  Json json = gltf_tetrahedron();
+  const auto numbers = add_accessor(json, Bytes().f32(1).f32(2).f32(3).f32(4), 4, 5126, "SCALAR");
+  const std::string name("_A\0B\x1b", 5);
+  Json& attributes = first_primitive(json)["attributes"];
+  attributes[name] = numbers;
+  const Columns columns = read(json).document.mesh.vertex_columns;
+  CHECK(column(columns, "a_b_").values == std::vector<double>{1, 2, 3, 4});
+  attributes[name] = "x";
+  CHECK(
+      contains(read_error(json.dump()), "'_A\\x00B\\x1b' of a primitive of mesh 0 is not a whole"));
+}
+
 TEST_CASE("gltf: materials color faces, and white stands for none") {
   Json json = gltf_tetrahedron();
   Json other = first_primitive(json);
