@@ -30,6 +30,9 @@ struct PictureOptions {
   int views = 1;   ///< >= 1
   int frames = 1;  ///< number of pictures in a movie in which the camera moves around once, >= 1
   int frame = 0;
+  /// Draws only this mesh. With Framing::place, the camera and the colors are those of all meshes,
+  /// so that the pictures of all meshes in turn are a film.
+  std::optional<std::size_t> only{};
   /// Mesh to frame in every panel instead, so that movies are steady.
   const Mesh* around = nullptr;
   ShadeOptions shade;  ///< the color scale is set by `range`, the floor by the meshes
