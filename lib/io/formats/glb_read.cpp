@@ -7,6 +7,7 @@
 #include "io/formats/glb.h"
 #include "io/formats/gltf_mesh.h"
 #include "io/formats/gltf_scene.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/surface_columns.h"
 #include "support/counted.h"
 
@@ -29,6 +30,7 @@ class GlbReader {
     const std::vector<GltfInstance> instances = gltf_instances(file_);
     for (const GltfInstance& instance : instances) add_instance(instance);
     Mesh& mesh = result_.document.mesh;
+    round_floats(mesh.vertex_columns);
     zero_values_not_finite(mesh.vertex_columns, source_, "vertex", "glb", result_.notes);
     drop_points_not_finite(mesh, 0, "glb", result_.notes);
     if (instances.size() > 1) note(counted(instances.size(), "mesh node") + " read as one mesh");
@@ -102,6 +104,13 @@ class GlbReader {
       const Vec3 unit = normal.stableNormalized();
       x->values[v] = unit.x(), y->values[v] = unit.y(), z->values[v] = unit.z();
     }
+  }
+
+  /// Normalized integers, turned normals and reversed texture coordinates are not floats yet.
+  static void round_floats(Columns& columns) {
+    for (Column& column : columns.columns)
+      if (column.type == Scalar::float32)
+        for (double& value : column.values) value = round_to_single(value);
   }
 
   void note_losses() {

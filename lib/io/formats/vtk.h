@@ -10,6 +10,10 @@ namespace transformesh {
 /// True if the first line is that of the format.
 bool is_vtk(std::string_view bytes);
 
+/// Begins text of another format with an empty line if its first comment reads like the first line
+/// of VTK.
+std::string unlike_vtk(std::string text);
+
 /// See read_mesh().
 ReadResult read_vtk(const Source& source);
 

@@ -77,9 +77,9 @@ TEST_CASE("gltf: colors of integers that are not marked as normalized are read a
   attributes["COLOR_0"] = add_accessor(json, shorts, 4, 5123, "VEC4");
   const Mesh of_shorts = read(json).document.mesh;
   CHECK(column(of_shorts.vertex_columns, "green").values ==
-        std::vector<double>{0.2, 0.2, 0.2, 0.2});
+        std::vector<double>{0.2F, 0.2F, 0.2F, 0.2F});
   CHECK(column(of_shorts.vertex_columns, "blue").values == std::vector<double>{1, 1, 1, 1});
-  CHECK(column(of_shorts.vertex_columns, "alpha").values[3] == 0.2);
+  CHECK(column(of_shorts.vertex_columns, "alpha").values[3] == 0.2F);
 }
 
 TEST_CASE("gltf: names of attributes may have any bytes, which messages do not repeat") {
