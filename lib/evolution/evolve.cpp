@@ -14,6 +14,7 @@
 #include "evolution/recorded_loops.h"
 #include "support/counted.h"
 #include "support/number.h"
+#include "support/percent.h"
 
 namespace transformesh {
 namespace {
@@ -89,7 +90,7 @@ std::string clamps_in_words(const EvolveResult& result, double alpha) {
   return "vertices moved less far than their velocities prescribe in " +
          std::to_string(result.clamped_iterations) + " of " +
          counted(result.iterations, "iteration") + ", at most " +
-         significant(100 * result.clamped_share, 2) + " % of them: clamped to " +
+         percent_text(result.clamped_share) + " % of them: clamped to " +
          shortest_text(alpha) + " of the mean edge";
 }
 

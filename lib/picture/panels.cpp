@@ -24,6 +24,11 @@ void check_meshes(std::span<const Mesh* const> meshes, const PictureOptions& opt
     throw InputError("the mesh to frame has no faces");
 }
 
+/// Returns the number of meshes that are drawn.
+std::size_t drawn(std::span<const Mesh* const> meshes, const PictureOptions& options) {
+  return options.only ? 1 : meshes.size();
+}
+
 void check_turn(const PictureOptions& options) {
   if (options.views < 1 || options.frames < 1)
     throw UsageError("a turn needs at least one view and one frame");
@@ -127,9 +132,10 @@ std::vector<Panel> lay_out(std::span<const Mesh* const> meshes, const PictureOpt
                            int strip) {
   check_meshes(meshes, options);
   check_turn(options);
-  std::vector<Panel> panels = divide(meshes.size(), options, strip);
+  std::vector<Panel> panels = divide(drawn(meshes, options), options, strip);
   const auto views = static_cast<std::size_t>(options.views);
-  for (std::size_t i = 0; i < panels.size(); ++i) panels[i].mesh = meshes[i / views];
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    panels[i].mesh = meshes[options.only ? *options.only : i / views];
 
   const std::vector<Aim> aims = find_aims(meshes, panels, options);
   for (std::size_t i = 0; i < panels.size(); ++i) {

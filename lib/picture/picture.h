@@ -30,6 +30,9 @@ struct PictureOptions {
   int views = 1;   ///< >= 1
   int frames = 1;  ///< number of pictures in a movie in which the camera moves around once, >= 1
   int frame = 0;
+  /// Draws only this mesh. With Framing::place, the camera and the colors are those of all meshes,
+  /// so that the pictures of all meshes in turn are a film.
+  std::optional<std::size_t> only{};
   /// If given, cameras are fitted to this mesh instead of the drawn meshes, for steady movies.
   const Mesh* around = nullptr;
   ShadeOptions shade;  ///< the color scale is set by `range`, the floor by the meshes

@@ -130,11 +130,13 @@ void Repair::join() {
   const bool needs_none =
       cracks.tolerance == 0 && !options.one_side && is_oriented_manifold(check_manifold(mesh));
   if (!needs_none) stitch(options);
+  if (steps_.mesh().faces.empty())
+    throw GoalError("no face has three different corners: the mesh cannot be a solid");
 }
 
 void Repair::fill() {
   const double diameter = small_hole * diagonal_of(bounding_box(steps_.mesh()));
-  steps_.fill(true, diameter);
+  if (diameter > 0) steps_.fill(true, diameter);
   steps_.fill(false, std::numeric_limits<double>::infinity());
 }
 

@@ -74,6 +74,23 @@ differ() {
   cmp one-005.png turn-005.png
 }
 
+@test "a film shows meshes one after the other, in the place of each among all" {
+  for x in 0 2 4; do
+    tm-shape box 1 2 3 --faces 100 --center $x,0,0 -o "$x.ply"
+  done
+  tm-render --size 60x40 --film 2 -o film.png --report report.json 0.ply 2.ply 4.ply
+  [ ! -e film.png ]
+  [ "$(echo film-*.png)" = "film-000.png film-001.png film-002.png" ]
+  grep -q '"frames": 3' report.json
+  tm-cat -o all.ply 0.ply 2.ply 4.ply
+  for number in 0 1 2; do
+    tm-render --size 60x40 --around all.ply "$((2 * number)).ply" | cmp - "film-00$number.png"
+  done
+  run --separate-stderr tm-render --film 2 --frames 3 -o a.png 0.ply
+  assert_status 2
+  [[ $stderr == *"--film has a picture of each mesh, and --frames a turn: give one of them" ]]
+}
+
 @test "movies are encoded by ffmpeg" {
   needs_command ffmpeg
   needs_command ffprobe
@@ -86,6 +103,11 @@ differ() {
       -show_entries stream=width,height,avg_frame_rate,nb_read_frames "turn.$ending")
     [ "$facts" = 60,40,25/1,5 ] || fail "$facts"
   done
+  # A film of 5 pictures lasts as long as it should.
+  tm-render --size 60x40 --film 2 -o film.mp4 box.ply box.ply box.ply box.ply box.ply
+  facts=$(ffprobe -v error -count_frames -of csv=p=0 \
+    -show_entries stream=avg_frame_rate,nb_read_frames:format=duration film.mp4 | tr '\n' ',')
+  [ "$facts" = 5/2,5,2.000000, ] || fail "$facts"
   # The decoded movie shows the drawn pictures, except for losses of the encoding.
   tm-render --size 60x40 --frames 5 -o turn.png box.ply
   ffmpeg -v error -i turn.mp4 -i turn-%03d.png -lavfi ssim=stats_file=log -f null -

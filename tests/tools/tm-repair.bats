@@ -187,6 +187,20 @@ cracked() {
   [ ! -e solid.ply ]
 }
 
+@test "a hole that no patch closes is refused, with advice that is true" {
+  # A flat triangle of four faces beside a solid: a patch of its border has one of its edges, or a face
+  # without area.
+  printf '%s\n' OFF '6 4 0' '9 0 0' '11 0 0' '9 2 0' '10 0 0' '10 1 0' '9 1 0' \
+    '3 0 3 5' '3 1 4 3' '3 2 5 4' '3 3 4 5' >sheet.off
+  tm-cat -q box.ply sheet.off -o in.ply
+  run --separate-stderr tm-repair in.ply -o out.ply
+  assert_status 4
+  [ ! -e out.ply ]
+  [[ $stderr == *"has only one face"*"no patch closes these holes: leave them open with --keep-open" ]]
+  tm-repair -q --keep-open in.ply -o out.ply
+  [ "$(tm-info -q --get components out.ply)" -eq 2 ]
+}
+
 @test "shards are dropped and counted" {
   tm-shape sphere --radius 1e-4 --center 4,0,0 --faces 100 | tm-cat box.ply - -o shard.ply
   # A solid with a small component is a solid.

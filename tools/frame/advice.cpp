@@ -11,6 +11,8 @@ namespace {
 using Kind = ErrorKind;
 
 constexpr std::array table{
+    Advice{Kind::not_closed, "keep-open",
+           "no patch closes these holes: leave them open with --keep-open"},
     Advice{Kind::not_closed, "", "close holes with tm-fill"},
     Advice{Kind::not_joined, "", "join them with tm-stitch"},
     Advice{Kind::not_oriented, "", "orient it with tm-stitch --orient"},
@@ -42,12 +44,12 @@ constexpr std::array table{
     Advice{Kind::no_positive_winding, "",
            "reverse a mesh that is inside out with tm-stitch --flip"},
     Advice{Kind::component_too_small, "min-edge", "use a smaller --min-edge"},
-    Advice{
-        Kind::thinner_than_rounding, "double",
-        "for a shape that is small or far from the origin, give --double or move it to the origin"},
+    Advice{Kind::thinner_than_rounding, "double",
+           "wrap a sheet with tm-sample and tm-wrap --method alpha; for a shape that is small or "
+           "far from the origin, give --double or move it to the origin"},
     Advice{Kind::thinner_than_rounding, "",
-           "for a shape that is small or far from the origin, run tm-convert --double first or "
-           "move it to the origin"},
+           "wrap a sheet with tm-sample and tm-wrap --method alpha; for a shape that is small or "
+           "far from the origin, run tm-convert --double first or move it to the origin"},
     Advice{Kind::float_rounding_failed, "double",
            "write doubles (--double), or merge close vertices there (tm-stitch --tolerance)"},
     Advice{Kind::float_rounding_failed, "",

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "frame/filter_process.h"
+#include "support/number.h"
 #include "transformesh/errors.h"
 
 namespace transformesh::tool {
@@ -18,9 +19,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t least_digits = 3;
 
 // x264 runs on one thread, because its output depends on the number of threads.
-const std::string read_pictures =
-    "ffmpeg -v error -y -f image2pipe -c:v png -framerate 25 -i - -threads 1 -fflags +bitexact "
-    "-flags:v +bitexact ";
+std::string read_pictures(double per_second) {
+  return "ffmpeg -v error -y -f image2pipe -c:v png -framerate " + significant(per_second, 9) +
+         " -i - -threads 1 -fflags +bitexact -flags:v +bitexact ";
+}
+
 const std::string write_mp4 = "-pix_fmt yuv420p -movflags +faststart -f mp4 /dev/stdout";
 const std::string write_gif =
     "-filter_complex 'split[a][b];[a]palettegen[p];[b][p]paletteuse' -loop 0 -f gif /dev/stdout";
@@ -61,10 +64,10 @@ void check_movie(int frames, int width, int height, bool is_transparent, const R
   const std::string& path = run.out().name();
   if (frames == 0 && is_movie(path))
     throw UsageError("--output: '" + path +
-                     "' is a movie: give the number of pictures with --frames");
+                     "' is a movie: give --film, or the number of pictures with --frames");
   if (frames > 0 && path == "-")
     throw UsageError(
-        "--frames needs a name: -o orbit.mp4 or orbit.gif for a movie, orbit.png for numbered "
+        "a movie needs a name: -o orbit.mp4 or orbit.gif for a movie, orbit.png for numbered "
         "pictures");
   if (!is_movie(path)) return;
   const bool is_mp4 = ending_of(path) == ".mp4";
@@ -79,7 +82,7 @@ void check_movie(int frames, int width, int height, bool is_transparent, const R
         "apt-get install ffmpeg), or write numbered pictures with -o NAME.png");
 }
 
-void write_frames(int frames, const DrawFrame& draw, Run& run) {
+void write_frames(int frames, double per_second, const DrawFrame& draw, Run& run) {
   const std::string& path = run.out().name();
   std::string pictures;
   for (int frame = 0; frame < frames; ++frame) {
@@ -93,7 +96,7 @@ void write_frames(int frames, const DrawFrame& draw, Run& run) {
   if (!is_movie(path)) return run.out().write_nothing();
   run.progress()("encode");
   const std::string& write = ending_of(path) == ".mp4" ? write_mp4 : write_gif;
-  run.out().set_bytes(run_filter(read_pictures + write, pictures, FilterOutput::file));
+  run.out().set_bytes(run_filter(read_pictures(per_second) + write, pictures, FilterOutput::file));
 }
 
 }  // namespace transformesh::tool

@@ -19,9 +19,9 @@ std::string ending_of(const std::string& path);
 /// GoalError if ffmpeg is needed but not installed.
 void check_movie(int frames, int width, int height, bool is_transparent, const Run& run);
 
-/// Draws all frames and writes them to -o: a movie of 25 frames per second, or files numbered from
-/// 0, such as orbit-000.png for orbit.png. Throws GoalError if ffmpeg fails, which prints the
-/// reason.
-void write_frames(int frames, const DrawFrame& draw, Run& run);
+/// Draws all frames and writes them to -o: a movie of that many frames per second, or files
+/// numbered from 0, such as orbit-000.png for orbit.png. Throws GoalError if ffmpeg fails, which
+/// prints the reason.
+void write_frames(int frames, double per_second, const DrawFrame& draw, Run& run);
 
 }  // namespace transformesh::tool

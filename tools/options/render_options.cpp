@@ -28,6 +28,10 @@ void declare_picture(Program& program, RenderOptions& options) {
   program.options.integer(
       "frames", &options.frames, 0, 10000,
       "write a movie of so many pictures, in which the eye goes around once; 0: none");
+  program.options.number(
+      "film", &options.film, 0, 86400,
+      "write a movie of so many seconds that shows the meshes one after the other, with "
+      "--frame place; 0: none");
   program.options.integer("columns", &options.columns, 0, 10000,
                           "panels in a row; 0 is all, with --views what fits best");
   program.options.text("color", &options.color, "COLOR",
@@ -61,7 +65,7 @@ PictureOptions picture_of(const RenderOptions& options) {
   std::tie(picture.orbit.azimuth_deg, picture.orbit.elevation_deg) = parse_orbit(options.orbit);
   picture.orbit.up = options.up == "x" ? Axis::x : options.up == "y" ? Axis::y : Axis::z;
   if (options.frame == "scale") picture.framing = Framing::scale;
-  if (options.frame == "place") picture.framing = Framing::place;
+  if (options.frame == "place" || options.film > 0) picture.framing = Framing::place;
   picture.columns = static_cast<int>(options.columns);
   picture.frames = std::max(options.frames, 1);
   if (!options.color.empty()) picture.shade.color.front = parse_color(options.color);

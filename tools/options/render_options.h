@@ -22,6 +22,7 @@ struct RenderOptions {
   std::vector<double> range;
   long columns = 0;
   int frames = 0;
+  double film = 0;  ///< seconds; 0 for none
   bool occlusion = false;
   PictureOptions picture;
 };

@@ -4,6 +4,7 @@
 
 #include "mesh/location_text.h"
 #include "support/number.h"
+#include "support/percent.h"
 
 namespace transformesh::tool {
 namespace {
@@ -75,7 +76,7 @@ std::string joined(const std::vector<std::string>& commands, const std::string& 
 void note_volume_loss(const RepairStep& step, double volume, const Run& run) {
   if (!(volume > 0 && -step.volume_change > large_share * volume)) return;
   const bool cleans = std::holds_alternative<CleanOptions>(step.operation);
-  run.note(command_of(step) + " removes " + significant(-100 * step.volume_change / volume, 2) +
+  run.note(command_of(step) + " removes " + percent_text(-step.volume_change / volume) +
            " % of the volume" + (cleans ? ", which counted overlaps once for each part" : "") +
            ", around " + rough_point_text(step.lost_share > 0 ? step.lost_place : step.place));
 }
@@ -91,7 +92,7 @@ void note_steps(const RepairResult& result, const Run& run) {
     run.note(line + change_text("area", step.area_change) +
              change_text("volume", step.volume_change));
     if (step.lost_share > large_share)
-      run.note(command_of(step) + " drops " + significant(100 * step.lost_share, 2) +
+      run.note(command_of(step) + " drops " + percent_text(step.lost_share) +
                " % of the area, most of it around " + rough_point_text(step.lost_place));
     note_volume_loss(step, volume, run);
     volume += step.volume_change;

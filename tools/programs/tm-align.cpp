@@ -1,7 +1,7 @@
 /// tm-align: moves a mesh onto a reference, by rigid registration.
 #include "frame/run.h"
 #include "io/matrix_file.h"
-#include "support/number.h"
+#include "support/percent.h"
 #include "transformesh/align.h"
 
 namespace {
@@ -26,7 +26,7 @@ void note_doubts(const RegistrationResult& result, tool::Run& run) {
     run.note("the mesh still moved after " + std::to_string(result.iterations) +
              " iterations; allow more with --iterations");
   if (result.overlap < low_overlap)
-    run.note("only " + significant(100 * result.overlap, 2) +
+    run.note("only " + percent_text(result.overlap) +
              " % of the mesh lie on the reference: the alignment may be wrong; turn the mesh "
              "closer to the reference with tm-transform, then align it again");
   if (result.stability < low_stability)

@@ -4,16 +4,24 @@
 #include "options/render_options.h"
 #include "picture/ambient_occlusion.h"
 #include "picture/line_drawing.h"
+#include "transformesh/errors.h"
 #include "transformesh/image.h"
 
 namespace {
 
 using namespace transformesh;
 
+/// Speed of a turn. Half of it does not look smooth, and twice as many pictures take twice the time
+/// to draw.
+constexpr double frames_per_second = 25;
+
 void render(const tool::RenderOptions& options, tool::Run& run) {
   PictureOptions picture = tool::picture_of(options);
   const bool is_lines = tool::draws_lines(run);
-  tool::check_movie(options.frames, picture.width, picture.height,
+  const bool is_film = options.film > 0;
+  if (is_film && options.frames > 0)
+    throw UsageError("--film has a picture of each mesh, and --frames a turn: give one of them");
+  tool::check_movie(is_film ? 1 : options.frames, picture.width, picture.height,
                     picture.shade.background.is_transparent, run);
 
   const Mesh around = options.around.empty() ? Mesh{} : run.in().read(options.around).mesh;
@@ -29,13 +37,17 @@ void render(const tool::RenderOptions& options, tool::Run& run) {
   run.report("meshes", meshes.size());
 
   const auto draw = [&](int frame, const Progress& progress) {
-    picture.frame = frame;
+    if (is_film)
+      picture.only = static_cast<std::size_t>(frame);
+    else
+      picture.frame = frame;
     return is_lines ? draw_lines(meshes, picture, progress)
                     : write_png(draw_picture(meshes, picture, progress));
   };
-  if (options.frames == 0) return run.out().set_bytes(draw(0, run.progress()));
+  const int frames = is_film ? static_cast<int>(meshes.size()) : options.frames;
+  if (frames == 0) return run.out().set_bytes(draw(0, run.progress()));
   const auto draw_frame = [&](int frame) { return draw(frame, {}); };
-  tool::write_frames(options.frames, draw_frame, run);
+  tool::write_frames(frames, is_film ? frames / options.film : frames_per_second, draw_frame, run);
 }
 
 }  // namespace

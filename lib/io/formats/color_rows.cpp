@@ -28,10 +28,11 @@ void ColorRows::add_columns(std::size_t rows, Columns& columns) {
     const Scalar index_type = type == Scalar::uint8 ? Scalar::int32 : type;
     return add_column("color_index", index_type, 0, 0, columns);
   }
-  add_column("red", type, 0, 0, columns);
-  add_column("green", type, 1, 0, columns);
-  add_column("blue", type, 2, 0, columns);
-  if (is_any(3)) add_column("alpha", type, 3, type == Scalar::float64 ? 1 : 255, columns);
+  const double full = type == Scalar::float64 ? 1 : 255;
+  add_column("red", type, 0, full, columns);
+  add_column("green", type, 1, full, columns);
+  add_column("blue", type, 2, full, columns);
+  if (is_any(3)) add_column("alpha", type, 3, full, columns);
 }
 
 std::size_t ColorRows::missing_rows() const {

@@ -25,7 +25,7 @@ class ColorRows {
 
   /// Adds red green blue (alpha), or color_index if rows have only one number. Integer channels
   /// become uchar if they fit, else int, else double; an index becomes int or double. Rows without
-  /// a color get zeros; rows without alpha are opaque.
+  /// a color become white, as in glTF and 3MF, or get index 0; rows without alpha are opaque.
   void add_columns(std::size_t rows, Columns& columns);
   std::size_t missing_rows() const;
   std::size_t bad_rows() const { return bad_rows_; }

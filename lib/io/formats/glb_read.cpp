@@ -7,6 +7,7 @@
 #include "io/formats/glb.h"
 #include "io/formats/gltf_mesh.h"
 #include "io/formats/gltf_scene.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/surface_columns.h"
 #include "support/counted.h"
 
@@ -29,6 +30,7 @@ class GlbReader {
     const std::vector<GltfInstance> instances = gltf_instances(file_);
     for (const GltfInstance& instance : instances) add_instance(instance);
     Mesh& mesh = result_.document.mesh;
+    round_floats(mesh.vertex_columns);
     zero_values_not_finite(mesh.vertex_columns, source_, "vertex", "glb", result_.notes);
     drop_points_not_finite(mesh, 0, "glb", result_.notes);
     if (instances.size() > 1) note(counted(instances.size(), "mesh node") + " read as one mesh");
@@ -104,14 +106,20 @@ class GlbReader {
     }
   }
 
+  /// Normalized integers, turned normals and reversed texture coordinates are not floats yet.
+  static void round_floats(Columns& columns) {
+    for (Column& column : columns.columns)
+      if (column.type == Scalar::float32)
+        for (double& value : column.values) value = round_to_single(value);
+  }
+
   void note_losses() {
     const auto left_out = [&](std::size_t count, const std::string& what) {
       if (count > 0) note(counted(count, what) + " left out");
     };
-    left_out(losses_.line_primitives, "primitive of lines");
-    left_out(losses_.unread_attributes, "vertex attribute of an unsupported type");
-    left_out(losses_.unused_merges,
-             "mesh extension EXT_mesh_manifold that does not match its triangles");
+    left_out(losses_.line_primitives, "line primitive");
+    left_out(losses_.unread_attributes, "unsupported vertex attribute");
+    left_out(losses_.unused_merges, "mismatched EXT_mesh_manifold extension");
     left_out(file_.count("images"), "picture");
     left_out(file_.count("animations"), "animation");
     left_out(file_.count("skins"), "skin");

@@ -59,6 +59,11 @@ class AccessorReader {
     is_normalized_ = normalized != entry_.end() && normalized->is_boolean() && *normalized;
     numbers_.is_byte = type_ == 5121;
     numbers_.is_floating = type_ == 5126;
+    with_component(type_, [&](auto zero) {
+      using T = decltype(zero);
+      if (std::is_integral_v<T> && !is_normalized_)
+        numbers_.one = static_cast<double>(std::numeric_limits<T>::max());
+    });
   }
 
   GltfNumbers read() {

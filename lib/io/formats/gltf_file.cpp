@@ -159,15 +159,15 @@ const GltfFile::Json& GltfFile::element(const char* array, std::size_t index) co
   return found;
 }
 
-std::size_t GltfFile::whole(const Json& object, const char* key, const std::string& what,
+std::size_t GltfFile::whole(const Json& object, const std::string& key, const std::string& what,
                             std::optional<std::size_t> fallback) const {
   const auto found = object.find(key);
   if (found == object.end()) {
     if (fallback) return *fallback;
-    fail(what + " has no " + key);
+    fail(what + " has no " + transformesh::quoted(key));
   }
   if (!found->is_number_unsigned())
-    fail(std::string(key) + " of " + what + " is not a whole number of 0 or more");
+    fail(transformesh::quoted(key) + " of " + what + " is not a whole number of 0 or more");
   return found->get<std::size_t>();
 }
 

@@ -33,7 +33,7 @@ class GltfFile {
   /// Returns a member that is a nonnegative integer, or `fallback` if it is missing. Throws
   /// InputError if the member is something else, or if it is missing and there is no fallback.
   /// `what` names the object in messages.
-  std::size_t whole(const Json& object, const char* key, const std::string& what,
+  std::size_t whole(const Json& object, const std::string& key, const std::string& what,
                     std::optional<std::size_t> fallback = {}) const;
   /// Returns the bytes of a buffer view. Throws InputError if the view exceeds its buffer.
   std::string_view view(std::size_t index) const;

@@ -90,7 +90,7 @@ class MeshReader {
     mesh_.positions.insert(mesh_.positions.end(), part.positions.begin(), part.positions.end());
   }
 
-  GltfNumbers numbers(const Json& attributes, const char* key, std::size_t most) {
+  GltfNumbers numbers(const Json& attributes, const std::string& key, std::size_t most) {
     const std::size_t accessor = file_.whole(attributes, key, "a primitive of " + name_);
     constexpr std::size_t bytes = 8;  // size of a double; bytes
     const Json& entry = file_.element("accessors", accessor);
@@ -103,7 +103,7 @@ class MeshReader {
     const std::size_t rows = part.positions.size();
     for (const auto& [key, value] : attributes.items()) {
       if (key == "POSITION") continue;
-      const GltfNumbers found = numbers(attributes, key.c_str(), rows);
+      const GltfNumbers found = numbers(attributes, key, rows);
       if (found.size() != rows)
         file_.fail("the attribute " + transformesh::quoted(key) + " of " + name_ + " has " +
                    counted(found.size(), "element") + ", but " + there_are(rows, "vertex"));
@@ -138,16 +138,17 @@ class MeshReader {
   }
 
   /// Colors that are stored as bytes stay bytes. If all vertices are opaque, no alpha column is
-  /// added.
+  /// added. The standard requires integer colors to be normalized; integer colors without that mark
+  /// are read as if they had it.
   static void add_colors(const GltfNumbers& found, Columns& columns) {
     bool is_opaque = true;
     for (std::size_t i = 0; i < found.size() && found.width == 4; ++i)
-      is_opaque = is_opaque && found.values[4 * i + 3] == 1;
+      is_opaque = is_opaque && found.values[4 * i + 3] == found.one;
     const Scalar type = found.is_byte ? Scalar::uint8 : Scalar::float32;
     for (std::size_t c = 0; c < (is_opaque ? 3 : found.width); ++c) {
       Column& column = columns.get(color_channels[c], type, found.size());
       for (std::size_t i = 0; i < found.size(); ++i) {
-        const double value = found.values[i * found.width + c];
+        const double value = found.values[i * found.width + c] / found.one;
         column.values[i] = found.is_byte ? std::round(255 * value) : value;
       }
     }

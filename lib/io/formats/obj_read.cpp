@@ -174,7 +174,7 @@ class ObjReader {
     colors_.add_columns(mesh().positions.size(), columns);
     if (colors_.missing_rows() > 0) {
       result_.notes.push_back("obj: " + counted(colors_.missing_rows(), "point") +
-                              " without a color made black");
+                              " without a color made white");
     }
     note_zeroed(colors_.bad_rows(), "color", "obj", result_.notes);
     const auto is_byte = [](double value) {

@@ -7,6 +7,7 @@
 #include "io/formats/column_groups.h"
 #include "io/formats/obj.h"
 #include "io/formats/obj_labels.h"
+#include "io/formats/vtk.h"
 #include "io/polygons/merge_polygons.h"
 #include "io/streams/text_buffer.h"
 #include "transformesh/mesh_io.h"
@@ -47,7 +48,7 @@ class ObjWriter {
     find_texture();
     find_labels();
     add_faces();
-    return {text_.take(), losses(document_, keeps_)};
+    return {unlike_vtk(text_.take()), losses(document_, keeps_)};
   }
 
  private:

@@ -222,7 +222,7 @@ class OffReader {
     std::vector<std::string>& notes = result_.notes;
     if (face_colors_.missing_rows() > 0) {
       notes.emplace_back("off: " + counted(face_colors_.missing_rows(), "face") +
-                         " without a color made black");
+                         " without a color made white");
     }
     if (strange_faces_ > 0) {
       notes.emplace_back("off: the numbers after " + counted(strange_faces_, "face") +

@@ -10,6 +10,10 @@ namespace transformesh {
 /// True if the first line is the first line of the legacy VTK format.
 bool is_vtk(std::string_view bytes);
 
+/// Returns the text of another format, with an empty line before it if its first comment resembles
+/// the first line of VTK.
+std::string unlike_vtk(std::string text);
+
 /// Reads VTK as read_mesh() does.
 ReadResult read_vtk(const Source& source);
 

@@ -279,6 +279,11 @@ class VtkReader {
 
 bool is_vtk(std::string_view bytes) { return bytes.starts_with(first_line); }
 
+std::string unlike_vtk(std::string text) {
+  if (is_vtk(text)) text.insert(0, 1, '\n');
+  return text;
+}
+
 ReadResult read_vtk(const Source& source) { return VtkReader(source).read(); }
 
 }  // namespace transformesh

@@ -2,6 +2,7 @@
 
 #include "io/document/losses.h"
 #include "io/formats/column_groups.h"
+#include "io/formats/vtk.h"
 #include "io/formats/xyz.h"
 #include "io/streams/text_buffer.h"
 #include "support/counted.h"
@@ -40,7 +41,7 @@ WriteResult write_xyz(const Document& document) {
   }
   Keeps keeps{"XYZ", {}, {}};
   for (const Column* normal : normals) keeps.vertex_columns.push_back(normal->name);
-  WriteResult result{text.take(), losses(document, keeps)};
+  WriteResult result{unlike_vtk(text.take()), losses(document, keeps)};
   if (!mesh.faces.empty())
     result.notes.push_back("xyz: " + counted(mesh.faces.size(), "face") +
                            " cannot be stored in XYZ, dropped");

@@ -75,6 +75,26 @@ TEST_CASE("framing by scale shows a mesh of half the size half as large") {
   CHECK(height_in(panels[1]) / height_in(panels[0]) == doctest::Approx(2).epsilon(.1));
 }
 
+TEST_CASE("a film shows each mesh alone, in the place that it has among all") {
+  const Mesh near = test::icosphere(2);
+  Mesh far = near;
+  for (Vec3& position : far.positions) position.x() += 5;
+  PictureOptions options;
+  options.framing = Framing::place;
+  options.columns = 1;
+  const std::vector<Panel> both = panels_of({&near, &far}, options);
+  options.height /= 2;
+  for (const std::size_t number : {0, 1}) {
+    options.only = number;
+    const std::vector<Panel> alone = panels_of({&near, &far}, options);
+    REQUIRE(alone.size() == 1);
+    CHECK(alone[0].mesh == both[number].mesh);
+    CHECK(alone[0].x == 0);
+    CHECK(alone[0].y == 0);
+    CHECK(alone[0].camera.project({1, 2, 3}) == both[number].camera.project({1, 2, 3}));
+  }
+}
+
 TEST_CASE("a mesh without faces and a picture without room for panels are refused") {
   const Mesh mesh = test::cube(), points{mesh.positions, {}, {}, {}};
   CHECK_THROWS_AS(panels_of({&points}, {}), InputError);

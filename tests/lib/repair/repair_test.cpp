@@ -108,4 +108,14 @@ TEST_CASE("sheets that enclose nothing, and meshes without faces, are refused") 
   CHECK_THROWS_AS(repair(Mesh()), GoalError);
 }
 
+TEST_CASE("a mesh that is a single point is refused") {
+  Mesh mesh;
+  mesh.positions.assign(3, Vec3(1, 2, 3));
+  mesh.faces = {{0, 0, 0}};
+  CHECK_THROWS_WITH_AS(repair(mesh), doctest::Contains("no face has three different corners"),
+                       GoalError);
+  mesh.faces = {{0, 1, 2}};
+  CHECK_THROWS_WITH_AS(repair(mesh), doctest::Contains("they have no area"), GoalError);
+}
+
 }  // namespace transformesh

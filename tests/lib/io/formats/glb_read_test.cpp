@@ -62,6 +62,8 @@ TEST_CASE("glb: mirrored nodes turn faces, and their normals stay outside") {
   const Vec3 expected = Vec3(-0.3, 0, 0.8).normalized();
   CHECK(column(document.mesh.vertex_columns, "nx").values[0] == doctest::Approx(expected.x()));
   CHECK(column(document.mesh.vertex_columns, "nz").values[0] == doctest::Approx(expected.z()));
+  const double stored = column(document.mesh.vertex_columns, "nx").values[0];
+  CHECK(stored == static_cast<double>(static_cast<float>(stored)));
 }
 
 TEST_CASE("glb: nodes are joined, and a mesh without colors is white beside one with some") {

@@ -72,7 +72,7 @@ TEST_CASE("gltf: missing buffers are refused") {
   json["bufferViews"][1]["byteOffset"] = 49;
   CHECK(contains(read_error(json.dump()), "bufferView 1 reaches beyond its buffer of 72 bytes"));
   json["bufferViews"][1]["byteOffset"] = -1;
-  CHECK(contains(read_error(json.dump()), "byteOffset of bufferView 1 is not a whole number"));
+  CHECK(contains(read_error(json.dump()), "'byteOffset' of bufferView 1 is not a whole number"));
   json = gltf_tetrahedron();
   json["buffers"][0]["uri"] = "data:;base64,@@";
   CHECK(contains(read_error(json.dump()), "not base64"));

@@ -26,7 +26,7 @@ TEST_CASE("gltf: strips, fans and corners without indices") {
   first_primitive(json)["mode"] = 9;
   CHECK(contains(read_error(json.dump()), "the unknown mode 9"));
   first_primitive(json)["mode"] = 1;
-  CHECK(has_note(read(json).notes, "glb: 1 primitive of lines left out"));
+  CHECK(has_note(read(json).notes, "glb: 1 line primitive left out"));
 }
 
 TEST_CASE("gltf: indices out of range") {
@@ -56,9 +56,43 @@ TEST_CASE("gltf: attributes become columns") {
   CHECK(columns.find("alpha") == nullptr);  // all colors are opaque
   CHECK(column(columns, "quality").values == std::vector<double>{0, 0.5, 1, 1.5});
   CHECK(column(columns, "t").values == std::vector<double>{1, 0, -1, -2});
-  CHECK(has_note(result.notes, "glb: 1 vertex attribute of an unsupported type left out"));
+  CHECK(has_note(result.notes, "glb: 1 unsupported vertex attribute left out"));
   attributes["_QUALITY"] = 1;
   CHECK(contains(read_error(json.dump()), "accessor 1 has 12 elements, too many"));
+}
+
+TEST_CASE("gltf: colors of integers that are not marked as normalized are read as if they were") {
+  Json json = gltf_tetrahedron();
+  Bytes bytes, shorts;
+  for (int i = 0; i < 4; ++i) {
+    bytes.u8(51).u8(static_cast<std::uint64_t>(i)).u8(255).u8(255);
+    shorts.u16(0).u16(13107).u16(65535).u16(13107);
+  }
+  Json& attributes = first_primitive(json)["attributes"];
+  attributes["COLOR_0"] = add_accessor(json, bytes, 4, 5121, "VEC4");
+  const Mesh of_bytes = read(json).document.mesh;
+  CHECK(column(of_bytes.vertex_columns, "red").values == std::vector<double>{51, 51, 51, 51});
+  CHECK(column(of_bytes.vertex_columns, "green").values == std::vector<double>{0, 1, 2, 3});
+  CHECK(of_bytes.vertex_columns.find("alpha") == nullptr);
+  attributes["COLOR_0"] = add_accessor(json, shorts, 4, 5123, "VEC4");
+  const Mesh of_shorts = read(json).document.mesh;
+  CHECK(column(of_shorts.vertex_columns, "green").values ==
+        std::vector<double>{0.2F, 0.2F, 0.2F, 0.2F});
+  CHECK(column(of_shorts.vertex_columns, "blue").values == std::vector<double>{1, 1, 1, 1});
+  CHECK(column(of_shorts.vertex_columns, "alpha").values[3] == 0.2F);
+}
+
+TEST_CASE("gltf: names of attributes may have any bytes, which messages do not repeat") {
+  Json json = gltf_tetrahedron();
+  const auto numbers = add_accessor(json, Bytes().f32(1).f32(2).f32(3).f32(4), 4, 5126, "SCALAR");
+  const std::string name("_A\0B\x1b", 5);
+  Json& attributes = first_primitive(json)["attributes"];
+  attributes[name] = numbers;
+  const Columns columns = read(json).document.mesh.vertex_columns;
+  CHECK(column(columns, "a_b_").values == std::vector<double>{1, 2, 3, 4});
+  attributes[name] = "x";
+  CHECK(
+      contains(read_error(json.dump()), "'_A\\x00B\\x1b' of a primitive of mesh 0 is not a whole"));
 }
 
 TEST_CASE("gltf: materials color faces, and white stands for none") {
@@ -93,7 +127,5 @@ TEST_CASE("gltf: EXT_mesh_manifold makes copies of a vertex one again") {
   json["meshes"][0]["extensions"]["EXT_mesh_manifold"]["manifoldPrimitive"]["indices"] = 1;
   const ReadResult unfit = read(json);
   CHECK(unfit.document.mesh.positions.size() == 4);
-  CHECK(has_note(
-      unfit.notes,
-      "glb: 1 mesh extension EXT_mesh_manifold that does not match its triangles left out"));
+  CHECK(has_note(unfit.notes, "glb: 1 mismatched EXT_mesh_manifold extension left out"));
 }

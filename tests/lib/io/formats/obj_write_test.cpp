@@ -24,8 +24,11 @@ TEST_CASE("obj: colors from bytes become bytes, others stay decimals") {
   CHECK(column(back.mesh.vertex_columns, "green").values ==
         document.mesh.vertex_columns.find("green")->values);
 
-  const ReadResult partial = read_mesh("v 0 0 0 1 1 1\nv 1 0 0\n", "input");
-  CHECK(has_note(partial.notes, "obj: 1 point without a color made black"));
+  const ReadResult partial = read_mesh("v 0 0 0 1 0 0\nv 1 0 0\n", "input");
+  CHECK(has_note(partial.notes, "obj: 1 point without a color made white"));
+  CHECK(column(partial.document.mesh.vertex_columns, "red").values ==
+        std::vector<double>{255, 255});
+  CHECK(column(partial.document.mesh.vertex_columns, "blue").values == std::vector<double>{0, 255});
 }
 
 namespace {

@@ -25,13 +25,13 @@ TEST_CASE("off: colors that no int holds are doubles, and come back") {
   }
 }
 
-TEST_CASE("off: faces without a color among others are black and opaque, and that is said") {
+TEST_CASE("off: faces without a color among others are white and opaque, and that is said") {
   const ReadResult result =
       read_mesh("OFF\n4 3 0\n" + points + "3 0 1 2\n3 0 1 3 1 2 3 4\n3 1 2 3 5 6 7\n", "input");
   const Columns& columns = result.document.mesh.face_columns;
-  CHECK(column(columns, "red").values == std::vector<double>{0, 1, 5});
+  CHECK(column(columns, "red").values == std::vector<double>{255, 1, 5});
   CHECK(column(columns, "alpha").values == std::vector<double>{255, 4, 255});
-  CHECK(has_note(result.notes, "off: 1 face without a color made black"));
+  CHECK(has_note(result.notes, "off: 1 face without a color made white"));
 }
 
 TEST_CASE("off: what cannot be kept is named once") {

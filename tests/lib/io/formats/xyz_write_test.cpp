@@ -4,6 +4,20 @@
 using namespace transformesh;
 using namespace transformesh::testing;
 
+TEST_CASE("xyz and obj: a first comment that reads like that of VTK changes no format") {
+  for (const Format format : {Format::xyz, Format::obj}) {
+    Document document;
+    document.mesh = tetrahedron();
+    document.style.format = format;
+    document.style.comments = {"vtk DataFile Version 3.0"};
+    const std::string bytes = write_mesh(document).bytes;
+    const Document again = read_document(bytes);
+    CHECK(again.mesh.positions == document.mesh.positions);
+    CHECK(again.style.comments == document.style.comments);
+    if (format == Format::obj) CHECK(write_mesh(again).bytes == bytes);
+  }
+}
+
 TEST_CASE("xyz: points and normals, and what is dropped") {
   Document document;
   document.mesh = tetrahedron();
