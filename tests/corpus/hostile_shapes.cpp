@@ -4,7 +4,10 @@
 #include <numbers>
 
 #include "corpus/build.h"
+#include "helpers/shape_options.h"
 #include "mesh/coordinate_spacing.h"
+#include "transformesh/measure.h"
+#include "transformesh/shapes.h"
 
 namespace transformesh::corpus {
 namespace {
@@ -189,6 +192,22 @@ Mesh tilted_plates(std::uint64_t seed, Scalar type) {
   return mesh;
 }
 
+/// Returns a rotated box whose sides are folded in their planes, as after a motion along the sides.
+Mesh folded_sides(std::uint64_t seed, Scalar) {
+  Random random(seed);
+  Mesh mesh = make_shape(test::shape("box", static_cast<std::size_t>(integer(random, 100, 1500))));
+  const Vec3 half = bounding_box(mesh).max();
+  const double amplitude = random.uniform(0.05, 0.3);
+  for (Vec3& p : mesh.positions) {
+    const Eigen::Array<bool, 3, 1> is_at_side = p.array().abs() == half.array();
+    if (is_at_side.count() != 1) continue;
+    const Vec3 way = amplitude * random.point(-1, 1);
+    for (int i = 0; i < 3; ++i)
+      if (!is_at_side[i]) p[i] += way[i];
+  }
+  return rotated(mesh, any_rotation(random));
+}
+
 Mesh sliver_fan(std::uint64_t seed, Scalar type) {
   Random random(seed);
   const Rotation rotation = any_rotation(random);
@@ -292,6 +311,7 @@ const std::vector<HostileFamily>& hostile_families() {
       {"some-magnitudes", some_magnitudes},
       {"tetrahedra-of-magnitudes", tetrahedra_of_magnitudes},
       {"tilted-plates", tilted_plates},
+      {"folded-sides", folded_sides},
       {"sliver-fan", sliver_fan},
       {"lattice-tetrahedra", lattice_tetrahedra},
       {"lattice-sphere", lattice_sphere},
