@@ -90,8 +90,8 @@ std::string clamps_in_words(const EvolveResult& result, double alpha) {
   return "vertices moved less far than their velocities prescribe in " +
          std::to_string(result.clamped_iterations) + " of " +
          counted(result.iterations, "iteration") + ", at most " +
-         percent_text(result.clamped_share) + " % of them: clamped to " +
-         shortest_text(alpha) + " of the mean edge";
+         percent_text(result.clamped_share) + " % of them: clamped to " + shortest_text(alpha) +
+         " of the mean edge";
 }
 
 EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options,
