@@ -20,6 +20,7 @@
 #include "views/hull/agreed_threshold.h"
 #include "views/hull/contour_distance.h"
 #include "views/hull/hull_values.h"
+#include "views/hull/needed_components.h"
 #include "views/hull/silhouette.h"
 #include "views/hull/view_check.h"
 
@@ -140,8 +141,10 @@ Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
   HullOptions hull;
   hull.box = silhouette_box(views);
   if (edge) hull.edge = affordable(*edge, *hull.box);
-  hull.keep = options.keep;
-  return visual_hull(views, hull, progress).mesh;
+  hull.keep = options.keep.value_or(0);
+  Mesh mesh = visual_hull(views, hull, progress).mesh;
+  if (!options.keep) drop_unneeded_components(mesh, views);
+  return mesh;
 }
 
 void outline(std::vector<View>& views, const Mesh& mesh) {

@@ -49,12 +49,13 @@ PhotoStepsOptions Photographs::steps_at(double scale) {
   return options;
 }
 
-PhotoStepsResult Photographs::sweep(Mesh& mesh, double scale, double loss, double stiffness,
+PhotoStepsResult Photographs::sweep(Mesh& mesh, double scale, const SweepForces& forces,
                                     const Progress& progress) {
   PhotoStepsOptions options = steps_at(scale);
   options.alternate = true;
-  options.step.photographs.correlation.robust = loss;
-  options.step.stiffness *= stiffness;
+  options.iterations = forces.iterations.value_or(options.iterations);
+  options.step.photographs.correlation.robust = forces.loss;
+  options.step.stiffness *= forces.stiffness;
   return photo_steps(mesh, at(scale), options, progress);
 }
 
@@ -71,7 +72,7 @@ SurfaceMeasures Photographs::measures(const Mesh& mesh, const Progress& progress
   return {
       look(mesh, 1, false, progress),
       surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_at(1).step.photographs, progress),
-      outlines(mesh)};
+      outlines(mesh, 1)};
 }
 
 std::vector<WindowSums> Photographs::disagreement_at(const Mesh& mesh, double scale,
@@ -82,11 +83,19 @@ std::vector<WindowSums> Photographs::disagreement_at(const Mesh& mesh, double sc
   return disagreement(mesh, scene, steps_.step.least_cosine, options, progress).of_vertex;
 }
 
-// Uses distances from silhouettes at scale 1, because silhouettes may have been cleared.
-std::vector<double> Photographs::outlines(const Mesh& mesh) {
+CarvingEvidence Photographs::carving_evidence(const Mesh& mesh, double scale,
+                                              const Progress& progress) {
+  const PhotoScene& scene = at(scale);
+  const PhotoconsistencyOptions options = steps_at(scale).step.photographs;
+  return {disagreement(mesh, scene, steps_.step.least_cosine, options, progress).of_vertex,
+          SurfaceMeasures{{}, {}, outlines(mesh, scale)}.mean_outline()};
+}
+
+// Uses distances from silhouettes, because silhouettes may have been cleared.
+std::vector<double> Photographs::outlines(const Mesh& mesh, double scale) {
   std::vector<double> agreements;
   if (steps_.step.meaning != SilhouetteMeaning::exact) return agreements;
-  const PhotoScene& scene = at(1);
+  const PhotoScene& scene = at(scale);
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
     if (scene.distances[v].empty()) continue;
     GrayImage silhouette = scene.distances[v];

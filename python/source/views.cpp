@@ -99,7 +99,14 @@ WindowRadii radii_of(const Window& window) {
   return {coarse, fine};
 }
 
-InitialMeshOptions initial_options_of(double keep, const std::string& clip,
+/// Returns nothing for "auto".
+std::optional<double> share_or_auto(const std::variant<double, std::string>& keep) {
+  const auto* word = std::get_if<std::string>(&keep);
+  if (word != nullptr && *word == "auto") return std::nullopt;
+  return share_of(keep);
+}
+
+InitialMeshOptions initial_options_of(const std::optional<double>& keep, const std::string& clip,
                                       const std::string& hollows, bool is_exact,
                                       double least_agreement) {
   InitialMeshOptions initial;
@@ -125,7 +132,8 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
                                 const py::object& on_pass, const py::object& progress) {
   ReconstructionOptions options;
   const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
-  options.initial = initial_options_of(share_of(keep), clip, hollows, is_exact, least_agreement);
+  options.initial =
+      initial_options_of(share_or_auto(keep), clip, hollows, is_exact, least_agreement);
   options.initial.is_given = start.has_value();
   options.windows = radii_of(window);
   options.pairs.maximum_angle_deg = max_angle;
@@ -175,9 +183,8 @@ void bind_views(py::module_& module) {
       py::kw_only(), arg("start") = none, arg("clip") = "hull", arg("silhouettes_show") = "exact",
       arg("edge") = ScaleOptions().edge, arg("last_edge") = none, arg("coarsest") = none,
       arg("passes") = ReconstructionOptions().sweeps, arg("iterations") = none,
-      arg("robust") = ReconstructionOptions().robust, arg("keep") = "largest",
-      arg("hollows") = "auto", arg("window") = 3,
-      arg("max_angle") = PairOptions().maximum_angle_deg,
+      arg("robust") = ReconstructionOptions().robust, arg("keep") = "auto", arg("hollows") = "auto",
+      arg("window") = 3, arg("max_angle") = PairOptions().maximum_angle_deg,
       arg("crumbs") = ReconstructionOptions().crumbs,
       arg("handles") = ReconstructionOptions().handles, arg("box") = none,
       arg("least_agreement") = ViewCheckOptions().least_agreement, arg("drop_bad_views") = false,

@@ -341,7 +341,7 @@ def reconstruct(
     passes: int = 4,
     iterations: Optional[int] = None,
     robust: float = 1.0,
-    keep: Union[float, Literal["largest", "all"]] = "largest",
+    keep: Union[float, Literal["auto", "largest", "all"]] = "auto",
     hollows: Literal["auto", "closed"] = "auto",
     window: Union[int, Tuple[int, int]] = 3,
     max_angle: float = 50.0,

@@ -250,6 +250,18 @@ take_pocket() {
   [ "$(value crumbs 0.1.json) $(tm-info --get components out-0.1.ply)" = "1 1" ]
 }
 
+@test "each object that the masks show is kept, unless only the largest is wanted" {
+  mkdir images masks
+  tm-shape sphere --radius 20 --faces 4000 -o large.ply
+  tm-shape sphere --radius 8 --center 45,0,0 --faces 1000 | tm-cat large.ply - -o truth.ply
+  tm-photograph --ring 12 --size 120x90 --write-images images --write-silhouettes masks -o par.txt truth.ply
+  for keep in auto largest; do
+    tm-reconstruct --cameras par.txt --images images --silhouettes masks --keep "$keep" \
+      --coarsest 2 --passes 1 -q -o "$keep.ply"
+  done
+  [ "$(tm-info --get components auto.ply) $(tm-info --get components largest.ply)" = "2 1" ]
+}
+
 @test "views that are farther apart than --max-angle are not compared" {
   mkdir images masks
   tm-shape dented --radius 50 --faces 8000 -o truth.ply

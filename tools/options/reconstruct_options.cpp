@@ -32,8 +32,9 @@ void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
       "box", &choices.box, "X,Y,Z,X,Y,Z",
       "where the object is: two corners; what photographs show beside it is forgotten");
   program.options.text(
-      "keep", &choices.keep, "largest|all|SHARE",
-      "components of the hull: of at least this share of the largest one's volume");
+      "keep", &choices.keep, "auto|largest|all|SHARE",
+      "components of the hull: of at least this share of the largest one's volume; auto: those "
+      "without which it does not fill the silhouettes");
   program.options.text("start", &choices.options.initial.name, "FILE",
                        "begin with this mesh, not with the visual hull");
   program.options.choice("clip", &choices.clip, {"hull", "nothing"},
@@ -186,7 +187,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   if (choices.silhouettes_show == "least") initial.meaning = SilhouetteMeaning::least;
   if (!choices.threshold.empty())
     initial.threshold = {.intensity = threshold_intensity(choices.threshold)};
-  initial.keep = hull_share(choices.keep);
+  if (choices.keep != "auto") initial.keep = hull_share(choices.keep);
   initial.least_agreement = choices.check.least_agreement;
   options.scales.coarsest = number_or_auto("coarsest", choices.coarsest, 1);
   options.scales.last_edge = choices.last_edge.empty()

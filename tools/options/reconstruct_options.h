@@ -22,7 +22,7 @@ struct ReconstructChoices {
   ReconstructionOptions options;
   std::string silhouettes_show = "exact";
   std::string threshold;
-  std::string keep = "largest";
+  std::string keep = "auto";
   std::string clip = "hull";
   std::string hollows = "auto";
   std::string sequence;

@@ -7,6 +7,7 @@
 #include "transformesh/pinhole_camera.h"
 #include "views/cameras/view.h"
 #include "views/hull/hull_values.h"
+#include "views/hull/needed_components.h"
 #include "views/hull/silhouette.h"
 
 namespace transformesh {
@@ -80,7 +81,10 @@ std::optional<OpenedHull> opened_hull(std::span<const View> views, const OpenedH
   if (opening.deep_share() < options.least_share) return std::nullopt;
   if (opening.scale > 1) opening = open_at(options.size_px, views, options, progress);
   OpenedHull result{march_tetrahedra(opening.opened), opening.scale};
-  drop_components(result.mesh, options.keep);
+  if (options.keep)
+    drop_components(result.mesh, *options.keep);
+  else
+    drop_unneeded_components(result.mesh, views);
   if (result.mesh.faces.empty()) return std::nullopt;
   const double before = mean_agreement(march_tetrahedra(opening.hull), views);
   if (mean_agreement(result.mesh, views) < before - options.most_agreement_lost)

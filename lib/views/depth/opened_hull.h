@@ -25,7 +25,7 @@ struct OpenedHullOptions {
   /// Largest decrease of the mean silhouette_agreement(), in [0, 1]. If photographs do not belong
   /// to the cameras, depths remove more than hollows.
   double most_agreement_lost = 0.05;
-  double keep = 1;  ///< HullOptions::keep
+  std::optional<double> keep = std::nullopt;  ///< InitialMeshOptions::keep
   PairOptions pairs;
   /// Options of the depth maps. The noise variance refers to full size; it is divided by the
   /// squared scale.
