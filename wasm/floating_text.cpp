@@ -1,8 +1,6 @@
-/// Floating-point numbers as text and back, with the bytes of libstdc++'s std::to_chars. Digits are
-/// those of double-conversion (shortest, closest to the number); reading is by fast_float, which
-/// libstdc++ uses too.
+/// Floating-point numbers as text, with the bytes of libstdc++'s std::to_chars. Digits are those of
+/// double-conversion (shortest, closest to the number).
 #include <double-conversion/double-conversion.h>
-#include <fast_float/fast_float.h>
 
 #include <cmath>
 #include <cstdio>
@@ -63,24 +61,6 @@ to_chars_result shortest(char* first, char* last, Number number, Converter::Dtoa
                                                       : scientific_text(digits, point - 1)));
 }
 
-bool has_digit_above_zero(const char* first, const char* last) {
-  for (; first != last && *first != 'e' && *first != 'E'; ++first)
-    if (*first >= '1' && *first <= '9') return true;
-  return false;
-}
-
-template <class Number>
-from_chars_result read(const char* first, const char* last, Number& value) {
-  Number number = 0;
-  const auto [end, error] = fast_float::from_chars(first, last, number);
-  if (error != errc()) return {end, error};
-  const bool is_too_large = isinf(number) && has_digit_above_zero(first, end);
-  const bool is_too_small = number == 0 && has_digit_above_zero(first, end);
-  if (is_too_large || is_too_small) return {end, errc::result_out_of_range};
-  value = number;
-  return {end, errc()};
-}
-
 }  // namespace
 
 to_chars_result to_chars(char* first, char* last, double value) {
@@ -97,14 +77,6 @@ to_chars_result to_chars(char* first, char* last, double value, chars_format for
   const char* pattern = format == chars_format::fixed ? "%.*f" : "%.*g";
   const int size = snprintf(text.data(), text.size(), pattern, precision, value);
   return written(first, last, {text.data(), static_cast<size_t>(size)});
-}
-
-from_chars_result from_chars(const char* first, const char* last, double& value) {
-  return read(first, last, value);
-}
-
-from_chars_result from_chars(const char* first, const char* last, float& value) {
-  return read(first, last, value);
 }
 
 }  // namespace std

@@ -1,5 +1,6 @@
-/// Adds the parts of C++20 that the core uses and that Emscripten 3.1.6 (libc++ 13) lacks. It is
-/// included before every source of the WebAssembly build, and nowhere else.
+/// Adds the parts of C++20 that the sources use and that some versions of libc++ lack. It is
+/// included before every source of the WebAssembly build (libc++ 13) and of native builds with
+/// libc++.
 #pragma once
 
 #include <algorithm>
@@ -16,36 +17,48 @@
 
 #include "order_of_equals.h"
 
-#if _LIBCPP_VERSION >= 14000
-#error "This libc++ has some of what standard_library.h adds: remove that there."
-#endif
-
 namespace std {
 
+#if _LIBCPP_VERSION < 14000
 template <class To, class From>
 constexpr To bit_cast(const From& from) noexcept {
   static_assert(sizeof(To) == sizeof(From));
   return __builtin_bit_cast(To, from);
 }
 
+/// Writes the shorter notation, or the fixed one of equally short ones, as libstdc++ does.
+to_chars_result to_chars(char* first, char* last, double value);
+to_chars_result to_chars(char* first, char* last, float value);
+to_chars_result to_chars(char* first, char* last, double value, chars_format, int precision);
+#endif
+
+#if _LIBCPP_VERSION < 17000
 template <class T, size_t size>
 constexpr auto operator<=>(const array<T, size>& a, const array<T, size>& b) {
   for (size_t i = 0; i < size; ++i)
     if (const auto order = a[i] <=> b[i]; order != 0) return order;
   return decltype(a[0] <=> b[0])::equal;
 }
+#endif
 
-/// One thread has nothing to synchronize.
+#ifndef __cpp_lib_atomic_ref
+/// Every access is sequentially consistent, whatever the order that is asked for.
 template <class T>
 struct atomic_ref {
   explicit atomic_ref(T& number) : number_(&number) {}
-  void store(T value, memory_order = memory_order_seq_cst) const { *number_ = value; }
-  T load(memory_order = memory_order_seq_cst) const { return *number_; }
+  void store(T value, memory_order = memory_order_seq_cst) const {
+    __atomic_store_n(number_, value, __ATOMIC_SEQ_CST);
+  }
+  T load(memory_order = memory_order_seq_cst) const {
+    return __atomic_load_n(number_, __ATOMIC_SEQ_CST);
+  }
 
  private:
   T* number_;
 };
+#endif
 
+#ifndef __cpp_lib_jthread
 struct jthread : thread {
   using thread::thread;
   jthread() = default;
@@ -60,13 +73,14 @@ struct jthread : thread {
   }
 };
 
-/// Writes the shorter notation, or the fixed one of equally short ones, as libstdc++ does.
-to_chars_result to_chars(char* first, char* last, double value);
-to_chars_result to_chars(char* first, char* last, float value);
-to_chars_result to_chars(char* first, char* last, double value, chars_format, int precision);
+#endif
+
+#if _LIBCPP_VERSION < 200000
 from_chars_result from_chars(const char* first, const char* last, double& value);
 from_chars_result from_chars(const char* first, const char* last, float& value);
+#endif
 
+#if _LIBCPP_VERSION < 15000
 namespace ranges {
 
 struct as_it_is {
@@ -154,6 +168,18 @@ template <class Range>
 auto max(Range&& range) {
   return *std::max_element(std::begin(range), std::end(range));
 }
+template <class Range, class Out, class Function>
+void transform(Range&& range, Out out, Function function) {
+  std::transform(std::begin(range), std::end(range), out, function);
+}
+template <class Range, class Test, class T>
+void replace_if(Range&& range, Test test, const T& value) {
+  std::replace_if(std::begin(range), std::end(range), test, value);
+}
+template <class Range, class Other, class Out>
+void set_difference(Range&& range, Other&& other, Out out) {
+  std::set_difference(std::begin(range), std::end(range), std::begin(other), std::end(other), out);
+}
 template <class Range, class Other>
 bool equal(Range&& range, Other&& other) {
   return std::equal(std::begin(range), std::end(range), std::begin(other), std::end(other));
@@ -165,4 +191,5 @@ bool lexicographical_compare(Range&& range, Other&& other) {
 }
 
 }  // namespace ranges
+#endif
 }  // namespace std

@@ -6,8 +6,9 @@
 ///
 /// Guarantees of remesh.h: topology, no new self-intersections (embedding_guard.h), interpolated
 /// attributes. With an error, each point of the input is within this distance of the result and
-/// vice versa (error_bound.h), and flat faces are merged first (merge_flat.h). Deterministic;
-/// O(n log n) for n faces; about 300 bytes per face, 550 with an error.
+/// vice versa (error_bound.h), and flat faces are merged first (merge_flat.h). Without an error
+/// they are merged only if collapses alone do not reach `faces`. Deterministic; O(n log n) for n
+/// faces; about 300 bytes per face, 550 with an error.
 #pragma once
 
 #include <optional>

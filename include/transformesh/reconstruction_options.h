@@ -17,9 +17,8 @@ struct InitialMeshOptions {
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   /// For views without silhouettes. Default: Otsu's scale, or no silhouettes if a mesh is given.
   std::optional<ThresholdOptions> threshold = std::nullopt;
-  /// HullOptions::keep; default: keep components without which the hull leaves silhouettes unfilled
-  std::optional<double> keep = std::nullopt;
-  bool opens_hollows = true;  ///< carve hollows of the hull by depth maps
+  std::optional<double> keep = std::nullopt;  ///< HullOptions::keep; default: what masks show
+  bool opens_hollows = true;                  ///< carve hollows of the hull by depth maps
   double least_agreement =
       0.7;  ///< least overlap of thresholded silhouettes with their hull; [0, 1]
 };

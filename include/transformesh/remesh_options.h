@@ -4,9 +4,12 @@
 /// that fits the vertices around the edge. A collapse ends at either end or at such a place,
 /// whichever is nearest to the planes of the old faces. Sliding vertices stay on such quadrics.
 /// Creases are borders, features and edges that turn by more than 40 degrees; vertices on them lie
-/// on cubics. Without smoothing no other vertex moves. With `min_film`, films and components that
-/// are thicker stay, however short the edges across them are. With `pinch` the mesh must be closed
-/// (InputError); if what closes the cuts intersects the surface, the mesh is cleaned.
+/// on cubics. Without smoothing no other vertex moves. Closed components with an edge shorter than
+/// `min_edge` are removed if they have less area than the sphere of that diameter, however long
+/// they are. An iteration of an evolution (iteration.h) also pinches loops shorter than `min_edge`
+/// if clean() changed a closed mesh. With `min_film`, films and components that are thicker stay,
+/// however short the edges across them are. With `pinch` the mesh must be closed (InputError); if
+/// what closes the cuts intersects the surface, the mesh is cleaned.
 #pragma once
 
 #include <string>

@@ -189,14 +189,14 @@ std::vector<Problem> problems_of(const BooleanResult& result,
   std::vector<Problem> problems;
   for (const std::size_t i : result.inside_out)
     problems.push_back(
-        {ErrorKind::inside_out, names[i] + " encloses nothing: its faces look inwards"});
+        {ErrorKind::inside_out, names[i] + " encloses nothing: its faces are oriented inwards"});
   for (const std::size_t i : result.canceling)
     problems.push_back({ErrorKind::double_sided,
-                        names[i] + " encloses nothing: its faces lie upon each other and cancel "
-                                   "out"});
+                        names[i] + " encloses nothing: its faces coincide and cancel out"});
   if (result.reason == ErrorKind::thinner_than_rounding)
-    problems.push_back({ErrorKind::thinner_than_rounding,
-                        names[0] + ": rounding leaves nothing of the result, which is too thin"});
+    problems.push_back(
+        {ErrorKind::thinner_than_rounding,
+         names[0] + ": the result is thinner than the rounding error, so nothing of it remains"});
   return problems;
 }
 

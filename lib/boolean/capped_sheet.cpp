@@ -47,7 +47,7 @@ void refuse_borders(SheetSide side, const Arrangement& arrangement) {
     throw InputError(ErrorKind::other,
                      std::string("the sheet ends ") +
                          (side == SheetSide::inside ? "inside" : "outside") + " the solid, at " +
-                         point_text(middle) + ", so that no cap closes it there",
+                         point_text(middle) + ": a cap cannot close it there",
                      {.position = array_of(middle)});
   }
 }
@@ -83,11 +83,11 @@ void CellsBehind::mark(Index patch) {
   is_front_[front] = is_behind_[behind] = 1;
   if (!is_front_[behind] && !is_behind_[front]) return;
   const Vec3 place = arrangement_.position(piece_of(patch).corners[0]);
-  throw InputError(ErrorKind::other,
-                   "a region at " + point_text(place) +
-                       " lies in front of one part of the sheet and behind another, so that no cap "
-                       "closes both",
-                   {.position = array_of(place)});
+  throw InputError(
+      ErrorKind::other,
+      "a region at " + point_text(place) +
+          " lies in front of one part of the sheet and behind another: a cap cannot close both",
+      {.position = array_of(place)});
 }
 
 std::vector<char> CellsBehind::find() {

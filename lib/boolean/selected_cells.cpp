@@ -80,7 +80,7 @@ class SelectedCells {
   bool spread_from(Index side);
   void enter(Index cell, const OperandWindings& windings);
 
-  static constexpr char unknown = 2;
+  static constexpr char unknown = 2;  ///< neither 0 nor 1, the two answers
 
   BooleanOperation operation_;
   const JoinedOperands& operands_;

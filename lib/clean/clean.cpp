@@ -17,7 +17,7 @@ constexpr const char* face_number = "tm:source-face";
 
 void check_options(const CleanOptions& options) {
   if (options.only && !options.box)
-    throw UsageError("the faces of a box alone are wanted, but there is no box");
+    throw UsageError("only the faces of a box are to be written, but no box is given");
   if (!options.box) return;
   const char* const refused = options.method != ExteriorMethod::grow ? "the static test"
                               : options.outermost                    ? "outermost"
@@ -41,7 +41,7 @@ void separate_copies(const CleanOptions& options, CleanResult& result, const Pro
   if (separated.separated_vertices == 0) return;
   if (options.refuse)
     throw GoalError(ErrorKind::needs_cleaning,
-                    "vertices lie in one place, and would be moved apart",
+                    "several vertices have the same position and would have to be moved apart",
                     {.counts = {separated.separated_vertices}});
   result.changed = true;
 }

@@ -63,7 +63,7 @@ void append(Mesh& mesh, const Mesh& part) {
 void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate, const Progress& progress) {
   if (!check_manifold(mesh).is_closed())
     throw InputError(ErrorKind::not_closed,
-                     "the mesh is open, so that a cut through it bounds no solid");
+                     "the mesh is open: a cut through it does not bound a solid");
   const Mesh prism = prism_in_front(plane, bounding_box(mesh));
   CleanOptions options;
   options.coordinate = coordinate;

@@ -29,7 +29,7 @@ std::string topology_fault(const Topology& topology, const Topology& expected, c
   return "components " + std::to_string(topology.components) + " and genus " +
          std::to_string(topology.genus) + ", but those of the target are " +
          std::to_string(expected.components) + " and " + std::to_string(expected.genus) +
-         "; they are farthest apart" + at_place(place);
+         "; the surfaces are farthest apart" + at_place(place);
 }
 
 std::string distance_fault(const Farthest& of_mesh, const Farthest& of_target, double longest) {

@@ -1,6 +1,8 @@
 #include "evolution/event_finder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "evolution/loop/event_row.h"
@@ -22,8 +24,8 @@ bool takes_part(const Event& event, long label) {
   return has(event.before) && !has(event.after);
 }
 
-/// True if a part separated. The curve along which it is cut off shrinks to a point, so that its
-/// size says nothing; these events report the free diameter instead.
+/// True if a part separated. The curve along which it is cut off shrinks to a point, so its size
+/// has no meaning. These events report the free diameter instead.
 bool separates(const Event& event) {
   return event.kind == EventKind::split || event.kind == EventKind::cavity_closed;
 }
@@ -33,10 +35,34 @@ double free_diameter(const Mesh& mesh, const Vec3& center) {
   return 2 * ClosestPointQuery(mesh)(center).distance;
 }
 
-/// True if a part separated and was removed in the same step. Remeshing removes parts that are too
-/// small; such a split is not reported. A cavity that closes and is filled is reported.
-bool is_brief(const Event& event, const std::set<long>& labels) {
-  return event.kind == EventKind::split && !labels.contains(event.after.back().label);
+/// Removes the parts from an event that remeshing dropped in the same step. `labels` are those of
+/// the faces before and after the step. A cavity that is filled stays in its event.
+void forget_dropped(Event& event, const std::set<long>& labels) {
+  if (event.kind == EventKind::cavity_closed) return;
+  std::erase_if(event.after,
+                [&](const LabeledVolume& part) { return !labels.contains(part.label); });
+}
+
+bool have_common(const std::vector<LabeledVolume>& some, const std::vector<LabeledVolume>& others) {
+  return std::ranges::any_of(some, [&](const LabeledVolume& one) {
+    return std::ranges::find(others, one.label, &LabeledVolume::label) != others.end();
+  });
+}
+
+/// Drops pairs of handles of the same component that cleaning opened and pinching closed.
+void cancel_handles(std::vector<Event>& events) {
+  std::vector<Event> kept;
+  for (Event& event : events) {
+    const auto opened = std::ranges::find_if(kept, [&](const Event& earlier) {
+      return event.kind == EventKind::handle_closed && earlier.kind == EventKind::handle_opened &&
+             have_common(earlier.after, event.before);
+    });
+    if (opened == kept.end())
+      kept.push_back(std::move(event));
+    else
+      kept.erase(opened);
+  }
+  events = std::move(kept);
 }
 
 }  // namespace
@@ -59,6 +85,16 @@ void EventFinder::begin_step(const Mesh& mesh) {
 
 void EventFinder::watch(IterationOptions& options) {
   options.on_cleaned = [this](const Mesh& moved, Mesh& cleaned) { see(moved, cleaned); };
+  const double shortest = options.edge_factor * options.min_edge.resolve(0, options.reference_edge);
+  least_volume_ = std::numbers::pi / 6 * shortest * shortest * shortest;
+}
+
+/// True if a part separated and was removed in the same step. Remeshing removes parts that are too
+/// small; such a split is not reported. A cavity that closes and is filled is reported, unless it
+/// is smaller than the parts that remeshing removes.
+bool EventFinder::is_brief(const Event& event, const std::set<long>& labels) const {
+  if (!separates(event) || labels.contains(event.after.back().label)) return false;
+  return event.kind == EventKind::split || std::abs(event.after.back().volume) < least_volume_;
 }
 
 void EventFinder::measure_before() {
@@ -78,8 +114,10 @@ void EventFinder::see(const Mesh& moved, Mesh& cleaned) {
       if (separates(event)) event.size = free_diameter(before_, event.place);
       found_.push_back(std::move(event));
     }
-    write_labels(cleaned, components, states);
+    cancel_handles(found_);
   }
+  // New faces have no label, also if a cut was closed again and the topology stayed.
+  write_labels(cleaned, components, states);
   now_ = by_label(std::move(states));
 }
 
@@ -100,6 +138,9 @@ void EventFinder::add_vanished(const Mesh& mesh) {
   const std::vector<long> of_faces = face_labels(mesh), of_faces_before = face_labels(before_);
   const std::set<long> labels(of_faces.begin(), of_faces.end());
   std::erase_if(found_, [&](const Event& event) { return is_brief(event, labels); });
+  std::set<long> known = labels;
+  known.insert(of_faces_before.begin(), of_faces_before.end());
+  for (Event& event : found_) forget_dropped(event, known);
   for (const long label : std::set<long>(of_faces_before.begin(), of_faces_before.end())) {
     if (labels.contains(label)) continue;
     const auto absorbs = [&](const Event& event) { return takes_part(event, label); };

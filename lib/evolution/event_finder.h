@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,11 @@ class EventFinder {
 
  private:
   void see(const Mesh& moved, Mesh& cleaned);
+  bool is_brief(const Event& event, const std::set<long>& labels) const;
   void measure_before();
   void add_vanished(const Mesh& mesh);
 
+  double least_volume_ = 0;  ///< a ball as wide as the shortest edge has this; 0: not set
   long next_label_ = 1, label_after_step_ = 1;
   Mesh before_;                         ///< positions, faces and labels when the step began
   std::optional<LabeledStates> begun_;  ///< components of `before_`; empty until needed

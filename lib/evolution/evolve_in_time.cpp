@@ -48,9 +48,9 @@ void check(const TimeOptions& options) {
     throw UsageError("the span of a step must be a positive number, or 0");
   if (!(options.max_move > 0)) throw UsageError("the largest movement must be positive");
   if (!options.bodies.empty() && !(options.gap > 0))
-    throw UsageError("bodies that may not meet need a gap, a positive length");
+    throw UsageError("the gap between bodies that must not meet must be a positive length");
   if (!options.bodies.empty() && options.keep_volume)
-    throw UsageError("volumes cannot be kept where bodies hold each other back");
+    throw UsageError("volumes cannot be kept if bodies are kept apart");
   if (options.tolerance > 0 && options.integrator == Integrator::euler)
     throw UsageError(
         "Euler's method has no embedded method that estimates the error: use midpoint "

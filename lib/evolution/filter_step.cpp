@@ -25,10 +25,10 @@ std::string bytes_of(const Mesh& mesh, Scalar coordinate) {
 
 void check_same_elements(const Mesh& before, const Mesh& after) {
   const std::string reason =
-      "; a step moves vertices and nothing else: cleaning and remeshing are the loop's";
+      "; a step may only move vertices, because the loop cleans and remeshes";
   if (before.positions.size() != after.positions.size()) {
-    throw InputError("the step made " + counted(after.positions.size(), "vertex") + " out of " +
-                     std::to_string(before.positions.size()) + reason);
+    throw InputError("the step returned " + counted(after.positions.size(), "vertex") +
+                     " instead of " + std::to_string(before.positions.size()) + reason);
   }
   if (before.faces != after.faces) throw InputError("the step changed faces" + reason);
 }

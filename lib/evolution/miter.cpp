@@ -93,7 +93,7 @@ void drop_remains(Mesh& mesh, const Mesh& source, double distance) {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     keep.push_back(farthest[parts.of_face[f]] >= least_distance * std::abs(distance));
   if (std::ranges::find(keep, true) == keep.end())
-    throw GoalError("nothing is that far inside of the surface");
+    throw GoalError("no point is that far inside the surface");
   mesh = select_faces(mesh, keep);
 }
 
@@ -149,7 +149,7 @@ void offset_mitered(Mesh& mesh, double distance, Scalar coordinate, const Progre
 void thicken(Mesh& mesh, double thickness, Scalar coordinate, const Progress& progress) {
   refuse_bad(mesh, thickness, false);
   if (check_manifold(mesh).is_closed())
-    throw InputError("the mesh is closed: a sheet with a border is needed to thicken it");
+    throw InputError("the mesh is closed: only a sheet with a border can be thickened");
   Mesh solid = mesh;
   const std::vector<Vec3> directions = miter_directions(mesh);
   move(solid, directions, thickness / 2);

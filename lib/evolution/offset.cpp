@@ -234,7 +234,7 @@ OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
   result.topology = clean_in_place(document, progress, false).topology;
   if (result.has_arrived)
     result.topology = offset.drop_shards(document.mesh, result.edge, result.topology);
-  if (document.mesh.faces.empty()) throw GoalError("only shards smaller than an edge are left");
+  if (document.mesh.faces.empty()) throw GoalError("only components smaller than an edge are left");
   result.deviation = offset.deviation(document.mesh, progress);
   result.has_missed = result.deviation.missed > most_missed * result.edge;
   return result;
@@ -252,8 +252,8 @@ OffsetResult offset(Document& document, const OffsetOptions& options, const Prog
     // If all of the surface vanishes, the error is about the last remains, which would mislead.
     if (options.distance > 0) throw;
     throw GoalError(
-        "nothing of the surface is left, or its walls are too thin for its edges: "
-        "nothing seems to be " +
+        "no part of the surface is left, or its walls are too thin for its edges: no point seems "
+        "to be " +
         significant(-options.distance, 3) + " inside it");
   }
 }

@@ -1,6 +1,7 @@
 #include "evolution/seams.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "mesh/disjoint_sets.h"
@@ -68,7 +69,7 @@ std::vector<Seam> find_seams(const Mesh& before, const Mesh& cleaned,
     seam.extent = extent_of(points[root]);
     result.push_back(std::move(seam));
   }
-  std::ranges::stable_sort(result, std::ranges::greater(),
+  std::ranges::stable_sort(result, std::greater(),
                            [](const Seam& seam) { return seam.extent.size; });
   return result;
 }

@@ -28,7 +28,7 @@ void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& opt
   if (options.max_edges < 3) throw UsageError("a hole has at least 3 edges");
   if (!(options.max_diameter > 0)) throw UsageError("the largest diameter must be greater than 0");
   if (!found.is_manifold() || !found.is_oriented())
-    throw InputError(prefixed("holes are filled in oriented manifolds only, and ",
+    throw InputError(prefixed("holes are filled only in oriented manifolds, but ",
                               manifold_problem(mesh, found, false)));
 }
 

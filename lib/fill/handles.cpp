@@ -13,7 +13,7 @@ namespace {
 
 std::vector<Index> checked_opposites(const Mesh& mesh) {
   if (auto opposites = closed_opposites(mesh, opposite_halfedges(mesh))) return *opposites;
-  throw InputError(prefixed("handles are removed from closed oriented manifolds only, and ",
+  throw InputError(prefixed("handles are removed only from closed oriented manifolds, but ",
                             manifold_problem(mesh, check_manifold(mesh), true)));
 }
 

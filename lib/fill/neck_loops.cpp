@@ -132,7 +132,7 @@ bool Ball::is_in_tree(Index h) const {
   return reached_.at(source).from == target || reached_.at(target).from == source;
 }
 
-/// All edges beside the tree, those of the longest loops first.
+/// All edges that are not in the tree, those of the longest loops first.
 std::vector<Ball::Closing> Ball::closing_edges() const {
   std::vector<Closing> result;
   for (const Index h : edges_) {
@@ -183,7 +183,7 @@ std::vector<NeckLoop> narrow_loops(const Mesh& mesh, const HalfedgeStars& stars,
                                    const Progress& progress) {
   const std::size_t vertices = mesh.positions.size();
   std::vector<std::optional<NeckLoop>> found(vertices);
-  constexpr std::size_t at_once = 16384;
+  constexpr std::size_t at_once = 16384;  // vertices between two reports of progress
   for (std::size_t begin = 0; begin < vertices; begin += at_once) {
     progress("find necks", static_cast<double>(begin) / static_cast<double>(vertices));
     const std::size_t count = std::min(at_once, vertices - begin);

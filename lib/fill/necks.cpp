@@ -12,7 +12,7 @@ namespace {
 
 std::vector<Index> checked_opposites(const Mesh& mesh) {
   if (auto opposites = closed_opposites(mesh, opposite_halfedges(mesh))) return *opposites;
-  throw InputError(prefixed("necks are cut in closed oriented manifolds only, and ",
+  throw InputError(prefixed("necks are cut only in closed oriented manifolds, but ",
                             manifold_problem(mesh, check_manifold(mesh), true)));
 }
 

@@ -129,7 +129,7 @@ std::vector<ShortLoop> short_loops(const Mesh& mesh, const HalfedgeStars& stars,
   const Surface surface{mesh, stars, words};
   const std::vector<Index> bases = bases_of(surface);
   std::vector<std::optional<ShortLoop>> found(bases.size());
-  constexpr std::size_t at_once = 256;
+  constexpr std::size_t at_once = 256;  // vertices between two reports of progress
   for (std::size_t begin = 0; begin < bases.size(); begin += at_once) {
     progress("find handles", static_cast<double>(begin) / static_cast<double>(bases.size()));
     const std::size_t count = std::min(at_once, bases.size() - begin);

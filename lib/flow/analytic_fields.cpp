@@ -39,6 +39,7 @@ Vec3 deformation_at(const Vec3& p) {
 
 /// ABC flow with the coefficients of Dombre et al., for which some streamlines are chaotic.
 Vec3 abc_at(const Vec3& p) {
+  // The usual coefficients, for which the flow is chaotic.
   constexpr double a = std::numbers::sqrt3, b = std::numbers::sqrt2, c = 1;
   const HalfWave x(p.x()), y(p.y()), z(p.z());
   return {a * z.sine_of_twice() + c * y.cosine_of_twice(),

@@ -98,30 +98,31 @@ class NrrdReader {
 
   void check_encoding() const {
     if (!field("data file").empty() || !field("datafile").empty())
-      source_.fail("NRRD whose data is in another file is not read");
+      source_.fail("NRRD with its data in another file is not supported");
     if (field("encoding") != "raw")
-      source_.fail("the encoding of NRRD is " + quoted(field("encoding")) + ", and raw is read");
+      source_.fail("the encoding of NRRD is " + quoted(field("encoding")) +
+                   "; only raw is supported");
     if (field("type") != "float" && field("type") != "double")
       source_.fail("the type of NRRD is " + quoted(field("type")) +
-                   ", and float and double are read");
+                   "; only float and double are supported");
     if (field("endian") != "little" && field("endian") != "big")
-      source_.fail("NRRD states no endian, little or big");
+      source_.fail(
+          "the NRRD header does not state the byte order: write 'endian: little' or 'endian: big'");
   }
 
   /// Returns the number of axes. Components, if there are several, are the first axis.
   std::size_t set_sizes(FlowGrid& grid) const {
     const std::size_t axes = components_ == 1 ? 3 : 4;
     if (numbers("dimension", 1)[0] != static_cast<double>(axes))
-      source_.fail("the dimension of NRRD is " + std::string(field("dimension")) + ", and " +
-                   std::to_string(axes) + " is needed");
+      source_.fail("the dimension of NRRD is " + std::string(field("dimension")) +
+                   ", but must be " + std::to_string(axes));
     const std::vector<double> sizes = numbers("sizes", axes);
     for (const double size : sizes)
       if (!(size >= 1 && size <= most_values) || size != std::floor(size))
-        source_.fail("the sizes of NRRD make no sense");
+        source_.fail("the sizes of NRRD must be whole numbers of 1 or more, and not too large");
     if (axes == 4 && sizes[0] != static_cast<double>(components_))
       source_.fail("the first axis of NRRD has " + std::to_string(static_cast<long>(sizes[0])) +
-                   " values, and the " + std::to_string(components_) +
-                   " components of a vector are needed");
+                   " values, but a vector has " + std::to_string(components_) + " components");
     for (std::size_t i = 0; i < 3; ++i)
       grid.size[i] = static_cast<std::size_t>(sizes[axes - 3 + i]);
     return axes;
@@ -132,7 +133,7 @@ class NrrdReader {
       const std::vector<double> rows = numbers("space directions", 9);
       for (std::size_t i = 0; i < 9; ++i)
         if (i % 4 != 0 && rows[i] != 0)
-          source_.fail("a grid whose axes are not x, y and z is not read");
+          source_.fail("a grid with axes other than x, y and z is not supported");
       grid.spacing = {rows[0], rows[4], rows[8]};
     } else if (!field("spacings").empty()) {
       grid.spacing = last_three("spacings", axes);

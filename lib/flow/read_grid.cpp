@@ -23,7 +23,7 @@ FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::si
   const Source source{bytes, name};
   if (bytes.empty()) source.fail("the file of the grid is empty");
   if (!is_nrrd(bytes) && !is_vtk_xml(bytes))
-    source.fail("a grid is VTK ImageData (.vti) or NRRD, and this is neither");
+    source.fail("the file is neither VTK ImageData (.vti) nor NRRD");
   FlowGrid grid =
       is_nrrd(bytes) ? read_nrrd_grid(source, components) : read_vti_grid(source, components);
   check_values(source, grid);
@@ -35,7 +35,7 @@ std::vector<FlowGrid> read_flow_grids(const std::string& flow, const std::string
   std::vector<FlowGrid> grids;
   if (!(step >= 0)) throw UsageError("the time from one grid to the next must be above 0");
   if (where.empty() && step > 0)
-    throw UsageError("there are no grids that the time from one to the next could be of");
+    throw UsageError("a time from one grid to the next is given, but no grids");
   if (where.empty()) return grids;
   for (const std::string& file : files_at(where)) {
     grids.push_back(read_flow_grid(file_bytes(file), file, flow == "normal" ? 1 : 3));

@@ -54,12 +54,13 @@ void check(const FlowGrid& grid, std::size_t components) {
   if (std::ranges::max(grid.size) > most_nodes) throw UsageError("a grid has too many nodes");
   const std::size_t nodes = grid.size[0] * grid.size[1] * grid.size[2];
   if (grid.components != components)
-    throw UsageError("a grid has " + std::to_string(grid.components) + " values per node, and " +
-                     std::to_string(components) + " are needed");
+    throw UsageError("a grid has " + std::to_string(grid.components) +
+                     " values per node, but must have " + std::to_string(components));
   if (nodes == 0 || grid.values.size() != nodes * components)
-    throw UsageError("a grid has another number of values than its nodes have");
+    throw UsageError("the number of values of a grid does not match its number of nodes");
   if (!grid.origin.allFinite() || !grid.spacing.allFinite() || !(grid.spacing.minCoeff() > 0))
-    throw UsageError("the origin or the spacing of a grid makes no sense");
+    throw UsageError(
+        "the origin and the spacing of a grid must be finite, and the spacing above 0");
 }
 
 }  // namespace
@@ -71,7 +72,7 @@ GridSeries::GridSeries(std::vector<FlowGrid> grids, std::size_t components)
     check(grid, components);
     if (!grid.time && grids_.size() > 1)
       throw InputError("one of " + std::to_string(grids_.size()) +
-                       " grids states no time: give the time from a grid to the next");
+                       " grids does not state its time: give the time from one grid to the next");
   }
   std::ranges::stable_sort(grids_, {}, [](const FlowGrid& grid) { return grid.time.value_or(0); });
   for (std::size_t i = 1; i < grids_.size(); ++i)

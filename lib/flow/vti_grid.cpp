@@ -22,7 +22,8 @@ class VtiReader {
   FlowGrid read() const {
     const std::string type = xml_.root().attribute("type").value();
     if (type != "ImageData")
-      source_.fail("VTK data of the kind " + quoted(type) + " is no grid: ImageData is read");
+      source_.fail("VTK data of type " + quoted(type) +
+                   " is not supported as a grid: only ImageData is");
     const Node image = xml_.root().child("ImageData");
     const Node piece = only_piece(image);
     const VtpArrays arrays(source_, xml_.encoding(source_), budget_);
@@ -47,7 +48,7 @@ class VtiReader {
   Node only_piece(const Node& image) const {
     const Node piece = image.child("Piece");
     if (!piece) source_.fail("the grid has no piece with values");
-    if (piece.next_sibling("Piece")) source_.fail("a grid in several pieces is not read");
+    if (piece.next_sibling("Piece")) source_.fail("a grid in several pieces is not supported");
     return piece;
   }
 
@@ -73,12 +74,14 @@ class VtiReader {
     const auto spacing = numbers<3>(image, "Spacing", {1, 1, 1});
     const std::array<double, 9> identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
     if (numbers<9>(image, "Direction", identity) != identity)
-      source_.fail("a grid whose axes are not x, y and z is not read");
+      source_.fail("a grid with axes other than x, y and z is not supported");
     FlowGrid grid;
     for (std::size_t i = 0; i < 3; ++i) {
       const double first = extent[2 * i], nodes = extent[2 * i + 1] - first + 1;
       if (!(nodes >= 1 && nodes <= most_nodes) || nodes != std::floor(nodes))
-        source_.fail("the extent of the grid makes no sense");
+        source_.fail(
+            "each axis of the grid's extent must have a whole number of 1 or more nodes, and not "
+            "too many");
       const auto axis = static_cast<Eigen::Index>(i);
       grid.size[i] = static_cast<std::size_t>(nodes);
       grid.spacing[axis] = spacing[i];

@@ -29,7 +29,8 @@ SourcePoints places_on(const Mesh& before, const Mesh& mesh, std::size_t number,
 
 CarryResult carry_along(std::span<const Mesh* const> before, Mesh& last,
                         const CarryOptions& options) {
-  if (before.empty()) throw UsageError("a mesh to carry from is needed before the last one");
+  if (before.empty())
+    throw UsageError("at least two meshes are needed: one to carry from and one to carry to");
   const Mesh& first = *before[0];
   const auto mesh_at = [&](std::size_t i) -> const Mesh& {
     return i < before.size() ? *before[i] : last;

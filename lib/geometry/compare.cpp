@@ -208,7 +208,7 @@ std::vector<double> signed_vertex_distances(const Mesh& mesh, const Mesh& refere
                                             const Progress& progress) {
   check_comparable(mesh, reference);
   if (reference.faces.empty())
-    throw InputError("the reference has no faces: there is no inside of points");
+    throw InputError("the reference has no faces: signed distances need a surface");
   const ClosestPointQuery closest(reference);
   const auto distance = [&](const Vec3& point) { return closest(point).signed_distance; };
   return distances(mesh.positions, distance, progress, "vertex distances");

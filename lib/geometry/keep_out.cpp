@@ -113,7 +113,7 @@ double distance_of(const Triangle& first, const Triangle& second) {
 KeepOut::KeepOut(const KeepOutOptions& options)
     : surface_(options.surface), gap_(options.gap), bvh_(*options.surface) {
   if (!(std::isfinite(gap_) && gap_ > 0))
-    throw UsageError("the gap to the surface to stay away from must be above 0");
+    throw UsageError("the gap to the surface that the mesh must keep away from must be above 0");
   normals_.reserve(surface_->faces.size());
   for (Index f = 0; f < surface_->faces.size(); ++f)
     normals_.push_back(unit_normal(triangle_of(*surface_, f)));
@@ -209,7 +209,7 @@ std::size_t KeepOut::count_near(const Mesh& mesh) const {
     const Vec3& place = mesh.positions[mesh.faces[face][0]];
     throw InputError(ErrorKind::meets_keep_out,
                      "face " + std::to_string(face) + " at " + point_text(place) +
-                         " meets the surface to be kept out of",
+                         " intersects the surface that the mesh must keep away from",
                      {.faces = {face}, .position = position_data(place)});
   }
   return static_cast<std::size_t>(

@@ -166,7 +166,8 @@ double checked_area(const Mesh& mesh) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is no surface to sample");
   if (!(area > 0)) throw InputError("the surface has no area to sample: scale it up");
   if (!std::isfinite(area))
-    throw InputError("the area of the mesh is beyond what a number can hold: scale the mesh down");
+    throw InputError(
+        "the area of the mesh is beyond the range of double precision: scale the mesh down");
   return area;
 }
 

@@ -92,11 +92,10 @@ std::vector<SourcePoint> read(const Columns& columns, std::size_t source_faces, 
   std::vector<SourcePoint> places(faces.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!is_face_number(faces[i], source_faces) || !is_share(u[i]) || !is_share(v[i]))
-      throw InputError(
-          element + (" " + std::to_string(i)) + " does not come from " + source_name +
-          ", which has " + std::to_string(source_faces) +
-          " faces, as its source_face, source_u and source_v state: name the mesh that "
-          "was the input where they were written");
+      throw InputError(element + (" " + std::to_string(i)) + " cannot lie on " + source_name +
+                       ", which has " + std::to_string(source_faces) +
+                       " faces, at its source_face, source_u and source_v: name the mesh that was "
+                       "the input when these were written");
     places[i] = {static_cast<Index>(faces[i]), u[i], v[i]};
   }
   return places;

@@ -11,6 +11,7 @@
 namespace transformesh {
 namespace {
 
+/// So that the header of a loop's mesh does not grow.
 constexpr std::size_t provenance_lines_kept = 20;
 constexpr std::string_view reference_edge_key = "tm:reference-edge";
 constexpr std::string_view planarity_key = "tm:planarity";

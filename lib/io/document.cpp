@@ -16,7 +16,7 @@ using Notes = std::vector<std::string>;
 void note_misfits(const std::vector<std::string>& names, const std::string& element, Notes& notes) {
   for (const std::string& name : names)
     notes.push_back((element + " property '").append(name) +
-                    "' is a list in one input and a number in another: missing in the later one");
+                    "' is a list in one input and a number in another: left out of the later one");
 }
 
 void append_mesh(Mesh& all, const Mesh& other, Notes& notes) {

@@ -21,9 +21,9 @@ double measured_reference_edge(const Mesh& mesh) {
   const EdgeLengths edges = edge_lengths(mesh);
   if (edges.mean > 0 && std::isfinite(edges.mean)) return edges.mean;
   if (edges.count == 0)
-    throw InputError("the mesh has no edges, so there is no reference edge that x could refer to");
+    throw InputError("the mesh has no edges, so lengths in x have no reference edge");
   throw InputError("the mean edge of the mesh is " + shortest_text(edges.mean) +
-                   ", so there is no reference edge that x could refer to" +
+                   ", so lengths in x have no reference edge" +
                    (edges.mean > 0 ? "; scale the mesh down" : ""));
 }
 

@@ -73,13 +73,14 @@ ReadResult read_compressed(std::string_view bytes, const std::string& name,
   return result;
 }
 
-WriteResult write_triangles(const Document& document) {
+/// Writes a mesh. `outlines` are MergedPolygons::outlines, for PLY, OFF and OBJ, or null.
+WriteResult write_format(const Document& document, const Column* outlines = nullptr) {
   check_writable(document);
   switch (document.style.format) {
     case Format::off:
-      return write_off(document);
+      return write_off(document, outlines);
     case Format::obj:
-      return write_obj(document);
+      return write_obj(document, outlines);
     case Format::glb:
       check_float_range(document.mesh);
       return write_glb(document);
@@ -97,7 +98,7 @@ WriteResult write_triangles(const Document& document) {
       return write_stl(document);
     default:
       if (document.style.coordinate == Scalar::float32) check_float_range(document.mesh);
-      return write_ply(document);
+      return write_ply(document, outlines);
   }
 }
 
@@ -106,15 +107,16 @@ WriteResult write_polygons(const Document& document) {
   const bool holds_polygons = is_ply(format) || format == Format::off || format == Format::obj;
   if (holds_polygons) {
     const MergedPolygons merged = merge_polygons(document);
-    WriteResult result = write_triangles(merged.document);
+    WriteResult result = write_format(merged.document, &merged.outlines);
     if (merged.unmerged > 0)
       result.notes.push_back(counted(merged.unmerged, "polygon") +
-                             " written as triangles, as the outline is no single loop");
+                             " written as triangles, because the outline is not a single loop");
     return result;
   }
   Document triangles = document;
   triangles.mesh.face_columns.erase(polygon_column);
-  WriteResult result = write_triangles(triangles);
+  WriteResult result = write_format(triangles);
+  if (format == Format::xyz) return result;  // write_xyz() notes that it drops the faces
   result.notes.push_back(std::string(name_of(format)) + ": " +
                          counted(count_polygons(document.mesh.face_columns).polygons, "polygon") +
                          " written as triangles");
@@ -130,9 +132,10 @@ ReadResult read_mesh(std::string_view bytes, const std::string& name, const Read
 }
 
 WriteResult write_mesh(const Document& document) {
-  const bool has_polygons = document.mesh.face_columns.find(polygon_column) != nullptr;
+  const Column* numbers = document.mesh.face_columns.find(polygon_column);
+  const bool has_polygons = numbers != nullptr && !numbers->list_count_type;
   return document.style.keeps_polygons && has_polygons ? write_polygons(document)
-                                                       : write_triangles(document);
+                                                       : write_format(document);
 }
 
 Mesh read_mesh_file(const std::string& path) {

@@ -10,7 +10,7 @@ namespace {
 /// the halfedge the lower ones, so that integers sort by both.
 using Entry = std::uint64_t;
 static_assert(2 * sizeof(Index) == sizeof(Entry));
-constexpr int index_bits = 32;
+constexpr int index_bits = 32;  ///< bits of an index
 constexpr Entry entry_of(Index larger, Index halfedge) {
   return Entry{larger} << index_bits | halfedge;
 }

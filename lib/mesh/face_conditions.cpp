@@ -100,7 +100,7 @@ ComponentSize component_size_of(const std::string& word) {
   if (word == "faces") return ComponentSize::faces;
   if (word == "area") return ComponentSize::area;
   if (word == "volume") return ComponentSize::volume;
-  throw UsageError("by: '" + word + "' is none of faces, area, volume");
+  throw UsageError("by: '" + word + "' is unknown: write faces, area or volume");
 }
 
 std::vector<bool> faces_of_largest(const Mesh& mesh, std::size_t count, ComponentSize by) {

@@ -13,7 +13,7 @@ std::string point_text(const Vec3& point) {
 }
 
 std::string rough_point_text(const Vec3& point) {
-  constexpr int digits = 4;
+  constexpr int digits = 4;  // chosen by hand: enough to find the place in a viewer
   return '(' + significant(point.x(), digits) + ", " + significant(point.y(), digits) + ", " +
          significant(point.z(), digits) + ')';
 }

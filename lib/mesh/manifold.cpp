@@ -67,13 +67,13 @@ Problem edge_problem(ErrorKind kind, const std::string& what, const Mesh& mesh,
 /// Coincident border edges have priority: they must be joined, because patches would fill the gap.
 Problem border_problem(const Mesh& mesh, const ManifoldReport& report) {
   const std::vector<Index>& borders = report.border_halfedges;
-  Problem problem = edge_problem(ErrorKind::not_closed,
-                                 "the " + face_edge_text(mesh, borders[0]) + " has no face across",
-                                 mesh, borders);
+  Problem problem =
+      edge_problem(ErrorKind::not_closed,
+                   "the " + face_edge_text(mesh, borders[0]) + " has only one face", mesh, borders);
   if (report.touching_borders == 0) return problem;
   problem.kind = ErrorKind::not_joined;
   problem.sentence += ", and " + std::to_string(report.touching_borders) +
-                      " border edges lie upon each other, as in a soup of triangles";
+                      " border edges coincide, as in a soup of triangles";
   problem.data.counts.push_back(report.touching_borders);
   return problem;
 }
@@ -95,7 +95,7 @@ ManifoldReport check_manifold(const Mesh& mesh) {
 Problem manifold_problem(const Mesh& mesh, const ManifoldReport& report, bool closed) {
   if (!report.collapsed_faces.empty())
     return {ErrorKind::not_manifold,
-            "face " + std::to_string(report.collapsed_faces[0]) + " names a vertex twice" +
+            "face " + std::to_string(report.collapsed_faces[0]) + " uses a vertex twice" +
                 and_more(report.collapsed_faces.size(), "faces"),
             {.faces = {report.collapsed_faces[0]}, .counts = {report.collapsed_faces.size()}}};
   if (!report.nonmanifold_edges.empty())
@@ -111,7 +111,7 @@ Problem manifold_problem(const Mesh& mesh, const ManifoldReport& report, bool cl
   if (!report.misoriented_edges.empty())
     return edge_problem(ErrorKind::not_oriented,
                         "both faces of the " + face_edge_text(mesh, report.misoriented_edges[0]) +
-                            " run along it the same way",
+                            " traverse it in the same direction",
                         mesh, report.misoriented_edges);
   if (closed && !report.border_halfedges.empty()) return border_problem(mesh, report);
   return {};

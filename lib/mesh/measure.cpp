@@ -16,8 +16,8 @@
 namespace transformesh {
 namespace {
 
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
-constexpr std::size_t faces_per_task = 4096;
+constexpr double degrees_per_radian = 180 / std::numbers::pi;  ///< converts angles
+constexpr std::size_t faces_per_task = 4096;                   ///< affects time only
 
 /// If coordinates are in this range, squares and products of three of them neither overflow nor
 /// vanish.

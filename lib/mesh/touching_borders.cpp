@@ -72,8 +72,8 @@ void refuse_touching_borders(const Mesh& mesh) {
   if (count == 0) return;
   throw InputError(ErrorKind::not_joined,
                    counted(count, "border edge") +
-                       " lie upon each other, as in a soup of triangles: the faces share no "
-                       "vertices there, so they would come apart",
+                       " coincide, as in a soup of triangles: the faces share no vertices there "
+                       "and would come apart",
                    {.counts = {count}});
 }
 

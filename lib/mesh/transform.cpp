@@ -110,7 +110,7 @@ void map_columns(Mesh& mesh, const Matrix3& linear) {
   const auto map_velocity = [&](const Vec3& velocity) {
     const Vec3 result = linear * velocity;
     if (velocity.allFinite() && !result.allFinite())
-      throw GoalError("a velocity vx vy vz becomes larger than a number can hold: scale by less");
+      throw GoalError("a velocity vx vy vz leaves the range of double precision: scale by less");
     return result;
   };
   map_vectors(mesh.vertex_columns, {"vx", "vy", "vz"}, map_velocity);
@@ -154,7 +154,8 @@ Matrix4 centering(const Box& box) {
 Matrix4 fitting_unit_box(const Box& box) {
   const double side = (box.max() - box.min()).maxCoeff();
   if (!(side > 0) || !std::isfinite(1 / side) || !std::isfinite(side))
-    throw InputError("the mesh has no size that could become 1");
+    throw InputError(
+        "the extent of the mesh cannot be scaled to 1: it is zero, or too small or too large");
   const Matrix4 scaling = scaling_by(Vec3::Constant(1 / side));
   return translation_by(Vec3::Constant(0.5)) * scaling * centering(box);
 }
@@ -186,7 +187,7 @@ TransformResult transform(Mesh& mesh, const Matrix4& matrix) {
     moved.positions[v] = mapped(matrix, mesh.positions[v]);
     if (!moved.positions[v].allFinite())
       throw GoalError("vertex " + std::to_string(v) +
-                      " goes farther than a number can hold: scale or move by less");
+                      " leaves the range of double precision: scale or move by less");
   }
   map_columns(moved, linear_part(matrix));
   if (result.is_mirror) turn_faces(moved);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 
 #include "evolution/loop/run_folder.h"
 #include "evolution/loop/stopwatch.h"
@@ -21,9 +22,16 @@ std::string stamp_of(const std::string& path) {
          std::to_string(found.st_mtim.tv_nsec);
 }
 
+/// False also if the file does not exist. Reading a FIFO would wait for its writer.
+bool is_file(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 template <class What>
 std::vector<What> in_order(const std::map<std::string, std::pair<std::string, What>>& known) {
   std::vector<What> ordered;
+  ordered.reserve(known.size());
   for (const auto& [path, one] : known) ordered.push_back(one.second);
   std::ranges::stable_sort(ordered, {}, &What::number);
   return ordered;
@@ -59,9 +67,10 @@ void LiveRun::read_target(std::size_t number, const std::string& path) {
 }
 
 /// Reads and packs a mesh. Returns nothing if a file cannot be read because it is being written or
-/// removed.
+/// removed, or because it is no regular file.
 std::optional<PageMesh> LiveRun::read_mesh(std::size_t number, const std::string& path,
                                            const RunPaths::value_type* target) {
+  if (!is_file(path) || (target != nullptr && !is_file(target->second))) return std::nullopt;
   try {
     if (target != nullptr) read_target(target->first, target->second);
     return read_frame(number, path, target != nullptr ? target_ : Mesh());

@@ -13,7 +13,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t faces_per_task = 4096;
+constexpr std::size_t faces_per_task = 4096;  ///< affects time only
 
 std::vector<Vec3> unit_normals(const Mesh& mesh) {
   std::vector<Vec3> normals(mesh.faces.size());

@@ -10,15 +10,15 @@
 namespace transformesh {
 namespace {
 
-constexpr int glyph_rows = 7;
-constexpr int glyph_columns = 5;
-constexpr int advance = glyph_columns + 1;
+constexpr int glyph_rows = 7;               ///< dots of the font
+constexpr int glyph_columns = 5;            ///< dots of the font
+constexpr int advance = glyph_columns + 1;  ///< a free column between glyphs
 constexpr int margin = 4;  ///< above and below the glyphs; twice as much at both ends of the bar
-constexpr int strip_rows = glyph_rows + 2 * margin;
-constexpr int least_width = 120;
-constexpr int least_height = 60;
+constexpr int strip_rows = glyph_rows + 2 * margin;  ///< dots of the strip below the picture
+constexpr int least_width = 120;     ///< pixels; chosen by hand: a smaller picture gets no legend
+constexpr int least_height = 60;     ///< pixels; chosen by hand: a smaller picture gets no legend
 constexpr int pixels_per_dot = 300;  ///< pixels of the shorter image side per dot of the font
-constexpr int digits = 4;
+constexpr int digits = 4;            ///< significant digits of the numbers
 
 struct Glyph {
   char character;

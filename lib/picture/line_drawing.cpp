@@ -18,11 +18,11 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t lines_per_task = 64;
+constexpr std::size_t lines_per_task = 64;  ///< affects time only
 
 /// Kinds of lines, in drawing order.
 enum Kind : std::size_t { edge, crease, outline, segment };
-constexpr std::size_t kinds = 4;
+constexpr std::size_t kinds = 4;  ///< number of the enumerators above
 struct Pen {
   const char* name;
   const char* color;

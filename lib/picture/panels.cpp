@@ -12,8 +12,8 @@
 namespace transformesh {
 namespace {
 
-constexpr long largest_side = 32768;
-constexpr long most_pixels = 1L << 26;
+constexpr long largest_side = 32768;    ///< pixels; chosen by hand, to limit memory
+constexpr long most_pixels = 1L << 26;  ///< pixels; chosen by hand, to limit memory
 
 void check_meshes(std::span<const Mesh* const> meshes, const PictureOptions& options) {
   if (meshes.empty()) throw InputError("there is no mesh to draw");
@@ -39,7 +39,7 @@ void check_size(const PictureOptions& options, int columns, int rows, int strip)
     throw UsageError("a picture of " + text + " pixels is too small for " +
                      std::to_string(columns) + "x" + std::to_string(rows) + " panels");
   if (rows > options.height - strip)
-    throw UsageError("the picture is too low for " + std::to_string(rows) +
+    throw UsageError("the picture is not high enough for " + std::to_string(rows) +
                      " rows of panels above the legend");
 }
 

@@ -59,7 +59,7 @@ Camera camera_at(const Vec3& eye, const Ball& ball) {
   const Vec3 down = forward.cross(right);
   const double away = (ball.middle - eye).norm() / ball.radius;
   const double focal = (size / 2.0 - 1) * std::sqrt(away * away - 1);
-  constexpr double middle = (size - 1) / 2.0;
+  constexpr double middle = (size - 1) / 2.0;  // center of the image in pixels
   Camera camera;
   camera.width = camera.height = size;
   camera.projection.row(0).head<3>() = focal * right + middle * forward;

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t items_per_task = 4096;
+constexpr std::size_t items_per_task = 4096;  ///< affects time only
 /// Relative distance from which on a point is behind a face.
 constexpr double least_distance = 1e-6;
 constexpr double least_determinant = 1e-9;  ///< relative; faces observed edge-on hide nothing

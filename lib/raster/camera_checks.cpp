@@ -43,7 +43,7 @@ std::string intrinsics_problem(const Eigen::Matrix3d& intrinsics, const std::str
   const double obliqueness = intrinsics.row(0).norm() / x * (intrinsics.row(1).norm() / y);
   if (obliqueness <= most_oblique) return {};
   return "the calibration of " + who +
-         " is singular: its focal lengths are nothing beside its principal point or skew";
+         " is singular: its focal lengths are negligible compared with its principal point or skew";
 }
 
 std::string translation_problem(const Vec3& translation, const std::string& who) {

@@ -80,12 +80,12 @@ CameraList read_middlebury(const Source& source) {
   list.names_images = true;
   while (rows.next_row()) {
     if (list.cameras.size() == count) {
-      rows.fail("the first line promises " + counted(count, "camera") + ", but there are more");
+      rows.fail("the first line announces " + counted(count, "camera") + ", but there are more");
     }
     list.cameras.push_back(read_camera(rows, source));
   }
   if (list.cameras.size() < count) {
-    rows.fail("the first line promises " + counted(count, "camera") + ", but there are only " +
+    rows.fail("the first line announces " + counted(count, "camera") + ", but there are only " +
               std::to_string(list.cameras.size()));
   }
   return list;
@@ -97,7 +97,7 @@ std::string write_middlebury(const CameraList& list) {
   text.add('\n');
   for (const CameraRecord& record : list.cameras) {
     if (record.name.find_first_of(" \t#") != std::string::npos) {
-      throw InputError("a name in a Middlebury camera file has no blank and no #: " +
+      throw InputError("a name in a Middlebury camera file must not contain blanks or #: " +
                        quoted(record.name) + " (" + record.place + ")");
     }
     check_read_again(record, record.camera);

@@ -77,7 +77,7 @@ double pixel_size(std::span<const PinholeCamera> cameras, const Vec3& point) {
     const double depth = camera.rotation.row(2).dot(point) + camera.translation.z();
     if (depth > 0) sizes.push_back(depth / camera.focal_length());
   }
-  if (sizes.empty()) throw InputError("the scene's center is in front of no camera");
+  if (sizes.empty()) throw InputError("the scene's center is not in front of any camera");
   std::sort(sizes.begin(), sizes.end());
   const std::size_t middle = sizes.size() / 2;
   return sizes.size() % 2 == 1 ? sizes[middle] : (sizes[middle - 1] + sizes[middle]) / 2;

@@ -10,9 +10,9 @@
 namespace transformesh {
 namespace {
 
-constexpr int usual_rows_per_band = 16;
-constexpr int columns_worth_narrowing = 8;  ///< narrower bounds are not worth narrowed()
-constexpr std::size_t items_per_task = 4096;
+constexpr int usual_rows_per_band = 16;       ///< affects time only
+constexpr int columns_worth_narrowing = 8;    ///< narrower bounds are not worth narrowed()
+constexpr std::size_t items_per_task = 4096;  ///< affects time only
 /// Number of faces whose bounds are stored at a time, to limit memory.
 constexpr std::size_t faces_at_once = std::size_t{1} << 16;
 

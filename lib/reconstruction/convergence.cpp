@@ -18,7 +18,8 @@ constexpr double most_doubtful = 0.03;  ///< a choice that tolerates small uncon
 
 std::string in_words_of(const SurfaceDoubt& doubt) {
   if (doubt.disagreement > most_disagreement)
-    return "photographs disagree by " + fixed(doubt.disagreement, 2) + " beyond their noise";
+    return "photographs disagree by " + fixed(doubt.disagreement, 2) +
+           " more than their noise explains";
   const auto thin = std::find_if(doubt.places.begin(), doubt.places.end(),
                                  [](const DoubtfulPlace& place) { return place.is_thin; });
   if (thin != doubt.places.end())
@@ -37,11 +38,11 @@ std::string ReconstructionFaults::in_words(const SurfaceEvidence& evidence) cons
            " than before";
   if (!is_at_rest) return "the surface was not at rest after the last sweep";
   if (late_at > 0)
-    return "components or holes came or went as late as at scale " + fixed(late_at, 4) +
-           ": maybe thin sheets that no photograph shows";
+    return "components or holes still appeared or vanished at scale " + fixed(late_at, 4) +
+           ", perhaps at thin sheets that no photograph shows";
   if (evidence.agreement < evidence.first_agreement - agreement_lost)
-    return "the outline agrees with the silhouettes by " + fixed(evidence.agreement, 3) +
-           ", that of the initial mesh by " + fixed(evidence.first_agreement, 3);
+    return "the overlap of outline and silhouettes is " + fixed(evidence.agreement, 3) +
+           ", less than that of the initial mesh, " + fixed(evidence.first_agreement, 3);
   return in_words_of(evidence.doubt);
 }
 

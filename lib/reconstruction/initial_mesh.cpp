@@ -8,6 +8,7 @@
 #include "io/document/round_as_written.h"
 #include "raster/camera.h"
 #include "reconstruction/image_scales.h"
+#include "support/counted.h"
 #include "support/parallel.h"
 #include "transformesh/clean.h"
 #include "transformesh/errors.h"
@@ -17,6 +18,7 @@
 #include "transformesh/mesh_io.h"
 #include "transformesh/pinhole_camera.h"
 #include "views/cameras/view.h"
+#include "views/depth/dense_surface.h"
 #include "views/hull/agreed_threshold.h"
 #include "views/hull/contour_distance.h"
 #include "views/hull/hull_values.h"
@@ -26,6 +28,12 @@
 
 namespace transformesh {
 namespace {
+
+void find_silhouettes(std::vector<View>& views, const InitialMeshOptions& options,
+                      const Progress& progress) {
+  threshold_silhouettes(views, options.threshold.value_or(ThresholdOptions()), progress);
+  check_views(views, {.least_agreement = options.least_agreement}, progress);
+}
 
 bool has_masks(const std::vector<View>& views) { return !views.front().silhouette.empty(); }
 
@@ -41,6 +49,7 @@ void append(Mesh& mesh, const Mesh& other) {
 // Vertices outside of the image count as outside of the mask: nothing is known about them.
 bool is_within_mask(const Mesh& mesh, const View& view) {
   constexpr double most_outside_px = 1;  // contours of masks of two intensities are as uncertain
+  // Must exceed `most_outside_px`; farther distances are not needed.
   constexpr float limit_px = 4;
   const GrayImage distances = signed_distance(view.silhouette.unpacked(), limit_px);
   const Projection projection = view.camera.projection();
@@ -67,8 +76,7 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
     document.mesh = clean(document.mesh, {.winding_level = 2, .outermost = true}, progress).mesh;
   } catch (const GoalError&) {
     throw GoalError(ErrorKind::outside_hull,
-                    "nothing of '" + name + "' is within the hull of the silhouettes",
-                    {.name = name});
+                    "'" + name + "' lies outside the hull of the silhouettes", {.name = name});
   }
   round_as_written(document);
 }
@@ -76,7 +84,7 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
 /// Returns the edge length of cells, enlarged until the box contains at most `most_cells`. The
 /// initial mesh is coarsened later anyway.
 double affordable(double edge, const Box& box) {
-  constexpr double most_cells = 1 << 26;
+  constexpr double most_cells = 1 << 26;  // chosen by hand, to limit memory
   const Vec3 size = box.max() - box.min();
   while (size.prod() > most_cells * edge * edge * edge) edge *= 1.25;
   return edge;
@@ -125,19 +133,8 @@ View around(const Mesh& mesh, const View& view) {
   return cropped(view, left, top, right - left, bottom - top);
 }
 
-}  // namespace
-
-double pixel_size(const std::vector<View>& views) {
-  const std::vector<PinholeCamera> cameras = cameras_of(views);
-  return pixel_size(cameras, viewed_point(cameras));
-}
-
-Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
-             std::optional<double> edge, const Progress& progress) {
-  if (!has_masks(views)) {
-    threshold_silhouettes(views, options.threshold.value_or(ThresholdOptions()), progress);
-    check_views(views, {.least_agreement = options.least_agreement}, progress);
-  }
+Mesh hull_of_silhouettes(std::vector<View>& views, const InitialMeshOptions& options,
+                         std::optional<double> edge, const Progress& progress) {
   HullOptions hull;
   hull.box = silhouette_box(views);
   if (edge) hull.edge = affordable(*edge, *hull.box);
@@ -147,13 +144,67 @@ Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
   return mesh;
 }
 
+/// Returns the reason why thresholded silhouettes have no hull, and removes them then. Returns
+/// nothing if they have one. Mistakes of cameras that check_views() recognizes stay errors.
+std::string reason_against_hull(Document& document, std::vector<View>& views,
+                                const InitialMeshOptions& options, double edge,
+                                const Progress& progress) {
+  bool are_checked = false;
+  try {
+    find_silhouettes(views, options, progress);
+    are_checked = true;
+    document.mesh = hull_of_silhouettes(views, options, edge, progress);
+    return {};
+  } catch (const InputError& error) {
+    const bool is_mistake = !are_checked && error.kind() != ErrorKind::views_disagree;
+    if (options.threshold || is_mistake) throw;
+    for (View& view : views) view.silhouette = PackableImage();
+    return error.what();
+  }
+}
+
+/// Makes the hull of thresholded silhouettes. If these have none, as on photographs of a table,
+/// makes a surface from depth maps.
+InitialMesh make_without_masks(Document& document, std::vector<View>& views,
+                               const InitialMeshOptions& options, double edge,
+                               const Progress& progress) {
+  InitialMesh made;
+  const std::string reason = reason_against_hull(document, views, options, edge, progress);
+  if (reason.empty()) {
+    made.outlined = document.mesh;
+    return made;
+  }
+  DenseSurface dense = dense_surface(views, {}, progress);
+  made.why_dense =
+      "without masks there is no hull (" + reason + "); the start is made from depth maps, with " +
+      counted(dense.consistent, "consistent pixel") + " of " + std::to_string(dense.pixels);
+  document.mesh = std::move(dense.mesh);
+  document.style.coordinate = Scalar::float64;
+  document.style.format = Format::ply_little;
+  clean_in_place(document, progress);
+  return made;
+}
+
+}  // namespace
+
+double pixel_size(const std::vector<View>& views) {
+  const std::vector<PinholeCamera> cameras = cameras_of(views);
+  return pixel_size(cameras, viewed_point(cameras));
+}
+
+Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
+             std::optional<double> edge, const Progress& progress) {
+  if (!has_masks(views)) find_silhouettes(views, options, progress);
+  return hull_of_silhouettes(views, options, edge, progress);
+}
+
 void outline(std::vector<View>& views, const Mesh& mesh) {
   for (View& view : views) {
     const bool is_packed = view.image.is_packed();
     view.silhouette = mesh_silhouette(mesh, view);
     if (is_packed) view.silhouette.pack();
     if (inside_share(view.silhouette) == 0)
-      throw InputError(view.name + ": nothing of the visual hull is in this view");
+      throw InputError(view.name + ": the visual hull is outside this view");
   }
 }
 
@@ -162,10 +213,11 @@ InitialMesh make_initial_mesh(Document& document, std::vector<View>& views,
                               const Progress& progress) {
   const bool are_masks = has_masks(views);
   const double edge = edge_times(3, pixel);
+  if (!options.is_given && !are_masks)
+    return make_without_masks(document, views, options, edge, progress);
   InitialMesh made;
   if (!options.is_given) {
     document.mesh = hull_of(views, options, edge, progress);
-    if (!are_masks) made.outlined = document.mesh;
     return made;
   }
   document.style.format = Format::ply_little;

@@ -20,6 +20,8 @@ namespace transformesh {
 struct InitialMesh {
   std::optional<Mesh> outlined;       ///< hull whose outlines replace masks
   std::optional<Document> unclipped;  ///< the given mesh, cleaned, if it is closed and was clipped
+  /// Reason why the mesh is made from depth maps; empty if it is not.
+  std::string why_dense;
 };
 
 /// Replaces the document's mesh by the initial mesh, cleaned and rounded as written to a file.

@@ -16,6 +16,7 @@ constexpr const char* hull_name = "hull.ply";
 constexpr const char* coarsest_name = "coarsest";
 constexpr const char* unclipped_name = "unclipped.ply";
 constexpr const char* first_scale_name = "first_scale";
+constexpr const char* dense_name = "dense";
 
 void open_hollows(InitialState& begun, const std::vector<View>& views,
                   const InitialStateOptions& options, const Progress& progress) {
@@ -39,11 +40,13 @@ InitialState make_initial_state(const Document& document, std::vector<View>& vie
       make_initial_mesh(begun.document, views, options.initial, pixel_size(views), progress);
   begun.outlined = std::move(made.outlined);
   begun.unclipped = std::move(made.unclipped);
-  if (!options.initial.is_given && options.initial.opens_hollows)
+  begun.why_dense = std::move(made.why_dense);
+  if (!options.initial.is_given && begun.why_dense.empty() && options.initial.opens_hollows)
     open_hollows(begun, views, options, progress);
   record.add(initial_mesh_file, write_mesh(begun.document).bytes);
   if (begun.outlined) record.add(hull_name, write_mesh({*begun.outlined, {}, {}}).bytes);
   if (begun.unclipped) record.add(unclipped_name, write_mesh(*begun.unclipped).bytes);
+  if (!begun.why_dense.empty()) record.add(dense_name, begun.why_dense);
   if (begun.coarsest) record.add(coarsest_name, fixed(*begun.coarsest, 4));
   return begun;
 }
@@ -63,6 +66,7 @@ InitialState read_initial_state(const Record& record) {
   if (const auto coarsest = record.find(coarsest_name)) found.coarsest = read_back(*coarsest);
   if (const auto whole = record.find(unclipped_name))
     found.unclipped = read_mesh(*whole, unclipped_name).document;
+  if (const auto reason = record.find(dense_name)) found.why_dense = *reason;
   if (const auto scale = record.find(first_scale_name)) found.first_scale = read_back(*scale);
   return found;
 }

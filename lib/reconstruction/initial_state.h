@@ -20,6 +20,8 @@ struct InitialState {
   std::optional<double> coarsest;
   /// The given mesh, cleaned, if the initial mesh is a part of it.
   std::optional<Document> unclipped;
+  /// Reason why the mesh is made from depth maps (dense_surface.h); empty if it is not.
+  std::string why_dense;
   std::optional<double> first_scale;  ///< scale to begin with (first_scale.h), if it was chosen
 };
 

@@ -10,6 +10,7 @@
 #include "evolution/loop/stages.h"
 #include "evolution/loop/stopwatch.h"
 #include "io/document/round_as_written.h"
+#include "mesh/component_areas.h"
 #include "reconstruction/better_parts.h"
 #include "reconstruction/carving.h"
 #include "reconstruction/convergence.h"
@@ -29,6 +30,7 @@
 #include "transformesh/errors.h"
 #include "transformesh/handles.h"
 #include "transformesh/hull.h"
+#include "transformesh/manifold.h"
 #include "transformesh/mesh_io.h"
 #include "views/cameras/view.h"
 #include "views/hull/silhouette.h"
@@ -71,9 +73,19 @@ void find_first_scale(InitialState& initial_state, Photographs& photographs,
   const double scale = first_scale(scales, [&](double at) {
     return photographs.disagreement_at(initial_state.document.mesh, at, progress);
   });
-  if (options.on_detail)
-    options.on_detail("the start is to be refined from scale " + fixed(scale, 4));
+  if (options.on_detail) options.on_detail("the start is refined from scale " + fixed(scale, 4));
   set_first_scale(initial_state, scale, record);
+}
+
+/// Returns the volumes of the components, or their areas if one of them is open.
+std::vector<double> sizes_of(const Mesh& mesh, const Components& parts) {
+  std::vector<double> sizes;
+  bool is_open = false;
+  for (const Component& part : parts.components) {
+    sizes.push_back(part.volume);
+    is_open = is_open || part.boundary_loops > 0;
+  }
+  return is_open ? component_areas(mesh, parts) : sizes;
 }
 
 class ReconstructionLoop : public Loop {
@@ -157,7 +169,7 @@ bool ReconstructionLoop::may_begin_finer() const {
 void ReconstructionLoop::begin_finer(Document& document, const Progress& progress) {
   if (options_.on_detail)
     options_.on_detail("scale " + fixed(sweep_.scale_step.scale, 4) +
-                       " is too coarse for this surface: beginning anew at the next");
+                       " is too coarse for this surface: restarting at the next");
   scale_step_ = ++first_;
   faults_.lost_at = 0;
   rule_.begin();
@@ -173,7 +185,7 @@ bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& prog
                     what + ": photographs, cameras and masks may not belong together");
   stiffness_ *= stiffer;
   if (options_.on_note)
-    options_.on_note(what + ": beginning anew, " + fixed(stiffness_, 0) + " times as stiff");
+    options_.on_note(what + ": restarting with " + fixed(stiffness_, 0) + " times the stiffness");
   scale_step_ = first_;
   faults_ = {};
   rule_.begin();
@@ -183,7 +195,7 @@ bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& prog
 
 // Returns true if handles were removed. The mesh must then be cleaned again.
 bool ReconstructionLoop::drops_handles(Document& document, const Progress& progress) {
-  if (options_.handles == 0) return false;
+  if (options_.handles == 0 || !check_manifold(document.mesh).is_closed()) return false;
   const HandleOptions options{options_.handles * scale_steps_.back().edge,
                               document.style.coordinate};
   const std::size_t removed = remove_handles(document.mesh, options, progress).removed;
@@ -193,11 +205,10 @@ bool ReconstructionLoop::drops_handles(Document& document, const Progress& progr
 
 void ReconstructionLoop::drop_crumbs(Document& document) {
   const Components parts = connected_components(document.mesh);
-  double largest = 0;
-  for (const Component& part : parts.components) largest = std::max(largest, part.volume);
+  const std::vector<double> sizes = sizes_of(document.mesh, parts);
+  const double largest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
   std::vector<bool> keeps;
-  for (const Component& part : parts.components)
-    keeps.push_back(part.volume >= options_.crumbs * largest);
+  for (const double size : sizes) keeps.push_back(size >= options_.crumbs * largest);
   result_.crumbs = static_cast<std::size_t>(std::count(keeps.begin(), keeps.end(), false));
   if (result_.crumbs == 0) return;
   std::vector<bool> keeps_face;
@@ -398,13 +409,16 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
       record.resumed()
           ? read_initial_state(record)
           : make_initial_state(document, views, {options.initial, options.pairs}, record, progress);
+  const bool is_dense = !initial_state.why_dense.empty();
+  if (is_dense && options.on_note) options.on_note(initial_state.why_dense);
   if (initial_state.coarsest && options.on_detail)
     options.on_detail("photographs see into hollows of the hull: beginning with them open");
   if (initial_state.outlined) outline(views, *initial_state.outlined);
   const int width = views.front().image.width;
   if (options.spends_views) crop_views(views, initial_state.document.mesh);
   Photographs photographs(views, width, options, initial_state);
-  if (options.initial.is_given && !options.scales.coarsest && !initial_state.first_scale)
+  const bool is_near = options.initial.is_given || is_dense;
+  if (is_near && !options.scales.coarsest && !initial_state.first_scale)
     find_first_scale(initial_state, photographs, options, record, progress);
   ReconstructionLoop loop(photographs, initial_state, options);
   const LoopOptions unlimited{std::numeric_limits<std::size_t>::max(), options.on_sweep};

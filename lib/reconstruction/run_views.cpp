@@ -11,6 +11,7 @@
 namespace transformesh {
 namespace {
 
+/// Longer side of the pictures; chosen by hand, to keep pages small.
 constexpr double most_pixels = 320;
 
 std::string three_digits(std::size_t number) {

@@ -144,7 +144,7 @@ std::optional<Surface> SequenceLoop::tracked(const Document& before, const Progr
   remove_state(state_of(from_before));
   if (options_.on_note)
     options_.on_note("time step " + std::to_string(result_.time_steps + 1) + ", " + name_ +
-                     ": the surface before is lost");
+                     ": tracking lost the previous surface");
   return std::nullopt;
 }
 

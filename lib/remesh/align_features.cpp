@@ -28,8 +28,9 @@
 namespace transformesh {
 namespace {
 
-/// Rounds that move vertices onto corners and lines: first with the mesh as it is, then alternating
-/// with remeshing and relaxation. More rounds take time and align the vertices that are left.
+/// Number of rounds that move vertices onto corners and lines: the first on the unchanged mesh, the
+/// later ones alternating with remeshing and relaxation. More rounds take more time and align
+/// remaining vertices.
 constexpr int snap_rounds = 3;
 constexpr int relax_rounds = 3;
 /// The largest distance that a vertex moves to a corner and to a line, as a multiple of the mean
@@ -54,7 +55,8 @@ constexpr double nearer = 0.02;
 /// A vertex where a line turns by more than 45 degrees is a corner.
 constexpr double corner_cosine = 0.7071067811865476;
 /// A mesh has features if edges of more than this angle have more than this share of the length of
-/// all edges. A larger share would miss meshes with few sharp edges, a smaller one takes noise.
+/// all edges. A larger share would miss meshes with few sharp edges; a smaller one would take noise
+/// for features.
 constexpr double certain_angle_deg = 60;
 constexpr double certain_share = 0.02;
 
@@ -195,7 +197,7 @@ void Aligner::hold_what_is_on_lines() {
   }
 }
 
-// Moves the vertex to the goal; returns whether it is there afterwards.
+// Moves the vertex towards the goal; returns whether it reached the goal.
 bool Aligner::move(VertexMover& mover, Index vertex, const Vec3& goal) {
   const Vec3 target = mesh_.rounded(goal);
   if (mesh_.position(vertex) == target) return true;
@@ -232,7 +234,7 @@ void Aligner::find_sides() {
       sides_[v] = face_normal(target_, surface_(mesh_.position(v)).face).stableNormalized();
 }
 
-/// Whether the ends of the edge are on different sides of a line that passes near its middle.
+/// True if the ends of the edge are on different sides of a line that passes near its middle.
 bool Aligner::crosses_line(Index first, Index second) const {
   if (is_held_[first] != 0 || is_held_[second] != 0) return false;
   if (!(sides_[first].dot(sides_[second]) < cosine_)) return false;

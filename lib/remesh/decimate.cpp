@@ -1,247 +1,17 @@
 #include "transformesh/decimate.h"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <queue>
 #include <string>
-#include <vector>
 
 #include "clean/flat/merge_flat.h"
 #include "mesh/surface_columns.h"
-#include "remesh/operations/edge_collapser.h"
-#include "remesh/operations/quadric.h"
+#include "remesh/decimator.h"
 #include "transformesh/errors.h"
-#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
 
-/// Decimation proceeds in stages, each of which reduces the faces to this share and has its own
-/// guard. The cells of a guard grow with the longest edge that it allows. A single guard for the
-/// final edges would have many vertices in each cell, and each test would take long.
-constexpr double stage_share = 0.4;
-/// Edges of a stage may be this many times as long as those of equilateral triangles that cover the
-/// area. The factor grows by stage_growth after each stage that does not reach its goal.
-constexpr double longest_edge = 5;
-constexpr double stage_growth = 1.6;
-/// The weight of planes at borders and sharp edges, relative to the planes of faces. It trades off
-/// the fidelity of lines against that of faces.
-constexpr double border_weight = 10;
-/// The weight of the squared length of an edge in its cost. It is small enough to decide only where
-/// the surface is flat, so that short edges are collapsed first there.
-constexpr double shortness = 3e-8;
-/// The largest excess of faces, as a share of the wanted number, that is no failure.
+/// If the result has more faces than wanted by at most this share, decimation counts as successful.
 constexpr double tolerance = 0.01;
-/// A closed surface has at least this many faces.
-constexpr std::size_t least_faces = 4;
-/// Decimation within an error ends after a stage that removes at most a 200th of the faces and
-/// refuses at most as many collapses as too long. A larger part leaves more faces; a smaller one
-/// repeats refusals.
-constexpr std::size_t few_share = 200;
-
-/// The number of collapses refused as too long after which a stage ends: all collapses that follow
-/// cost more, so the next stage, which allows longer edges, should choose first.
-std::size_t most_too_long(std::size_t faces) { return std::max<std::size_t>(10, faces / 50); }
-
-/// Quadrics use positions relative to the first corner of the mesh, so that squares stay small.
-class Decimator {
- public:
-  /// Keeps references to `options` and `progress`. `error`: largest allowed distance from `mesh`.
-  Decimator(const Mesh& mesh, const DecimateOptions& options, std::optional<double> error,
-            const Progress& progress);
-
-  DecimateResult run();
-  Mesh to_mesh() const { return mesh_.to_mesh(); }
-
- private:
-  /// A position to which an edge may be collapsed.
-  struct Place {
-    double cost;
-    Vec3 position;
-  };
-  struct Candidate {
-    double cost;
-    Index halfedge, source, target;
-    std::uint32_t source_version, target_version;
-    std::size_t rank;  ///< index in places() of the position to try
-    bool operator<(const Candidate& other) const {
-      return cost != other.cost ? cost > other.cost : halfedge > other.halfedge;
-    }
-  };
-
-  void add_quadrics();
-  void add_border(Index halfedge);
-  std::size_t run_stage(std::size_t wanted, double longest);
-  void push(Index halfedge, std::size_t rank = 0);
-  bool is_current(const Candidate& candidate) const;
-  std::vector<Place> places(Index source, Index target) const;
-  void merge(Index stays, Index goes);
-
-  EditableMesh mesh_;
-  const DecimateOptions& options_;
-  std::size_t wanted_;
-  std::optional<KeepOut> keep_out_;
-  const Progress& progress_;
-  Vec3 origin_;
-  double area_;
-  std::size_t first_faces_;
-  std::optional<VertexRoles> roles_;
-  std::optional<ErrorBound> bound_;
-  std::vector<Quadric> quadrics_;        ///< per vertex
-  std::vector<std::uint32_t> versions_;  ///< per vertex: how many were merged into it
-  std::priority_queue<Candidate> queue_;
-  DecimateResult result_;
-};
-
-Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, std::optional<double> error,
-                     const Progress& progress)
-    : mesh_(mesh),
-      options_(options),
-      wanted_(std::max(options.faces, least_faces)),
-      progress_(progress),
-      origin_(mesh.positions[mesh.faces[0][0]]),
-      area_(surface_area(mesh)),
-      first_faces_(mesh.faces.size()) {
-  mesh_.set_coordinate(options.coordinate);
-  if (options.feature_angle_deg < 180) mark_features(mesh_, options.feature_angle_deg);
-  result_.faces = first_faces_;
-  if (options.keep_out.surface != nullptr) {
-    keep_out_.emplace(options.keep_out);
-    result_.near_keep_out = keep_out_->count_near(mesh);
-  }
-  roles_.emplace(mesh_, options.keep_border);
-  if (error) bound_.emplace(mesh_, mesh, *error);
-  add_quadrics();
-}
-
-void Decimator::add_quadrics() {
-  quadrics_.resize(mesh_.vertex_slots());
-  versions_.assign(mesh_.vertex_slots(), 0);
-  for (Index face = 0; face < mesh_.face_slots(); ++face) {
-    const Vec3 normal = mesh_.face_normal(face);
-    const double length = normal.stableNorm();
-    if (!(length > 0)) continue;
-    const Quadric plane(mesh_.position(mesh_.source(3 * face)) - origin_, normal / length, 1);
-    for (Index i = 0; i < 3; ++i) quadrics_[mesh_.source(3 * face + i)] += plane;
-  }
-  for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
-    if (mesh_.has_halfedge(h) && is_line(mesh_, h)) add_border(h);
-}
-
-// Adds the plane through a border or sharp edge that is perpendicular to its face.
-void Decimator::add_border(Index halfedge) {
-  const Vec3 from = mesh_.position(mesh_.source(halfedge));
-  const Vec3 along = mesh_.position(mesh_.target(halfedge)) - from;
-  const Vec3 across = along.cross(mesh_.face_normal(halfedge / 3)).stableNormalized();
-  const Quadric plane(from - origin_, across, border_weight);
-  quadrics_[mesh_.source(halfedge)] += plane;
-  quadrics_[mesh_.target(halfedge)] += plane;
-}
-
-/// The positions to which an edge may be collapsed, by increasing cost: the minimizer of the
-/// quadric, the middle and both ends. If one end has the higher role, it is the only position.
-std::vector<Decimator::Place> Decimator::places(Index source, Index target) const {
-  const Quadric sum = quadrics_[source] + quadrics_[target];
-  const Vec3 &from = mesh_.position(source), &to = mesh_.position(target);
-  const Vec3 middle = 0.5 * from + 0.5 * to;
-  const VertexRole first = (*roles_)[source], second = (*roles_)[target];
-  std::vector<Place> places;
-  const auto add = [&](const Vec3& position) {
-    places.push_back({sum.at(position - origin_), position});
-  };
-  if (first > second) {
-    add(from);
-  } else if (first < second) {
-    add(to);
-  } else {
-    add(sum.least_near(middle - origin_) + origin_);
-    add(middle);
-    add(from);
-    add(to);
-    std::stable_sort(places.begin(), places.end(),
-                     [](const Place& a, const Place& b) { return a.cost < b.cost; });
-  }
-  for (Place& place : places) place.cost += shortness * (to - from).squaredNorm();
-  return places;
-}
-
-/// Enqueues the collapse of the edge to the position of that rank, unless there are fewer
-/// positions.
-void Decimator::push(Index halfedge, std::size_t rank) {
-  const Index source = mesh_.source(halfedge), target = mesh_.target(halfedge);
-  const std::vector<Place> all = places(source, target);
-  if (rank < all.size())
-    queue_.push(
-        {all[rank].cost, halfedge, source, target, versions_[source], versions_[target], rank});
-}
-
-bool Decimator::is_current(const Candidate& candidate) const {
-  return mesh_.has_halfedge(candidate.halfedge) &&
-         mesh_.source(candidate.halfedge) == candidate.source &&
-         mesh_.target(candidate.halfedge) == candidate.target &&
-         versions_[candidate.source] == candidate.source_version &&
-         versions_[candidate.target] == candidate.target_version;
-}
-
-void Decimator::merge(Index stays, Index goes) {
-  quadrics_[stays] += quadrics_[goes];
-  ++versions_[stays];
-  mesh_.for_each_neighbor(stays, [&](Index, Index halfedge) { push(halfedge); });
-}
-
-/// Collapses edges until `wanted` faces are left or the queue is empty. Returns how many collapses
-/// were refused because an edge would have become longer than `longest`.
-std::size_t Decimator::run_stage(std::size_t wanted, double longest) {
-  EmbeddingGuard guard(mesh_, longest, keep_out_ ? &*keep_out_ : nullptr);
-  EdgeCollapser collapser(mesh_, guard, *roles_, longest, bound_ ? &*bound_ : nullptr);
-  std::size_t too_long = 0;
-  queue_ = {};
-  for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
-    if (mesh_.is_edge(h)) push(h);
-  while (result_.faces > wanted && !queue_.empty()) {
-    const Candidate next = queue_.top();
-    queue_.pop();
-    if (!is_current(next)) continue;
-    const std::size_t gone = mesh_.is_border(next.halfedge) ? 1 : 2;
-    const Place place = places(next.source, next.target)[next.rank];
-    const Index stays = collapser.collapse_to(next.halfedge, place.position);
-    if (stays == no_index) {
-      if (collapser.was_too_long() && ++too_long > most_too_long(result_.faces)) break;
-      push(next.halfedge, next.rank + 1);
-      continue;
-    }
-    result_.faces -= gone;
-    if (++result_.collapses % 1024 == 0)
-      progress_("decimate", static_cast<double>(first_faces_ - result_.faces) /
-                                static_cast<double>(first_faces_ - wanted_));
-    merge(stays, stays == next.source ? next.target : next.source);
-  }
-  result_.kept_out += guard.kept_out();
-  return too_long;
-}
-
-DecimateResult Decimator::run() {
-  double allowance = longest_edge;
-  while (result_.faces > wanted_) {
-    const std::size_t before = result_.faces;
-    const auto share = static_cast<std::size_t>(stage_share * static_cast<double>(before));
-    const std::size_t wanted = std::max(wanted_, share);
-    const double edge = std::sqrt(4 / std::sqrt(3.0) * area_ / static_cast<double>(wanted));
-    const std::size_t too_long = run_stage(wanted, allowance * edge);
-    if (result_.faces <= wanted) continue;
-    const std::size_t removed = before - result_.faces;
-    if (removed == 0 && allowance > longest_edge * 1000) break;
-    if (bound_ && std::max(removed, too_long) <= before / few_share) break;
-    allowance *= stage_growth;
-  }
-  if (bound_) {
-    progress_("measure");
-    result_.error_refused = bound_->refused();
-    result_.error_bound = bound_->certified();
-  }
-  return result_;
-}
 
 void check(const Mesh& mesh, const DecimateOptions& options) {
   if (mesh.faces.empty())
@@ -258,16 +28,16 @@ void check(const Mesh& mesh, const DecimateOptions& options) {
         "allow an error above 0 where borders are kept or a surface is kept out");
 }
 
-/// Merges coplanar faces first: collapsing them one by one would update the error bound many times.
-/// Nothing is merged if a border or a distance has to be kept, or if merging exceeds the error.
+/// Merges coplanar faces. Nothing is merged if a border or a distance has to be kept, or if merging
+/// exceeds the error.
 MergeFlatResult merge_flat_faces(Mesh& mesh, const DecimateOptions& options,
                                  const Progress& progress) {
   if (options.keep_border || options.keep_out.surface != nullptr) return {};
-  const EditableMesh is_manifold(mesh);  // throws if it is not
+  const EditableMesh is_manifold(mesh);  // throws if the mesh is not an oriented manifold
   Mesh merged = mesh;
   const MergeFlatResult result = merge_flat(merged, std::vector<char>(mesh.faces.size(), 1),
                                             flat_spacings, options.coordinate, progress);
-  const bool is_within = *options.error == 0 || result.displacement < *options.error;
+  const bool is_within = options.error.value_or(0) == 0 || result.displacement < *options.error;
   if (!is_within || result.removed_faces == 0) return {};
   mesh = std::move(merged);
   return result;
@@ -279,6 +49,7 @@ DecimateResult without_collapses(const Mesh& mesh) {
   return result;
 }
 
+/// Merges flat faces first: collapsing them one by one would update the error bound many times.
 DecimateResult decimate_within(Mesh& mesh, const DecimateOptions& options,
                                const Progress& progress) {
   Mesh start = mesh;
@@ -295,29 +66,53 @@ DecimateResult decimate_within(Mesh& mesh, const DecimateOptions& options,
   return result;
 }
 
+bool has_too_many(const DecimateResult& result, const DecimateOptions& options) {
+  return static_cast<double>(result.faces) > (1 + tolerance) * static_cast<double>(options.faces);
+}
+
+GoalError stuck(const DecimateResult& result, const DecimateOptions& options) {
+  return {ErrorKind::decimation_stuck,
+          std::to_string(result.faces) + " faces are left, of which no more than " +
+              std::to_string(options.faces) +
+              " were wanted: further collapses would change the topology, turn faces over or make "
+              "the surface touch itself or what it is kept out of",
+          {.counts = {result.faces, options.faces}}};
+}
+
+/// Collapses edges until `faces` or less are left, or until every further collapse is refused.
+DecimateResult collapse_edges(Mesh& mesh, const DecimateOptions& options,
+                              const Progress& progress) {
+  if (mesh.faces.size() <= options.faces) return without_collapses(mesh);
+  Decimator decimator(mesh, options, std::nullopt, progress);
+  const DecimateResult result = decimator.run();
+  mesh = decimator.to_mesh();
+  return result;
+}
+
+/// Collapses edges of the mesh itself. If that gets stuck, flat faces are merged first: between
+/// slivers that are as thin as rounding errors, every single collapse counts as contact.
+DecimateResult decimate_to(Mesh& mesh, const DecimateOptions& options, const Progress& progress) {
+  Mesh decimated = mesh;
+  DecimateResult result = collapse_edges(decimated, options, progress);
+  if (has_too_many(result, options)) {
+    decimated = mesh;
+    const MergeFlatResult merged = merge_flat_faces(decimated, options, progress);
+    if (merged.removed_faces > 0) result = collapse_edges(decimated, options, progress);
+    result.merged_faces = merged.removed_faces;
+  }
+  if (has_too_many(result, options)) throw stuck(result, options);
+  mesh = std::move(decimated);
+  return result;
+}
+
 }  // namespace
 
 DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progress& progress) {
   check(mesh, options);
   if (mesh.faces.size() <= options.faces) return without_collapses(mesh);
   progress("connect");
-  if (options.error) {
-    DecimateResult result = decimate_within(mesh, options, progress);
-    result.columns = refresh_columns(mesh);
-    return result;
-  }
-  Decimator decimator(mesh, options, std::nullopt, progress);
-  DecimateResult result = decimator.run();
-  if (static_cast<double>(result.faces) > (1 + tolerance) * static_cast<double>(options.faces)) {
-    throw GoalError(
-        ErrorKind::decimation_stuck,
-        std::to_string(result.faces) + " faces are left, of which no more than " +
-            std::to_string(options.faces) +
-            " were wanted: further collapses would change the topology, turn faces over or make "
-            "the surface touch itself or what it is kept out of",
-        {.counts = {result.faces, options.faces}});
-  }
-  mesh = decimator.to_mesh();
+  DecimateResult result = options.error ? decimate_within(mesh, options, progress)
+                                        : decimate_to(mesh, options, progress);
   result.columns = refresh_columns(mesh);
   return result;
 }

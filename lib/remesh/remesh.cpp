@@ -25,6 +25,7 @@
 #include "remesh/remesh_connected.h"
 #include "remesh/sizing.h"
 #include "remesh/small_components.h"
+#include "remesh/thin_components.h"
 #include "support/counted.h"
 #include "support/empty_result_error.h"
 #include "support/number.h"
@@ -33,8 +34,8 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_faces = 500e6;
-constexpr double largest_extent = 1e75;
+constexpr double most_faces = 500e6;     ///< chosen by hand, to limit memory
+constexpr double largest_extent = 1e75;  ///< squares of areas must stay below the largest double
 /// If edges are far too short, they are collapsed in stages. Each stage collapses edges shorter
 /// than this many times the typical length.
 constexpr double stage_growth = 1.6;
@@ -194,8 +195,7 @@ class Iteration {
   }
   void smooth(bool is_first) {
     const RemeshOptions& options = task_.options;
-    // Relaxation between collapses and flips is worth its time only for a mesh that is good
-    // already.
+    // Relaxation between collapses and flips pays off only if the mesh already has good triangles.
     if (options.smoothing == Smoothing::tangential && !is_first) relax();
     const bool twice = options.smoothing == Smoothing::bilaplace;
     if (options.smoothing != Smoothing::laplace && !twice) return;
@@ -210,22 +210,26 @@ class Iteration {
   EmbeddingGuard& guard_;
 };
 
-/// The least width of components that are kept: that of films if these are kept and it is smaller
-/// than the shortest edge, else the shortest edge.
+/// Returns the least width of components that are kept. It is the width of films if films are kept
+/// and it is smaller than the shortest edge; otherwise it is the shortest edge.
 double least_width(const Task& task) {
   const double film = task.options.min_film / sizes_of(task.mesh).largest;
   return film > 0 ? std::min(film, task.limits.shortest) : task.limits.shortest;
 }
 
-void remove_small(const Task& task) {
-  if (task.options.only_smooth) return;
-  const RemeshResult::RemovedComponents removed =
-      remove_small_components(task.mesh, least_width(task), task.options.keep_border);
-  RemeshResult::RemovedComponents& all = task.result.components_removed;
+void count_removed(const RemeshResult::RemovedComponents& removed, RemeshResult& result) {
+  RemeshResult::RemovedComponents& all = result.components_removed;
   all.count += removed.count;
   all.faces += removed.faces;
   all.area += removed.area;
   all.volume += removed.volume;
+}
+
+void remove_small(const Task& task) {
+  if (task.options.only_smooth) return;
+  const double width = least_width(task);
+  count_removed(remove_small_components(task.mesh, width, task.options.keep_border), task.result);
+  if (task.options.curved) count_removed(remove_thin_components(task.mesh, width), task.result);
 }
 
 /// Statistics of the lengths of all edges, relative to the local size.
@@ -338,7 +342,9 @@ RemeshResult remesh_parts(Mesh& mesh, const RemeshOptions& given, const Progress
   const EdgeLimits limits = set_sizes(editable, mesh, options);
   const bool has_degenerate = survey_faces(editable, limits.longest);
   std::optional<ClosestPointQuery> surface;
-  if (options.project || options.adaptive_error > 0) surface.emplace(mesh);
+  // Only vertices that are smoothed are projected.
+  const bool projects = options.project || options.adaptive_error > 0;
+  if (projects && options.smoothing != Smoothing::none) surface.emplace(mesh);
 
   RemeshResult result;
   result.feature_angle_deg = options.feature_angle_deg;

@@ -13,17 +13,21 @@ namespace {
 /// collapsed again.
 constexpr double least_ratio = 1.5;
 
+/// Lengths that messages advise differ from the limit by this share, and have four digits. Rounding
+/// to four digits moves them by at most half of that, so that following the advice is accepted.
+constexpr double margin = 1e-3;
+
 void check_lengths(double min_edge, double max_edge) {
   if (!std::isfinite(min_edge) || !std::isfinite(max_edge) || min_edge <= 0) {
     throw UsageError("edge lengths must be positive: the shortest is " + shortest_text(min_edge) +
                      ", the longest " + shortest_text(max_edge));
   }
   if (max_edge < least_ratio * min_edge) {
-    throw UsageError("the longest edge " + shortest_text(max_edge) + " is below 1.5 times the " +
-                     "shortest " + shortest_text(min_edge) +
-                     ": what is split would be collapsed again; use at most " +
-                     shortest_text(max_edge / least_ratio) + " for the shortest, or at least " +
-                     shortest_text(min_edge * least_ratio) + " for the longest");
+    throw UsageError(
+        "the longest edge " + shortest_text(max_edge) + " is below 1.5 times the " + "shortest " +
+        shortest_text(min_edge) + ": what is split would be collapsed again; use at most " +
+        significant(max_edge / least_ratio * (1 - margin), 4) + " for the shortest, or at least " +
+        significant(min_edge * least_ratio * (1 + margin), 4) + " for the longest");
   }
 }
 
@@ -42,11 +46,12 @@ void check_options(const RemeshOptions& options) {
   if (!(std::isfinite(options.pinch) && options.pinch >= 0))
     throw UsageError("the length of loops to be pinched off must be a positive length");
   if (options.pinch > 0 && options.only_smooth)
-    throw UsageError("nothing but smoothing, and necks to be cut: do one after the other");
+    throw UsageError(
+        "smoothing alone and cutting of necks exclude each other: do one after the other");
   const double first = options.smooth_first;
   const double second = options.smooth_second;
   if (options.only_smooth && options.smoothing == Smoothing::none)
-    throw UsageError("nothing but smoothing, and no smoothing: nothing would be done");
+    throw UsageError("only smoothing is allowed, but smoothing is off: nothing would be done");
   if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
   if (!(options.feature_angle_deg >= 0 && options.feature_angle_deg <= 180)) {
     throw UsageError("the feature angle " + shortest_text(options.feature_angle_deg) +

@@ -22,7 +22,8 @@ constexpr double clear_gap = 8;
 constexpr double widest_crack = 2e-4;
 
 /// Largest ratio of the number of edges up to the crack width, which collapse, to the number of
-/// vertices at cracks. A few edges may be that short; if many are, the distances are no cracks.
+/// vertices at cracks. A few edges may be that short. If many are, the distances are those of the
+/// mesh, not of cracks.
 constexpr double lost_edges = 0.1;
 
 /// Cosine of 25 degrees. Two faces at an edge fold back if the angle between them is smaller. A

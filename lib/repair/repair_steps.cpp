@@ -64,7 +64,7 @@ void RepairSteps::stitch(const StitchOptions& options) {
   add_finding(step, check_manifold(mesh_).isolated_vertices.size(), "vertex",
               "without a face dropped");
   add_finding(step, result.joined_vertices, "vertex", "joined with others");
-  add_finding(step, result.split_borders, "border edge", "split at vertices upon them");
+  add_finding(step, result.split_borders, "border edge", "split at vertices that lie on them");
   add_finding(step, result.dropped_faces, "face", "without three corners dropped");
   add_finding(step, result.dropped_copies, "face", "dropped as copies of others");
   add_finding(step, result.dropped_reverses, "face", "dropped as reverses of others");
@@ -98,7 +98,7 @@ void RepairSteps::clean() {
   RepairStep step;
   step.operation = options;
   add_finding(step, result.pairs, "pair", "of intersecting faces resolved");
-  add_finding(step, result.removed_faces, "face", "dropped inside or upon others");
+  add_finding(step, result.removed_faces, "face", "dropped inside of others or on them");
   add_finding(step, result.copied_vertices, "vertex", "copied where sheets touch");
   record(std::move(result.mesh), std::move(step));
 }
@@ -113,7 +113,7 @@ void RepairSteps::drop_components(double least_area) {
   const std::size_t dropped = before - connected_components(after).components.size();
   RepairStep step;
   step.operation = options;
-  add_finding(step, dropped, "component", "dropped as shards");
+  add_finding(step, dropped, "component", "dropped as small components");
   record(std::move(after), std::move(step));
 }
 

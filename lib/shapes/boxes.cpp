@@ -75,7 +75,7 @@ class BoxBuilder {
 
 /// Returns the number of cells of this size along each edge, at least one.
 std::array<std::size_t, 3> cells_of(const Vec3& edges, double cell) {
-  constexpr double most = 1e9;
+  constexpr double most = 1e9;  // cells along an edge, so that the conversion does not overflow
   std::array<std::size_t, 3> cells;
   for (int axis = 0; axis < 3; ++axis)
     cells[axis] = static_cast<std::size_t>(std::clamp(std::round(edges[axis] / cell), 1.0, most));
@@ -116,7 +116,7 @@ Mesh box(const Vec3& edges, std::size_t faces) {
 }
 
 Mesh boxes(std::size_t count, std::uint64_t seed) {
-  constexpr long longest = 4;
+  constexpr long longest = 4;  // edge of a box in cells; chosen by hand
   const long world = longest + std::lround(2 * elementary::cbrt(static_cast<double>(count)));
   Random random(seed);
   Mesh mesh;

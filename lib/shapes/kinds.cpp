@@ -61,9 +61,9 @@ Mesh make_sphere_kind(const ShapeOptions& options, std::size_t faces, const Prog
   const Box& box = *options.around;
   const double inner = geodesic_inner_radius(geodesic_frequency(static_cast<double>(faces)));
   const double radius = 1.05 * diagonal_of(box) / 2 / inner;
-  if (!(radius > 0)) throw InputError("the mesh to go around has no size");
+  if (!(radius > 0)) throw InputError("the mesh to surround has no extent");
   if (!is_sensible_length(radius)) {
-    throw InputError("the mesh to go around is " + shortest_text(diagonal_of(box)) +
+    throw InputError("the mesh to surround is " + shortest_text(diagonal_of(box)) +
                      " across: scale it to a size from 1e-50 to 1e50");
   }
   return make_sphere(box.min() + (box.max() - box.min()) / 2, radius, faces);
@@ -102,7 +102,7 @@ Mesh make_cone(const ShapeOptions& options, std::size_t faces, const Progress&) 
 }
 
 Mesh make_hull(const ShapeOptions& options, std::size_t, const Progress&) {
-  if (options.points.empty()) refuse(options, "no points are given to go around");
+  if (options.points.empty()) refuse(options, "there are no points to surround");
   return convex_hull(options.points);
 }
 
@@ -124,7 +124,7 @@ Mesh make_knot(const ShapeOptions& options, std::size_t faces, double share) {
   const long q = integer_parameter(options, 1, 30);
   if (std::gcd(p, q) != 1) {
     refuse(options, std::to_string(p) + " and " + std::to_string(q) +
-                        " have a common factor, so this is no knot but several rings");
+                        " have a common factor, so the curve is several rings, not a knot");
   }
   const double ring = options.radius.value_or(0.75);
   const double tube = options.tube ? *options.tube : share * torus_knot_thickness(p, q, ring);
@@ -142,7 +142,8 @@ Mesh make_tangle(const ShapeOptions& options, std::size_t faces, const Progress&
 Mesh make_two_spheres(const ShapeOptions& options, std::size_t faces, const Progress&) {
   const double radius = options.radius.value_or(0.7);
   const double gap = options.gap.value_or(-0.55 * radius);
-  if (gap <= -2 * radius) refuse(options, "a gap of -2 radii or less puts one over the other");
+  if (gap <= -2 * radius)
+    refuse(options, "the gap must be above -2 radii, or both spheres coincide");
   return two_spheres(radius, gap, faces);
 }
 

@@ -9,7 +9,7 @@
 namespace transformesh::shapes {
 namespace {
 
-constexpr std::size_t vertices_per_task = 1024;
+constexpr std::size_t vertices_per_task = 1024;  ///< affects time only
 
 /// Returns the cosine of the angle at the apex.
 double cosine_at(const Vec3& apex, const Vec3& a, const Vec3& b) {

@@ -20,9 +20,9 @@ namespace {
 
 using shapes::Kind;
 
-constexpr std::size_t default_faces = 10000;
-constexpr std::size_t coarse_faces = 2000;
-constexpr double most_faces = 1e9;
+constexpr std::size_t default_faces = 10000;  ///< chosen by hand
+constexpr std::size_t coarse_faces = 2000;    ///< chosen by hand
+constexpr double most_faces = 1e9;            ///< three indices per face stay below 2^32
 // Least size of faces and thickness, in coordinate spacings. A choice: less loses digits of shape,
 // more rejects usable shapes.
 constexpr double least_spacings = 1000;

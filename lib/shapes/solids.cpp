@@ -78,8 +78,8 @@ Mesh genus(long holes, std::size_t faces, const Progress& progress) {
 }
 
 Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
-  constexpr double ball = 0.5;
-  constexpr double ball_center = 0.7;
+  constexpr double ball = 0.5;         // radius
+  constexpr double ball_center = 0.7;  // distance from the origin along z
   const double radius = std::abs(neck);
   ImplicitSolid solid;
   solid.function = [radius](const Vec3& point) {
@@ -92,6 +92,7 @@ Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
   Mesh mesh = mesh_implicit(solid, faces, progress);
   if (neck > 0) return mesh;
 
+  // Heights below this are turned inside out; it covers the neck.
   constexpr double mirrored_part = 0.4;
   for (Vec3& point : mesh.positions) {
     const double share = point.z() / mirrored_part;
@@ -102,7 +103,7 @@ Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
 }
 
 Mesh bowl(std::size_t faces, const Progress& progress) {
-  constexpr double radius = 0.9;
+  constexpr double radius = 0.9;           // distance of the middle surface from the center
   constexpr double thickness = 0.27;       // half the thickness
   constexpr double rim_angle = 0.05 * pi;  // above the horizontal plane
   const Vec2 rim = radius * Vec2(elementary::cos(rim_angle), elementary::sin(rim_angle));

@@ -80,8 +80,9 @@ void refuse_empty(const Mesh& mesh, const std::string& name) {
 void check_area(const Mesh& mesh, const std::string& name) {
   if (mesh.faces.empty()) return;
   const double area = surface_area(mesh);
-  if (!(area > 0)) throw InputError(name + " has no area beside the size of the reference");
-  if (!std::isfinite(area)) throw InputError(name + " is too large beside the reference");
+  if (!(area > 0))
+    throw InputError(name + " is too small compared with the reference, or has no area");
+  if (!std::isfinite(area)) throw InputError(name + " is too large compared with the reference");
 }
 
 void check(const RegistrationOptions& options) {

@@ -57,7 +57,7 @@ void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
   }
   if (2 * lost > is_moved.size()) {
     throw GoalError(
-        "most vertices would go so far that coordinates have no digits for their edges any more");
+        "most vertices would move so far that coordinates could not resolve their edges");
   }
 }
 

@@ -13,9 +13,12 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 256;  ///< affects time only
-/// After this many halvings, at 1/32 of its movement, a vertex stops. More halvings leave smaller
-/// remaining gaps and take more tests.
-constexpr int most_halvings = 5;
+/// From this many halvings on, at 1/32 of its movement, a vertex stops if its movement is also
+/// smaller than the gap. More halvings leave smaller remaining gaps and take more tests.
+constexpr int least_halvings = 5;
+/// A vertex stops after this many halvings, at a billionth of its movement. It bounds the tests for
+/// tiny gaps.
+constexpr int most_halvings = 30;
 
 class Holder {
  public:
@@ -85,6 +88,11 @@ class Holder {
     return sides;
   }
 
+  bool stops(Index v, int halvings) const {
+    if (halvings <= least_halvings) return false;
+    return halvings > most_halvings || movements_[v].norm() < keep_out_.gap();
+  }
+
   // Halves the movements of the vertices of `faces`. Returns all faces at these vertices.
   std::vector<Index> hold_back_at(const std::vector<Index>& faces, std::vector<int>& halvings,
                                   const VertexFaces& faces_at) {
@@ -96,8 +104,7 @@ class Holder {
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     std::vector<Index> touched;
     for (const Index v : vertices) {
-      movements_[v] =
-          ++halvings[v] > most_halvings ? Vec3(Vec3::Zero()) : Vec3(0.5 * movements_[v]);
+      movements_[v] *= stops(v, ++halvings[v]) ? 0 : 0.5;
       touched.insert(touched.end(), faces_at[v].begin(), faces_at[v].end());
     }
     std::sort(touched.begin(), touched.end());

@@ -4,10 +4,10 @@
 /// A face may move in two cases. Either its longest movement is too short to bring it closer to the
 /// obstacle than the gap. Or KeepOut::allows() its new position: the face keeps the gap there, and
 /// no part of the obstacle lies in the prism that it sweeps. If a face may not move, movements of
-/// its three vertices are halved; after five halvings they are set to zero. All faces at changed
-/// vertices are tested again. As a result, the moved surface keeps the gap up to rounding and has
-/// not passed through the obstacle. Directions of movements stay the same. A face that was closer
-/// than the gap does not come closer.
+/// its three vertices are halved. After five halvings, movements below the gap are set to zero. All
+/// faces at changed vertices are tested again. As a result, the moved surface keeps the gap up to
+/// rounding and has not passed through the obstacle. Directions of movements stay the same. A face
+/// that was closer than the gap does not come closer.
 ///
 /// Throws InputError if the mesh intersects the obstacle, and UsageError if the gap is not
 /// positive. Cost: O(n log n) for n faces, in parallel; deterministic.

@@ -1,9 +1,9 @@
 /// Measures the local thickness of a surface and of the gaps beside it: local feature size without
 /// the effect of curvature. The thickness at a point with a normal is the diameter of the smallest
-/// ball that touches the surface at the point, from outside or from inside, and touches an opposite
-/// sheet. A sheet is opposite if its normal differs by more than 120 degrees. Gaps and walls are
-/// therefore thin; curved parts and sharp edges are not. At a sharp edge the normals of its faces
-/// are tested separately, so that a slot is as narrow at its rim as inside.
+/// ball that touches the surface there and an opposite sheet, from outside or from inside. A sheet
+/// is opposite if its normal differs by more than 120 degrees. Gaps and walls are therefore thin;
+/// curved parts and sharp edges are not. At a sharp edge the normals of its faces are tested
+/// separately, so that a slot is as narrow at its rim as inside.
 ///
 /// A ball shrinks until no opposite sheet reaches deeper into it than 5 % of its radius. Reference:
 /// Ma, Bae & Choi, "3D medial axis point approximation using nearest neighbors and the normal

@@ -54,14 +54,15 @@ std::vector<Problem> check_target(const Target& target, const std::string& name,
     warnings.push_back({ErrorKind::target_open,
                         named("the target", name) + " is open, with " +
                             counted(borders, "border edge") +
-                            ": a closed surface lies on both its sides or passes through",
+                            ": a closed surface ends on both of its sides or passes through it",
                         {.counts = {borders}, .name = name}});
   }
   const std::size_t pairs = find_intersections(target.mesh, progress).size();
   if (pairs > 0) {
     warnings.push_back({ErrorKind::self_intersections,
                         named("the target", name) + " intersects itself at " +
-                            counted(pairs, "pair") + " of faces: what lies inside is no goal",
+                            counted(pairs, "pair") +
+                            " of faces: faces inside the target cannot be reached",
                         {.counts = {pairs}, .name = name}});
   }
   return warnings;

@@ -21,7 +21,7 @@ std::string present_names(const Mesh& mesh) {
   for (const Column& column : mesh.vertex_columns.columns) {
     names += (names.empty() ? "" : ", ") + column.name;
   }
-  return names.empty() ? "it has none but x y z" : "it has " + names;
+  return names.empty() ? "it has only x, y and z" : "it has " + names;
 }
 
 const Column& number_column(const Mesh& mesh, std::string_view name) {

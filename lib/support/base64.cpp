@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view letters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-constexpr std::uint8_t no_digit = 64;
+constexpr std::uint8_t no_digit = 64;  ///< digits are 0 to 63
 
 /// Returns the digit of each byte, or `no_digit`.
 constexpr std::array<std::uint8_t, 256> digit_table() {

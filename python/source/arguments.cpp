@@ -50,12 +50,13 @@ void set_smoothing(const SmoothingChoice& smooth, RemeshOptions& options) {
 KeepOutOptions keep_out_of(const std::optional<MeshPointer>& surface,
                            const std::optional<PythonLength>& gap, Lengths& lengths) {
   if (surface.has_value() != gap.has_value())
-    throw UsageError("keep_out and gap go together: what to stay away from, and how far");
+    throw UsageError(
+        "keep_out and gap need each other: the mesh to keep away from, and the distance");
   if (!surface) return {};
   const KeepOutOptions options{&(*surface)->document.mesh, lengths(*gap)};
   if (!(options.gap > 0)) throw UsageError("gap must be above 0");
   if (options.surface->faces.empty())
-    throw InputError("keep_out has no faces: there is nothing to keep out of");
+    throw InputError("keep_out has no faces: there is nothing to keep away from");
   return options;
 }
 

@@ -99,6 +99,30 @@ Motion motion_of(const py::function& function) {
   }};
 }
 
+py::dict volumes_of(const std::vector<LabeledVolume>& components) {
+  py::dict volumes;
+  for (const LabeledVolume& component : components)
+    volumes[py::int_(component.label)] = component.volume;
+  return volumes;
+}
+
+/// Returns a dict per event: its members, with the volumes of components by their labels.
+py::list list_of(const std::vector<Event>& events) {
+  py::list all;
+  for (const Event& event : events) {
+    py::dict row;
+    row["iteration"] = event.iteration;
+    row["time"] = event.time;
+    row["kind"] = name_of(event.kind);
+    row["place"] = py::make_tuple(event.place.x(), event.place.y(), event.place.z());
+    row["size"] = event.size;
+    row["before"] = volumes_of(event.before);
+    row["after"] = volumes_of(event.after);
+    all.append(row);
+  }
+  return all;
+}
+
 MeshPointer evolve_mesh_in_time(const PythonMesh& mesh, const py::function& velocity, double time,
                                 const std::optional<double>& time_step,
                                 const std::string& integrator, double max_move,
@@ -106,7 +130,8 @@ MeshPointer evolve_mesh_in_time(const PythonMesh& mesh, const py::function& velo
                                 const std::optional<double>& event_tolerance, bool keep_volume,
                                 const PythonLength& min_edge, const PythonLength& max_edge,
                                 const SmoothingChoice& smooth, bool curved, bool outermost,
-                                const py::object& on_iteration, const py::object& progress) {
+                                bool events, const py::object& on_iteration,
+                                const py::object& progress) {
   Document document = beginning(mesh);
   TimeOptions time_options{time, time_step.value_or(0)};
   time_options.integrator =
@@ -120,13 +145,16 @@ MeshPointer evolve_mesh_in_time(const PythonMesh& mesh, const py::function& velo
   options.iteration.outermost = outermost;
   options.iteration.remesh.curved = curved;
   if (curved) options.iteration.remesh.flip = FlipRule::angle;
+  options.finds_events = events;
   const Motion motion = motion_of(velocity);
   const LoopOptions loop = loop_of(std::numeric_limits<std::size_t>::max(), on_iteration);
   const TimeResult result = without_lock(progress, [&](const Progress& to) {
     Record record;
     return evolve_in_time(document, motion, time_options, options, loop, record, to);
   });
-  return mesh_of(std::move(document), entries_of(result));
+  py::dict report = dict_of(entries_of(result));
+  if (events) report["events"] = list_of(result.evolution.events);
+  return mesh_of(std::move(document), report);
 }
 
 // --- morph ---------------------------------------------------------------------------------------
@@ -198,13 +226,16 @@ void bind_evolutions(py::module_& module) {
       arg("max_move") = TimeOptions().max_move, arg("tolerance") = none,
       arg("event_tolerance") = none, arg("keep_volume") = false, arg("min_edge") = shortest,
       arg("max_edge") = longest, arg("smooth") = "none", arg("curved") = false,
-      arg("outermost") = true, arg("on_iteration") = none, arg("progress") = none,
+      arg("outermost") = true, arg("events") = false, arg("on_iteration") = none,
+      arg("progress") = none,
       "Evolves a surface from time 0 to `time` along `velocity(mesh, time)`, an array (n, 3). In a "
       "step all vertices move by the same span of time: `time_step`, or as long as no vertex moves "
       "farther than `max_move` of its own edges and, if `tolerance` is given, the local error is "
       "at "
-      "most that length. `curved` remeshes on curves, which keeps smooth shapes. See TIME in "
-      "tm-evolve(1).");
+      "most that length. `curved` remeshes on curves, which keeps smooth shapes. With `events`, "
+      "`report['events']` is a list of the changes of topology: dicts of iteration, time, kind, "
+      "place, size, and the volumes of the components before and after by their labels. Faces have "
+      "these in the column component_label. See TIME and EVENTS in tm-evolve(1).");
   module.def("morph", &morph_mesh, arg("source"), arg("target"), py::kw_only(),
              arg("iterations") = LoopOptions().iterations, arg("alpha") = DisplaceOptions().alpha,
              arg("time_step") = MorphStepOptions().displace.time_step, arg("distance") = "auto",

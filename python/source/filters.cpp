@@ -88,7 +88,7 @@ MeshPointer boolean_of(const std::string& operation, const py::args& meshes, boo
                        bool merge_flat, bool source_operand, const py::object& progress) {
   choice("operation", operation, {"union", "intersection", "difference", "xor", "cut"});
   if ((inside || cap) && operation != cut_command())
-    throw UsageError(std::string(inside ? "inside" : "cap") + " is of cut alone");
+    throw UsageError(std::string(inside ? "inside" : "cap") + " can be used only with cut");
   if (meshes.empty()) throw UsageError("boolean: at least one mesh is needed");
   std::vector<Document> documents;
   std::vector<std::string> names;

@@ -7,6 +7,7 @@
 #include "advice.h"
 #include "arguments.h"
 #include "call.h"
+#include "clean/box/tile.h"
 #include "columns_binding.h"
 #include "io/formats/file_format.h"
 #include "io/streams/atomic_file.h"
@@ -96,6 +97,10 @@ std::string description(const PythonMesh& self) {
 MeshPointer parse(std::string_view bytes, const std::string& name, const ReadOptions& options) {
   ReadResult result =
       without_lock(py::none(), [&](const Progress&) { return read_mesh(bytes, name, options); });
+  if (has_tile_comment(result.document.style.comments))
+    throw InputError(name +
+                     " is a tile of a larger mesh, cut at its borders; clean each tile with "
+                     "the program tm-clean, and join them with tm-tile join");
   if (result.soup_note) {
     std::string& line = result.notes[*result.soup_note];
     line = with_advice({ErrorKind::not_joined, line});

@@ -294,6 +294,7 @@ def evolve_in_time(
     smooth: Smoothing = "none",
     curved: bool = False,
     outermost: bool = True,
+    events: bool = False,
     on_iteration: Optional[Callable[[str], object]] = None,
     progress: Progress = None,
 ) -> Mesh: ...

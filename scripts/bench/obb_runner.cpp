@@ -1,6 +1,6 @@
 /// A runner of the Open Boolean Benchmark: obb-runner --request FILE --result FILE [--threads N].
 /// The contract is docs/Runner IO Contract.md, version 1, of
-/// https://github.com/Open-Boolean-Benchmark/boolean-benchmark-runners.
+/// https://github.com/solidean/boolean-benchmark-runners.
 ///
 /// The raw format is Mesh (indexed triangles in doubles), which boolean() takes and returns.
 /// Therefore io_ms is reading and parsing, and import_ms and export_ms are 0. operation_ms is

@@ -1,13 +1,12 @@
 """Checks prose: comments, Markdown texts and commit subjects.
 
-    prose.py COMMIT [--old PREFIX]... FILE...
+    prose.py COMMIT FILE...
 
 Reports comments that begin with a word that refers to something else (of, where, it), and sentences of
-more than 30 words. References to the literature may be longer. Files whose names begin with a PREFIX may keep sentences that the tree of COMMIT
-contains, in any file and with single words renamed. Also reports subjects of commits since COMMIT that
-are longer than 72 characters. Exit code 1 if there are any.
+more than 30 words. References to the literature may be longer. In files of the folder lib, reports
+constants of number types without a comment above or beside them, where their reason belongs. Also
+reports subjects of commits since COMMIT that are longer than 72 characters. Exit code 1 if there are any.
 """
-import argparse
 import re
 import subprocess
 import sys
@@ -22,6 +21,8 @@ CPP_COMMENT = re.compile(r'///?<?(?!/)')
 SHELL_COMMENT = re.compile(r'(?:^|(?<=\s))#(?![!#{])')
 SENTENCE_END = re.compile(r'(?:(?<=[.!?])|(?<=[.!?][)"*`]))(?<!e\.g\.)(?<!i\.e\.)(?<!\bal\.)(?<!\bvs\.)'
                           r'\s+(?=[A-Z`"(*\[])')
+NUMBER_TYPE = r'(?:double|float|int|long|unsigned|Index|std::size_t|std::u?int\d+_t)'
+CONSTANT = re.compile(rf'\s*(?:static |inline )*constexpr {NUMBER_TYPE} \w+(?: =|{{)')
 LIST_ITEM = re.compile(r'\s*[-*] ')
 MARKDOWN_BREAK = re.compile(r'\s*(?:[-*+] |\d+\. |>|:   |\||#|$)|.* \| ')
 
@@ -87,33 +88,19 @@ def count_words(sentence):
     return sum(1 for word in plain.split() if re.search(r'\w', word))
 
 
-def triples(text):
-    """Returns the sequences of three words of a text."""
-    words = text.split()
-    return list(zip(words, words[1:], words[2:]))
-
-
-class OldText:
-    """The text of a commit; asks git for it when it is first needed."""
-
-    LEAST_SHARE = 0.7  # one renamed word in ten changes three of ten triples
-
-    def __init__(self, commit):
-        self.commit, self.text, self.triples = commit, None, None
-
-    def has(self, sentence):
-        sentence = re.sub(r'\s+', ' ', sentence)
-        if self.text is None:
-            self.text = plain_text(git('grep', '-hI', '-e', '', self.commit, '--'))
-            self.triples = set(triples(self.text))
-        parts = triples(sentence)
-        known = sum(part in self.triples for part in parts)
-        return sentence in self.text or (len(parts) > 0 and known >= self.LEAST_SHARE * len(parts))
-
-
-def plain_text(text):
-    """Returns the words of a file without comment signs, separated by one space."""
-    return re.sub(r'\s+', ' ', re.sub(r'(?m)(?:^|(?<=\s))(?:///?<?|#)(?=\s)', ' ', text))
+def constants_without_reason(lines):
+    """Yields (line number, line) of each constant that has no comment. A comment above a group is enough."""
+    is_explained = False
+    for i, line in enumerate(lines):
+        match = CONSTANT.match(line)
+        if not match:
+            is_explained = '//' in line or (is_explained and line.lstrip().startswith('template'))
+            continue
+        end = next((j for j in range(i, len(lines)) if ';' in lines[j]), i)
+        definition = '\n'.join(lines[i:end + 1])
+        has_number = re.search(r'(?<!\w)\.?\d', definition[match.end():].split('//')[0])
+        if has_number and not is_explained and '//' not in definition:
+            yield i + 1, line.strip()
 
 
 def problems_of(name, text):
@@ -124,6 +111,9 @@ def problems_of(name, text):
     else:
         text = without_strings(text, name)
     lines = text.split('\n')
+    if name.startswith('lib/'):
+        for line, constant in constants_without_reason(lines):
+            yield line, constant, 'a constant without a reason'
     for line, block in paragraphs(lines) if is_markdown else comments(lines, name):
         parts = sentences(block)
         if not is_markdown and FIRST.match(parts[0]):
@@ -146,25 +136,17 @@ def long_subjects(commit):
             yield f'commit {number}: a subject of {len(subject)} characters: {subject}'
 
 
-def main(commit, old_prefixes, files):
+def main(commit, files):
     found = list(long_subjects(commit))
-    before = OldText(commit)
     for name in files:
         with open(name, encoding='utf-8', errors='replace') as file:
             text = file.read()
-        is_old = name.startswith(tuple(old_prefixes))
         for line, sentence, problem in problems_of(name, text):
-            if not (is_old and before.has(sentence)):
-                found.append(f'{name}:{line}: {problem}: {sentence}')
+            found.append(f'{name}:{line}: {problem}: {sentence}')
     for problem in found:
         print(f'lint: {problem}', file=sys.stderr)
     return 1 if found else 0
 
 
 if __name__ == '__main__':
-    parser = argparse.ArgumentParser()
-    parser.add_argument('commit')
-    parser.add_argument('--old', action='append', default=[])
-    parser.add_argument('files', nargs='*')
-    given = parser.parse_intermixed_args()
-    sys.exit(main(given.commit, given.old, given.files))
+    sys.exit(main(sys.argv[1], sys.argv[2:]))

@@ -1,9 +1,9 @@
-# The page of a batch: rows as `batch collect` has them; $title, $style, and $files: the pictures
-# and pages that there are.
+# The page of a batch: rows as `batch collect` writes them, $title, $style, and $files: the names
+# of existing pictures and pages.
 def unique_in_order: reduce .[] as $one ([]; if index([$one]) then . else . + [$one] end);
 def counted($noun): "\(.) \($noun)\(if . == 1 then "" else "s" end)";
 
-# What came of a run, in one cell.
+# The outcome of a run, in one cell.
 def cell:
   "pictures/\(.shape),\(.run).png" as $picture
   | if .exit_code == null then "<td class=\"open\">\(.message | @html)</td>"

@@ -13,7 +13,7 @@ make_bare_system() {
   mount -t proc proc "$bare_root/proc"
 }
 
-# What is bound into the bare system goes before the system does.
+# Unmounts everything that is mounted in the bare system before removing it.
 remove_bare_system() {
   [ -n "$bare_root" ] || return 0
   umount "$bare_root/proc" 2>/dev/null || true

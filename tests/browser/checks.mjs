@@ -207,6 +207,24 @@ const checks = {
     });
   },
 
+  // Checks the page of a single box: its sides are flat, and no key plays.
+  async creases(address) {
+    await withPage(address, {}, async (page, browser) => {
+      await settled(page);
+      const {bytes} = await pixelsOf(page, browser, '#canvas');
+      const counts = new Map();
+      for (let at = 0; at < bytes.length; at += 4)
+        if (bytes[at] < 0xd0) counts.set(bytes.readUIntBE(at, 3), (counts.get(bytes.readUIntBE(at, 3)) ?? 0) + 1);
+      const sorted = [...counts.values()].sort((a, b) => b - a);
+      const all = sorted.reduce((sum, count) => sum + count, 0);
+      assert(all > 10000, `${all} pixels`);
+      const sides = sorted.slice(0, 3);
+      assert(sides[2] > 0.05 * all, `sides of ${sides} pixels`);
+      assert(sides.reduce((sum, count) => sum + count, 0) > 0.95 * all, `${sides} of ${all} pixels in three colors`);
+      assert.doesNotMatch(await page.$eval('#keys', (element) => element.innerText), /plays|two fingers/);
+    });
+  },
+
   // Checks that a red ball is drawn as a disc of the right size.
   async silhouette(address) {
     for (const size of [...widths, {...widths[0], dark: true}]) {

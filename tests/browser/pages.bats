@@ -43,6 +43,7 @@ setup_file() {
     /^end_header/ { inside = 1 }
     { print }' >red.ply
   tm-view red.ply -o red.html
+  tm-shape box 1 1 1 --faces 300 | tm-view -o box.html
 }
 
 setup() {
@@ -80,6 +81,10 @@ setup() {
 
 @test "the target shows through as a ghost, unless that is not wanted" {
   check ghost one.html
+}
+
+@test "the sides of a box are flat up to its edges" {
+  check creases box.html
 }
 
 @test "a ball is a disc of the right size, place and color" {

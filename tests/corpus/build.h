@@ -1,4 +1,4 @@
-/// What the corpus builds its meshes from, beside tests/helpers/shapes.h.
+/// Functions from which the corpus builds its meshes, besides those of tests/helpers/shapes.h.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,30 +21,30 @@ using test::scaled;
 using test::soup_of;
 using test::torus;
 
-/// `name-value`, with values in order: the names of cases.
+/// Returns the name of a case, `name-value`. Names sort by value.
 std::string named(const std::string& name, long value);
 
-/// An integer in [low, high].
+/// Returns a random integer in [low, high].
 long integer(Random& random, long low, long high);
-/// With integer coordinates in [low, high].
+/// Returns a random point with integer coordinates in [low, high].
 Vec3 lattice_point(Random& random, long low, long high);
-/// A box with integer corners in [0, size], no side longer than `longest`.
+/// Returns a random box with integer corners in [0, size], no side longer than `longest`.
 Mesh lattice_box(Random& random, long size, long longest);
-/// A tetrahedron with volume and integer corners in [low, high], facing outwards.
+/// Returns a random tetrahedron with volume and integer corners in [low, high], oriented outwards.
 Mesh lattice_tetrahedron(Random& random, long low, long high);
 
-/// The tetrahedron of four points that are not coplanar, facing outwards.
+/// Returns the tetrahedron of four points that are not coplanar, oriented outwards.
 Mesh tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-/// Two apexes on the z axis and a ring of `sides` points about it, turned by `angle`.
+/// Returns two apexes on the z axis and a ring of `sides` points around it, turned by `angle`.
 Mesh bipyramid(int sides, double radius, double height, double angle);
 
-/// About an axis that is no coordinate axis: coplanar faces of different shapes come apart by what
-/// is rounded.
+/// Rotates the mesh about an axis that is not a coordinate axis. Rounding moves coplanar faces of
+/// different shapes apart.
 Mesh turned(Mesh mesh, double angle = 0.7);
 Mesh stretched(Mesh mesh, const Vec3& by);
-/// Coordinates rounded to integers.
+/// Rounds the coordinates to integers.
 Mesh on_lattice(Mesh mesh);
-/// Every vertex moved at random by at most `amplitude` per coordinate.
+/// Moves every vertex at random by at most `amplitude` per coordinate.
 Mesh jittered(Mesh mesh, double amplitude, Random& random);
 
 }  // namespace transformesh::corpus

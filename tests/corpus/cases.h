@@ -1,5 +1,5 @@
-/// The inputs that the corpus generates. Every kind of degenerate geometry has its cases, of
-/// several sizes and seeds; each is written as doubles and, where floats can hold it, as floats.
+/// The inputs that the corpus generates. Every kind of degenerate geometry has cases of several
+/// sizes and seeds. Each is written as doubles and, if floats can hold it, as floats.
 #pragma once
 
 #include <functional>
@@ -11,25 +11,25 @@
 
 namespace transformesh::corpus {
 
-/// What tm-clean must do with an input, because of what that input is.
+/// The required outcome of tm-clean for an input.
 enum class Outcome {
-  clean,         ///< a result that is certified
-  by_winding,    ///< the same, unless no winding number reaches the winding level: then exit 4
-  inside_out,    ///< no winding number reaches the winding level, by construction: exit 4
-  not_oriented,  ///< two faces run along an edge the same way: exit 3
+  clean,         ///< a certified result
+  by_winding,    ///< a certified result, or exit 4 if no winding number reaches the winding level
+  inside_out,    ///< exit 4: by construction no winding number reaches the winding level
+  not_oriented,  ///< exit 3: two faces traverse an edge in the same direction
 };
 
 struct Case {
-  std::string kind;  ///< a row of the table
+  std::string kind;  ///< a row of the printed table
   std::string name;  ///< unique within its kind
   std::function<Mesh()> make;
   Outcome outcome = Outcome::clean;
   int winding_level = 1;
-  bool fits_float = true;  ///< in floats it is still what its kind says
-  /// Its smallest gap or part, as a share of its largest coordinate. Where only a few numbers lie
-  /// in between, many samples of a right result are undecided.
+  bool fits_float = true;  ///< the mesh still has the property of its kind after rounding to float
+  /// Smallest gap or part as a fraction of the largest coordinate. If only a few numbers lie in
+  /// between, many samples of a correct result are undecided.
   double feature = 1;
-  /// Of the result, where it is known in closed form.
+  /// Volume of the correct result, if it is known in closed form.
   std::optional<double> volume{};
 };
 

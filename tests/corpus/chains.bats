@@ -9,7 +9,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR" || exit
 }
 
-# percent 'words': the percentage before these words in the last run's summary.
+# percent 'words': prints the percentage before these words in the last run's summary.
 percent() {
   grep -oE "[0-9.]+ % $1" <<<"$output" | cut -d ' ' -f 1
 }
@@ -31,7 +31,7 @@ percent() {
 
 @test "chains: every pipeline of the runner is in the README or the recipes" {
   "$chains" --pipelines --list >commands
-  # A line that ends in a pipe continues in the next one.
+  # A line that ends in a pipe continues on the next line.
   cat "$tm_root/README.md" "$tm_root/docs/recipes.md" |
     sed -e ':more' -e '/|$/ { N; s/\n */ /; b more' -e '}' >readme
   [ "$(wc -l <commands)" -ge 12 ]
@@ -46,8 +46,8 @@ percent() {
   assert_status 0
 }
 
-# spoil PROGRAM SCRIPT: a folder of programs of which one is wrong: SCRIPT is run with $real, the
-# right one, and the arguments.
+# spoil PROGRAM SCRIPT: makes a folder of programs in which PROGRAM is wrong. SCRIPT runs in its place, with
+# the correct program in $real and the arguments.
 spoil() {
   rm -rf spoiled && mkdir spoiled
   ln -s "$tm_build"/bin/tm-* spoiled/
@@ -57,14 +57,15 @@ spoil() {
   chmod +x "spoiled/$1"
 }
 
-# spoil_off PROGRAM SCRIPT: awk changes what the right program writes, as OFF whose numbers of
-# vertices and faces are v and f.
+# spoil_off PROGRAM SCRIPT: changes the output of the correct program by an awk script. The output is OFF; v
+# and f are its numbers of vertices and faces.
 spoil_off() {
   spoil "$1" "\"\$real\" \"\$@\" | tm-convert --format off --no-provenance | grep -v '^#' |
     awk 'NR == 2 { v = \$1; f = \$2 } $2'"
 }
 
-# expect_kind KIND: some chain fails in that way, with the words that repeat it.
+# expect_kind KIND: checks that a chain fails with a finding of this kind, and that the options of the
+# runner that repeat the chain are printed.
 expect_kind() {
   run "$chains" --seeds 1..30 --bin spoiled
   assert_status 1
@@ -83,13 +84,13 @@ expect_kind() {
   spoil tm-remesh 'tm-shape box 1 1 1 --faces 12 --center 9,9,9 >"$$.ply"
     "$real" "$@" | tm-cat - "$$.ply"; rm "$$.ply"'
   expect_kind components
-  # A tetrahedron whose corners are two places.
+  # A tetrahedron with four corners at only two positions.
   spoil_off tm-clean 'NR == 2 { print v + 4, f + 4, 0; next } NR == 3 { p = $0 } NR == 4 { q = $0 }
     { print } NR == v + 2 { print p "\n" q "\n" p "\n" q }
     END { a = v; b = v + 1; c = v + 2; d = v + 3
       print 3, a, b, c "\n" 3, a, c, d "\n" 3, a, d, b "\n" 3, b, d, c }'
   expect_kind no-area
-  # A face whose first corner belongs to a face elsewhere.
+  # A face whose first corner is replaced by a corner of a distant face.
   spoil_off tm-clean 'NR == v + 3 { $2 = ($2 + int(v / 2)) % v } { print }'
   expect_kind not-manifold
   spoil_off tm-clean 'NR == v + 3 { $2 = v } { print }'

@@ -1,12 +1,12 @@
 // Contacts: edges through vertices and edges, vertices on faces, many faces through one point or
-// one axis, components that touch, many crossings in one face.
+// one axis, components that touch, many intersections in one face.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 
 namespace transformesh::corpus {
 namespace {
 
-/// Small lattice tetrahedra: edges run through vertices and edges of others all the time.
+/// Small lattice tetrahedra. Their edges often pass through vertices and edges of other tetrahedra.
 Mesh lattice_tetrahedra(int count, long size, std::uint64_t seed) {
   Random random(seed);
   Mesh mesh;
@@ -24,7 +24,8 @@ Mesh octahedron(double radius) {
   return mesh;
 }
 
-/// A cube of side 4 and a tetrahedron with one corner at the point, the others away from it.
+/// A cube of side 4, and a tetrahedron with one corner at `tip` that extends in the direction
+/// `away`.
 Mesh spike(const Vec3& tip, const Vec3& away) {
   const Vec3 side = away.unitOrthogonal();
   const Vec3 other = away.cross(side);
@@ -45,7 +46,7 @@ void add_spikes(Cases& cases) {
                        [=] { return spike(tip.second, direction.second); }});
 }
 
-/// Bipyramids on one axis: all faces meet in the two apexes, or cross in the axis.
+/// Bipyramids on one axis. All faces meet in the two apexes or intersect in the axis.
 Mesh star(int count, int sides) {
   Mesh mesh;
   for (int i = 0; i < count; ++i)
@@ -53,7 +54,7 @@ Mesh star(int count, int sides) {
   return mesh;
 }
 
-/// Wedges around the z axis, with an edge on it or crossing in it.
+/// Wedges around the z axis. Each has an edge on the axis or intersects it.
 Mesh fan(int count, bool crosses) {
   Mesh mesh;
   const double angle = std::numbers::pi / count;
@@ -80,7 +81,7 @@ Mesh burst(int count, std::uint64_t seed) {
   return mesh;
 }
 
-/// A plate and as many spikes through it: all cuts are in the two big faces of each side.
+/// A plate and `count` spikes through it. All cuts lie in the two large faces of each side.
 Mesh bed_of_nails(int count, bool on_lattice_points, std::uint64_t seed) {
   Random random(seed);
   Mesh mesh = cuboid({0, 0, 0}, {64, 64, 1});
@@ -93,7 +94,7 @@ Mesh bed_of_nails(int count, bool on_lattice_points, std::uint64_t seed) {
   return mesh;
 }
 
-/// One blade after the other through a box, all through one line.
+/// Blades through a box, rotated about a common line.
 Mesh blades(int count) {
   Mesh mesh = cuboid({-2, -2, -1}, {2, 2, 1});
   for (int i = 0; i < count; ++i) {

@@ -1,12 +1,12 @@
-// Coordinates at the limits: nearly coplanar, needles, tiny, huge, far from the origin, and shapes
-// that the spacing of floats or doubles barely holds.
+// Coordinates at the limits: nearly coplanar faces, needles, tiny and huge meshes, meshes far from
+// the origin, and shapes that the spacing of floats or doubles barely resolves.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 
 namespace transformesh::corpus {
 namespace {
 
-/// Crossing bodies of several kinds, in the unit box or little more.
+/// Intersecting bodies of several kinds, in or slightly larger than the unit box.
 std::vector<std::pair<std::string, Mesh>> bodies() {
   Random random(11);
   Mesh boxes;
@@ -20,7 +20,7 @@ std::vector<std::pair<std::string, Mesh>> bodies() {
           {"tetrahedra", tetrahedra}};
 }
 
-/// A box and one that is tilted by a tiny angle and shifted by as little.
+/// A box, and a copy that is tilted and shifted by tiny amounts.
 Mesh tilted_pair(double by) {
   const Mesh box = cuboid({0, 0, 0}, {1, 1, 1});
   Mesh other = moved(box, {0.3, 0.2, by});
@@ -28,7 +28,7 @@ Mesh tilted_pair(double by) {
   return joined(box, other);
 }
 
-/// Spheres that are all but equal.
+/// Nearly equal spheres.
 Mesh near_copies(int count, double by) {
   Random random(3);
   Mesh mesh;
@@ -42,8 +42,8 @@ Mesh needle_cone(int sides) {
                 cuboid({-1, -1, -0.5}, {1, 1, 0.5}));
 }
 
-/// Two balls with corners on the integer lattice, that far from the origin: in floats at 2^23 and
-/// doubles at 2^52 no number lies between these.
+/// Two balls with corners on the integer lattice, at the given distance from the origin. At 2^23
+/// for floats and 2^52 for doubles, there is no number between neighboring lattice points.
 Mesh barely(double radius, double offset) {
   const Mesh ball = on_lattice(scaled(icosphere(radius > 20 ? 2 : 1), radius));
   const Vec3 shift = Vec3(0.7, 0.3, 0.4) * radius;

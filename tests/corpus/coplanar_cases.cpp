@@ -1,5 +1,5 @@
-// Coplanar overlaps of the same and of opposite orientation, coincident faces and sheets, faces
-// folded flat onto their neighbors.
+// Coplanar overlaps of the same and of opposite orientation, coincident faces and sheets, and faces
+// folded onto their neighbors.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 
@@ -39,8 +39,8 @@ Mesh copies(const Mesh& mesh, int count, int reversed_count) {
   return result;
 }
 
-/// A box with a finely cut lid, some of whose inner vertices moved within the lid's plane by
-/// `shift` cells: neighbors are folded flat onto each other.
+/// A box with a finely triangulated lid. Some inner vertices of the lid are moved within its plane
+/// by `shift` cells, so that neighboring faces fold onto each other.
 Mesh folded_lid(int cells, double shift, std::uint64_t seed) {
   Mesh lid = grid(cells);
   Mesh bottom = reversed(moved(lid, {0, 0, -1}));
@@ -69,10 +69,11 @@ Mesh folded_lid(int cells, double shift, std::uint64_t seed) {
   return mesh;
 }
 
-/// Two coincident sheets back to back inside a box, or joined to it: a closed surface of no volume.
+/// Two coincident sheets of opposite orientation inside a box, or joined to it: a closed surface
+/// without volume.
 Mesh pillow(int cells) { return joined(grid(cells), reversed(grid(cells))); }
 
-/// Both sides of one sheet, with one vertex set.
+/// Both sides of one sheet, on the same vertices.
 Mesh flat_triangle() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};

@@ -1,4 +1,4 @@
-# The corpus of degenerate and real meshes: its quick part, and that its runner can fail.
+# The corpus of degenerate and real meshes: its quick part, and tests that its runner can fail.
 
 load ../helpers/common
 
@@ -30,7 +30,7 @@ setup() {
   assert_status 1
 }
 
-# A tm-clean that is wrong in the way of $1: a shell command that reads the mesh and writes it.
+# Installs a wrong tm-clean, which runs the shell command $1; it reads the mesh and writes the result.
 spoil() {
   mkdir -p spoiled/bin spoiled/bin-test
   ln -s "$tm_build"/bin/tm-* spoiled/bin/

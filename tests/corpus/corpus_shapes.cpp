@@ -1,12 +1,12 @@
-// A program of the tests, never installed: the generated inputs of tests/corpus/run.
+// A test program, not installed: lists and writes the generated inputs of tests/corpus/run.
 //   corpus_shapes
-//     lists the inputs, a line each: NAME KIND OUTCOME, and what tm-clean is to be told
+//     lists the inputs, a line each: NAME KIND OUTCOME, and the options of tm-clean
 //   corpus_shapes NAME
 //     writes that input as PLY
 //   corpus_shapes --volume NAME
-//     prints the volume of the result, where it is known
-// NAME ends in how the mesh is written: double, float or to-float (doubles that tm-clean shall turn
-// into floats), in binary or, with -ascii, as text.
+//     prints the volume of the result, if it is known
+// The end of NAME is the scalar type: double, float or to-float (doubles that tm-clean must convert
+// to floats). Files are binary, or text if NAME has -ascii.
 #include <iostream>
 
 #include "corpus/cases.h"
@@ -32,7 +32,7 @@ Cases all_cases() {
   return cases;
 }
 
-/// Each case in doubles and, where it fits, in floats; encodings take turns.
+/// Lists each case as doubles and, if it fits, as floats. Encodings alternate.
 std::vector<Input> all_inputs(const Cases& cases) {
   std::vector<Input> inputs;
   for (std::size_t i = 0; i < cases.size(); ++i) {

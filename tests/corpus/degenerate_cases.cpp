@@ -1,4 +1,4 @@
-// Faces without area, edges without length, vertices that repeat or are used by no face, soups.
+// Faces without area, edges without length, repeated and unused vertices, soups.
 #include <map>
 
 #include "corpus/build.h"
@@ -7,8 +7,8 @@
 namespace transformesh::corpus {
 namespace {
 
-/// Cuts a face along its edge from corner i, at `share` of the way, and fills the gap to the
-/// neighbor with a face without area. At share 0 and 1 the new edge has no length.
+/// Splits a face at its edge from corner i, at the fraction `share` of the edge, and fills the gap
+/// to the neighbor with a face without area. At 0 and 1 the new edge has no length.
 void insert_flat_face(Mesh& mesh, Index face, int i, double share) {
   const Index a = mesh.faces[face][i];
   const Index b = mesh.faces[face][(i + 1) % 3];
@@ -22,7 +22,7 @@ void insert_flat_face(Mesh& mesh, Index face, int i, double share) {
   mesh.faces.push_back({a, b, middle});
 }
 
-/// Halves, so that the new vertex lies on the edge exactly, or no length at all.
+/// The fraction is one half, so that the new vertex lies exactly on the edge, or 0 or 1.
 Mesh with_flat_faces(Mesh mesh, int count, bool has_length, std::uint64_t seed) {
   Random random(seed);
   while (count-- > 0) {
@@ -33,7 +33,7 @@ Mesh with_flat_faces(Mesh mesh, int count, bool has_length, std::uint64_t seed) 
   return mesh;
 }
 
-/// Faces that name a vertex twice or three times.
+/// Faces that use a vertex twice or three times.
 Mesh with_collapsed_faces(Mesh mesh, int count, std::uint64_t seed) {
   Random random(seed);
   while (count-- > 0) {
@@ -62,7 +62,7 @@ Mesh partly_unshared(const Mesh& mesh, std::uint64_t seed) {
   return result;
 }
 
-/// Equal positions become one vertex: what touches shares edges and vertices by index.
+/// Merges vertices at equal positions, so that touching parts share edges and vertices by index.
 Mesh welded(const Mesh& mesh) {
   std::map<std::array<double, 3>, Index> vertices;
   Mesh result;

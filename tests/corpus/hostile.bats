@@ -1,5 +1,5 @@
-# Tiny meshes that are made to break rounding: two seeds of every family that is always quick.
-# hostile_grid --seeds 200 --jobs 2 runs them all, with limits of 2 s and 200 MB.
+# Tiny meshes that stress rounding: two seeds of every family that is always quick. The command
+# `hostile_grid --seeds 200 --jobs 2` runs all, with limits of 2 s and 200 MB.
 
 load ../helpers/common
 

@@ -1,11 +1,12 @@
-// A program of the tests, never installed: cleans hostile meshes (hostile_shapes.h), judges the
-// results, and prints a table.
+// A test program, not installed. Cleans hostile meshes (hostile_shapes.h), judges the results,
+// and prints a table.
 //   hostile_grid [--seeds N] [--first N] [--jobs N] [--seconds S] [--megabytes M] [FAMILY...]
 //   hostile_grid --write FAMILY SEED double|float
 //     writes one of the meshes as PLY
-// A mesh passes where the result is a closed oriented manifold without self-intersections and
-// area-less faces, its winding numbers are right at every sample (hostile_oracle.h), and time and
-// memory stay below the limits; or where nothing is enclosed. Exit code 1 where one does not pass.
+// A mesh passes if the result is a closed oriented manifold without self-intersections and faces
+// without area. Its winding numbers must be correct at every sample (hostile_oracle.h), and time
+// and memory must stay below the limits. A mesh also passes if nothing is enclosed. Exit code 1 if
+// a mesh fails.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -39,8 +40,8 @@ struct Options {
   std::size_t jobs = 1;
   double seconds = 2;
   double megabytes = 200;
-  double hang = 20;      ///< seconds after which a mesh is given up
-  double spacings = 64;  ///< by which a surface may move
+  double hang = 20;      ///< seconds after which the run of a mesh is ended
+  double spacings = 64;  ///< distance by which a surface may move, in spacings
   std::vector<std::string> families;
 };
 
@@ -71,7 +72,7 @@ double peak_megabytes() {
 
 bool is_enclosed_nothing(const std::string& message) {
   return message.find("inside out") != std::string::npos ||
-         message.find("enclose nothing") != std::string::npos ||
+         message.find("faces enclose") != std::string::npos ||
          message.find("winding number") != std::string::npos;
 }
 
@@ -97,7 +98,8 @@ void limit_seconds(double seconds) {
   setrlimit(RLIMIT_CPU, &cpu);
 }
 
-/// What became of one mesh, in the words that the table counts: in a process of its own.
+/// Returns the verdict on one mesh, in the words that the table counts. Cleans in a process of its
+/// own.
 std::string run(const Trial& trial, const Options& options) {
   const Mesh input = hostile_mesh(*trial.family, trial.seed, trial.type);
   CleanOptions how;

@@ -21,7 +21,8 @@ using Corners = std::array<Vec3, 3>;
 
 Wide absolute(Wide x) { return x < 0 ? -x : x; }
 
-/// The sign of a determinant of differences: in 113 bits where these decide, else in rationals.
+/// Returns the sign of a determinant of differences: in 113-bit floating point if that decides,
+/// otherwise in rationals.
 template <typename Number>
 Number determinant(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, Number& size) {
   std::array<std::array<Number, 3>, 3> m;
@@ -53,7 +54,7 @@ int side_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   return exact.sign();
 }
 
-/// The side of a line through two points in the yz plane.
+/// Returns the side of a line through two points in the yz plane.
 int side_of(const Vec3& a, const Vec3& b, const Vec3& p) {
   const Wide left = (Wide(a.y()) - p.y()) * (Wide(b.z()) - p.z());
   const Wide right = (Wide(a.z()) - p.z()) * (Wide(b.y()) - p.y());
@@ -69,7 +70,8 @@ Corners corners_of(const Mesh& mesh, const Face& face) {
   return {mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]};
 }
 
-/// Along the ray in direction x; none where it meets an edge or the point lies on a face.
+/// Returns the winding number along the ray in direction x; none if the ray meets an edge or the
+/// point lies on a face.
 std::optional<int> winding_at(const Mesh& mesh, const Vec3& p) {
   int winding = 0;
   for (const Face& face : mesh.faces) {
@@ -79,7 +81,7 @@ std::optional<int> winding_at(const Mesh& mesh, const Vec3& p) {
               third = side_of(t[2], t[0], p);
     if (std::max({first, second, third}) > 0 && std::min({first, second, third}) < 0) continue;
     if (first == 0 || second == 0 || third == 0) {
-      if (first == 0 && second == 0 && third == 0) continue;  // seen edge on: no area
+      if (first == 0 && second == 0 && third == 0) continue;  // the projection has no area
       return std::nullopt;
     }
     const int side = side_of(t[0], t[1], t[2], p);
@@ -89,7 +91,7 @@ std::optional<int> winding_at(const Mesh& mesh, const Vec3& p) {
   return winding;
 }
 
-/// A half plane of weights (u, v) of two corners: at + along_u u + along_v v >= 0.
+/// The half plane of weights (u, v) of two corners with at + along_u u + along_v v >= 0.
 struct HalfPlane {
   Wide at, along_u, along_v;
   Wide operator()(const std::array<Wide, 2>& w) const {
@@ -97,7 +99,7 @@ struct HalfPlane {
   }
 };
 
-/// Cuts off the part of a convex polygon where the half plane is not.
+/// Returns the part of a convex polygon inside the half plane.
 std::vector<std::array<Wide, 2>> cut(const std::vector<std::array<Wide, 2>>& polygon,
                                      const HalfPlane& half_plane) {
   std::vector<std::array<Wide, 2>> result;
@@ -112,9 +114,8 @@ std::vector<std::array<Wide, 2>> cut(const std::vector<std::array<Wide, 2>>& pol
   return result;
 }
 
-/// Whether the face may reach the point once each corner moves by its reach along each axis:
-/// whether some point of the face is that close, its reach being that of the corners by the same
-/// weights.
+/// Returns true if the face may reach the point when each corner moves by up to its reach along
+/// each axis. The reach of a point of the face is interpolated between the corners.
 bool may_reach(const Corners& t, const std::array<double, 3>& reach, const Vec3& p) {
   std::vector<std::array<Wide, 2>> weights = {{0, 0}, {1, 0}, {0, 1}};
   for (int k = 0; k < 3; ++k) {
@@ -129,8 +130,8 @@ bool may_reach(const Corners& t, const std::array<double, 3>& reach, const Vec3&
   return true;
 }
 
-/// Whether a face of the mesh may reach the point if its corners move by so many of their own
-/// spacings, or of the point's.
+/// Returns true if a face of the mesh may reach the point when its corners move. A corner may move
+/// by `spacings` times the spacing at the corner or at the point, whichever is larger.
 bool is_near(const Mesh& mesh, const Vec3& p, double spacings, Scalar type) {
   const double least = spacing_around(p, type);
   return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) {
@@ -146,7 +147,7 @@ bool is_near(const Mesh& mesh, const Vec3& p, double spacings, Scalar type) {
   });
 }
 
-/// A point beside a face of the mesh: often close to a corner, at any distance between the
+/// Returns a point near a face of the mesh, often close to a corner, at any distance between the
 /// tolerance and the size of the face.
 Vec3 draw_sample(const Mesh& mesh, double epsilon, Random& random) {
   const Corners t = corners_of(mesh, mesh.faces[random.below(mesh.faces.size())]);

@@ -1,9 +1,9 @@
-/// Judges a result of clean() by winding numbers at sample points, in exact arithmetic, with
-/// tolerances that are local. A vertex may move by a number of spacings of its own coordinates, and
-/// so a point of a face by what the face's corners may, by the same weights: a sample counts where
-/// no face of the input reaches it by that. So a far vertex excuses nothing but along its own
-/// faces, and there in proportion; what has no far vertex is judged to the spacing of its own
-/// coordinates. Shares no code with the floors that it judges.
+/// Judges a result of clean() by winding numbers at sample points, in exact arithmetic, with local
+/// tolerances. A vertex may move by a number of spacings of its own coordinates; for a point of a
+/// face, this tolerance is interpolated between the corners. A sample counts only if no face of the
+/// input can reach it within the tolerance. So a distant vertex raises the tolerance only along its
+/// own faces, and in proportion. A part without a distant vertex is judged to the spacing of its
+/// own coordinates. Shares no code with the folders that it judges.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@ namespace {
 using Rotation = Eigen::AngleAxisd;
 
 double epsilon_of(Scalar type) { return type == Scalar::float32 ? 0x1p-23 : 0x1p-52; }
-/// The largest decimal exponent that a family uses.
+/// The largest decimal exponent of coordinates in a family.
 double largest_exponent(Scalar type) { return type == Scalar::float32 ? 30 : 150; }
 
 Rotation any_rotation(Random& random) {
@@ -27,7 +27,7 @@ Mesh rotated(Mesh mesh, const Rotation& rotation) {
 
 Vec3 unit_vector(Random& random) { return any_rotation(random) * Vec3::UnitX(); }
 
-/// Of random sign, with a decimal exponent in [low, high].
+/// Returns a number of random sign with a decimal exponent in [low, high].
 double of_magnitude(Random& random, double low, double high) {
   const double size = std::pow(10, random.uniform(low, high));
   return random.below(2) == 0 ? size : -size;
@@ -39,7 +39,8 @@ Mesh two_balls(Random& random, int subdivisions) {
   return joined(ball, moved(other, random.uniform(0.3, 1.5) * unit_vector(random)));
 }
 
-/// A tetrahedron facing outwards by its corners as they are in doubles, whatever its size.
+/// Returns a tetrahedron that is oriented outwards for its corners as stored in doubles, whatever
+/// its size.
 Mesh any_tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return tetrahedron(a, b, c, d);
 }

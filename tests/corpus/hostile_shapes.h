@@ -1,6 +1,6 @@
-/// Families of tiny closed oriented meshes that are made to break rounding: many faces through one
-/// place, parts a few spacings of numbers thick, coordinates of very different magnitudes. A seed
-/// gives a mesh of fewer than 700 faces.
+/// Families of tiny closed oriented meshes that stress rounding: many faces through one point,
+/// parts only a few spacings thick, coordinates of very different magnitudes. Each seed gives a
+/// mesh of fewer than 700 faces.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace transformesh::corpus {
 
 struct HostileFamily {
   std::string name;
-  /// Spacings and magnitudes are those of the scalar type; the mesh is rounded to it.
+  /// Spacings and magnitudes are those of the scalar type, to which the mesh is rounded.
   Mesh (*make)(std::uint64_t seed, Scalar type);
 };
 
 const std::vector<HostileFamily>& hostile_families();
 
-/// A mesh of a family, with its coordinates rounded to the type.
+/// Returns a mesh of a family, with coordinates rounded to the type.
 Mesh hostile_mesh(const HostileFamily& family, std::uint64_t seed, Scalar type);
 
 }  // namespace transformesh::corpus

@@ -1,12 +1,12 @@
-// Nested and inverted components, cavities, winding numbers from -3 to 5, and what is refused: a
-// mesh that is inside out, or not oriented.
+// Nested and inverted components, cavities, winding numbers from -3 to 5, and inputs that must be
+// refused: meshes that are inside out or not oriented.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 
 namespace transformesh::corpus {
 namespace {
 
-/// Shells one inside the other; a minus in `signs` turns its shell inside out.
+/// Nested shells; a minus in `signs` turns its shell inside out.
 Mesh shells(const std::string& signs, bool boxes) {
   Mesh mesh;
   double radius = 1;
@@ -19,7 +19,7 @@ Mesh shells(const std::string& signs, bool boxes) {
   return mesh;
 }
 
-/// Random boxes of which `inverted` are inside out: winding numbers from -inverted on.
+/// Random boxes of which `inverted` are inside out, so that winding numbers begin at -inverted.
 Mesh signed_boxes(int count, int inverted, std::uint64_t seed) {
   Random random(seed);
   Mesh mesh;
@@ -30,7 +30,7 @@ Mesh signed_boxes(int count, int inverted, std::uint64_t seed) {
   return mesh;
 }
 
-/// `copies` of balls in general position that all hold the origin, `inverted` of them inside out.
+/// `copies` balls in general position that all contain the origin, `inverted` of them inside out.
 Mesh signed_balls(int copies, int inverted, std::uint64_t seed) {
   Random random(seed);
   Mesh mesh;

@@ -1,4 +1,4 @@
-// Open sheets: crossing, wavy, folded through themselves, with holes.
+// Open sheets: intersecting, wavy, folded through themselves, with holes.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 
@@ -11,7 +11,7 @@ Mesh wavy(int cells, double height) {
   return mesh;
 }
 
-/// The upper part of a sphere, its rim pulled through its bottom.
+/// The upper part of a sphere, with its rim pulled through its bottom.
 Mesh bowl(int size, double pull) {
   const Mesh ball = icosphere(size);
   Mesh mesh = ball;
@@ -25,7 +25,7 @@ Mesh bowl(int size, double pull) {
   return mesh;
 }
 
-/// Without some of its faces.
+/// Returns the mesh without some of its faces.
 Mesh with_holes(const Mesh& mesh, int holes, std::uint64_t seed) {
   Random random(seed);
   Mesh result = mesh;

@@ -1,20 +1,21 @@
-// Closed surfaces with vertices anywhere: on a coarse lattice, jittered, and on their way inside
-// out.
+// Closed surfaces whose vertices are random points of a coarse lattice, jittered, or partly on the
+// way to the surface inside out.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 
 namespace transformesh::corpus {
 namespace {
 
-/// The faces of the mesh with its vertices thrown onto a lattice: many faces coincide, fold, lose
-/// their area and run through each other's corners.
+/// Returns the faces of the mesh with random vertices on a lattice. Many faces coincide, fold, lose
+/// their area or pass through corners of others.
 Mesh thrown(Mesh mesh, long size, std::uint64_t seed) {
   Random random(seed);
   for (Vec3& position : mesh.positions) position = lattice_point(random, 0, size);
   return mesh;
 }
 
-/// Straight on the way from the unit sphere to its opposite, while it bulges and twists.
+/// Returns a surface on the straight path from the unit sphere to its point reflection, with bulges
+/// and a twist.
 Mesh everting(int size, double time) {
   Mesh mesh = icosphere(size);
   for (Vec3& p : mesh.positions) {

@@ -1,13 +1,13 @@
-// Bodies with walls inside that are given once: open meshes whose skin is closed, of a volume that
-// is known without any computation on meshes.
+// Bodies with inner walls of single faces: open meshes with a closed outer skin. Their volumes are
+// known in closed form.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 
 namespace transformesh::corpus {
 namespace {
 
-/// A block of unit cells: its skin, and the walls between cells, every other one of which looks
-/// along its axis, the others against it.
+/// A block of unit cells: its skin, and the walls between cells. The orientation of walls
+/// alternates along their axis.
 Mesh cells(const std::array<int, 3>& size, std::uint64_t seed) {
   Mesh mesh;
   const auto add_square = [&](const Vec3& corner, int axis, bool looks_along) {
@@ -24,7 +24,7 @@ Mesh cells(const std::array<int, 3>& size, std::uint64_t seed) {
           const std::array<int, 3> at = {x, y, z};
           if (at[(axis + 1) % 3] == size[(axis + 1) % 3]) continue;
           if (at[(axis + 2) % 3] == size[(axis + 2) % 3]) continue;
-          // A wall looks one way all over, or it would be misoriented.
+          // All faces of a wall have one orientation, otherwise the mesh would be misoriented.
           const bool is_skin = at[axis] == 0 || at[axis] == size[axis];
           const bool looks_along = is_skin ? at[axis] > 0 : (seed + at[axis]) % 2 == 0;
           add_square(Vec3(x, y, z), axis, looks_along);
@@ -32,7 +32,7 @@ Mesh cells(const std::array<int, 3>& size, std::uint64_t seed) {
   return mesh;
 }
 
-/// A box with walls across it that lie upon its skin, at the heights given.
+/// A box with walls across it whose borders lie on its skin, at the given heights.
 Mesh box_with_walls(const std::vector<double>& heights, int squares) {
   Mesh mesh = cuboid({0, 0, 0}, {2, 3, 4});
   for (std::size_t i = 0; i < heights.size(); ++i) {
@@ -43,7 +43,7 @@ Mesh box_with_walls(const std::vector<double>& heights, int squares) {
   return mesh;
 }
 
-/// A bipyramid with a wall in its middle.
+/// A bipyramid with a wall in its middle plane.
 Mesh waist(int sides, double radius, double height) {
   Mesh mesh = bipyramid(sides, radius, height, 0.3);
   const auto center = static_cast<Index>(mesh.positions.size());
@@ -79,7 +79,7 @@ void add_wall_cases(Cases& cases) {
           cases, name, [=] { return cells(size, seed); }, volume);
       add(
           cases, name + "/turned", [=] { return turned(cells(size, seed)); }, volume);
-      // A second body covers half of the first cell and half a cell beside it.
+      // A second body overlaps half of the first cell and extends half a cell beyond it.
       add(
           cases, name + "/crossed",
           [=] {

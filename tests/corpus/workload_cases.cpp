@@ -1,5 +1,5 @@
-// The workloads of tm-shape, in several sizes, and turned: what was coplanar or met in a point does
-// so but for rounding, in many places at once.
+// The workloads of tm-shape in several sizes, and rotated. Rotation and rounding move coplanar
+// faces and common points slightly apart, in many places at once.
 #include "corpus/build.h"
 #include "corpus/cases.h"
 #include "helpers/shape_options.h"
@@ -23,7 +23,7 @@ void add_workload_cases(Cases& cases) {
        {"two-spheres", "folded", "tangle", "dumbbell", "many-spheres", "boxes", "pinch"})
     for (const long faces : {300, 1500, 6000})
       for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-        if (kind == "dumbbell" && faces < 1200) continue;  // cannot be made of so few
+        if (kind == "dumbbell" && faces < 1200) continue;  // these shapes need more faces
         cases.push_back(
             {"workload",
              kind + "/" + named("faces", faces) + "/" + named("seed", static_cast<long>(seed)),

@@ -1,6 +1,6 @@
-// Cleaning: the result is a manifold without self-intersections, closed where the input is, its
-// winding numbers are those that it must have, and it is clean already. What may be refused is a
-// mesh that is not oriented, and one that encloses nothing.
+// Cleaning: the result is a manifold without self-intersections, closed if the input is, with the
+// correct winding numbers, and cleaning it again changes nothing. Only a mesh that is not oriented
+// or encloses nothing may be refused.
 #include "transformesh/clean.h"
 
 #include "clean/certify/certify.h"
@@ -26,8 +26,8 @@ CleanOptions clean_options(Choices& choices) {
   return options;
 }
 
-/// What a certificate finds wrong. That samples are undecided is no finding: so close do these
-/// meshes come to themselves.
+/// Returns the problem that a certificate reports. Undecided samples are not a problem, because
+/// these meshes have many parts that are very close to each other.
 std::string wrong_samples(const Mesh& input, const Mesh& output, const CleanOptions& options) {
   if (options.outermost) return {};
   const Certificate certificate =
@@ -76,7 +76,7 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
   try {
     round_positions(mesh, options.coordinate);
   } catch (const GoalError&) {
-    return;  // floats have no digits for this mesh
+    return;  // floats are too coarse for this mesh
   }
   try {
     const CleanResult result = clean(mesh, options);

@@ -1,4 +1,5 @@
-// What libFuzzer calls. Results do not depend on threads, and one is quicker with tiny inputs.
+// The function that libFuzzer calls. Results do not depend on threads, and one thread is faster for
+// tiny inputs.
 #include "fuzz/fuzz.h"
 #include "support/parallel.h"
 #include "transformesh/control.h"

@@ -1,5 +1,6 @@
-/// What all fuzz targets share: how a finding ends the process, and an input read as a row of
-/// choices. Targets are for libFuzzer (llvm.org/docs/LibFuzzer.html); scripts/fuzz runs them.
+/// Functions that all fuzz targets share: how a finding ends the process, and how an input is read
+/// as a sequence of choices. Targets are for libFuzzer (llvm.org/docs/LibFuzzer.html); scripts/fuzz
+/// runs them.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +15,13 @@
 
 namespace transformesh::fuzz {
 
-/// Every target defines it; whatever it throws is a finding.
+/// The function of each target; every exception that it throws is a finding.
 void run_target(std::string_view bytes);
 
-/// Shown with a finding: the input in words, where a target has them.
+/// Description of the input, which is shown with a finding; empty if a target does not set it.
 inline std::string input_text;
 
-/// libFuzzer then keeps the input.
+/// Reports a finding and aborts, so that libFuzzer keeps the input.
 [[noreturn]] inline void fail(const std::string& what) {
   std::fprintf(stderr, "finding: %s\n%s", what.c_str(), input_text.c_str());
   std::abort();
@@ -39,7 +40,7 @@ inline void demand_same(const std::string& first, const std::string& second,
        quoted(std::string_view(second).substr(start)) + " at byte " + std::to_string(start));
 }
 
-/// Bytes as choices; zero where none is left.
+/// Reads bytes as choices; returns zero if none is left.
 class Choices {
  public:
   explicit Choices(std::string_view bytes) : rest_(bytes) {}
@@ -50,7 +51,7 @@ class Choices {
     rest_.remove_prefix(1);
     return taken;
   }
-  /// At most 256 of them.
+  /// Returns a number below `count`, which must be at most 256.
   unsigned below(unsigned count) { return byte() % count; }
   bool flag() { return below(2) == 1; }
   bool is_empty() const { return rest_.empty(); }

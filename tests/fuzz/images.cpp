@@ -1,5 +1,5 @@
-// Image files of any format that is read. A header is a claim: scripts/fuzz limits the memory of a
-// run, and of one allocation.
+// Image files of all supported formats. A header may announce any size: scripts/fuzz limits the
+// memory of a run, and of one allocation.
 #include "fuzz/fuzz.h"
 #include "transformesh/errors.h"
 #include "views/images/image_file.h"

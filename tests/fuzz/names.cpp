@@ -1,5 +1,5 @@
-// Names of files: their natural order, and which belong together. The input has one name a line;
-// its first half are cameras, the rest images.
+// File names: their natural order, and which names pair up. The input has one name per line; the
+// first half are cameras, the rest images.
 #include <algorithm>
 
 #include "fuzz/fuzz.h"
@@ -24,7 +24,7 @@ std::vector<std::string> lines_of(std::string_view bytes) {
   return lines;
 }
 
-/// A strict order whose incomparable names are a matter of spelling only.
+/// Checks for a strict weak order. Incomparable names may differ only in spelling.
 void check_order(const std::vector<std::string>& names) {
   for (const std::string& a : names) {
     demand(!is_natural_less(a, a), "a name is less than itself");

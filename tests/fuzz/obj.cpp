@@ -1,4 +1,4 @@
-// Files of OBJ, or what passes for one.
+// Files of OBJ, and damaged ones.
 #include "fuzz/round_trip.h"
 
 void transformesh::fuzz::run_target(std::string_view bytes) { check_mesh_file(bytes, "input.obj"); }

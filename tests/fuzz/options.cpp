@@ -1,5 +1,5 @@
-// Command lines, one argument a line, for a program with every kind of option: they are parsed or
-// refused by a UsageError, and what the provenance says is parsed to the same values.
+// Command lines, one argument per line, for a program with every kind of option. They are parsed or
+// refused by a UsageError, and the provenance comment is parsed to the same values.
 #include "frame/limits.h"
 #include "frame/program.h"
 #include "fuzz/fuzz.h"
@@ -55,7 +55,7 @@ std::vector<std::string> lines_of(std::string_view bytes) {
   return lines;
 }
 
-/// Whatever was given can be given again as the text that settings and provenance show.
+/// The text of an option in settings and provenance must be accepted as its value again.
 void check_texts(const tool::Program& parsed) {
   std::vector<std::string> arguments;
   for (const tool::Option& option : parsed.options) {

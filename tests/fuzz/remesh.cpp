@@ -1,5 +1,5 @@
-// Remeshing: an embedded manifold stays one, of the same genus. Sheets less than a rounding apart
-// may end up crossed, so that coordinates are plain.
+// Remeshing: an embedded manifold stays embedded and keeps its genus. Coordinates are plain,
+// because sheets less than a rounding error apart may end up intersecting.
 #include "transformesh/remesh.h"
 
 #include "fuzz/tiny_mesh.h"
@@ -80,14 +80,14 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
   try {
     round_positions(mesh, options.coordinate);
   } catch (const GoalError&) {
-    return;  // floats have no digits for this mesh
+    return;  // floats are too coarse for this mesh
   }
   if (!is_embedded(mesh)) return;
   const Topology before = topology_of(mesh);
   try {
     const RemeshResult result = remesh(mesh, options);
     check_result(mesh, result, before);
-  } catch (const GoalError&) {  // nothing would be left
+  } catch (const GoalError&) {  // all components are smaller than the shortest edge
   } catch (const UsageError&) {
   }
 }

@@ -1,5 +1,5 @@
-/// Judges the readers and writers of meshes: what was read is written in every format and read
-/// again as the same, bit for bit, as far as the format can hold it.
+/// Judges the readers and writers of meshes. A mesh that is read is written in every format and
+/// read again. The bits must be the same, as far as the format can represent them.
 #pragma once
 
 #include <cmath>
@@ -40,15 +40,11 @@ inline bool is_same(const Columns& first, const Columns& second) {
   return true;
 }
 
-inline bool is_ply(Format format) {
-  return format == Format::ply_ascii || format == Format::ply_little || format == Format::ply_big;
-}
-
 inline bool is_stl(Format format) {
   return format == Format::stl_ascii || format == Format::stl_binary;
 }
 
-/// STL has corners and no vertices.
+/// STL has corners instead of vertices.
 inline void compare_meshes(const Mesh& given, const Mesh& again, Format format) {
   demand(given.faces.size() == again.faces.size(), "another number of faces");
   if (!is_stl(format)) {
@@ -64,7 +60,7 @@ inline void compare_meshes(const Mesh& given, const Mesh& again, Format format) 
              "another corner");
 }
 
-/// Line ends of old Macintoshes inside of a comment become blanks.
+/// Carriage returns inside of a comment become blanks.
 inline std::string lines_of(const std::vector<std::string>& comments) {
   std::string lines;
   for (const std::string& comment : comments) lines += comment + '\n';
@@ -87,8 +83,8 @@ inline void compare_documents(const Document& given, const Document& again) {
            "another element");
 }
 
-/// Written twice, the bytes are the same. Only ASCII text in the header of binary STL is a name,
-/// and OFF without vertices has no colors.
+/// Writing twice gives the same bytes. Only ASCII text in the header of binary STL is a name, and
+/// OFF without vertices has no colors.
 inline void write_and_compare(const Document& document) {
   const Format format = document.style.format;
   const std::string bytes = write_mesh(document).bytes;
@@ -111,7 +107,7 @@ inline void write_as(Document document, Format format, Scalar coordinate) {
   }
 }
 
-/// These formats hold less or other things than PLY does: what they hold must be read again.
+/// These formats hold less or other data than PLY; the data that they do hold must be read again.
 inline void write_and_read(Document document, Format format) {
   try {
     set_format(document, format);
@@ -126,7 +122,7 @@ inline void write_and_read(Document document, Format format) {
   }
 }
 
-/// Reads a mesh and judges what was read; input that is refused is fine.
+/// Reads a mesh and judges the result; input may be refused.
 inline void check_mesh_file(std::string_view bytes, const std::string& name) {
   ReadResult result;
   try {

@@ -1,4 +1,4 @@
-// Makes what the targets start from, by the generators of the library and of tests/corpus.
+// Makes the initial inputs of the targets, by the generators of the library and of tests/corpus.
 //   fuzz_seeds FOLDER     writes FOLDER/TARGET/NUMBER
 #include <filesystem>
 #include <fstream>
@@ -34,7 +34,7 @@ class Seeds {
   std::map<std::string, int> count_;
 };
 
-/// Small ones of the library's shapes, the corpus and the hostile families.
+/// Small meshes: shapes of the library, of the corpus and of the hostile families.
 std::vector<Mesh> tiny_meshes() {
   std::vector<Mesh> meshes;
   const auto add = [&](Mesh mesh) {
@@ -57,7 +57,7 @@ std::vector<Mesh> tiny_meshes() {
   return meshes;
 }
 
-/// With columns and comments, so that all parts of a file are there.
+/// Returns a document of the mesh with columns and comments, so that all parts of a file occur.
 Document documented(const Mesh& mesh) {
   Document document;
   document.mesh = mesh;
@@ -96,7 +96,7 @@ void add_mesh_files(const Mesh& mesh, Seeds& seeds) {
 }
 
 /// Adds files that the library's writers do not make: polygons that are concave, have bridges,
-/// intersect themselves or go around twice, values that are not finite, unknown statements and
+/// intersect themselves or repeat their outline, values that are not finite, unknown statements and
 /// elements.
 void add_odd_mesh_files(Seeds& seeds) {
   const std::string square = "0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 1 0\n3 1 0\n3 3 0\n1 3 0\n";
@@ -124,7 +124,7 @@ void add_odd_mesh_files(Seeds& seeds) {
   seeds.add("stl", std::string(84, '\0') + std::string(100, '\x3f'));
 }
 
-/// Adds small files of formats that are read only, and of what other programs write.
+/// Adds small files of formats that can only be read, and files as other programs write them.
 void add_further_formats(Seeds& seeds) {
   const std::string vtk = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\n";
   const std::string points = "POINTS 4 float\n0 0 0 1 0 0 1 1 0 0 1 0\n";

@@ -1,5 +1,5 @@
-// One step of a morph between tiny meshes: vertices go no farther than the clamp allows, and all
-// else stays.
+// One step of a morph between tiny meshes: vertices move at most as far as the clamp allows, and
+// everything else stays.
 #include "fuzz/tiny_mesh.h"
 #include "mesh/local_measures.h"
 #include "step/local_thickness.h"

@@ -1,5 +1,5 @@
-// Archives of 3MF, or models of such: in an archive with sums of its bytes, changed models would
-// not be read.
+// Archives of 3MF, or only their models. Changed models in an archive would not be read, because of
+// its checksums.
 #include "fuzz/round_trip.h"
 #include "lib/io/stored_zip.h"
 

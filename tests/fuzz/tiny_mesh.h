@@ -1,6 +1,6 @@
-/// Meshes of few faces out of the bytes of a fuzzer, with coordinates that make trouble: from a
-/// small lattice, a few spacings apart, with many digits, and of magnitudes from 2^-32 to 2^32. And
-/// the other way, for the meshes to start from.
+/// Makes meshes of few faces from the bytes of a fuzzer. Coordinates are difficult: from a small
+/// lattice, a few spacings apart, with many digits, or of magnitudes from 2^-32 to 2^32. Also makes
+/// the bytes of initial meshes.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace transformesh::fuzz {
 inline constexpr std::size_t most_vertices = 24;
 inline constexpr std::size_t most_faces = 30;
 
-/// Those that are hostile are so close, or so large, that rounding matters.
+/// `plain` coordinates are 0 to 15, or multiples of 1 / 37 below 7. `any` also includes coordinates
+/// that are so close together, or so large, that rounding matters.
 enum class Coordinates { any, plain };
 
 inline double coordinate(Choices& choices, Coordinates coordinates) {
@@ -37,7 +38,7 @@ inline double coordinate(Choices& choices, Coordinates coordinates) {
   }
 }
 
-/// A finding then shows the mesh as OFF.
+/// Shows the mesh of a finding as OFF.
 inline void show(const Mesh& mesh) {
   Document document;
   document.mesh = mesh;
@@ -45,7 +46,7 @@ inline void show(const Mesh& mesh) {
   input_text = write_mesh(document).bytes;
 }
 
-/// Two bytes for the numbers of vertices and faces, two for each coordinate, one for each corner.
+/// Two bytes encode the numbers of vertices and faces, two each coordinate, and one each corner.
 inline Mesh tiny_mesh(Choices& choices, Coordinates coordinates = Coordinates::any) {
   Mesh mesh;
   const unsigned vertices = 1 + choices.below(most_vertices);
@@ -62,7 +63,8 @@ inline Mesh tiny_mesh(Choices& choices, Coordinates coordinates = Coordinates::a
   return mesh;
 }
 
-/// The bytes of a mesh like this one, on the lattice; empty where it is too large.
+/// Returns the bytes of a mesh whose vertices are rounded to the lattice; empty if the mesh is too
+/// large.
 inline std::string tiny_mesh_bytes(const Mesh& mesh) {
   if (mesh.positions.size() > most_vertices || mesh.faces.size() > most_faces) return {};
   if (mesh.positions.empty() || mesh.faces.empty()) return {};
@@ -79,8 +81,8 @@ inline std::string tiny_mesh_bytes(const Mesh& mesh) {
   return bytes;
 }
 
-/// Whether every edge, by the positions of its ends, is run as often one way as the other, so that
-/// winding numbers are integers. Faces that name a position twice have no say.
+/// Returns whether every edge, by the positions of its ends, is traversed equally often in both
+/// directions, so that winding numbers are integers. Faces that use a position twice are ignored.
 inline bool is_closed_by_position(const Mesh& mesh) {
   using Key = std::array<double, 3>;
   const auto key = [&](Index v) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "helpers/cgal_mesh.h"
+#include "helpers/cgal_versions.h"
 
 namespace transformesh::test {
 namespace {
@@ -43,7 +44,7 @@ Booleans cgal_booleans(const Mesh& first, const Mesh& second) {
   SurfaceMesh a = surface_mesh<Kernel>(first);
   SurfaceMesh b = surface_mesh<Kernel>(second);
   std::array<SurfaceMesh, 3> out;
-  std::array<boost::optional<SurfaceMesh*>, 4> wanted;
+  std::array<CgalOptional<SurfaceMesh*>, 4> wanted;
   wanted[processing::Corefinement::UNION] = out.data();
   wanted[processing::Corefinement::INTERSECTION] = &out[1];
   wanted[processing::Corefinement::TM1_MINUS_TM2] = &out[2];

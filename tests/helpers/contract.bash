@@ -18,6 +18,7 @@ tm-clean|filter|
 tm-color|filter|--cameras SCENE/photos.txt --images SCENE/photos
 tm-compare|predicate|--reference MESH
 tm-convert|filter|
+tm-dense|source|--cameras SCENE/photos.txt --images SCENE/photos --edge 0.1
 tm-displace|filter|--normal-speed 0.01
 tm-evolve|loop|--step cat --iterations 1
 tm-fill|filter|

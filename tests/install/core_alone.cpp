@@ -1,3 +1,3 @@
-// A program of the tests, never installed, linked from all objects of core and from no others. It
-// does not link if core needs a part that can be left out.
+// A test program, not installed. It links all objects of core and no others, so linking fails if
+// core needs an optional part.
 int main() { return 0; }

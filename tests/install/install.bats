@@ -1,11 +1,11 @@
-# What is installed works away from the sources: programs, man pages, completions, and the library
-# from a project of somebody else.
+# Installed files work without the sources: programs, man pages, completions, and the library in the project
+# of a user.
 
 load ../helpers/common
 
 setup_file() {
   cmake --install "$tm_build" --prefix "$BATS_FILE_TMPDIR/before" >/dev/null
-  # Nothing depends on where it was installed first.
+  # Moves the installation: nothing may depend on its original folder.
   mv "$BATS_FILE_TMPDIR/before" "$BATS_FILE_TMPDIR/installed tree"
 }
 
@@ -28,13 +28,13 @@ programs() {
   done
 }
 
-# first_command_targets: the CMake targets that scripts/quickstart builds.
+# first_command_targets: prints the CMake targets that scripts/quickstart builds.
 first_command_targets() {
   sed -n 's/^ *cmake --build build --target \([^-]*\).*$/\1/p' "$tm_root/scripts/quickstart" | grep -oE '[^ ]+' | sort -u
 }
 
-# Links into the folder what the build folder holds after these targets alone: all that is installed
-# from there, except what other targets make.
+# Links the installed files of the build folder into FOLDER, without those that targets other than TARGET...
+# make.
 link_what_is_built() { # FOLDER TARGET...
   local folder=$1
   shift
@@ -118,7 +118,7 @@ END
   grep -q 'three.js authors' "$prefix/share/transformesh/viewer-three.LICENSE"
 }
 
-# The page that man finds with nothing but the folder of the programs in PATH.
+# Finds a man page with only the folder of the programs in PATH.
 page_of() {
   env -u MANPATH PATH="$1:/usr/bin:/bin" man -w "$2"
 }
@@ -133,7 +133,7 @@ page_of() {
   [ "$(page_of "$prefix/bin" tm.7)" = "$prefix/share/man/man7/tm.7" ]
 }
 
-# complete PROGRAM WORD...: what bash offers for the last word.
+# complete PROGRAM WORD...: prints the completions that bash offers for the last word.
 complete_in_bash() {
   bash --norc -c '
     source "$0/share/bash-completion/completions/$1"
@@ -167,7 +167,7 @@ folder" ]
   needs_command zsh
   export HOME=$PWD
   for program in $(programs); do
-    # What zsh takes it for, and that it is read without an error.
+    # Prints the function by which zsh completes the program, and checks that zsh loads it without an error.
     zsh -fc 'fpath=("$1" $fpath); autoload -Uz compinit; compinit -u -D
       print -- "$_comps[$2]"; autoload +X "_$2"' - "$prefix/share/zsh/site-functions" "$program" >taken
     [ "$(<taken)" = "_$program" ]
@@ -186,7 +186,7 @@ folder" ]
   cut -f1 offered | diff - <(printf '%s\n' ply-ascii ply-be)
 }
 
-# A wall of cubes that overlaps itself, for the project to clean.
+# Writes two intersecting balls, which the project cleans.
 two_balls() {
   tm-shape two-spheres --faces 500 -o balls.ply
 }
@@ -211,7 +211,7 @@ two_balls() {
   pc=$(find "$prefix" -name transformesh.pc)
   export PKG_CONFIG_PATH=${pc%/*}
   flags=$(pkg-config --cflags --libs transformesh)
-  # The words of pkg-config are quoted for a shell.
+  # pkg-config quotes its words for a shell.
   eval "g++ -std=c++20 -H -o outside '$tm_root/tests/install/project/outside.cpp' $flags" 2>headers ||
     fail "$(tail -5 headers)"
   run ! grep -q CGAL headers

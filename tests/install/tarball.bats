@@ -1,4 +1,4 @@
-# The portable tarball: what is in it, its install.sh, and that its programs need nothing of the system.
+# The portable tarball: its contents, its install.sh, and that its programs need no library of the system.
 
 load ../helpers/common
 
@@ -6,7 +6,7 @@ setup_file() {
   grep -qx 'CMAKE_GENERATOR:INTERNAL=Ninja' "$tm_build/CMakeCache.txt" || skip "the build is not Ninja's"
   ! readelf --program-headers --wide "$tm_build/bin/tm-clean" | grep -q INTERP || skip "the programs are not static"
   needs_command pandoc
-  # The smallest effort of xz: this test is not about the size.
+  # Compresses with the least effort of xz, because this test does not check the size.
   TM_BUILD=$tm_build TM_DIST=$BATS_FILE_TMPDIR TM_XZ_PRESET=0 "$tm_root/scripts/packaging/tarball" \
     >"$BATS_FILE_TMPDIR/name" 2>"$BATS_FILE_TMPDIR/log" || fail "$(cat "$BATS_FILE_TMPDIR/log")"
   tar -xf "$(cat "$BATS_FILE_TMPDIR/name")" -C "$BATS_FILE_TMPDIR"
@@ -28,7 +28,7 @@ programs() {
   readelf --program-headers --sections --wide "$release/bin/tm" >headers
   run ! grep -qE 'INTERP|\.symtab' headers
   for program in $(programs); do
-    # Its own help, as of the file of its own.
+    # The help must be that of the separate executable of the program in the build folder.
     "$release/bin/$program" --help | cmp - <("$tm_build/bin/$program" --help)
     [ -s "$release/share/man/man1/$program.1" ]
     [ -s "$release/share/bash-completion/completions/$program" ]
@@ -36,7 +36,7 @@ programs() {
     [ -s "$release/share/fish/vendor_completions.d/$program.fish" ]
   done
   [ -z "$(find "$release" ! -perm -go=r)" ]
-  # Under a name that is no program's, it lists the programs.
+  # Called by a name that is not a program, it lists the programs.
   cp "$release/bin/tm" other-name
   ./other-name | cmp - <("$release/bin/tm")
 }

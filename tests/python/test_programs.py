@@ -1,5 +1,6 @@
 """Functions make what the programs make, byte for byte, and take no longer."""
 
+import csv
 import json
 import os
 import subprocess
@@ -100,7 +101,7 @@ def test_joins_places(tmp_path):
             result = function(tm.read(path))
         assert same(result, *words, stdin=path.read_bytes())
         assert result.report["joined_vertices"] == len(corners) - len(ball.positions)
-    with pytest.raises(tm.InputError, match=r"; stitch\(\) joins them$") as refusal:
+    with pytest.raises(tm.InputError, match=r"; join them with stitch\(\)$") as refusal:
         tm.displace(soup, normal_speed=0.1)
     assert refusal.value.kind == "not_joined"
     assert refusal.value.data["counts"] == [len(corners)]
@@ -140,7 +141,7 @@ def test_keep_out(kernel, function, options, words, refused, tmp_path):
     assert len(tm.intersect(tm.cat(kept, kernel))) == 0
 
 
-def test_align(tmp_path):
+def test_remesh_aligned(tmp_path):
     box = shape("box", "--faces", 1500)
     (tmp_path / "box.ply").write_bytes(box)
     blunt = tm.remesh(tm.parse(box), iterations=5, smooth=0.5, feature_angle=180).to_bytes()
@@ -399,7 +400,7 @@ def test_handles(options, words, tmp_path):
     ],
 )
 def test_transform(options, words, tmp_path):
-    # With normals, velocities and a reference edge, which follow.
+    # Normals, velocities and a reference edge must follow the transformation.
     mesh = tm.remesh(tm.parse(shape("genus", 2, "--faces", 500)), min_edge="0.5x")
     for i, name in enumerate(["nx", "ny", "nz", "vx", "vy", "vz"]):
         mesh.vertex_columns[name] = np.sin(i + np.arange(len(mesh.positions)))
@@ -480,13 +481,23 @@ def test_sample(bodies, options, words):
     assert len(points.faces) == 0 and "nx" in points.vertex_columns
 
 
+def test_tiles_of_larger_meshes_are_refused():
+    header = b"ply\nformat ascii 1.0\ncomment tm:tile 0 4\nelement vertex 3\nproperty double x\n"
+    rest = (b"property double y\nproperty double z\nelement face 1\n"
+            b"property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+    with pytest.raises(tm.InputError, match="is a tile of a larger mesh.*tm-tile join"):
+        tm.parse(header + rest)
+    mesh = tm.parse(header.replace(b"tm:tile", b"tile") + rest)
+    assert len(mesh.faces) == 1
+
+
 def test_refusals_are_exceptions_with_the_sentence_of_the_program(bodies):
     mesh = tm.parse(bodies)
     refused = [
         (tm.GoalError, "none of .* faces is selected", lambda: tm.select(mesh, box=[7] * 6)),
         (tm.InputError, "has no property 'size'", lambda: tm.select(mesh, where="size>1")),
         (tm.UsageError, "is no condition", lambda: tm.select(mesh, where="size")),
-        (tm.UsageError, "none of faces, area, volume", lambda: tm.split(mesh, by="weight")),
+        (tm.UsageError, "faces, area or volume", lambda: tm.split(mesh, by="weight")),
         (tm.UsageError, "3 numbers are needed, not 2", lambda: tm.select(mesh, around=(1, 2))),
         (tm.UsageError, "the matrix is singular", lambda: tm.transform(mesh, scale=0)),
         (tm.UsageError, "translate: numbers", lambda: tm.transform(mesh, translate="far")),
@@ -496,9 +507,9 @@ def test_refusals_are_exceptions_with_the_sentence_of_the_program(bodies):
         (tm.UsageError, "either count or distance", lambda: tm.sample(mesh)),
         (tm.UsageError, "either count or distance", lambda: tm.sample(mesh, 3, distance=1)),
         (tm.UsageError, "at least 3", lambda: tm.fill(mesh, max_edges=2)),
-        (tm.UsageError, "there is no box", lambda: tm.clean(mesh, only=True)),
+        (tm.UsageError, "no box is given", lambda: tm.clean(mesh, only=True)),
         (tm.UsageError, "outermost is for whole", lambda: tm.clean(mesh, box=range(6), outermost=True)),
-        (tm.UsageError, "go together", lambda: tm.remesh(mesh, gap=1)),
+        (tm.UsageError, "need each other", lambda: tm.remesh(mesh, gap=1)),
         (tm.UsageError, "gap must be above 0", lambda: tm.decimate(mesh, 9, keep_out=mesh, gap=0)),
         (tm.UsageError, "give faces, error or both", lambda: tm.decimate(mesh)),
         (tm.UsageError, "0 are too few", lambda: tm.decimate(mesh, 0, error=0.1)),
@@ -615,6 +626,46 @@ while line := source.readline():
     words = [*words, "--time", 0.3, "--persistent", "--velocity", f"{sys.executable} {script}"]
     assert same(result, "tm-evolve", *words, stdin=ball)
     assert result.report["time"] == 0.3
+
+
+def test_events_of_evolve_in_time(tmp_path):
+    right = tm.transform(tm.shape("sphere", faces=500, radius=0.4), translate=(1, 0, 0))
+    left = tm.Mesh(right.positions * [-1, 1, 1], right.faces[:, ::-1])
+    # Mirror images at unit speed meet when their nearest vertices reach the plane between them.
+    meeting = right.positions[:, 0].min()
+    both = tm.cat(left, right)
+
+    def inwards(mesh, time):
+        return -np.sign(mesh.positions) * [1, 0, 0]
+
+    result = tm.evolve_in_time(both, inwards, 0.7, event_tolerance=1e-3, events=True)
+    (event,) = result.report["events"]
+    assert event["kind"] == "merge"
+    assert meeting <= event["time"] <= meeting + 1e-3
+    assert np.allclose(event["place"], 0, atol=0.05) and event["size"] < 0.1
+    volume = tm.info(right)["volume"]
+    assert event["before"] == pytest.approx({1: volume, 2: volume}, rel=1e-3)
+    assert list(event["after"]) == [1]
+    assert event["after"][1] == pytest.approx(2 * volume, rel=1e-3)
+    assert set(result.face_columns["component_label"]) == {1}
+
+    script = tmp_path / "inwards.py"
+    script.write_text(
+        "import sys, transformesh as tm\n"
+        "mesh = tm.parse(sys.stdin.buffer.read())\n"
+        "for axis, name in enumerate(['vx', 'vy', 'vz']):\n"
+        "    column = mesh.positions[:, axis]\n"
+        "    mesh.vertex_columns[name] = -((column > 0) * 1.0 - (column < 0)) * (axis == 0)\n"
+        "sys.stdout.buffer.write(mesh.to_bytes())\n"
+    )
+    words = ["--velocity", f"{sys.executable} {script}", "--events", tmp_path / "events.csv"]
+    words += ["--time", 0.7, "--event-tolerance", 1e-3]
+    assert same(result, "tm-evolve", *words, stdin=both.to_bytes())
+    (row,) = csv.DictReader((tmp_path / "events.csv").open())
+    assert float(row["time"]) == pytest.approx(event["time"], rel=1e-9)
+    assert [float(row[axis]) for axis in "xyz"] == pytest.approx(event["place"], rel=1e-8, abs=1e-9)
+    assert row["labels_before"] == "1 2" and row["labels_after"] == "1"
+    assert "events" not in tm.evolve_in_time(right, inwards, 0.1).report
 
 
 def test_compare_info_and_certify(crossing, tmp_path):

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
-# The authors' own targets: a sphere around each ends with its components, its genus, and a two-way
-# Hausdorff distance below one mean edge.
+# The targets of the paper's authors. A sphere around each is morphed until it has the components, the
+# genus, and a two-way Hausdorff distance below one mean edge.
 load ../helpers/common
 
 # morphs NAME FACES COMPONENTS GENUS

@@ -1,5 +1,5 @@
-# Small inputs cost little time and memory, whatever they claim and however they repeat themselves.
-# The limits are wide, for slow machines: what is meant would take minutes or gigabytes.
+# Small inputs cost little time and memory, whatever sizes they announce and however repetitive they are.
+# The limits are wide for slow machines; a program without these bounds would take minutes or gigabytes.
 
 load ../helpers/common
 
@@ -7,7 +7,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# cheap COMMAND...: within 20 seconds and a gigabyte of addresses, beyond which it fails.
+# cheap COMMAND...: runs the command with limits of 20 seconds and a gigabyte of address space.
 cheap() {
   (
     ulimit -v 1000000
@@ -15,7 +15,7 @@ cheap() {
   )
 }
 
-# A PLY header with the lines of standard input among its elements, behind those of the vertices.
+# Prints a PLY header with the lines of standard input among its elements, after the vertices.
 tetrahedron_with() {
   tetrahedron | sed '/^element face/,$d'
   cat
@@ -31,7 +31,7 @@ tetrahedron_with() {
   run --separate-stderr cheap tm-info --json round.off
   assert_status 0
   [ "$(jq .faces <<<"$output")" -eq 10000 ]
-  [ "$(grep -c 'cut with folds, as the outline intersects itself; the first is face 0' <<<"$stderr")" -eq 1 ]
+  [ "$(grep -c 'cut into triangles that fold over, because the outline intersects itself; the first is face 0' <<<"$stderr")" -eq 1 ]
 }
 
 @test "100 000 elements, properties and comments in a header cost no more than their bytes" {
@@ -87,11 +87,11 @@ tetrahedron_with() {
 @test "images take memory for their bytes, not for their headers" {
   local names=(huge interlaced plain baseline progressive gray color)
   mkdir "${names[@]}"
-  # 60000 x 60000, 20000 x 20000 interlaced, and that as rows; their data are no data.
+  # Images of 60000 x 60000 pixels, 20000 x 20000 interlaced, and the latter as rows; their data is invalid.
   printf '\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\352\140\000\000\352\140\010\000\000\000\000\245\271\052\236' >huge/a.png
   printf '\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\116\040\000\000\116\040\010\000\000\000\001\261\034\051\163' >interlaced/a.png
   printf '\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\116\040\000\000\116\040\010\000\000\000\000\306\033\031\345' >plain/a.png
-  # 20000 x 20000 as well, and of 16 bits.
+  # Images of 20000 x 20000 pixels as well; the last one has samples of 16 bits.
   printf '\377\330\377\300\000\013\010\116\040\116\040\001\001\021\000' >baseline/a.png
   printf '\377\330\377\302\000\013\010\116\040\116\040\001\001\021\000' >progressive/a.png
   printf 'P5 20000 20000 255\n' >gray/a.png
@@ -105,7 +105,7 @@ tetrahedron_with() {
     one_line "$stderr"
     [[ $stderr == *"$name/a.png"* ]]
   done
-  # The size alone needs no pixel.
+  # The size of an image can be read without its pixels.
   run --separate-stderr bash -c "ulimit -v 100000; exec tm-cameras --threads 1 --images interlaced par.txt"
   assert_status 0
 }

@@ -1,4 +1,4 @@
-# Camera files of other programs: tm-cameras against readers and writers in Python that follow the
+# Camera files of other programs: tm-cameras is compared with readers and writers in Python that follow the
 # descriptions of the formats.
 
 load ../helpers/common
@@ -26,7 +26,7 @@ setup() {
     tm-cameras --format $format --folder out-$format in
     python3 "$files" check $format out-$format transforms
     cmp <(tm-cameras --format $format in) out-$format/*
-    # The written files are read again.
+    # Reads the written files again.
     tm-cameras --format opencv --folder again-$format out-$format
     python3 "$files" check opencv again-$format transforms
   done

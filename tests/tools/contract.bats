@@ -136,7 +136,7 @@ header_survives() {
 threads_make_no_difference() {
   [[ $kind == @(source|lister|reporter) ]] || arguments+=("$crossing")
   for threads in 1 2 4 8; do
-    # A predicate's no is an answer too.
+    # Exit code 1 of a predicate is also accepted.
     "$program" "${arguments[@]}" --threads "$threads" >"$threads" || [ $? -eq 1 ]
   done
   [ -s 1 ]
@@ -148,7 +148,7 @@ threads_make_no_difference() {
   for_each filter predicate picture source converter loop reporter viewer -- threads_make_no_difference
 }
 
-# The program waits for the rest of its input, or for a reader of its output, when the signal comes.
+# The signal comes while the program waits for the rest of its input, or for a reader of its output.
 signal_ends_it() {
   rm -rf folder && mkdir folder
   mkfifo folder/fifo
@@ -166,9 +166,9 @@ signal_ends_it() {
   code=0
   wait "$pid" || code=$?
   [ "$code" -eq "$2" ] || fail "exit code $code"
-  # A second is promised; a loaded machine may take longer.
+  # The contract promises one second; a loaded machine may take longer.
   [ $((SECONDS - before)) -le 5 ] || fail "took $((SECONDS - before)) seconds"
-  # But for the state of a loop.
+  # Only the state of a loop may be left.
   [ "$(ls -A -I 'fifo.tm-*' folder)" = fifo ] || fail "left behind: $(ls -A folder)"
 }
 interrupt_ends_it() { signal_ends_it INT 130; }

@@ -1,4 +1,5 @@
-# docs/design and CONTRIBUTING.md: what the pages name exists, and designs are short and have a figure.
+# docs/design and CONTRIBUTING.md: files and functions that the pages name exist, and design pages are short
+# and have a figure.
 
 load ../helpers/common
 
@@ -7,12 +8,12 @@ setup() {
   pages=(docs/design/*.md CONTRIBUTING.md)
 }
 
-# spans PAGE: what stands between backticks outside of fences, one in each line.
+# spans PAGE: prints the texts between backticks outside of fences, one per line.
 spans() {
   awk '/^```/ { fenced = !fenced; next } !fenced' "$1" | grep -oE '`[^`]+`' | tr -d '`' | sort -u
 }
 
-# every_path: files and folders, with their extensions and without.
+# every_path: prints all files and folders, with and without extensions.
 every_path() {
   find lib include tools tests scripts docs man cmake python npm wasm -path tools/viewer/node_modules -prune -o -print |
     sed -E 'p; s|\.[a-z0-9]+$||'

@@ -1,4 +1,4 @@
-# The gallery, the site, and the check of its links.
+# Checks the gallery, the site, and its check of links.
 
 load ../helpers/common
 load ../helpers/browser
@@ -20,10 +20,10 @@ links() { "$tm_root/scripts/links" "$@"; }
   [ "$(grep -o '<img' out/index.html | wc -l)" -eq 3 ]
   grep -q 'tm-displace --normal-speed -0.4x --alpha 1 now.ply | tm-clean | tm-remesh' out/index.html
   links out
-  # The neck is gone.
+  # The neck has vanished between the first and the last frame.
   [ "$(tm-info --get components out/split/frame-0.ply)" -eq 1 ]
   [ "$(tm-info --get components out/split/frame-12.ply)" -eq 2 ]
-  # Of an interrupted one what is whole stays.
+  # Complete pictures of an interrupted gallery stay.
   mv out/drawing out/drawing.unfinished
   GALLERY='split drawing' gallery out 2>messages
   [ "$(cat messages)" = "gallery: drawing" ]
@@ -42,7 +42,7 @@ links() { "$tm_root/scripts/links" "$@"; }
   mkdir bin
   printf '#!/bin/sh\nexit 3\n' >bin/tm-render
   chmod +x bin/tm-render
-  # The programs of the build come first: a folder of its own with all but one of them.
+  # Programs of the build take precedence: a folder with all but one of them.
   mkdir -p build/bin
   ln -s "$tm_build"/bin/tm* build/bin
   ln -sf "$PWD/bin/tm-render" build/bin/tm-render
@@ -82,12 +82,12 @@ HTML
   ls "$tm_build"/python/transformesh/_transformesh.*.so >/dev/null 2>&1 || skip "the Python module is not built"
   GALLERY=split GALLERY_FOLDER=$PWD/gallery "$tm_root/scripts/docs" site >out 2>messages || fail "$(cat messages)"
   [ "$(cat out)" = "$PWD/site/index.html" ]
-  # A page for every man page, which lead to each other.
+  # There is a page for every man page, and the pages have links to each other.
   for page in "$tm_root"/man/*.md; do
     [ -e "site/man/$(basename "$page" .md).html" ] || fail "$page has no page"
   done
   grep -q 'href="tm-stitch.1.html"' site/man/tm-clean.1.html
-  # Contracts, their types as links; functions with their arguments.
+  # Contracts have links to types, and functions have their arguments.
   grep -q 'TransforMesh (paper 3)' site/reference/cpp/clean.html
   grep -q 'href="mesh.html#_CPPv44Mesh"' site/reference/cpp/clean.html
   grep -q 'id="transformesh.evolve"' site/reference/python.html

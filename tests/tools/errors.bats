@@ -1,19 +1,19 @@
-# Errors: what the library says names no program and no option, and the programs' remedies are true.
+# Errors: sentences of the library name no program and no option, and the remedies of the programs are true.
 load ../helpers/common
 
 setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# rows: the table of remedies, a line `KIND|OPTION|TEXT` for each row.
+# rows: prints the table of remedies, a line `KIND|OPTION|TEXT` for each row.
 rows() {
   # The line end of echo ends the last row.
   { sed -n '/table{/,/^};/p' "$tm_root/tools/frame/advice.cpp" | grep -v '^ *//' | tr '\n' ' '; echo; } |
-    sed -E 's/Advice\{Kind::/\n/g; s/" +"//g' |
+    sed -E 's/Advice\{ *Kind::/\n/g; s/" +"//g' |
     sed -nE 's/^([a-z_]+), "([a-z-]*)", *"(.*)"\}.*/\1|\2|\3/p'
 }
 
-# takes PROGRAM OPTION: whether the program lists the option in its help.
+# takes PROGRAM OPTION: tests whether the program lists the option in its help.
 takes() {
   "$1" --help | grep -qE -- "^ +(-[a-z], )?$2( |\$)"
 }
@@ -36,7 +36,7 @@ takes() {
       done
       [ -n "$programs" ] || fail "$kind: no program has --$own"
     fi
-    # An option is that of the program before it, else of the programs that offer the remedy.
+    # An option belongs to the program named before it, or to the programs that offer the remedy.
     for word in $(grep -oE -- '\btm-[a-z-]+|--[a-z][a-z-]*' <<<"$text"); do
       case $word in
         tm-*)
@@ -59,18 +59,18 @@ takes() {
   tm-stitch -q --flip ball.ply -o inside_out.ply
   run --separate-stderr tm-clean inside_out.ply
   assert_status 4
-  [ "$stderr" = "tm-clean: no point has a winding number >= 1: a difference without a remainder is empty; a mesh that is inside out is reversed by tm-stitch --flip" ]
+  [ "$stderr" = "tm-clean: no point has a winding number >= 1: the mesh is inside out, or the difference of its parts is empty; reverse a mesh that is inside out with tm-stitch --flip" ]
   tm-stitch -q --flip inside_out.ply | tm-clean >/dev/null
 
   tm-convert -o soup.stl ball.ply
   run --separate-stderr tm-info soup.stl
-  [[ $stderr == *"read as a soup of separate triangles; tm-stitch joins them" ]] || fail "$stderr"
-  # tm-clean joins them itself.
+  [[ $stderr == *"read as a soup of separate triangles; join them with tm-stitch" ]] || fail "$stderr"
+  # tm-clean merges them itself.
   run --separate-stderr tm-clean soup.stl -o clean.ply
-  [[ $stderr != *"tm-stitch joins them"* ]] || fail "$stderr"
+  [[ $stderr != *"join them with tm-stitch"* ]] || fail "$stderr"
   run --separate-stderr tm-checkmanifold --closed soup.stl
   assert_status 1
-  [[ $output == *"as in a soup of triangles; tm-stitch joins them"* ]] || fail "$output"
+  [[ $output == *"as in a soup of triangles; join them with tm-stitch"* ]] || fail "$output"
 }
 
 @test "a loop offers remedies by its own options, also if an iteration fails" {

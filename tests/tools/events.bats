@@ -5,7 +5,7 @@ setup_file() {
   cd "$BATS_FILE_TMPDIR"
   tm-shape sphere --faces 1000 --double -o left.ply
   tm-shape sphere --faces 800 --double --radius 0.9 --center 2.2,0,0 -o right.ply
-  # A vertex property has the velocity: the right ball moves to the left; the gap is 0.3 wide.
+  # A vertex property holds the velocity: the right ball moves to the left. The gap is 0.3 wide.
   tm-cat -q left.ply right.ply | tm-convert --format ply-ascii | awk '
     /^element vertex/ { n = $3 }
     /^element face/ { print "property float speed" }
@@ -30,7 +30,7 @@ setup() {
 
 approach() { tm-evolve "${words[@]}" "$@"; }
 
-# column NAME FILE: the values of a column of a CSV file.
+# column NAME FILE: prints a column of a CSV file.
 column() {
   awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) at = i; next } { print $at }' "$2"
 }
@@ -40,7 +40,7 @@ column() {
   [ "$(column kind events.csv)" = merge ]
   [ "$(column labels_before events.csv)" = "1 2" ]
   [ "$(column labels_after events.csv)" = 1 ]
-  # A thousandth of the time is the tolerance; the balls are polyhedra.
+  # The tolerance is a thousandth of the time. The balls are polyhedra, so they do not meet exactly at 0.3.
   awk -v t="$(column time events.csv)" 'BEGIN { exit !(t > 0.295 && t < 0.32) }'
   awk -v x="$(column x events.csv)" -v y="$(column y events.csv)" -v z="$(column z events.csv)" \
     'BEGIN { exit !(sqrt((x - 1) ^ 2 + y * y + z * z) < 0.11) }'
@@ -70,7 +70,7 @@ column() {
 @test "a run that is killed continues to the same events, for any number of threads" {
   approach -o whole.ply --events whole.csv
   for threads in 1 2 4; do
-    # The program itself, as a function would be another process, which is killed instead.
+    # Runs the program itself; with a shell function, another process would be killed.
     tm-evolve "${words[@]}" -o out.ply --events parts.csv --threads $threads --restart 3>&- &
     pid=$!
     for _ in {1..200}; do
@@ -80,7 +80,7 @@ column() {
     sleep "0.0$threads"
     kill -KILL $pid 2>/dev/null || true
     wait $pid || true
-    # Rows of a step that was not finished.
+    # Adds a row of an unfinished step, which --resume must remove.
     [ ! -e parts.csv ] || echo '99,1,merge,0,0,0,0,1 2,1,1 1,2' >>parts.csv
     approach -o out.ply --events parts.csv --threads $threads --resume
     cmp whole.csv parts.csv

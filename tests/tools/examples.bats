@@ -1,9 +1,9 @@
-# The EXAMPLES of the man pages run as they are written.
+# Runs the EXAMPLES of the man pages as they are written.
 
 load ../helpers/common
 
-# The meshes, cameras and photographs that the examples name. The scene is 53 times as large as
-# tm-shape makes it: its pixels are as large as the page of tm-photo-step says.
+# Makes the meshes, cameras and photographs that the examples name. The scene is 53 times as large as the
+# shape of tm-shape, so that its pixels have the size that the page of tm-photo-step states.
 make_meshes() {
   tm-shape sphere --faces 1000 -o a.ply
   tm-shape box 1 1 3 --faces 1000 -o b.ply
@@ -52,7 +52,7 @@ setup_file() {
   make_scene_of_photographs
 }
 
-# The indented lines of a page's section EXAMPLES.
+# Prints the indented lines of a page's section EXAMPLES.
 examples_of() {
   sed -n '/^# EXAMPLES/,/^# EXIT STATUS/ s/^    //p' "$tm_build/man/$1.md"
 }
@@ -77,7 +77,7 @@ setup() {
       xargs -n 1 | grep -v '[{}#]' | sort)
 }
 
-# The examples of these two pages show movements as long as their velocities say.
+# The examples of these two pages print movements that agree with their velocities.
 clamps_nothing() {
   run ! grep clamped log
 }
@@ -90,7 +90,7 @@ clamps_nothing() {
 }
 
 @test "examples of programs that inspect meshes" {
-  # Its first example asks whether a mesh is free of intersections: it is.
+  # The first example asks whether a mesh is free of intersections, which is true.
   run_examples tm-checkmanifold.1 tm-compare.1 tm-info.1 tm-intersect.1 tm-render.1
 }
 
@@ -101,7 +101,7 @@ clamps_nothing() {
 }
 
 @test "examples of photographs and their cameras" {
-  run_examples tm-cameras.1 tm-color.1 tm-hull.1 tm-photo-step.1 tm-photograph.1 tm-wrap.1
+  run_examples tm-cameras.1 tm-color.1 tm-dense.1 tm-hull.1 tm-photo-step.1 tm-photograph.1 tm-wrap.1
 }
 
 @test "examples of pages" {
@@ -119,7 +119,7 @@ clamps_nothing() {
       fail "$program --help ends with no example"
     case $program in
       tm) if ! command -v man || ! command -v pandoc; then continue; fi >/dev/null ;;
-      # Its page runs the same command, which takes minutes.
+      # The page's example is the same command, which takes minutes.
       tm-reconstruct) continue ;;
       tm-report | tm-view) [ -e "$tm_build/share/transformesh/viewer.html" ] || continue ;;
     esac

@@ -5,7 +5,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# batch TARGET...: with the shipped Makefile, results in the current folder.
+# batch TARGET...: runs the shipped Makefile, with results in the current folder.
 batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD" "$@"; }
 
 @test "a case is run, checked after every iteration, drawn and judged by its row" {
@@ -14,7 +14,7 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
     <case-c/row.csv
   [ "$name $converged $components $genus $crossed $met" = "case-c true 1 3 0 yes" ]
   awk -v a="$least" 'BEGIN { exit !(a > 15) }'
-  # The numbers are those of the result.
+  # The table has the numbers of the result.
   [ "$(tm-info --get genus case-c/result.ply)" -eq 3 ]
   tm-compare --reference case-c/target.ply --within "$(awk -v h="$hausdorff" 'BEGIN { print 1.01 * h }')" \
     case-c/result.ply >comparison
@@ -45,8 +45,8 @@ batch() { make -s -C "$tm_root/scripts/experiments" BUILD="$tm_build" OUT="$PWD"
   done
 }
 
-# write_table: two shapes, of which one cannot be made, by two sets of parameters, of which one
-# never works.
+# write_table: writes a table of two shapes, one of which cannot be made, and two sets of parameters, one of
+# which always fails.
 write_table() {
   cat >small.table <<'TABLE'
 # A comment.
@@ -58,7 +58,7 @@ run wrong tm-clean --box 0,0,0,0,0,0 source.ply -o result.ply
 TABLE
 }
 
-# table FOLDER: its rows without seconds and memory.
+# table FOLDER: prints the rows without seconds and memory.
 table() { cut -d, -f1-4,7- "$1/table.csv" | tr -d '"'; }
 
 @test "a batch is parameters by shapes: each run a folder, failures beside successes, one CSV" {
@@ -71,16 +71,16 @@ table() { cut -d, -f1-4,7- "$1/table.csv" | tr -d '"'; }
   table small | grep -q '^none,quick,2,shape,tm-shape: genus: '
   [ "$(tm-info --get genus small/genus-2,quick/result.ply)" -eq 2 ]
   [ -z "$(find small -name '*.unfinished' -o -name '*.lock')" ]
-  # The same one by one, and from the file's own folder.
+  # Runs the same one by one, and from the file's own folder.
   batch -j1 batch TABLE="$PWD/small.table" BATCH="$PWD/again"
   cmp <(table small) <(table again)
   cmp small/genus-1,quick/result.ply again/genus-1,quick/result.ply
-  # What has ended stays, what has other commands now runs again, and a further shape runs alone.
+  # Finished results stay, runs with changed commands start again, and an additional shape runs alone.
   sed -i 's/--scales 3/--scales 2/; s/1\.\.2/1..3/' small.table
   run "$tm_root/scripts/experiments/batch" todo small.table small
   [ "$(echo "$output" | sort | tr '\n' ' ')" = \
     "genus-1,quick genus-2,quick genus-3,quick genus-3,wrong none,quick " ]
-  # Failures run again when asked to.
+  # Failed runs start again on request.
   sed -i 's/genus 99/genus 3 --faces 500/; s/source.ply -o/target.ply -o/' small.table
   batch -j2 again TABLE="$PWD/small.table"
   table small | grep -q '^none,wrong,2,run,'
@@ -99,7 +99,7 @@ TABLE
   batch -j2 batch TABLE="$PWD/kept.table" 2>messages
   page=kept/index.html
   grep -q '18 runs: 8 done, 10 failed, 0 not ended' "$page"
-  # A cell for each run, and a picture for each that has a result; nothing else is linked.
+  # There is a cell for each run and a picture for each result; the page has no other links.
   [ "$(grep -o '<td[ >]' "$page" | wc -l)" -gt 18 ]
   [ "$(grep -o '<img src="[^"]*"' "$page" | wc -l)" -eq 8 ]
   grep -oE '(src|href)="[^"]*"' "$page" | sed -E 's/^[a-z]*="(.*)"$/\1/' | while read -r file; do
@@ -183,6 +183,14 @@ TABLE
     [ "$(head -c 4 pulsating/curves.png | tail -c 3)" = PNG ]
     rm -r pulsating
   done
+}
+
+@test "twenty balls swell in a box without meeting, and fill more of it if they may come nearer" {
+  run --separate-stderr "$tm_root/scripts/experiments/packing" packing 0.12
+  assert_status 0
+  [ "$(cut -d, -f1,3 packing/table.csv | paste -s -d ' ')" = "contact,balls gap:0.2x,20 gap:0.05x,20 stop,20" ]
+  # The twenty spheres fill 0.084 at the beginning.
+  awk -F, 'NR > 1 { if ($4 < last + 0.01 || $4 >= 1) exit 1; last = $4 } END { exit last < 0.5 }' packing/table.csv
 }
 
 @test "a figure is followed through a movie while its arms join, pass through and separate" {

@@ -1,20 +1,20 @@
-# docs/features.md: every yes of ours names tests that exist, every word about others a page.
+# docs/features.md: every yes for this suite names existing tests, and every statement about others a page.
 
 load ../helpers/common
 
 page=$tm_root/docs/features.md
 
-# The second cell of every row: ours.
+# Prints the second cell of every row, which is that of this suite.
 our_cells() {
   awk -F' *[|] *' '/^\| [^|]/ && $3 != "tm" { print $3 }' "$page"
 }
 
-# The lines `7. file: name` without the number.
+# Prints the lines `7. file: name` without the number.
 named_tests() {
   sed -nE 's/^[0-9]+\. `([^`]+)`: (.*)/\1\t\2/p' "$page"
 }
 
-# Whether a test of that name is in the file.
+# Tests whether the file has a test of this name.
 has_test() { # FILE NAME
   case $1 in
     *.bats) grep -qF "@test \"$2\" {" "$tm_root/$1" ;;
@@ -28,7 +28,7 @@ has_test() { # FILE NAME
   [ "$(our_cells | wc -l)" -gt 40 ]
   our_cells | grep -q '^no$'
   run ! grep -vE '^(no|yes [0-9]+(, [0-9]+)*)$' <(our_cells)
-  # Every test has its number in turn, and every number its test.
+  # Tests are numbered consecutively, and every number refers to a test.
   diff <(our_cells | grep -oE '[0-9]+' | sort -nu) <(sed -nE 's/^([0-9]+)\. .*/\1/p' "$page")
   diff <(named_tests | wc -l) <(our_cells | grep -oE '[0-9]+' | sort -nu | wc -l)
 }

@@ -1,15 +1,15 @@
 #!/usr/bin/env bats
-# The formats through tm-convert: every pair of them, odd PLY files byte for byte, and the real
-# files of $TM_DATA/meshes.
+# Formats through tm-convert: every pair of formats, unusual PLY files byte for byte, and the real files of
+# $TM_DATA/meshes.
 
 load ../helpers/common
 
-# convert INPUT OUTPUT: without the line that would differ.
+# convert INPUT OUTPUT: converts without the provenance comment, which would differ.
 convert() {
   tm-convert -q --no-provenance "$1" -o "$2"
 }
 
-# facets FILE: its triangles as binary STL without the header, whatever the format.
+# facets FILE: prints the triangles as binary STL without the header, for any format.
 facets() {
   convert "$1" "$BATS_TEST_TMPDIR/facets.stl"
   tail -c +81 "$BATS_TEST_TMPDIR/facets.stl" | cksum
@@ -67,7 +67,7 @@ PLY
       convert "first.$first" "second.$second"
       convert "second.$second" "third.$first"
       [ "$(facets "third.$first")" = "$expected" ] || fail "$first to $second and back"
-      # Without a soup in between even the order of the vertices is the same.
+      # Without STL in between, even the order of the vertices is the same.
       if [ "$first" != stl ] && [ "$second" != stl ]; then cmp "first.$first" "third.$first"; fi
     done
   done
@@ -110,8 +110,8 @@ PLY
   done
 }
 
-# A locale of our own whose numbers have a decimal comma, as the system may have none. It has no
-# other category, of which localedef warns.
+# Makes a locale with a decimal comma, because the system may have none. The other categories are missing,
+# of which localedef warns.
 make_comma_locale() { # FOLDER
   printf '%s\n' '<code_set_name> UTF-8' '<escape_char> /' CHARMAP '<U0000>..<U007F> /x00 ASCII' \
     'END CHARMAP' >"$BATS_TEST_TMPDIR/ascii"
@@ -170,10 +170,10 @@ make_comma_locale() { # FOLDER
   [[ $output == *"1 face with fewer than three corners dropped"* ]]
   needs_shared meshes/trimesh/fuze_ascii.ply
   run bash -c "tm-convert --format off '$shared_file' 2>&1 >/dev/null"
-  [[ $output == *"more values than the header names, from line 523"* ]]
+  [[ $output == *"more values than the header announces, from line 523"* ]]
   needs_shared meshes/geometry-central/stl_box_ascii.stl
   run bash -c "tm-convert --format off '$shared_file' 2>&1 >/dev/null"
-  [[ $output == *"12 faces read as a soup of separate triangles; tm-stitch joins them"* ]]
+  [[ $output == *"12 faces read as a soup of separate triangles; join them with tm-stitch"* ]]
   needs_shared meshes/trimesh/nancolor.obj
   run tm-convert --strict "$shared_file"
   assert_status 3
@@ -211,13 +211,13 @@ make_comma_locale() { # FOLDER
   grep -q '<Piece NumberOfPoints="4" NumberOfVerts="0" NumberOfLines="0"' a.vtp
   grep -q '<DataArray type="Int16" Name="label" NumberOfComponents="1"' a.vtp
   grep -q "vtp: element 'camera' cannot be stored in VTP, dropped" notes
-  # A filter writes them too, and all of them are read.
+  # A filter also writes these formats, and all of them can be read.
   tm-shape sphere --faces 200 | tm-remesh -q -o sphere.VTP
   grep -q 'Polys' sphere.VTP
   for name in a.glb a.vtp; do [ "$(tm-info --get faces "$name")" -eq 4 ]; done
 }
 
-# corners FILE: of every face of an OBJ, its vertices and texture coordinates by value.
+# corners FILE: prints the vertices and texture coordinates of every face of an OBJ by value.
 corners() {
   awk '$1 == "v" { v[++n] = $2 + 0 " " $3 + 0 " " $4 + 0 }
     $1 == "vt" { vt[++m] = $2 + 0 " " $3 + 0 }

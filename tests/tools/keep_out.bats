@@ -1,4 +1,4 @@
-# Surfaces that stay away from each other, from file to file.
+# Surfaces that keep away from each other, through files.
 
 load ../helpers/common
 
@@ -7,13 +7,13 @@ setup() {
   tm-shape dented --faces 4000 -o brain.ply
 }
 
-# pairs_of FILE...: how many faces intersect when all are one mesh
+# pairs_of FILE...: counts the intersecting pairs of faces if all files are one mesh.
 pairs_of() {
   tm-cat "$@" | tm-intersect --report pairs.json -o /dev/null
   sed -n 's/.*"pairs": \([0-9]*\).*/\1/p' pairs.json
 }
 
-# nearest FILE FILE: the least distance of a vertex of either from the other
+# nearest FILE FILE: prints the least distance of a vertex of either mesh from the other.
 nearest() {
   tm-compare --samples 0 --reference "$2" --per-vertex there.ply "$1" >/dev/null
   tm-compare --samples 0 --reference "$1" --per-vertex back.ply "$2" >/dev/null
@@ -24,7 +24,7 @@ nearest() {
   done | sort -g | head -1
 }
 
-# gap_of SHARE: of the diagonal of the skull
+# gap_of SHARE: prints a fraction of the diagonal of the skull.
 gap_of() {
   tm-info skull.ply | awk -v share="$1" '
     /^bbox_min/ { split($0, low) }
@@ -44,7 +44,7 @@ gap_of() {
     tm-checkmanifold --closed coarse.ply
     [ "$(tm-info --get faces coarse.ply)" -lt 3000 ]
   done
-  # At the last distance that was not for nothing.
+  # --keep-out is necessary at the last distance: without it, surfaces intersect.
   tm-remesh --min-edge 2.5x --max-edge 5x --iterations 3 skull.ply >free.ply
   [ "$(pairs_of brain.ply free.ply skin.ply)" -gt 0 ]
   grep -Eq '"kept_out": [1-9]' report.json
@@ -77,7 +77,7 @@ gap_of() {
     run --separate-stderr $program --keep-out brain.ply --gap 1% ball.ply
     assert_status 3
     one_line "$stderr"
-    [[ $stderr == *"meets"* ]]
+    [[ $stderr == *"intersects"* ]]
   done
 }
 

@@ -5,7 +5,7 @@ load ../helpers/common
 
 setup() {
   cd "$BATS_TEST_TMPDIR"
-  # A cube without a top under a pyramid: 5 squares, 4 triangles and, beside them, a concave pentagon.
+  # A cube without its top below a pyramid: 5 squares, 4 triangles and, apart from them, a concave pentagon.
   cat >house.off <<'MESH'
 OFF
 14 10 0
@@ -36,7 +36,7 @@ OFF
 MESH
 }
 
-# bare FILE: without comments and blank lines.
+# bare FILE: prints the file without comments and blank lines.
 bare() {
   grep -v -e '^#' -e '^comment' -e '^$' "$1"
 }
@@ -50,7 +50,7 @@ bare() {
   tm-convert --keep-polygons --format ply-be a.ply | tm-convert --keep-polygons --format ply-ascii |
     tm-convert --keep-polygons --format off >b.off
   cmp <(bare house.off) <(bare b.off)
-  # Without the option they are triangles, which a note says.
+  # Without the option, polygons become triangles, and a note says so.
   run --separate-stderr tm-convert house.off
   [[ $stderr == *"6 polygons cut into 13 triangles"* ]]
   run --separate-stderr tm-convert --keep-polygons house.off
@@ -61,7 +61,7 @@ bare() {
   tm-transform --translate 1,0,0 --mirror x --keep-polygons house.off -o moved.off
   awk 'NF > 3 && $1 > 2' moved.off | awk '{ print $1 }' | sort | uniq -c | tr -s ' ' >sizes
   printf ' 4 3\n 5 4\n 1 5\n' | cmp - sizes
-  # A mirrored polygon runs the other way from the same corner.
+  # A mirrored polygon has the opposite direction and starts at the same corner.
   grep -qx '4 3 0 1 2' moved.off
   tm-select --largest 1 --keep-polygons house.off -o house-only.off
   cmp <(bare house.off | sed -n '17,25p') <(bare house-only.off | sed -n '12,$p')

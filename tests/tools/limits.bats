@@ -28,7 +28,7 @@ memory_is_limited() {
   for_each filter predicate picture source converter loop -- memory_is_limited
 }
 
-# The program waits for the rest of its input, or for a reader of its output, when its time is over.
+# The time ends while the program waits for the rest of its input, or for a reader of its output.
 time_is_limited() {
   rm -rf folder && mkdir folder
   mkfifo folder/fifo
@@ -43,7 +43,7 @@ time_is_limited() {
   fi
   [ "$code" -eq 4 ] || fail "exit code $code, $(cat stderr)"
   one_line "$(cat stderr)"
-  grep -q "$program: stopped after 0.5 s, as --max-time demands; " stderr
+  grep -q "$program: stopped after 0.5 s, the limit of --max-time; " stderr
   [ "$(ls -A folder)" = fifo ] || fail "left behind: $(ls -A folder)"
 }
 @test "--max-time ends every program with exit 4 and a line, and nothing is written" {
@@ -79,10 +79,10 @@ time_is_limited() {
   step='if [ $TM_ITERATION -eq 2 ]; then echo $$ >pid; sleep 1000; fi; cat'
   run --separate-stderr tm-evolve --step "$step" --iterations 3 --max-time 1 -o out.ply "$mesh"
   assert_status 4
-  [[ $stderr == *"stopped after 1 s, as --max-time demands; --resume continues" ]] || fail "$stderr"
+  [[ $stderr == *"stopped after 1 s, the limit of --max-time; --resume continues" ]] || fail "$stderr"
   [ ! -e out.ply ]
   sleep 0.2
-  # Where nobody waits for it, it stays as a zombie.
+  # A program without a waiting parent stays as a zombie.
   state=$(awk '/^State:/ { print $2 }' "/proc/$(cat pid)/status" 2>/dev/null) || true
   [[ -z $state || $state == Z ]] || fail "it is in state $state"
   [ -d out.ply.tm-evolve ]

@@ -1,4 +1,4 @@
-# Decimal commas and the Turkish i change nothing, in no program and in no script.
+# Decimal commas and the Turkish i change nothing, in any program or script.
 
 load ../helpers/common
 load ../helpers/contract
@@ -15,7 +15,8 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# What a run writes and says, in files beginning with NAME. Seconds differ from run to run.
+# Writes the output and the messages of a run to files whose names begin with NAME. Seconds, which vary, are
+# removed.
 run_as() { # NAME COMMAND...
   local name=$1
   shift

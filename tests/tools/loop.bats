@@ -1,4 +1,4 @@
-# What the loops keep of the contract of all programs beyond contract.bats.
+# Rules of the contract that apply only to loops, in addition to contract.bats.
 
 load ../helpers/common
 
@@ -41,7 +41,7 @@ setup() {
     assert_status 5
   done
   tm-morph sphere.ply --target torus.ply --iterations 1 -o one.ply 2>messages
-  # A word for one.
+  # The message has the singular for a single iteration.
   grep -q 'after 1 iteration: ' messages
   bash -c 'tm-morph sphere.ply --target torus.ply --iterations 1 -o closed.ply >&- 2>&- <&-'
   bash -c 'tm-morph sphere.ply --target torus.ply --iterations 1 -o full.ply 2>/dev/full'
@@ -79,7 +79,7 @@ setup() {
   assert_status 5
 }
 
-# A run that waits in its step until it is allowed to go on.
+# A run whose step waits until the test lets it continue.
 start_waiting_run() { # ARGUMENT...
   rm -f began go
   tm-evolve -q --no-provenance --step 'touch began; while [ ! -e go ]; do sleep 0.02; done; cat' --iterations 1 \

@@ -6,12 +6,12 @@ programs() {
   (cd "$tm_root/tools/programs" && printf '%s\n' tm.cpp tm-*.cpp | sed 's/\.cpp$//')
 }
 
-# The long options that start an entry of the help.
+# Prints the long options that start an entry of the help.
 options_of_help() {
   "$1" --help | sed -nE 's/^  (-[a-zA-Z], )?--([a-z0-9-]+).*/\2/p' | sort
 }
 
-# The long options in the terms of the page's definition lists, fragments included.
+# Prints the long options in the terms of the page's definition lists, fragments included.
 options_of_page() {
   grep -B1 '^:   ' "$tm_build/man/$1.1.md" | grep '^\*\*\\*-' |
     grep -oE '\*\*\\?--[a-z0-9-]+' | sed -E 's/^\*\*\\?--//' | sort
@@ -38,6 +38,15 @@ options_of_page() {
   for program in $(programs); do
     page=$tm_build/share/man/man1/$program.1
     head -n 20 "$page" | grep -qi "^\.TH .*${program//-/.*}" || fail "$page"
+  done
+}
+
+@test "every page fits a terminal of 80 columns" {
+  needs_command pandoc
+  needs_command man
+  for page in "$tm_build"/share/man/man*/*.[17]; do
+    warnings=$(MANWIDTH=80 man -l --warnings=all "$page" 2>&1 >/dev/null)
+    [ -z "$warnings" ] || fail "$page: $warnings"
   done
 }
 

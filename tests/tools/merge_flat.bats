@@ -4,7 +4,7 @@ load ../helpers/common
 
 faces_of() { tm-info --get faces "$1"; }
 
-# cut WORK TOOL OPTION...: subtracts the tool.
+# cut WORK TOOL OPTION...: subtracts the tool from the work.
 cut_with() {
   local work=$1 tool=$2
   shift 2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
-# Formats other than those of pipes: glTF, 3MF, VTP, VTK, PCD, XYZ, and gzip of all. Other programs
-# write files that are read here, and read files that are written here.
+# Formats that pipes do not carry: glTF, 3MF, VTP, VTK, PCD, XYZ, and gzip of all formats. Other programs
+# write files for this suite, and read the files of this suite.
 
 load ../helpers/common
 
@@ -8,7 +8,7 @@ convert() {
   tm-convert -q --no-provenance "$1" -o "$2"
 }
 
-# bare FILE: its triangles without properties, in floats.
+# bare FILE: prints the triangles without properties, in floats.
 bare() {
   convert "$1" "$BATS_TEST_TMPDIR/bare.stl"
   triangles "$BATS_TEST_TMPDIR/bare.stl"
@@ -94,6 +94,27 @@ foreign_files() {
   done
 }
 
+@test "meshio reads what is written, and its files are read, in every pair; its VTK is read" {
+  /usr/bin/python3 -c 'import meshio' 2>/dev/null || skip "python3-meshio is not installed"
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape torus --faces 300 | tm-convert --float -o original.ply
+  expected=$(bare original.ply)
+  for format in ply off obj stl; do convert original.ply "first.$format"; done
+  /usr/bin/python3 - <<'PYTHON'
+import meshio
+
+for first in ("ply", "off", "obj", "stl"):
+    mesh = meshio.read("first." + first)
+    assert mesh.cells_dict["triangle"].shape == (304, 3), mesh
+    for second in ("ply", "off", "obj", "stl", "vtk"):
+        meshio.write("%s-second.%s" % (first, second), mesh)
+    for second in ("ply", "stl", "vtk"):
+        meshio.write("%s-text.%s" % (first, second), mesh, binary=False)
+PYTHON
+  for file in *-second.* *-text.*; do [ "$(bare "$file")" = "$expected" ] || fail "$file"; done
+  [ "$(find . -name '*-*.*' | wc -l)" -eq 32 ]
+}
+
 @test "glTF with a buffer of its own: by its name, not through a pipe, and not from elsewhere" {
   needs_command assimp
   cd "$BATS_TEST_TMPDIR"
@@ -104,7 +125,7 @@ foreign_files() {
   run --separate-stderr tm-info <in/a.gltf
   assert_status 3
   one_line "$stderr"
-  [[ $stderr == *"'a.bin' is in a file of its own"* ]]
+  [[ $stderr == *"'a.bin' is in another file"* ]]
   mv in/a.bin a.bin
   sed 's|"a.bin"|"../a.bin"|' in/a.gltf >in/b.gltf
   run --separate-stderr tm-info in/b.gltf
@@ -117,7 +138,7 @@ foreign_files() {
   tetrahedron >a.ply
   run --separate-stderr tm-transform --to mm a.ply
   assert_status 3
-  [[ $stderr == *"the mesh states no unit: name it with --from"* ]]
+  [[ $stderr == *"the mesh does not state its unit: give it with --from"* ]]
   tm-transform --from in --to mm -o a.3mf a.ply
   [ "$(tm-info --get bbox_max a.3mf)" = "25.4 25.4 25.4" ]
   tm-convert a.3mf | tm-transform --to in | tm-info --get bbox_max |
@@ -128,7 +149,7 @@ foreign_files() {
   [ "$(tm-info -q --units a.stl | grep unit)" = "unit: millimeter" ]
   run --separate-stderr tm-transform --to in a.3mf -o b.stl
   assert_status 0
-  [[ $stderr == *"the unit inch is not stated, and programs will take it for millimeter"* ]]
+  [[ $stderr == *"the unit inch cannot be stored, and programs will assume millimeter"* ]]
 }
 
 @test "points of a mesh and of a sample as text, with normals if there are any" {
@@ -136,7 +157,7 @@ foreign_files() {
   tm-shape sphere --faces 200 -o sphere.ply
   tm-sample --count 50 --no-provenance sphere.ply -o points.xyz
   [ "$(grep -vc '^#' points.xyz)" -eq 50 ]
-  # On the unit sphere the normal of a face is nearly the point.
+  # On the unit sphere, the normal of a face is nearly the position.
   awk '!/^#/ { n = $1 * $4 + $2 * $5 + $3 * $6; if (NF != 6 || n < 0.8) exit 1 }' points.xyz
   [ "$(tm-info --get vertices points.xyz)" -eq 50 ]
   run --separate-stderr tm-convert sphere.ply -o sphere.xyz

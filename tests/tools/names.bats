@@ -1,11 +1,11 @@
-# File names that a shell or a program may stumble over, for every program and every option that
-# takes one.
+# File names that a shell or a program may misinterpret, for every program and every option that takes a
+# file name.
 
 load ../helpers/common
 load ../helpers/contract
 load ../helpers/scene
 
-# Of 255 bytes, the longest that file systems allow.
+# Prints a name of 255 bytes, the longest that file systems allow.
 long_name() { # LAST
   printf 'é%.0s' {1..125}
   printf '%s' "$1"
@@ -21,7 +21,7 @@ setup() {
     '$(touch pwned).ply' '%s%n.ply' '[a]*?.ply' '--output=x.ply' '-q' "$(long_name x.ply)")
 }
 
-# Where the shell needs it, so that the name is no option.
+# Prefixes the name with ./ if the program would otherwise take it for an option.
 place_of() {
   [[ $1 == -* ]] && printf './'
   printf '%s' "$1"
@@ -32,7 +32,7 @@ name_is_taken() {
   local input=() name place
   [ "$kind" = source ] || cp "$mesh" input
   for name in "${names[@]}"; do
-    # Pictures have an ending of their own.
+    # Pictures need a certain ending.
     [ "$kind" != picture ] || name=${name/%.ply/.png}
     place=$(place_of "$name")
     [ "$kind" = source ] || input=("$place")
@@ -42,13 +42,13 @@ name_is_taken() {
     "$program" "${arguments[@]}" -q --report "$place" "${input[@]}" | cmp - ../expected
     [ "$(jq -r .tool "$place")" = "$program" ]
     [ "$kind" = source ] || cp "$mesh" "$place"
-    # The second time over what is there, and over the input itself.
+    # The second run overwrites existing files, and the input itself.
     for spelling in "-o$place" "--output=$place"; do
       "$program" "${arguments[@]}" -q "$spelling" "${input[@]}"
       cmp "$place" ../expected
       [ "$kind" = source ] || cp "$mesh" "$place"
     done
-    # But for the state of a loop.
+    # Only the state of a loop may be left.
     rm -rf ./*.tm-*
     [ "$(find . -mindepth 1 -printf x)" = x ] || fail "left behind: $(ls -A)"
     [ "$kind" = source ] && rm "$place" || mv "$place" input
@@ -70,14 +70,15 @@ name_is_taken() {
     cmp result "$place"
     rm -rf log result.tm-evolve
   done
-  # No two outputs have one state.
+  # Different outputs have different states.
   long=$(long_name y.ply)
   run tm-evolve -q --step cat --iterations 3 --resume -o "$long" "$mesh"
   assert_status 0
   [ "$(find . -name '*.tm-evolve' -printf x | wc -c)" -eq $((${#names[@]} + 1)) ]
 }
 
-# Prints the code of writing a camera file that names images like NAME; one that is written is read.
+# Prints the exit code of writing a camera file whose images have names like NAME. A file that is written
+# must be readable.
 camera_file_code() { # NAME FORMAT
   rm -rf shots && mkdir shots
   for i in 0 1 2; do cp "images/view000$i.png" "shots/$1$i.png"; done

@@ -1,4 +1,4 @@
-# What the frame does with outputs for every program, shown with tm-convert.
+# How the frame writes the outputs of every program, shown with tm-convert.
 
 load ../helpers/common
 load ../helpers/contract

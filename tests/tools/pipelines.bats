@@ -1,4 +1,4 @@
-# The pipelines of docs/recipes.md, its lines exactly as printed, and what comes out of them.
+# Runs the pipelines of docs/recipes.md exactly as printed, and checks their results.
 
 load ../helpers/common
 
@@ -20,7 +20,7 @@ setup() {
 
 volume() { tm-info --get volume "$1"; }
 
-# expect EXPRESSION of awk, with $1 and so on as numbers
+# expect EXPRESSION NUMBER...: checks an awk expression of the numbers $1 and so on.
 expect() { # EXPRESSION NUMBER...
   local expression=$1
   shift
@@ -55,7 +55,7 @@ LINES
     "$(volume union.ply)" "$(volume intersection.ply)"
   expect '($1 - $2 - $3) ^ 2 < 1e-24' "$(volume a.ply)" "$(volume intersection.ply)" \
     "$(volume difference.ply)"
-  # The box sticks out of the sphere at both ends, and drills a hole through it.
+  # The box sticks out of the sphere at both ends, so it drills a hole through it.
   [ "$(tm-info --get genus difference.ply)" -eq 1 ]
 }
 
@@ -74,7 +74,7 @@ LINES
 
 @test "the box is twisted: its corners turn with their height, the volume stays" {
   expect '$1 > 0.97 * $2 && $1 < 1.03 * $2' "$(volume twisted.ply)" "$(volume twist.ply)"
-  # Velocity is across the radius, so corners go outwards a little.
+  # The velocity is perpendicular to the radius, so corners move outwards slightly.
   expect '$1 > $4 && $2 > $5' "$(tm-info --get bbox_max twisted.ply)" \
     "$(tm-info --get bbox_max twist.ply)"
 }

@@ -1,5 +1,5 @@
-# The promises of the man pages: tests/PROMISES.md names the test of each, and those that belong
-# to no other file are here. Meshes are judged by the oracle of the chains, which shares no code.
+# The promises of the man pages: tests/PROMISES.md names the test of each. Tests that belong to no other
+# file are here. The oracle of the chains, which shares no code, judges the meshes.
 
 load ../helpers/common
 load ../helpers/contract
@@ -15,17 +15,18 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# judge FILE...: closed, manifold, without intersections and faces without area, by exact predicates.
+# judge FILE...: checks by exact predicates that meshes are closed and manifold, without intersections and
+# faces without area.
 judge() {
   "$tm_build/bin-test/chains" --judge "$@" || fail "not sound"
 }
 
-# rows: page, words, file and test of each promise, separated by tabs.
+# rows: prints page, words, file and test of each promise, separated by tabs.
 rows() {
   sed -nE 's/^\| ([^|]*\.md) \| (.*) \| (tests[^|]*) \| (.*) \|$/\1\t\2\t\3\t\4/p' "$promises"
 }
 
-# sentences PAGE: one in each line.
+# sentences PAGE: prints the sentences of a page, one per line.
 sentences() {
   grep -v '^# ' "$tm_root/man/$1" | awk -v RS= '{ gsub("\n", " "); gsub("[.] +", ".\n"); print }'
 }
@@ -39,7 +40,7 @@ sentences() {
     count=$((count + 1))
   done < <(rows)
   [ "$count" -ge 25 ]
-  # No row is broken.
+  # Every row has all cells.
   [ "$count" -eq "$(($(grep -c '^|' "$promises") - 2))" ]
 }
 
@@ -57,7 +58,7 @@ sentences() {
 }
 
 @test "tm-clean: no step perturbs or approximates" {
-  # On a lattice of eighths all intersections are on it, and volumes are exact.
+  # On a lattice of eighths, all intersections are lattice points, and volumes are exact.
   tm-shape box 1 1 1 --faces 12 -o a.ply
   tm-shape box 1 0.5 0.75 --faces 12 --center 0.5,0.25,0.125 -o b.ply
   tm-cat a.ply b.ply | tm-clean -o union.ply
@@ -102,7 +103,7 @@ sentences() {
   done
 }
 
-# Two boxes that share planes, turned: tm-clean leaves slivers thinner than a spacing.
+# Two rotated boxes with common planes: tm-clean leaves slivers thinner than a spacing.
 turned_boxes() { # DEGREES
   tm-shape box 1 1 1 --faces 12 -o a.ply
   tm-shape box 1 0.5 1 --faces 12 -o b.ply
@@ -155,7 +156,7 @@ turned_boxes() { # DEGREES
 }
 
 @test "tm-fill: never into a self-intersection" {
-  # Holes whose flat patches would meet what stands in the hole, and those of a soup full of holes.
+  # Holes whose flat patches would intersect an obstacle in the hole, and holes of a soup with many holes.
   tm-shape sphere --faces 2000 | tm-select --invert --box=-9,-9,0.5,9,9,9 >cap.ply
   tm-shape box 0.2 0.2 0.8 --faces 300 --center 0,0,0.5 | tm-cat cap.ply - >pin.ply
   local mesh
@@ -174,7 +175,8 @@ turned_boxes() { # DEGREES
 }
 
 @test "tm-compare: distances are never more than the true ones, and more samples bring them closer" {
-  # A wall between floor and ceiling is half its height away from both, along a line.
+  # A wall stands between floor and ceiling. Only its points on the line at half its height are half the
+  # height away from both, which is the largest distance.
   printf 'OFF\n8 4 0\n-9 -9 0\n9 -9 0\n9 9 0\n-9 9 0\n-9 -9 1\n9 -9 1\n9 9 1\n-9 9 1
 3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n' >planes.off
   printf 'OFF\n4 2 0\n-3 0 0\n3 0 0\n3 0 1\n-3 0 1\n3 0 1 2\n3 0 2 3\n' >wall.off
@@ -196,7 +198,7 @@ turned_boxes() { # DEGREES
 }
 
 @test "tm-morph: --features on aligns always, auto only where many edges are sharp" {
-  # A ball that a small box stands out of: its sharp edges are less than a fiftieth.
+  # A ball from which a small box protrudes: its sharp edges are less than a fiftieth of all edges.
   tm-shape sphere --faces 4000 -o ball.ply
   tm-shape box 0.4 0.4 0.4 --faces 12 --center 0,0,1 | tm-cat ball.ply - | tm-clean >target.ply
   tm-shape sphere --around target.ply --faces 2000 -o source.ply
@@ -218,7 +220,7 @@ time_is_unlimited() {
 
 @test "--max-time 0 is never" {
   for_each filter picture source converter loop -- time_is_unlimited
-  # Longer than any program would take for an empty limit.
+  # The input arrives after 1.5 s, when any immediate limit would have ended the program.
   tetrahedron | (sleep 1.5 && cat) | tm-clean --max-time 0 >out.ply
   [ "$(tm-info --get faces out.ply)" -eq 4 ]
   run bash -c 'sleep 1.5 | tm-clean --max-time 0.5'

@@ -1,22 +1,23 @@
-# README.md and docs/recipes.md: indented lines run one by one, sessions print what is shown, and the
-# lines of Python run. Their blocks of sh are run by pipelines.bats.
+# README.md and docs/recipes.md: indented lines run one by one, sessions print the output shown, and the
+# lines of Python run. Blocks of sh are run by pipelines.bats.
 
 load ../helpers/common
 
 recipes=$tm_root/docs/recipes.md
 
-# indented_lines FILE: its indented lines outside of fences. A line that ends in a backslash continues.
+# indented_lines FILE: prints the indented lines outside of fences. Lines that end in a backslash are joined
+# with the next.
 indented_lines() {
   awk '/^```/ { fenced = !fenced } /^    / && !fenced { print substr($0, 5) }' "$1" |
     sed -e ':more' -e '/\\$/ { N; s/\\\n */ /; b more' -e '}'
 }
 
-# block LANGUAGE FILE: the lines of all fenced blocks of that language.
+# block LANGUAGE FILE: prints the lines of all fenced blocks of that language.
 block() {
   awk -v fence="^\`\`\`$1\$" '$0 ~ fence { inside = 1; next } /^```/ { inside = 0 } inside' "$2"
 }
 
-# The step that the recipe of one's own velocity writes.
+# Makes the step that the recipe for one's own velocity uses.
 write_step() {
   awk '/^STEP$/ { inside = 0 } inside { print } /^cat > twist/ { inside = 1 }' "$recipes" >twist
   chmod +x twist
@@ -51,13 +52,13 @@ setup() {
   cd "$BATS_FILE_TMPDIR/files"
 }
 
-# is_there PROGRAM: whether it is installed; of ImageMagick's convert, whether it is the real one.
+# is_there PROGRAM: tests whether a program is installed, and whether convert is that of ImageMagick.
 is_there() {
   command -v "$1" >/dev/null && { [ "$1" != convert ] || convert -version | grep -q '^Version: ImageMagick'; }
 }
 
-# run_line LINE: as it is printed, in a shell that notices a failure anywhere in a pipe. What the
-# suite does not have is skipped, by its name, where it is not installed.
+# run_line LINE: runs a line as printed, in a shell that detects failures anywhere in a pipe. Lines are
+# skipped if they need a program of others that is not installed.
 run_line() {
   local program=${1%% *}
   if ! is_there "$program"; then
@@ -73,13 +74,14 @@ run_line() {
     echo "# ffmpeg is not installed: $1" >&3
     return
   fi
-  # What serves until it is stopped is run by tm-view.bats.
+  # Commands that serve until they are stopped are run by tm-view.bats.
   if [[ $1 == 'tm-view --serve '* ]]; then return; fi
   bash -euo pipefail -c "$1" >log 2>&1 </dev/null || fail "$1: $(cat log)"
 }
 
 @test "every block of the README and of the recipes is run by a test" {
-  # Blocks of sh and of bash by pipelines.bats, of cpp by examples_cpp.bats, the others below.
+  # Blocks of sh and bash are run by pipelines.bats, those of cpp by examples_cpp.bats, and the others
+  # below.
   diff <(grep -ohE '^```[a-z]+' "$tm_root/README.md" | sort -u) <(printf '```%s\n' bash console)
   diff <(grep -ohE '^```[a-z]+' "$recipes" | sort -u) <(printf '```%s\n' cpp python sh)
   [ "$(indented_lines "$tm_root/README.md" | wc -l)" -eq 6 ]
@@ -95,7 +97,7 @@ run_line() {
   [ "$(grep -c '^\$ ' session)" -ge 4 ]
   while IFS= read -r -u 7 line; do
     printf '%s\n' "$line"
-    # The check of the tangle says no, by its exit code.
+    # The check of the tangle answers no by its exit code.
     bash -c "${line#\$ }" 2>&1 </dev/null || true
   done 7< <(grep '^\$ ' session) | diff session -
 }
@@ -108,7 +110,7 @@ run_line() {
 }
 
 @test "every recipe in one line runs as it is printed" {
-  # The tests of the installation run this one.
+  # The tests of the installation run this command.
   install='cmake -DTM_VIEWS=ON build && cmake --build build --target installed && sudo cmake --install build'
   indented_lines "$recipes" | grep -qxF "$install"
   while IFS= read -r -u 7 line; do run_line "$line"; done 7< <(indented_lines "$recipes" | grep -vxF "$install")
@@ -116,13 +118,13 @@ run_line() {
 }
 
 @test "recipes make what they say" {
-  # The offset is as much larger as its distance times the area, about.
+  # The volume grows by about the distance times the area.
   diagonal=$(tm-info --json body.ply | jq '[.bbox_max, .bbox_min] | transpose | map((.[0] - .[1]) | . * .) | add | sqrt')
   jq -n --argjson before "$(tm-info --json body.ply)" --argjson after "$(tm-info --json thicker.ply)" \
     --argjson distance "$(jq -n "0.02 * $diagonal")" -e '
     ($after.volume - $before.volume) / ($distance * ($after.area + $before.area) / 2) |
       . > 0.97 and . < 1.03'
-  # Smoothing leaves faces and vertices, and takes noise away.
+  # Smoothing keeps the numbers of faces and vertices, and removes noise.
   [ "$(tm-info --get faces smooth.ply)" -eq "$(tm-info --get faces scan.ply)" ]
   jq -n --argjson before "$(tm-info --get area scan.ply)" --argjson after "$(tm-info --get area smooth.ply)" \
     -e '$after < $before'

@@ -1,15 +1,15 @@
 #!/usr/bin/env bats
-# Files that nobody here made: every program reads each, or refuses it in one good line.
+# Files from other sources: every program reads each of them, or refuses it with one clear line.
 load ../helpers/common
 
-# takes_or_refuses PROGRAM ARGUMENT...: a code of the contract within a minute; where it fails, the
-# last line of stderr says why, and nothing before it but notes on what reading left out.
+# takes_or_refuses PROGRAM ARGUMENT...: expects an exit code of the contract within a minute. If the program
+# fails, the last line of stderr says why; lines before it are notes on omitted data.
 takes_or_refuses() {
   local code=0 why said
   timeout 60 "$@" > "$BATS_TEST_TMPDIR/stdout" 2> "$BATS_TEST_TMPDIR/stderr" < /dev/null || code=$?
   [ "$code" -le 4 ] && [ "$code" -ne 2 ] || fail "exit code $code: $* $(cat "$BATS_TEST_TMPDIR/stderr")"
   said=$(cat "$BATS_TEST_TMPDIR/stderr")
-  # A folder of files is named so.
+  # Messages may contain cgal as the name of a folder of these files.
   ! grep -Eiq 'internal|assert|exception|cgal|std::' <<<"${said//'/cgal/'/}" ||
     fail "$* $said"
   [ "$code" -ge 3 ] || return 0

@@ -2,7 +2,7 @@
 
 load ../helpers/common
 
-# blocks LANGUAGE: the lines of the page's blocks.
+# blocks LANGUAGE: prints the lines of the page's blocks in a language.
 blocks() {
   awk -v fence="\`\`\`$1" '$0 == fence { inside = 1; next } /^```/ { inside = 0 } inside' "$tm_root/docs/reference.md"
 }

@@ -1,4 +1,4 @@
-# A release needs the checklist, the workflows and the scripts of their jobs.
+# The release checklist, the workflows, and the scripts of their jobs.
 
 load ../helpers/common
 
@@ -6,7 +6,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# step N: the first command of a step of the checklist.
+# step N: prints the first command of a step of the checklist.
 step() {
   sed -n "s/^$1\. [^\`]*\`\([^\`]*\)\`.*/\1/p" "$tm_root/RELEASE_CHECKLIST.md"
 }
@@ -31,7 +31,7 @@ step() {
   grep -qx 'version: 9.8.7' CITATION.cff
   grep -qx "## \[9.8.7\] - $(date -u +%F)" CHANGELOG.md
   [ "$(git show --name-only --format=%s | sort | tr '\n' ' ')" = " CHANGELOG.md CITATION.cff CMakeLists.txt Release 9.8.7 " ]
-  # The first step refuses a clone with changes.
+  # The first step refuses a clone with uncommitted changes.
   echo change >>README.md
   run ! bash -e -c "$(step 1)"
 }

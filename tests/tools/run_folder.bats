@@ -1,4 +1,4 @@
-# --run of the loops: all of a run in one folder, in the layout of tm-run(5).
+# Loops with --run: all files of a run in one folder, in the layout of tm-run(5).
 
 load ../helpers/common
 
@@ -32,7 +32,7 @@ FILES
   jq -e '.layout == 1 and .tool == "tm-morph" and (.version | length) > 0' r/run.json
   [ "$(jq -r '.commands[]' r/run.json)" = \
     "tm-morph -q 'a sphere.ply' --target torus.ply --run r --iterations 5 --every 2" ]
-  # The meshes are those that options one by one would give.
+  # The meshes equal those of the same run with the separate options -o, --frames and --csv.
   morph -o one.ply --frames frames --csv log.csv --iterations 5 --every 2
   cmp one.ply r/result.ply
   for frame in frames/*; do cmp "$frame" "r/$frame"; done
@@ -73,7 +73,7 @@ run.json
 start.ply
 FILES
   [ "$(jq -r .tool r/run.json)" = tm-evolve ]
-  # A failure before the first iteration leaves the run that is there.
+  # A failure before the first iteration does not change the earlier run.
   run --separate-stderr morph --target nothing.ply --run r
   assert_status 3
   [ "$(jq -r .tool r/run.json)" = tm-evolve ]
@@ -85,7 +85,7 @@ FILES
   run --separate-stderr morph --run other
   assert_status 2
   one_line "$stderr"
-  [[ $stderr == *"'other' holds letter and no run"* ]]
+  [[ $stderr == *"'other' holds letter, but not a run"* ]]
   [ "$(ls -A other)" = letter ]
   for option in '-o x.ply' '--csv x' '--report x' '--frames x' '--format off'; do
     run --separate-stderr morph --run r $option
@@ -107,7 +107,7 @@ FILES
     until [ -e r/log.csv ] && [ "$(wc -l <r/log.csv)" -ge "$kill_at" ]; do sleep 0.01; done
     kill -KILL $! || true
     wait $! || true
-    # As if it had been writing.
+    # The file is as after an interruption during writing.
     echo half >r/frames/.frame-00003.ply.123-0.tmp
     morph --run r --iterations 12 --every 1 --resume
     cmp all.ply r/result.ply
@@ -176,7 +176,7 @@ FILES
   tm-morph -q "a sphere.ply" --sequence torus.ply large.ply torus.ply --iterations 2 --run film
   [ "$(files_of film/targets | xargs)" = "00001.ply 00002.ply 00003.ply" ]
   tm-compare --json --reference large.ply film/targets/00002.ply | jq -e '.hausdorff < 1e-12'
-  # Nothing of it is left by a run that has fewer.
+  # A run with fewer steps leaves no files of the earlier run.
   touch film/targets/letter
   tm-morph -q "a sphere.ply" --sequence torus.ply --iterations 2 --run film
   [ "$(files_of film/targets | xargs)" = "00001.ply letter" ]
@@ -184,7 +184,7 @@ FILES
   [ "$(files_of film/targets)" = letter ]
 }
 
-# steps NUMBER: photographs and masks of a torus that turns, in steps/1 and so on.
+# steps NUMBER: makes photographs and masks of a rotating torus, in steps/1 and so on.
 steps() {
   local step cameras=(--ring 12)
   for step in $(seq "$1"); do
@@ -209,7 +209,7 @@ reconstruct_steps() {
     views/00002/cameras.txt)
   [ "$(files_of seen/views/00002/photographs | wc -l)" -eq 12 ]
   jq -e '.result.time_steps == 2 and .output.faces > 100' seen/report.json
-  # The surfaces are those that -o would give.
+  # The surfaces equal those of -o.
   reconstruct_steps -o surfaces
   cmp surfaces/1.ply seen/frames/frame-00001.ply
   cmp surfaces/2.ply seen/frames/frame-00002.ply

@@ -1,4 +1,4 @@
-# Meshes of any size: measured, or refused with a sentence, and no nan or inf among the numbers.
+# Meshes of any size are measured or refused with a message, and no number is nan or inf.
 
 load ../helpers/common
 
@@ -6,7 +6,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# tetrahedron_of SIZE: as OFF, with edges about as long.
+# tetrahedron_of SIZE: prints a tetrahedron as OFF, with edges of about this length.
 tetrahedron_of() {
   printf 'OFF\n4 4 0\n'
   printf '%s %s %s\n' 0 0 0 "$1" "$1" 0 "$1" 0 "$1" 0 "$1" "$1"
@@ -75,7 +75,7 @@ TABLE
     run --separate-stderr tm-info $options large.off
     assert_status 3
     one_line "$stderr"
-    [[ $stderr == *"the volume of the mesh is beyond what a number can hold"* ]]
+    [[ $stderr == *"the volume of the mesh is beyond the range of double precision"* ]]
     [ -z "$output" ]
   done
 }

@@ -12,7 +12,7 @@ setup() {
 
 teardown() { [ -z "${slurm_ids[*]-}" ] || stop_slurm; }
 
-# loop_in FOLDER: the id of the tm-morph that works there.
+# loop_in FOLDER: prints the process id of the tm-morph that works in a folder.
 loop_in() {
   local process
   for process in $(pgrep -x tm-morph); do
@@ -32,7 +32,7 @@ run two tm-morph source.ply --target target.ply -o result.ply --resume --threads
 TABLE
   batch slurm BATCH="$PWD/by-slurm" >slurm.out 2>&1 3>&- &
   local batch=$! tries=0 process=
-  # The slow run, of many seconds, is killed while it has a state.
+  # Kills the slow run, which takes many seconds, when it has a state.
   until [ -e by-slurm/slow,one.unfinished/result.ply.tm-morph ] &&
     process=$(loop_in "$PWD/by-slurm/slow,one.unfinished"); do
     sleep 0.05

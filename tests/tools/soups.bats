@@ -1,15 +1,15 @@
-# A soup has every triangle of a mesh on vertices of its own, as STL has; a seam is a row of edges
-# where that is so. To programs that follow faces by the numbers of their vertices both have holes.
+# Soups and seams. In a soup, as STL is, every triangle has its own vertices; a seam is a row of edges whose
+# faces have their own vertices. Programs that follow faces by vertex indices find borders there.
 load ../helpers/common
 
 setup_file() {
   cd "$BATS_FILE_TMPDIR"
-  # A ball on a plate, closed; and a bowl.
+  # A closed ball on a plate, and a bowl.
   tm-shape box 2 2 0.3 --faces 800 -o plate.ply
   tm-shape sphere --radius 0.5 --center 0,0,0.4 --faces 800 | tm-cat plate.ply - |
     tm-clean -q | tm-convert -q --no-provenance -o body.off
   tm-shape sphere --faces 800 | tm-select --box=-2,-2,-2,2,2,0.5 | tm-convert -q --no-provenance -o bowl.off
-  # A mesh whose faces share vertices unless one is left and one right of x = 0.
+  # Faces share vertices, except across the plane x = 0.
   awk '
     NR == 1 || /^#/ { print; next }
     !n { n = $1; f = $2; next }
@@ -30,7 +30,7 @@ setup() {
   work=$BATS_TEST_TMPDIR
 }
 
-# As one mesh: bytes of what a program makes of the mesh that tm-stitch makes.
+# Compares the output for a soup with the output for the mesh that tm-stitch makes of it.
 joins() { # FILE PROGRAM OPTION...
   local file=$1
   shift
@@ -39,7 +39,7 @@ joins() { # FILE PROGRAM OPTION...
   run --separate-stderr "$@" --no-provenance --format off --report "$work/report.json" -o "$work/joined.off" "$file"
   assert_status 0
   [[ $stderr == *" vertices joined with others in the same place, as tm-stitch does"* ]] || fail "$* $file: $stderr"
-  [[ $stderr != *"tm-stitch joins them"* ]]
+  [[ $stderr != *"join them with tm-stitch"* ]]
   cmp "$work/stitched.off" "$work/joined.off" || fail "$* $file"
   [ "$(jq .result.joined_vertices "$work/report.json")" -gt 0 ]
 }
@@ -80,7 +80,7 @@ joins() { # FILE PROGRAM OPTION...
   refuses() {
     run --separate-stderr "$@" -o "$work/out.ply"
     assert_status 3
-    [[ $stderr == *"border edges lie upon each other"*"tm-stitch joins them" ]] || fail "$stderr"
+    [[ $stderr == *"border edges coincide"*"join them with tm-stitch" ]] || fail "$stderr"
     [ ! -e "$work/out.ply" ]
   }
   for file in body.ply seam.off; do
@@ -107,11 +107,11 @@ joins() { # FILE PROGRAM OPTION...
 }
 
 @test "inconsistently oriented faces are refused with a remedy" {
-  # A strip of which one face looks the other way.
+  # A strip with one reversed face.
   printf 'OFF\n9 3 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n1 1 0\n3 0 1 2\n3 3 4 5\n3 6 8 7\n' >"$work/strip.off"
   run --separate-stderr tm-remesh "$work/strip.off" -o "$work/out.ply"
   assert_status 3
-  [[ $stderr == *"mend it with tm-stitch --orient" ]] || fail "$stderr"
+  [[ $stderr == *"orient it with tm-stitch --orient" ]] || fail "$stderr"
   tm-stitch -q --orient "$work/strip.off" | tm-remesh -q -o "$work/out.ply"
 }
 
@@ -119,9 +119,9 @@ joins() { # FILE PROGRAM OPTION...
   for program in "tm-info" "tm-select --largest 1"; do
     run --separate-stderr $program body.ply
     assert_status 0
-    [[ $stderr == *"body.ply: "*" border edges lie upon each other: the faces share no vertices there; tm-stitch joins them" ]] ||
+    [[ $stderr == *"body.ply: "*" border edges coincide: the faces share no vertices there; join them with tm-stitch" ]] ||
       fail "$stderr"
-    # Of STL it is said when it is read.
+    # For STL, the note is given when the file is read.
     run --separate-stderr $program bowl.stl
     one_line "$stderr"
   done
@@ -130,12 +130,12 @@ joins() { # FILE PROGRAM OPTION...
 @test "tm-checkmanifold --closed names tm-stitch before tm-fill, and is right" {
   run tm-checkmanifold --closed body.ply
   assert_status 1
-  [[ $output == *"has no face across"*"border edges lie upon each other, as in a soup of triangles; tm-stitch joins them" ]] ||
+  [[ $output == *"has only one face"*"border edges coincide, as in a soup of triangles; join them with tm-stitch" ]] ||
     fail "$output"
   tm-stitch -q body.ply | tm-checkmanifold --closed
   run tm-checkmanifold --closed bowl.ply
-  [[ $output == *"tm-stitch joins them" ]]
+  [[ $output == *"join them with tm-stitch" ]]
   tm-stitch -q bowl.ply -o "$work/bowl.off"
   run tm-checkmanifold --closed "$work/bowl.off"
-  [[ $output == *"; tm-fill closes holes" ]]
+  [[ $output == *"; close holes with tm-fill" ]]
 }

@@ -1,6 +1,6 @@
 load ../helpers/common
 
-# scan NAME BOX [TRANSFORM...]: the part of a dented ball in a box, moved.
+# scan NAME BOX [TRANSFORM...]: writes the part of a dented ball in a box, after a motion.
 scan() {
   tm-shape dented --faces "$2" | tm-select --box "$3" | tm-transform "${@:4}" -o "$1"
 }
@@ -38,7 +38,7 @@ setup() {
   tm-transform --translate 0.1,0,0 ball.ply -o moved.ply
   run --separate-stderr tm-align --reference ball.ply moved.ply -o placed.ply
   assert_status 0
-  [[ $stderr == *"slide on each other"* ]]
+  [[ $stderr == *"slide along each other"* ]]
   tm-compare --reference ball.ply --within 0.02 placed.ply
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# Boolean operations. Volumes are those of closed forms.
+# Boolean operations, checked by volumes in closed form.
 
 load ../helpers/common
 
@@ -7,7 +7,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# cube X0 X1 [FILE]: the cube from X0 to X1 along each axis, as OFF of 8 vertices.
+# cube X0 X1 [FILE]: writes the cube from X0 to X1 along each axis, as OFF with 8 vertices.
 cube() {
   awk -v a="$1" -v b="$2" 'BEGIN {
     print "OFF\n8 12 0"
@@ -18,12 +18,12 @@ cube() {
   }'
 }
 
-# bare MESH: its numbers alone.
+# bare MESH: prints only the numbers of a mesh.
 bare() {
   tm-convert --format off "$1" | grep -v '^#'
 }
 
-# volume_of COMMAND MESH...: of the result, which has to be a solid.
+# volume_of COMMAND MESH...: prints the volume of the result, which must be a solid.
 volume_of() {
   tm-boolean "$@" -o result.ply
   tm-checkmanifold --closed --intersections result.ply >/dev/null
@@ -38,7 +38,7 @@ volume_of() {
   [ "$(volume_of intersection a.off b.off)" = 1 ]
   [ "$(volume_of difference a.off b.off)" = 7 ]
   [ "$(volume_of xor a.off b.off)" = 14 ]
-  # Pairwise 1, 3.375 and 3.375, all three 1.
+  # The pairwise intersections have volumes 1, 3.375 and 3.375, and that of all three has 1.
   [ "$(volume_of union a.off b.off c.off)" = 17.25 ]
   [ "$(volume_of intersection a.off b.off c.off)" = 1 ]
   [ "$(volume_of difference a.off b.off c.off)" = 4.625 ]
@@ -93,7 +93,7 @@ volume_of() {
   run --separate-stderr tm-boolean intersection a.off b.off --require-nonempty -o none.ply
   [ "$status" -eq 4 ]
   [ ! -e none.ply ]
-  # An empty mesh is an operand like any other.
+  # An empty mesh is accepted as an operand.
   [ "$(volume_of union a.off empty.ply)" = 1 ]
   [ "$(volume_of difference a.off empty.ply)" = 1 ]
   tm-boolean -q intersection a.off empty.ply -o result.ply
@@ -105,7 +105,7 @@ volume_of() {
   cube 1 2 | tm-stitch --flip -o b.off
   run --separate-stderr tm-boolean difference a.off b.off -o result.ply
   [ "$status" -eq 0 ]
-  [ "$stderr" = "tm-boolean: b.off encloses nothing: its faces look inwards; reverse it with tm-stitch --flip" ]
+  [ "$stderr" = "tm-boolean: b.off encloses nothing: its faces are oriented inwards; reverse it with tm-stitch --flip" ]
   [ "$(tm-info --get volume result.ply)" = 27 ]
   echo "c = difference a.off b.off" >steps.txt
   run --separate-stderr tm-boolean --script steps.txt -o result.ply
@@ -118,12 +118,12 @@ volume_of() {
   tm-stitch --flip b.off | tm-cat b.off - -o both.off
   run --separate-stderr tm-boolean difference a.off both.off -o result.ply
   [ "$status" -eq 0 ]
-  [[ $stderr = "tm-boolean: both.off encloses nothing: its faces lie upon each other and cancel out; tm-stitch --one-side "* ]]
+  [[ $stderr = "tm-boolean: both.off encloses nothing: its faces coincide and cancel out; "*"tm-stitch --one-side"* ]]
   [ "$(tm-info --get volume result.ply)" = 27 ]
   [ "$(tm-stitch --one-side both.off | tm-boolean difference a.off - | tm-info --get volume)" = 26 ]
   tm-stitch --flip b.off >flipped.off
   run --separate-stderr bash -c 'tm-boolean union - <flipped.off >result.ply'
-  [[ $stderr = "tm-boolean: standard input encloses nothing: its faces look inwards; "* ]]
+  [[ $stderr = "tm-boolean: standard input encloses nothing: its faces are oriented inwards; "* ]]
 }
 
 @test "a script keeps the unit, and the bound of how far flat faces moved" {
@@ -147,8 +147,8 @@ volume_of() {
   sed -e 's/^8 12 0$/8 11 0/' -e '$d' a.off >"open =1.off"
   run --separate-stderr tm-boolean union a.off "open =1.off"
   [ "$status" -eq 3 ]
-  [ "$stderr" = "tm-boolean: open =1.off has 1 border: it is not a solid; tm-fill closes holes" ]
-  # Even where another operand closes it.
+  [ "$stderr" = "tm-boolean: open =1.off has 1 border: it is not a solid; close holes with tm-fill" ]
+  # The mesh is refused even if another operand closes it.
   printf '%s\n' OFF "8 1 0" "$(sed -n 3,10p a.off)" "$(tail -n 1 a.off)" >rest.off
   run --separate-stderr tm-boolean union "open =1.off" rest.off
   [ "$status" -eq 3 ]
@@ -164,7 +164,7 @@ volume_of() {
   tm-shape sphere --radius 1.2 --faces 500 -o b.ply
   tm-boolean difference a.ply b.ply --source-operand -o c.ply
   tm-select --where 'source_operand>0' c.ply -o inner.ply
-  # All corners of what comes from the ball are on it, up to the height of its facets.
+  # All corners that come from the ball are on it, up to the height of its facets.
   tm-compare --reference b.ply --json inner.ply >report
   awk -F'[:,]' '/"accuracy"/ { exit !($2 < 1e-12) }' report
   run tm-info --get faces inner.ply
@@ -204,7 +204,7 @@ volume_of() {
   printf '%s\n' OFF "3 1 0" ".5 .5 1" "1 .5 1" ".5 1 1" "3 0 1 2" >small.off
   run --separate-stderr tm-boolean cut --inside --cap small.off solid.off -o none.ply
   [ "$status" -eq 3 ]
-  [[ $stderr = "tm-boolean: the sheet ends inside the solid, at ("*"), so that no cap closes it there" ]]
+  [[ $stderr = "tm-boolean: the sheet ends inside the solid, at ("*"): a cap cannot close it there" ]]
   [ ! -e none.ply ]
   tm-stitch --flip other.off >inwards.off
   run --separate-stderr tm-boolean cut --cap inwards.off solid.off
@@ -215,7 +215,7 @@ volume_of() {
   for option in --cap --inside; do
     run --separate-stderr tm-boolean union "$option" other.off solid.off
     [ "$status" -eq 2 ]
-    [ "$stderr" = "tm-boolean: $option is of cut alone" ]
+    [ "$stderr" = "tm-boolean: $option can be used only with cut" ]
   done
 }
 

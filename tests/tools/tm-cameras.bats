@@ -1,4 +1,5 @@
-# tm-cameras: camera files of every format, against numbers computed from the files by other means.
+# tm-cameras: camera files of every format, compared with numbers that are computed from the files
+# independently.
 
 load ../helpers/common
 load ../helpers/contract
@@ -7,7 +8,8 @@ setup() {
   cd "$BATS_TEST_TMPDIR" || exit
 }
 
-# pixels MATRICES: where each 3x4 matrix of the file sees points around CENTER_X,Y,Z of size SIZE.
+# pixels MATRICES: prints the pixels at which each 3x4 matrix of the file shows points around CENTER_X,Y,Z
+# of size SIZE.
 pixels() {
   awk -v center="$2" -v size="$3" '
     /^#/ { next }
@@ -22,7 +24,7 @@ pixels() {
     }' "$1"
 }
 
-# raw_middlebury FILE: K [R | t] of each line of the file, multiplied here.
+# raw_middlebury FILE: prints K [R | t] for each line of the file.
 raw_middlebury() {
   awk 'NR > 1 {
     for (i = 0; i < 3; ++i) {
@@ -38,7 +40,7 @@ raw_middlebury() {
   }' "$1"
 }
 
-# raw_colmap FOLDER: the same from one PINHOLE camera and quaternions, half a pixel less.
+# raw_colmap FOLDER: prints the same for one PINHOLE camera and quaternions, shifted by half a pixel.
 raw_colmap() {
   awk '
     /^#/ { next }
@@ -58,7 +60,8 @@ raw_colmap() {
     }' "$1/cameras.txt" "$1/images.txt"
 }
 
-# agree TOLERANCE FIRST SECOND: as many lines, and no number differs by more; prints the largest.
+# agree TOLERANCE FIRST SECOND: checks that both have the same number of lines, and that numbers differ by
+# at most TOLERANCE; prints the largest difference.
 agree() {
   paste -d' ' "$2" "$3" | awk -v tolerance="$1" '
     NF % 2 == 1 { print "lines differ: " $0; failed = 1; exit 1 }
@@ -106,7 +109,7 @@ agree() {
 @test "tm-cameras: Middlebury parameters come back number by number" {
   two_cameras >in.txt
   diff in.txt <(tm-cameras in.txt)
-  # Matrices are multiplied and taken apart again, so that the last digits change.
+  # Matrices are multiplied and decomposed, so that the last digits change.
   tm-cameras --format matrices in.txt | tm-cameras >back.txt
   diff <(awk '{ print $1 }' in.txt) <(awk '{ print $1 }' back.txt)
   agree 1e-12 <(raw_middlebury in.txt) <(raw_middlebury back.txt)
@@ -130,7 +133,8 @@ agree() {
 
 @test "tm-cameras: the table, against numbers worked out by hand" {
   two_cameras >in.txt
-  # b is turned by atan(3/4) = 36.87 degrees and 5 away from the origin; a pixel there is 5 / 300.
+  # Camera b is rotated by atan(3/4) = 36.87 degrees and 5 away from the origin; a pixel there is 5 / 300
+  # wide.
   tm-cameras --list --center 0,0,0 in.txt >table
   [ "$(sed -n 2p table | tr -s ' ')" = "a.png - 300 0 0 -5 0.0166667 b.png:36.87" ]
   [ "$(sed -n 3p table | tr -s ' ')" = "b.png - 300 -3 0 -4 0.0166667 a.png:36.87" ]
@@ -138,7 +142,7 @@ agree() {
   # Both axes go through the origin.
   diff table <(tm-cameras --list in.txt)
   [ "$(tm-cameras --list --pairs 0 in.txt | sed -n 2p | awk '{ print $NF }')" = - ]
-  # Behind a, and beside b.
+  # The point is behind a, and beside b.
   tm-cameras --list --center 9,0,-6 in.txt | sed -n 2p | tr -s ' ' | grep -q ' -5 - '
 }
 
@@ -150,7 +154,7 @@ agree() {
 }
 
 @test "tm-cameras: a table of cameras that look away from each other, and what it says" {
-  # Back to back on the x axis: the axes meet between them, behind both.
+  # The cameras are back to back on the x axis: the axes meet between them, behind both.
   printf '2\na 300 0 80 0 300 60 0 0 1 0 0 1 0 1 0 -1 0 0 0 0 -1\nb 300 0 80 0 300 60 0 0 1 0 0 -1 0 1 0 1 0 0 0 0 -1\n' >in.txt
   run --separate-stderr tm-cameras --list --center 0,0,0 in.txt
   assert_status 0
@@ -239,14 +243,14 @@ CASES
 
 @test "tm-cameras: a JPEG gives its size, a broken one is refused" {
   printf '1\na.jpg 300 0 3 0 300 3 0 0 1 1 0 0 0 1 0 0 0 1 0 0 5\n' >in.txt
-  # 8 x 6 pixels of gray.
+  # An image of 8 x 6 gray pixels.
   base64 -d >a.jpg <<'JPEG'
 /9j/4AAQSkZJRgABAQAAAQABAAD/2wBDABALDA4MChAODQ4SERATGCgaGBYWGDEjJR0oOjM9PDkz
 ODdASFxOQERXRTc4UG1RV19iZ2hnPk1xeXBkeFxlZ2P/wAALCAAGAAgBAREA/8QAFAABAAAAAAAA
 AAAAAAAAAAAABf/EABQQAQAAAAAAAAAAAAAAAAAAAAD/2gAIAQEAAD8AMf/Z
 JPEG
   tm-cameras --images a.jpg --format colmap in.txt | grep -q '^1 PINHOLE 8 6 '
-  # The pixels are not looked at.
+  # The pixels are not read.
   head -c -3 a.jpg >short.jpg && mv short.jpg a.jpg
   tm-cameras --images a.jpg --format colmap in.txt | grep -q '^1 PINHOLE 8 6 '
   head -c 95 a.jpg >short.jpg && mv short.jpg a.jpg

@@ -10,15 +10,15 @@ setup() {
     { print }' >a.ply
 }
 
-# vertices FILE: x y z and properties, a line each
+# vertices FILE: prints x, y, z and the properties of each vertex, a line per vertex
 vertices() {
   tm-convert --format ply-ascii "$1" | awk '/^element vertex/ { n = $3 }
     body && n-- > 0 { print }
     /^end_header/ { body = 1 }'
 }
 
-# off_by FILE FACTOR: how far height is from the function of the positions over FACTOR, at most and
-# on average
+# off_by FILE FACTOR: prints the largest and the mean difference between height and its function of the
+# positions divided by FACTOR
 off_by() {
   vertices "$1" | awk -v factor="$2" '
     { off = ($1 + 2 * $2 - $3) / factor - $4; if (off < 0) off = -off; if (off > most) most = off; sum += off }
@@ -35,9 +35,9 @@ off_by() {
     { print }' >moved.ply
   tm-remesh --source moved.ply >c.ply
   tm-carry --from a.ply moved.ply c.ply >d.ply
-  # Remeshing cuts the crease where the balls meet.
+  # Remeshing cuts off the crease where the balls meet.
   off_by d.ply 2 | awk '{ exit !($1 < 0.06 && $2 < 0.002) }'
-  # Its places are on the first mesh by now.
+  # The source points of d.ply are already on the first mesh.
   tm-carry --from a.ply d.ply >again.ply
   cmp <(vertices d.ply) <(vertices again.ply)
 }
@@ -49,7 +49,8 @@ off_by() {
     tm-remesh --source cleaned.ply | tm-carry --from a.ply now.ply cleaned.ply - >next.ply
     mv next.ply now.ply
   done
-  # Each step went a tenth of an edge, .08; height grows by up to 2.45 of that.
+  # The two steps move vertices by a fifth of an edge in total. Height changes by up to 2.45 times as much,
+  # which is .08.
   off_by now.ply 1 | awk '{ exit !($1 > 0.02 && $1 < 0.08) }'
 }
 
@@ -103,7 +104,7 @@ off_by() {
   run -1 grep -a source_face remeshed.ply
 }
 
-# faces FILE: the properties of each face, a line each
+# faces FILE: prints the properties of each face, a line per face
 faces() {
   tm-convert --format ply-ascii "$1" | awk '/^element vertex/ { n = $3 }
     body && n-- <= 0 { print }
@@ -111,7 +112,7 @@ faces() {
 }
 
 @test "tm-carry: faces have the properties of the face that they are cut from, though bodies touch" {
-  # Two boxes with a common plane, turned; side is a number for each face.
+  # Two rotated boxes with a common plane; side is a number for each face.
   tm-shape box 1 1 1 --faces 12 -o one.ply
   tm-shape box 1 0.5 1 --faces 12 --center 0.3,0,0 -o two.ply
   tm-cat one.ply two.ply | tm-transform --rotate 1,2,3,17 --format ply-ascii | awk '
@@ -122,7 +123,7 @@ faces() {
     { print }' >boxes.ply
   tm-clean --source boxes.ply >clean.ply
   tm-carry --from boxes.ply clean.ply >carried.ply
-  # Cleaning carries numbers from face to piece itself.
+  # Cleaning itself carries numbers from faces to pieces.
   cmp <(faces clean.ply | cut -d " " -f 1-5) <(faces carried.ply | cut -d " " -f 1-5)
   [ "$(faces carried.ply | cut -d " " -f 5 | sort -u | wc -l)" -gt 12 ]
 }
@@ -135,7 +136,7 @@ faces() {
   run --separate-stderr tm-carry --from ball.ply filled.ply
   assert_status 3
   tm-carry --from ball.ply --closest filled.ply >carried.ply
-  # Numbers of faces alone are no places.
+  # Face numbers alone are not source points.
   tm-clean -q --source ball.ply | tm-clean -q --source-face >numbered.ply
   run --separate-stderr tm-carry --from ball.ply numbered.ply
   assert_status 3

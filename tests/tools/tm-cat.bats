@@ -5,7 +5,7 @@ setup() {
   tetrahedron >t.ply
 }
 
-# The number of elements of this name that a PLY header announces.
+# Prints the number of elements of this name that a PLY header announces.
 count() {
   sed -n "s/^element $1 //p" "$2"
 }
@@ -67,7 +67,7 @@ count() {
 
 @test "values of narrow and wide types survive; a list beside a number is reported" {
   cd "$BATS_TEST_TMPDIR"
-  # labeled TYPE VALUE: a tetrahedron with a label at each vertex
+  # labeled TYPE VALUE: writes a tetrahedron with a label at each vertex
   labeled() {
     tetrahedron | awk -v type="$1" -v value="$2" '
       /^element face/ { print "property " type " label" }

@@ -22,7 +22,7 @@ genus: 0" ]]
   [[ $output == *"closed: false"*"boundary_loops: 1"* ]]
   run tm-checkmanifold --closed open.off
   assert_status 1
-  [[ $output == *"problem: the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) of face 0 has no face across (the first of 3 such edges); tm-fill closes holes" ]]
+  [[ $output == *"problem: the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) of face 0 has only one face (the first of 3 such edges); close holes with tm-fill" ]]
 }
 
 @test "tm-checkmanifold: places of bad edges, vertices, faces and orientation are reported" {
@@ -40,12 +40,12 @@ genus: 0" ]]
   printf "OFF\n5 2 0\n${points}3 0 1 2\n3 0 1 3\n" >alike.off
   run tm-checkmanifold alike.off
   assert_status 1
-  [[ $output == *"manifold: true"*"oriented: false"*"misoriented_edges: 1"*"the same way"* ]]
+  [[ $output == *"manifold: true"*"oriented: false"*"misoriented_edges: 1"*"in the same direction"* ]]
 
   printf "OFF\n5 1 0\n${points}3 2 1 2\n" >twice.off
   run tm-checkmanifold twice.off
   assert_status 1
-  [[ $output == *"collapsed_faces: 1"*"face 0 names a vertex twice"* ]]
+  [[ $output == *"collapsed_faces: 1"*"face 0 uses a vertex twice"* ]]
 }
 
 @test "tm-checkmanifold: faces without area are counted exactly and decide nothing" {
@@ -64,7 +64,7 @@ genus: 0" ]]
   assert_status 1
   [ -z "$output" ]
   one_line "$stderr"
-  [[ $stderr == "tm-checkmanifold: "*"no face across"* ]]
+  [[ $stderr == "tm-checkmanifold: "*"only one face"* ]]
   pipe 'tm-checkmanifold --closed --pass open.off | cat'
   assert_status 1
 }
@@ -84,7 +84,7 @@ genus: 0" ]]
   [[ $output == *"manifold: true"*"oriented: false"*"boundary_loops: 1"* ]]
 }
 
-# certified INPUT OUTPUT [OPTION...]: the certificate of OUTPUT, which must hold.
+# certified INPUT OUTPUT [OPTION...]: checks that the certificate of OUTPUT holds.
 certified() {
   run tm-checkmanifold --certify "$@"
   assert_status 0
@@ -92,7 +92,8 @@ certified() {
   [[ $output != *"problem:"* ]]
 }
 
-# refused TEXT INPUT OUTPUT [OPTION...]: the certificate of OUTPUT fails, and the problem has TEXT.
+# refused TEXT INPUT OUTPUT [OPTION...]: checks that the certificate of OUTPUT fails, and that the problem
+# contains TEXT.
 refused() {
   local text=$1
   shift
@@ -101,7 +102,7 @@ refused() {
   [[ $output == *"problem: "*"$text"* ]] || fail "$output"
 }
 
-# Two crossing balls and their union; a small ball.
+# Two intersecting balls and their union; a small ball.
 balls() {
   tm-shape two-spheres --faces 2000 -o crossing.ply
   tm-clean crossing.ply -o union.ply
@@ -141,7 +142,7 @@ edit() {
 @test "tm-checkmanifold: --certify finds a flipped face and a flipped component" {
   balls
   edit '$1 == 3 && !done { t = $2; $2 = $3; $3 = t; done = 1 } { print }' <union.ply >wrong.off
-  refused "the same way" crossing.ply wrong.off
+  refused "in the same direction" crossing.ply wrong.off
   [[ $output != *"wrong_samples: 0"* ]]
   tm-cat union.ply <(tm-shape sphere --center 9,0,0 --faces 100) -o right.ply
   tm-cat union.ply <(tm-shape sphere --center 9,0,0 --faces 100 | tm-stitch --flip) -o wrong.ply
@@ -200,7 +201,7 @@ edit() {
   sed 's/^.5 .5 0/.5 .5 .1/' pieces.off >bent.off
   run tm-checkmanifold --certify open.off bent.off
   assert_status 1
-  [[ $output == *"problem: face 0, at (0, 0, 0), is no piece of a face of the input"* ]]
+  [[ $output == *"problem: face 0, at (0, 0, 0), is not part of an input face"* ]]
 }
 
 @test "tm-checkmanifold: --certify needs its input, and --level needs --certify" {
@@ -230,8 +231,8 @@ edit() {
   [[ $output == *"; borders nearly meet along cracks of up to "*": tm-stitch --tolerance "*" joins them" ]] || fail "$output"
   width=$(sed 's/.*--tolerance \([^ ]*\) .*/\1/' <<<"$output")
   tm-stitch --tolerance "$width" cracked.off | tm-checkmanifold --closed
-  # A hole is none.
+  # A hole is not a crack.
   tm-select --box -2,-2,-2,2,2,0.8 ball.ply -o bowl.ply
   run --separate-stderr tm-checkmanifold --closed --get problem bowl.ply
-  [[ $output == *"; tm-fill closes holes" ]]
+  [[ $output == *"; close holes with tm-fill" ]]
 }

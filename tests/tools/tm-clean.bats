@@ -166,8 +166,8 @@ load ../helpers/common
   [ ! -e refused.ply ]
 }
 
-# with_columns: gives the ASCII PLY on stdin a linear function of position, a color, a list and a
-# number for each face, an element of its own and a comment.
+# with_columns: adds to the ASCII PLY on stdin a linear function of position, a color, a list and a number
+# for each face, another element, and a comment.
 with_columns() {
   awk -v OFMT=%.17g '
     /^element vertex/ { vertices = $3 }
@@ -196,7 +196,7 @@ with_columns() {
     'element material 2' 'property list uchar int parts' '0.25 2 5 6' '-0 0'; do
     grep -qx -- "$line" out.ply || fail "out.ply lacks the line '$line'"
   done
-  # The function of position holds at old and new vertices, numbers of faces follow source_face.
+  # The function of position holds at old and new vertices, and numbers of faces agree with source_face.
   awk '
     /^element vertex/ { vertices = $3 }
     /^element face/ { faces = $3 }
@@ -226,7 +226,7 @@ with_columns() {
   done
 }
 
-# geometry MESH: its vertices, and its faces by the coordinates of their corners, as text.
+# geometry MESH: prints the vertices, and the faces by the coordinates of their corners, as text.
 geometry() {
   tm-convert -q --format ply-ascii "$1" | awk '
     /^element vertex/ { vertices = $3 }
@@ -238,19 +238,20 @@ geometry() {
 
 @test "a large mesh with one crossing changes only there" {
   cd "$BATS_TEST_TMPDIR"
-  # Two neighboring vertices pulled to the far side of a ball.
+  # Moves two neighboring vertices to the opposite side of a ball.
   tm-shape sphere --faces 200000 --format ply-ascii |
     awk '/^end_header/ { body = 1; print; next }
       body && row++ < 2 { print -1.02 * $1, -1.02 * $2, -1.02 * $3; next } { print }' > in.ply
   tm-clean in.ply -o out.ply --report report.json
   tm-intersect --check out.ply
   grep -q '"changed": true' report.json
-  # What differs: a few lines that are gone, and a few at the end of the vertices and the faces.
+  # The differences are a few removed lines, and a few added lines at the ends of the vertices and the
+  # faces.
   diff <(geometry in.ply) <(geometry out.ply) > differences || true
   [ "$(grep -c '^[<>]' differences)" -lt 300 ] || fail "$(grep -c '^[<>]' differences) lines differ"
   for kind in v f; do
     geometry out.ply | awk -v kind="$kind" '$1 == kind { print ++n ": " $0 }' > "$kind"
-    # The first new line comes behind the last old one.
+    # The first new line comes after the last old one.
     first_new=$(grep "^> $kind" differences | head -1 | cut -c3- | grep -Fnx -f - <(cut -d' ' -f2- "$kind") | head -1)
     new=$(grep -c "^> $kind" differences)
     [ "${first_new%%:*}" -eq "$(($(wc -l < "$kind") - new + 1))" ] ||
@@ -273,7 +274,7 @@ geometry() {
   done
 }
 
-# shared_mesh NAME: cleans it and asks the oracle.
+# shared_mesh NAME: cleans a mesh and judges the result by the oracle.
 shared_mesh() {
   needs_shared "$1"
   tm-clean "$shared_file" -o "$BATS_TEST_TMPDIR/out.ply"

@@ -1,6 +1,6 @@
 load ../helpers/common
 
-# A textured sphere with dents, as seen by a ring of cameras.
+# A textured sphere with dents, photographed by a ring of cameras.
 setup_file() {
   cd "$BATS_FILE_TMPDIR"
   mkdir photos
@@ -14,7 +14,7 @@ setup() {
   color=(tm-color --cameras "$scene/par.txt" --images "$scene/photos")
 }
 
-# value KEY FILE: a number of a report.
+# value KEY FILE: prints a number of a report.
 value() { awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2"; }
 
 @test "vertices get colors on a pipe, and keep all else" {
@@ -49,7 +49,7 @@ value() { awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2";
   [ ! -e glb/a.png ]
   grep -qa KHR_materials_unlit glb/a.glb
 
-  # The picture is in the file byte for byte.
+  # The mesh file contains the picture byte for byte.
   offset=$(LC_ALL=C grep -obaF "PNG" glb/a.glb | head -n 1 | cut -d: -f1)
   cmp <(tail -c "+$offset" glb/a.glb | head -c "$(stat -c %s obj/a.png)") obj/a.png
 }

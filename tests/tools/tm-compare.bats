@@ -1,6 +1,6 @@
 load ../helpers/common
 
-# square Z: two triangles at that height, as OFF.
+# square Z: prints two triangles at that height, as OFF.
 square() {
   printf 'OFF\n4 2 0\n0 0 %s\n3 0 %s\n3 4 %s\n0 4 %s\n3 0 1 2\n3 0 2 3\n' "$1" "$1" "$1" "$1"
 }

@@ -37,8 +37,9 @@ setup() {
   one_line "$(cat notes)"
 }
 
-# prism NAME: a prism of height 1 over the polygon whose corners are lines of x y on standard input,
-# as OBJ. Words behind the name are the corners of the polygon, from 1, if it visits some again.
+# prism NAME: writes a prism of height 1 as OBJ. Its base is a polygon whose corners are lines of x y on
+# standard input. Words after the name list the corners by number, from 1, if the polygon visits some of
+# them twice.
 prism() {
   local name=$1
   shift
@@ -61,7 +62,8 @@ prism() {
     }' >"$name.obj"
 }
 
-# facts FILE: components, genus, area and volume of a mesh that is closed and does not meet itself.
+# facts FILE: prints components, genus, area and volume of a mesh that must be closed and free of
+# self-intersections.
 facts() {
   tm-checkmanifold -q --closed --intersections "$1" >/dev/null || fail "$1 is not clean"
   for key in components genus area volume; do printf '%s ' "$(tm-info -q --get "$key" "$1")"; done
@@ -69,7 +71,7 @@ facts() {
 
 @test "concave polygons and polygons with bridges to holes have no folds" {
   printf '%s\n' '2 0' '2 2' '1 1' '0 2' '0 0' | prism concave
-  # 2 faces of 3, and sides of length 6 + 2 sqrt(2)
+  # two faces of area 3, and sides of length 6 + 2 sqrt(2)
   [[ $(facts concave.obj) == "1 0 14.82842712474"*" 3 " ]] || fail "$(facts concave.obj)"
   printf '%s\n' '0 0' '4 0' '4 4' '0 4' '1 1' '3 1' '3 3' '1 3' | prism ring 1 2 3 4 1 5 8 7 6 5
   [ "$(facts ring.obj)" = '1 1 48 12 ' ] || fail "$(facts ring.obj)"
@@ -80,7 +82,7 @@ facts() {
   done
   printf 'OFF\n6 1 0\n0 0 0\n2 0 0\n2 2 0\n1 2 0\n1 1 0\n0 1 0\n6 0 1 2 3 4 5\n' >corner.off
   [ "$(tm-info -q --get area corner.off)" -eq 3 ]
-  # A thin hook at any height.
+  # A thin hook in planes at several heights.
   for height in 0 0.1 0.125 1 9; do
     printf 'v %s\n' "8.6 4.6 $height" "8.8 4.9 $height" "-0.3 2.3 $height" "-0.2 2.0 $height" \
       "0.1 0.8 $height" "0.5 0.9 $height" "0.1 2.1 $height" >hook.obj
@@ -94,7 +96,7 @@ facts() {
   printf 'f 1 3 2\nf 1 2 3 4\nf 1 2 3 4\n' >>bow.obj
   run --separate-stderr tm-convert bow.obj --format off
   assert_status 0
-  [[ $stderr == *'2 polygons cut with folds, as the outline intersects itself; the first is face 2'* ]]
+  [[ $stderr == *'2 polygons cut into triangles that fold over, because the outline intersects itself; the first is face 2'* ]]
 }
 
 @test "100,000 corners of one polygon are cut in little time" {
@@ -105,7 +107,7 @@ facts() {
     print 2 * n, -1, 0; print 0, -1, 0
     printf "%d", 4 * n + 2; for (i = 4 * n + 1; i >= 0; --i) printf " %d", i; print ""
   }' >comb.off
-  # The teeth, and the bar, whose one end is slanted.
+  # The teeth, and the bar, which has one slanted end.
   [ "$(timeout 30 tm-info -q --get area comb.off)" = 274999.5 ]
 }
 
@@ -118,7 +120,7 @@ facts() {
   run --separate-stderr tm-convert --strict point.ply
   assert_status 3
   [[ $stderr == *"property 'x' of vertex 4 is not a finite number"* ]]
-  # A face goes with its vertex.
+  # A face is removed together with its vertex.
   sed 's/^0 1 1$/nan 1 1/' t.ply >face.ply
   run --separate-stderr tm-info --json face.ply
   [ "$(jq -c '[.vertices, .faces]' <<<"$output")" = '[3,1]' ]
@@ -131,7 +133,7 @@ facts() {
   [[ $output == *'1 0 0 0.0 0.0 0.0'* ]]
   run tm-convert --strict color.obj
   assert_status 3
-  # Other programs take the option, too, and it changes no byte.
+  # Other programs have the option, too; it does not change their output.
   tm-clean t.ply | cmp - <(tm-clean --strict t.ply)
   run tm-clean --strict face.ply
   assert_status 3

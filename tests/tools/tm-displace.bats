@@ -2,12 +2,12 @@ load ../helpers/common
 
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
-# value KEY FILE: a number of a report.
+# value KEY FILE: prints a number of a report.
 value() {
   awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2"
 }
 
-# The tetrahedron with the same velocity at every vertex.
+# A tetrahedron with the same velocity at every vertex.
 moving_tetrahedron() { # VX VY VZ
   tetrahedron | awk -v velocity="$*" '
     { print (body && n-- > 0 ? $0 " " velocity : $0) }
@@ -30,7 +30,7 @@ moving_tetrahedron() { # VX VY VZ
   moving_tetrahedron 0 0 100 >in.ply
   pipe "tm-displace -q --alpha 0.5 --report r.json in.ply | tail -n 8 | head -n 1"
   assert_status 0
-  # Half of the edge, the square root of 2.
+  # The clamp is half of the edge, which has length sqrt(2).
   [[ $output == "0 0 0.7071067811865476 "* || $output == "0 0 0.7071067811865475 "* ]]
   [ "$(value clamped r.json)" -eq 4 ]
   run --separate-stderr tm-displace --alpha 0.5 in.ply -o out.ply
@@ -88,7 +88,7 @@ moving_tetrahedron() { # VX VY VZ
   done
   [ "$components" -eq 2 ]
   tm-intersect --check a.ply
-  # Either ball is still there: the neck went, not they.
+  # Both balls are left; only the neck vanished.
   awk -v v="$(tm-info --get volume a.ply)" 'BEGIN { exit !(v > 0.3) }'
 }
 

@@ -26,7 +26,7 @@ value() { jq -r ".result.$1" "$2"; }
 }
 
 @test "velocities in another language: vx vy vz out, or vertices moved" {
-  # Awk reads ASCII PLY, and adds velocities away from the axis of z.
+  # Awk reads ASCII PLY, and adds velocities away from the z axis.
   cat >outwards <<'AWK'
 /^element vertex/ { count = $3 }
 /^element face/ { print "property double vx\nproperty double vy\nproperty double vz" }
@@ -37,7 +37,7 @@ AWK
   tm-evolve "$ball" -o out.ply --iterations 10 -q --report r.json --time-step 0.05 --alpha 1 \
     --step 'tm-convert --format ply-ascii | awk -f outwards'
   [ "$(value components r.json)" -eq 1 ]
-  # exp(0.5), but for the smoothing.
+  # The factor is exp(0.5), apart from the smoothing.
   awk -v x="$(tm-info --get bbox_max out.ply | cut -d' ' -f1)" 'BEGIN { exit !(x > 1.5 && x < 1.7) }'
   sed '/^end_header/q' out.ply >header
   run ! grep -q vx header
@@ -46,7 +46,7 @@ AWK
   awk -v x="$(tm-info --get bbox_max moved.ply | cut -d' ' -f1)" 'BEGIN { exit !(x > 1.2 && x < 1.35) }'
 }
 
-# Out of the box awk makes a flow that has no divergence: volumes stay.
+# Awk adds a flow without divergence to the box, so volumes stay.
 @test "clamped velocities are reported on stderr, in the report and in the CSV" {
   cat >squeeze <<'AWK'
 /^element vertex/ { count = $3 }
@@ -117,9 +117,9 @@ AWK
   told 3 "ended with exit code 3" 'cat >/dev/null; exit 3'
   told 4 "was ended by signal 9" 'kill -9 $$'
   told 3 "the step's output" 'cat >/dev/null'
-  told 3 "a step moves vertices and nothing else" 'tm-remesh --max-edge 0.5x --min-edge 0.2x'
+  told 3 "a step may only move vertices" 'tm-remesh --max-edge 0.5x --min-edge 0.2x'
   told 4 "ended with exit code 127" 'no-such-program-here 2>/dev/null'
-  # A filter that does not read its input fails for what it writes, not by a broken pipe.
+  # A filter that does not read its input fails because of its output, not by a broken pipe.
   told 3 "the step's output" 'exec 0<&-; echo no mesh'
   run --separate-stderr tm-evolve "$ball" -o out.ply
   assert_status 2
@@ -153,10 +153,10 @@ AWK
     --step 'tm-displace --normal-speed 0.02'
   [ "$(value stop r.json)" = converged ]
   [ "$(tm-info --get components one.ply)" -eq 1 ]
-  # Both move by 0.02 in a step, so that the gap of 0.2 is closed after 5, or 6 with rounding.
+  # Both balls move by 0.02 per step, so the gap of 0.2 closes after 5 steps, or 6 with rounding.
   steps=$(value iterations r.json)
   [ "$steps" -ge 5 ] && [ "$steps" -le 7 ] || fail "$steps iterations"
-  # One iteration before, there are two.
+  # One iteration earlier there are two components.
   tm-evolve two.ply -o before.ply -q --iterations $((steps - 1)) --step 'tm-displace --normal-speed 0.02'
   [ "$(tm-info --get components before.ply)" -eq 2 ]
   tm-shape torus --radius 1 --tube 0.7 --faces 1000 -o ring.ply
@@ -164,7 +164,7 @@ AWK
     --step 'tm-displace --normal-speed 0.03'
   [ "$(value stop r.json)" = converged ]
   [ "$(tm-info --get genus filled.ply)" -eq 0 ]
-  # The hole has a radius of 0.3, so that 10 steps close it.
+  # The hole has a radius of 0.3, so it closes within 10 steps.
   steps=$(value iterations r.json)
   [ "$steps" -ge 9 ] && [ "$steps" -le 13 ] || fail "$steps iterations"
   run --separate-stderr tm-evolve two.ply -o none.ply --until components:none --step cat

@@ -47,24 +47,24 @@ setup() {
 }
 
 @test "an intersecting patch is reported with the option that closes the hole" {
-  # The only patch of a face alone is its reverse.
+  # The only patch for a single face is its reverse.
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >face.off
   run --separate-stderr tm-fill face.off -o still.off
   assert_status 0
-  [[ $stderr == *"1 hole stays open, as every patch would intersect the mesh: "*"; close these holes with --allow-crossings, for tm-clean" ]]
+  [[ $stderr == *"1 hole stays open, because every patch would intersect the mesh: "*"; close these holes with --allow-crossings, then run tm-clean" ]]
   run --separate-stderr tm-fill --allow-crossings face.off -o still.off
   [[ $stderr != *--allow-crossings* ]]
 }
 
 @test "a slit, which has only flat patches, is named with what closes it, whatever is allowed" {
-  # A tetrahedron with a vertex in the middle of an edge, of which one of the two faces knows.
+  # A tetrahedron with a vertex in the middle of an edge, at which only one of the edge's two faces is split.
   printf '%s\n' OFF '5 5 0' '0 0 0' '1 0 0' '0 1 0' '0 0 1' '0.5 0 0' \
     '3 0 2 1' '3 0 4 3' '3 4 1 3' '3 0 3 2' '3 1 2 3' >slit.off
   for option in '' --allow-crossings; do
     # shellcheck disable=SC2086 # the option may be absent
     run --separate-stderr tm-fill $option slit.off -o still.off --report r.json
     assert_status 0
-    [[ $stderr == *"1 hole stays open, as every patch would have a face without area, or an edge that has two faces already: "*"; tm-clean closes slits" ]]
+    [[ $stderr == *"1 hole stays open, because every patch would have a face without area, or an edge that has two faces already: "*"; close slits with tm-clean" ]]
     [ "$(jq .result.left_flat r.json)" -eq 1 ]
     [ "$(jq .result.left_crossing r.json)" -eq 0 ]
     tm-clean still.off -o closed.off

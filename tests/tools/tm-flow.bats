@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# Velocities of flows, judged by awk.
+# Velocities of flows, checked by awk.
 
 load ../helpers/common
 
@@ -7,7 +7,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR"
 }
 
-# rows MESH: x y z vx vy vz of each vertex.
+# rows MESH: prints x y z vx vy vz of each vertex.
 rows() {
   tm-convert -q --no-provenance --format ply-ascii "$1" | awk '
     /^property/ && !lists { if ($2 == "list") lists = 1; else name[++columns] = $3 }
@@ -20,7 +20,7 @@ rows() {
     /^end_header/ { body = 1 }'
 }
 
-# uniform_vti NAME VX [TIME]: velocities VX 0 0 in the box from -1 to 1.
+# uniform_vti NAME VX [TIME]: writes velocities VX 0 0 in the box from -1 to 1.
 uniform_vti() {
   {
     echo '<VTKFile type="ImageData" byte_order="LittleEndian">'
@@ -53,8 +53,8 @@ uniform_vti() {
   jq -e '.result | .max_speed > 1.98 and .max_speed < 2.02 and .rms_speed > 1.99 and .fixed == 0' r.json
   tm-flow mean-curvature --speed 3 ball.ply --report r.json -o flow.ply
   jq -e '.result | .rms_speed > 5.97 and .rms_speed < 6.03' r.json
-  # A span as long as the sphere lasts. Implicit steps take a radius r to r / (1 + 2 span / r^2): to
-  # .66667 at once and to .57528 by two, which are extrapolated to .48389.
+  # The span is the lifetime of the sphere. An implicit step takes a radius r to r / (1 + 2 span / r^2): one
+  # step to .66667, two steps to .57528, and their extrapolation to .48389.
   tm-flow mean-curvature --span 0.25 ball.ply | tm-displace --time-step 0.25 --alpha 99 -q -o small.ply
   tm-info --get volume small.ply | awk '{ r = ($1 * 3 / 4 / atan2(0, -1)) ^ (1 / 3); exit !(r > 0.483 && r < 0.485) }'
 }
@@ -101,7 +101,7 @@ uniform_vti() {
   uniform_vti wind/a-11.vti 4
   run --separate-stderr tm-flow grid --grid wind ball.ply -o none.ply
   assert_status 3
-  [[ $stderr == *"one of 3 grids states no time: give the time from a grid to the next" ]]
+  [[ $stderr == *"one of 3 grids does not state its time: give the time from one grid to the next" ]]
   tm-flow grid --grid wind --grid-step 1 ball.ply -o flow.ply
 }
 
@@ -143,10 +143,10 @@ uniform_vti() {
   refuses 2 "the flow 'abc' has no parameter 'period'" abc --period 2 ball.ply
   refuses 2 "above 0" mean-curvature --speed=-1 ball.ply
   refuses 2 "the flow has no grid: name its files" grid ball.ply
-  refuses 2 "there are no grids" grid --grid-step 1 ball.ply
+  refuses 2 "but no grids" grid --grid-step 1 ball.ply
   run --separate-stderr tm-flow abc --span 1 ball.ply -o flow.ply
   assert_status 0
-  [ "$stderr" = "tm-flow: the flow has no steps of its own: --span makes no difference" ]
+  [ "$stderr" = "tm-flow: the flow is not computed in steps: --span has no effect" ]
   refuses 3 "no such file" grid --grid none.vti ball.ply
   refuses 3 "neither" grid --grid ball.ply ball.ply
   tm-select --box=-2,-2,-2,2,2,0 ball.ply -o bowl.ply

@@ -6,7 +6,7 @@ setup() {
 }
 
 @test "a ring becomes a rod where its tube is thinner than --max-length, and only there" {
-  # Around the tube it is 1.9, and along edges up to a seventh more.
+  # The loop around the tube is 1.9 long, and along edges up to a seventh longer.
   tm-shape torus --tube 0.3 --faces 4000 -o ring.ply
   tm-handles -q --max-length 1.7 ring.ply -o still.ply
   [ "$(tm-info --get genus still.ply)" = 1 ]
@@ -39,14 +39,14 @@ setup() {
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >open.off
   run --separate-stderr tm-handles open.off -o out.off
   assert_status 3
-  [[ $stderr == *"handles are removed from closed oriented manifolds only, and "*"tm-fill"* ]]
+  [[ $stderr == *"handles are removed only from closed oriented manifolds, but "*"tm-fill"* ]]
   [ ! -e out.off ]
   run --separate-stderr tm-handles --max-length 0 open.off
   assert_status 2
 }
 
 @test "a sealed cavity stays sealed, and what is left is said" {
-  # A hollow ring; the two loops around its tubes lie at different angles.
+  # A hollow ring. The loops around its two tubes lie at different angles.
   tm-shape torus --tube 0.3 --faces 4000 -o ring.ply
   tm-shape torus --tube 0.15 --faces 2000 | tm-transform --rotate 0,0,1,50 | tm-stitch --flip -o cavity.ply
   tm-cat ring.ply cavity.ply -o hollow.ply

@@ -6,7 +6,7 @@ setup() {
   make_scene .
 }
 
-# refused WORDS...: exit 3 and one line that holds all of them.
+# refused WORDS...: checks for exit code 3 and one line that contains all words.
 refused() {
   assert_status 3
   one_line "$stderr"
@@ -21,7 +21,7 @@ refused() {
   tm-checkmanifold --closed hull.ply
   tm-intersect --check hull.ply
   [ "$(tm-info --get components hull.ply)" -eq 1 ]
-  # Pixels are 1 wide at the middle: the cube is 5 wide there, and wider towards the cameras.
+  # Pixels are 1 wide at the middle. The cube appears 5 wide there, and wider towards the cameras.
   awk -v v="$(tm-info --get volume hull.ply)" 'BEGIN { exit !(v > 90 && v < 100) }'
 }
 
@@ -45,7 +45,7 @@ refused() {
   awk -v v="$(tm-info --get volume hull.ply)" 'BEGIN { exit !(v > 8 && v < 9.3) }'
   run --separate-stderr tm-hull --cameras par.txt --silhouettes masks --box 1,1,1,0,0,0
   assert_status 2
-  # Two squares in each view: at most eight places are taken for the object.
+  # Two squares in each view: at most eight places belong to the hull.
   for name in a b c; do
     paste -d' ' <(mask 1 2) <(mask 6 7) | awk 'NR == 1 { print "P2 9 9 255"; next }
       { for (x = 1; x <= 9; ++x) printf "%d ", $x + $(x + 9); print "" }' >masks/$name.pgm
@@ -97,7 +97,7 @@ refused() {
   tm-hull --cameras "$shared_file/camera*.txt" --silhouettes "$shared_file/*mask.png" -o hull.ply
   [ "$(tm-info --get components hull.ply)" -eq 1 ]
   tm-checkmanifold --closed hull.ply
-  # Their hull, exact but for its open parts, lies within ours and not far from it.
+  # The hull of the authors, which is exact except for its open parts, lies within this hull and close to it.
   tm-compare --reference "$shared_file/model.off" --distance 0.001 hull.ply >compared
   awk '/^completeness:/ { exit !($2 > 0.995) }' compared || fail "$(cat compared)"
 }
@@ -108,7 +108,7 @@ refused() {
     --report r.json -o hull.ply
   awk '/"threshold": [0-9]/ { exit !($2 + 0 > 40 && $2 + 0 < 60) }' r.json || fail "$(cat r.json)"
   [ "$(tm-info --get components hull.ply)" -eq 1 ]
-  # The box that its README gives, with a margin of 1 cm: a hull is larger.
+  # The box is that of the data's README, with a margin of 1 cm; a hull is larger.
   tm-info hull.ply | awk '
     /^bbox_min/ { exit_code = $2 < -0.0836 || $3 < 0.0117 || $4 < -0.0225 }
     /^bbox_max/ { exit_code += $2 > 0.0389 || $3 > 0.1919 || $4 > 0.0728 }

@@ -2,7 +2,7 @@ load ../helpers/common
 
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
-# value KEY FILE: a value of a report's results.
+# value KEY FILE: prints a value of a report's results.
 value() {
   awk -v key="\"$1\":" '/"result"/ { inside = 1 }
     inside && $1 == key { gsub("[\",]", "", $2); print $2; exit }' "$2"
@@ -27,7 +27,7 @@ spheres() {
   done
   [ "$(value distance r.json)" = surface ]
   [ "$(value moved r.json)" = "$(tm-info --get vertices large.ply)" ]
-  # One clamp inwards: a fifth of the edge.
+  # The movement is one clamp inwards: a fifth of the edge.
   close_to "$(value max_displacement r.json)" \
     "$(awk -v e="$(value mean_edge r.json)" 'BEGIN { print 0.2 * e }')" 0.2
   awk -v a="$(tm-info --get volume moved.ply)" -v b="$(tm-info --get volume large.ply)" \
@@ -43,7 +43,7 @@ spheres() {
 
 @test "points are a target: text, PLY with normals, and PLY without" {
   spheres
-  # On a sphere around the origin the normal is the position.
+  # On a sphere around the origin, the normal is the position.
   tm-convert --format off --no-provenance one.ply | awk 'NF == 3 && $3 != 0 && NR > 2 { print $0, $0 }' >one.P3D
   tm-morph-step --target one.P3D --report text.json --write-target points.ply large.ply -o a.ply
   tm-morph-step --target points.ply --report ply.json large.ply -o b.ply
@@ -105,6 +105,6 @@ words.txt|PCD and points as text are read (words.txt)
 four.xyz|this line has 4: take the first three, by awk
 commas.csv|replace commas
 late.xyz|z of point 1 is not a number: 'x' (late.xyz line 2)
-cut.ply|the file is cut off or its header wrong (cut.ply byte
+cut.ply|the file is cut off or its header is wrong (cut.ply byte
 TABLE
 }

@@ -14,7 +14,7 @@ setup() {
   whole=$BATS_FILE_TMPDIR/whole.ply
 }
 
-# value KEY FILE: a value of a report.
+# value KEY FILE: prints a value of a report.
 value() {
   awk -v key="\"$1\":" '$1 == key { gsub("[\",]", "", $2); print $2; exit }' "$2"
 }
@@ -24,12 +24,12 @@ below() {
   awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }' || fail "$1 is not below $2"
 }
 
-# same_mesh A B: whatever the comments.
+# same_mesh A B: compares two meshes without their comments.
 same_mesh() {
   cmp <(tm-convert --format off "$1" | grep -v '^#') <(tm-convert --format off "$2" | grep -v '^#')
 }
 
-# A run of some seconds with a row for each iteration, in the background; sets $! as usual.
+# Starts a run of some seconds in the background that writes a row for each iteration; $! is its process id.
 slow_run() { # OPTION...
   tm-morph "$sphere" --target "$torus" --alpha 0.02 --smooth tangential --iterations 300 -o out.ply --csv log.csv -q "$@" 3>&- &
 }
@@ -57,7 +57,7 @@ wait_for_rows() { # COUNT
   for key in rms_distance_to_target rms_distance_from_target; do
     below "$(value "$key" r.json)" "$(awk -v e="$edge" 'BEGIN { print e / 4 }')"
   done
-  # What the loop says about its result is what another program measures.
+  # The loop's report about its result agrees with measurements by another program.
   hausdorff=$(tm-compare --reference "$torus" out.ply | awk '/^hausdorff:/ { print $2 }')
   below "$hausdorff" "$edge"
   [ ! -e out.ply.tm-morph ]
@@ -92,12 +92,12 @@ wait_for_rows() { # COUNT
   for _ in {1..10}; do
     slow_run --resume
     sleep 0."$((RANDOM % 3))$((RANDOM % 10))"
-    # Slower machines have not begun by then.
+    # Slower machines have not started by then.
     wait_for_rows 1
     kill -KILL $! 2>/dev/null || true
     wait $! || true
   done
-  # As if it had been killed between writing a row and keeping its mesh.
+  # The files are as after a kill between writing a row and keeping its mesh.
   echo 9999,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,0 >>log.csv
   slow_run --resume
   wait $!
@@ -148,7 +148,7 @@ wait_for_rows() { # COUNT
 }
 
 @test "an iteration that fails ends the loop with its reason and code, and the last good mesh" {
-  # Beside the target a small ball shrinks to nothing.
+  # A small ball beside the target shrinks to nothing.
   tm-shape sphere --radius 0.3 --center 9,0,0 --faces 300 -o small.ply
   run --separate-stderr tm-morph small.ply --target "$torus" -o out.ply
   assert_status 4
@@ -157,7 +157,7 @@ wait_for_rows() { # COUNT
   [[ ${stderr_lines[1]} =~ ^tm-morph:\ iteration\ ([0-9]+):\  ]]
   failed=${BASH_REMATCH[1]}
   last=$((failed - 1))
-  [ "${stderr_lines[2]}" = "tm-morph: stopped in iteration $failed; 'out.ply' holds the mesh of iteration $last, and --resume continues from there" ]
+  [ "${stderr_lines[2]}" = "tm-morph: stopped in iteration $failed; 'out.ply' holds the mesh of iteration $last; continue with --resume" ]
   tm-morph small.ply --target "$torus" -o last.ply --iterations "$last" --frames frames --every "$last" -q
   same_mesh out.ply "frames/frame-$(printf %05d "$last").ply"
   run --separate-stderr tm-morph small.ply --target "$torus" -o again.ply --resume
@@ -174,8 +174,8 @@ wait_for_rows() { # COUNT
   [ "$(value converged r.json)" = false ]
 }
 
-# frames_are_piped MORPH-OPTIONS -- STEP-OPTIONS: the frames of tm-morph are, iteration by iteration,
-# the bytes that the filters make on pipes.
+# frames_are_piped MORPH-OPTIONS -- STEP-OPTIONS: checks that the frames of tm-morph equal the output of the
+# filters on pipes, iteration by iteration.
 frames_are_piped() {
   local options=()
   while [ "$1" != -- ]; do
@@ -260,8 +260,8 @@ frames_are_piped() {
   [ "$(value converged r.json)" = false ]
   below 1 "$(value max_distance_from_target r.json)"
   [ "$(tm-info --get components out.ply)" -eq 1 ]
-  grep -q "begin with a source that overlaps all of the target, as tm-shape sphere --around makes it" messages
-  # That advice finds both.
+  grep -q "begin with a source that overlaps all of the target, for example from tm-shape sphere --around" messages
+  # The advice, if followed, finds both.
   tm-shape sphere --around two.ply --faces 1500 -o start.ply
   tm-morph start.ply --target two.ply -o out.ply --require-convergence -q
   [ "$(tm-info --get components out.ply)" -eq 2 ]
@@ -297,25 +297,25 @@ frames_are_piped() {
   awk -v volume="$(tm-info --get volume out.ply)" 'BEGIN { exit !(volume > 0.0199 && volume < 0.0201) }'
 }
 
-@test "a cavity of the target is no goal, which is reported, and keeps no morph from converging" {
+@test "a cavity of the target is ignored with a note, and does not prevent convergence" {
   tm-shape sphere --radius 0.5 --faces 1000 -o ball.ply
   tm-shape sphere --radius 0.3 --faces 400 | tm-stitch -q --flip | tm-cat -q ball.ply - -o hollow.ply
   tm-shape sphere --around hollow.ply --faces 1000 -o start.ply
   run --separate-stderr tm-morph start.ply --target hollow.ply -o out.ply --report r.json --csv log.csv
   assert_status 0
-  [[ $stderr == *"1 component of the target bounds a cavity or floats in one, and is no goal"* ]]
+  [[ $stderr == *"1 component of the target bounds a cavity or floats in one, and is ignored"* ]]
   [ "$(value converged r.json)" = true ]
   [ "$(value target_left_out r.json)" -eq 1 ]
   below "$(value max_distance_from_target r.json)" 0.1
   below "$(tail -n 1 log.csv | cut -d, -f11)" 0.1
-  # What it moves towards is the same: the filters make its meshes.
+  # tm-morph moves towards the same target as the filters, which make the same meshes.
   tm-morph start.ply --target hollow.ply -o piped.ply --iterations 3 --print-pipeline >loop
   bash loop
   tm-morph start.ply --target hollow.ply -o own.ply --iterations 3 --no-provenance -q
   cmp piped.ply own.ply
 }
 
-# A plate of 20 x 20 x 2 with a square window of that width, as OFF: all vertices are at sharp edges.
+# A plate of 20 x 20 x 2 with a square window of that width, as OFF. All vertices are at sharp edges.
 plate_with_window() { # WIDTH
   awk -v half="$1" 'BEGIN {
     half /= 2; print "OFF\n16 32 0"
@@ -336,7 +336,7 @@ plate_with_window() { # WIDTH
   plate_with_window 0.5 >plate.off
   tm-checkmanifold --closed plate.off
   tm-shape sphere --around plate.off --faces 4000 -o start.ply
-  # Within the window sizes are a third, far from it the reference edge.
+  # Within the window sizes are a third, and far from it the reference edge.
   tm-morph-step plate.off --target plate.off --gap-edges 1.5 --reference-edge 1.28 --alpha 0 -q \
     --format ply-ascii | awk '
       NF == 4 && $1 + 0 == $1 && $1 != 3 {
@@ -349,7 +349,7 @@ plate_with_window() { # WIDTH
   [ "$(value converged r.json)" = true ]
   [ "$(tm-info --get genus out.ply)" -eq 1 ]
   tm-intersect --check out.ply
-  # Edges are short at the window only.
+  # Edges are short only at the window.
   below "$(tm-info --get faces out.ply)" 3000
   below "$(tm-info --get edge_min out.ply)" 0.4
 }
@@ -358,7 +358,7 @@ plate_with_window() { # WIDTH
   tm-shape two-spheres --gap 0.2 --faces 3000 -o two.ply
   tm-shape sphere --around two.ply --faces 1500 -o start.ply
   tm-morph start.ply --target two.ply -o out.ply --report r.json 2>messages
-  # One body with all its vertices near the target: what a rule for vertices would accept.
+  # A single body with all its vertices near the target: a rule that only tests vertices would accept it.
   [ "$(tm-info --get components out.ply)" -eq 1 ]
   edge=$(value mean_edge r.json)
   below "$(value max_distance_to_target r.json)" "$(awk -v e="$edge" 'BEGIN { print e / 2 }')"
@@ -366,11 +366,11 @@ plate_with_window() { # WIDTH
   [ "$(value converged r.json)" = false ]
   [ "$(value stop r.json)" = stalled ]
   [ "$(value target_components r.json)" -eq 2 ]
-  # How the body hangs together depends on where the bridge froze; what is said must be so.
+  # The connectivity of the body depends on where the bridge froze; the message must describe it correctly.
   genus=$(tm-info --get genus out.ply)
   [ "$(value genus r.json)" = "$genus" ]
   grep -q "components 1 and genus $genus, but those of the target are 2 and 0.*the target is 0.* wide at .*--gap-edges 1.5" messages
-  # That advice resolves the gap.
+  # The advice, if followed, resolves the gap.
   tm-morph start.ply --target two.ply -o out.ply --gap-edges 1.5 --report r.json -q
   [ "$(value converged r.json)" = true ]
   # Edges of a third resolve the gap.
@@ -390,13 +390,13 @@ plate_with_window() { # WIDTH
   [ "$(tm-info --get components out.ply)" -eq 2 ]
   for frame in frames/*.ply; do tm-intersect --check "$frame" >/dev/null; done
   below "$(tm-info --get edge_min out.ply)" 0.1
-  # Edges that short all over would take ten times the faces.
+  # Equally short edges everywhere would take ten times as many faces.
   below "$(tm-info --get faces out.ply)" 4000
   below 0.15 "$(tm-info --get edge_mean out.ply)"
 }
 
 @test "a notch of the target that is left filled is no convergence" {
-  # The notch is as wide as an edge and eight deep; the body has no other topology than a ball.
+  # The notch is one edge wide and eight edges deep; the topology of the body is that of a ball.
   tm-shape box 2 2 2 --faces 6000 -o block.ply
   tm-shape box 0.15 3 3 --center 0,0,1 --faces 6000 | tm-stitch --flip -q | tm-cat block.ply - -q |
     tm-clean -q -o notched.ply
@@ -414,14 +414,14 @@ plate_with_window() { # WIDTH
   tm-morph "$sphere" --target "$torus" -o out.ply --csv log.csv --scales 2 --report r.json -q
   [ "$(value converged r.json)" = true ]
   [ "$(tm-info --get genus out.ply)" -eq 1 ]
-  # Every scale is visited in turn, the last as fine as without scales.
+  # Every scale is visited in turn; the last one is as fine as without scales.
   [ "$(cut -d, -f17 log.csv | uniq | tr '\n' ' ')" = "scale 1 0 " ]
   awk -v a="$(tm-info --get edge_mean out.ply)" -v b="$(tm-info --get edge_mean "$whole")" \
     'BEGIN { exit !(a < 1.5 * b) }'
-  # The work: faces times iterations.
+  # The work is measured as faces times iterations.
   work='NR > 1 { sum += $2 } END { print sum }'
   below "$(awk -F, "$work" log.csv)" "$(awk -F, "$work" "$BATS_FILE_TMPDIR/whole.csv" | awk '{ print $1 / 2 }')"
-  # A run with scales can be continued as well.
+  # A run with scales can also be continued.
   tm-morph "$sphere" --target "$torus" -o again.ply --scales 2 --iterations 9 -q
   tm-morph "$sphere" --target "$torus" -o again.ply --scales 2 --resume -q
   cmp out.ply again.ply
@@ -546,14 +546,14 @@ LINES
   run --separate-stderr tm-morph-step apart.ply --target ball.ply -o out.ply
   assert_status 0
   [[ $stderr == *"apart from the target"*"--around"* ]]
-  # A target as it was written has been checked.
+  # A target from --write-target was checked when it was written.
   tm-morph-step -q large.ply --target folded.ply --write-target prepared.ply -o out.ply
   run --separate-stderr tm-morph-step large.ply --target prepared.ply -o out.ply
   [[ $stderr != *crosses* ]]
 }
 
-# ends_within EDGES TARGET: how far result.ply is from the target, in its mean edges, without
-# crossings and narrow faces
+# ends_within EDGES TARGET: checks that result.ply is at most EDGES mean edges from the target, without
+# intersections and narrow faces
 ends_within() {
   tm-compare --reference "$2" --within "$(awk -v share="$1" -v edge="$(tm-info --get edge_mean result.ply)" \
     'BEGIN { print share * edge }')" result.ply
@@ -562,14 +562,14 @@ ends_within() {
   tm-info --get angle_min result.ply | awk '{ exit !($1 > 15) }'
 }
 
-# The last part of a test, which is skipped where there is nothing to measure angles with.
+# The last part of a test, which is skipped if the tool that measures angles is missing.
 needs_angles() {
   ls "$tm_build"/python/transformesh/_transformesh.*.so >/dev/null 2>&1 ||
     skip "all but the angles was tested: they are measured by the Python module, which is not built"
 }
 
-# keeps_angles SHARE TARGET: along so much of the target's sharp edges result.ply turns as the target
-# does
+# keeps_angles SHARE TARGET: checks that result.ply has the angles of the target along at least this share
+# of the target's sharp edges
 keeps_angles() {
   PYTHONPATH=$tm_build/python PYTHONDONTWRITEBYTECODE=1 \
     "$(sed -n 's/^Python3_EXECUTABLE:[A-Z]*=//p' "$tm_build/CMakeCache.txt")" \
@@ -589,7 +589,7 @@ keeps_angles() {
   tm-morph -q ball.ply --target box.ply --reference-edge 0.15 -o cut.ply --features off --report report.json
   grep -Eq '"aligned": 0' report.json
   run -1 tm-compare --reference box.ply --within 0.03 cut.ply
-  # The same as by hand, on the mesh that is not aligned.
+  # A separate tm-remesh --align of the unaligned result comes as close to the target.
   tm-remesh --align box.ply --reference-edge 0.15 cut.ply -o result.ply
   ends_within 1e-4 box.ply
   needs_angles

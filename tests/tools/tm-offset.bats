@@ -53,11 +53,11 @@ setup() {
   [[ $output == *"--distance"* ]]
 }
 
-@test "a limit of iterations that comes first is said" {
+@test "a limit of iterations that stops the loop before convergence is reported" {
   tm-shape sphere --faces 500 -o "$BATS_TEST_TMPDIR/ball.ply"
   run --separate-stderr tm-offset --distance 1 --iterations 2 "$BATS_TEST_TMPDIR/ball.ply" -o "$BATS_TEST_TMPDIR/out.ply"
   assert_status 0
-  [[ $stderr == *"limit of iterations"* ]]
+  [[ $stderr == *"not converged after the last iteration"* ]]
 }
 
 @test "a thin plate that loses its rim did not converge, which is reported; the edge that is named keeps it" {
@@ -74,7 +74,7 @@ setup() {
     assert_status 0
     jq -e --argjson before "$before" '.result.missed_max < $before' "$BATS_TEST_TMPDIR/r.json"
   done
-  # .2 by 2.2 by 4.2
+  # a box of .2 by 2.2 by 4.2
   tm-info --get volume "$BATS_TEST_TMPDIR/plate.ply" | awk '{ exit !($1 > 1.7 && $1 < 1.87) }'
 }
 
@@ -102,7 +102,7 @@ TABLE
   tm-shape box 1 2 3 --faces 500 | tm-select --box -9,-9,-9,9,9,1.4 -o tray.ply
   tm-offset --thicken 0.1 tray.ply -o solid.ply
   tm-checkmanifold --closed --intersections solid.ply >/dev/null
-  # Mitered corners gain outside what they lose inside.
+  # Mitered corners gain outside the volume that they lose inside.
   awk -v a="$(tm-info --get area tray.ply)" -v v="$(tm-info --get volume solid.ply)" \
     'BEGIN { d = v / (0.1 * a) - 1; exit !(d < 0.01 && d > -0.01) }'
   run --separate-stderr tm-offset --thicken 0.1 solid.ply

@@ -2,12 +2,12 @@ load ../helpers/common
 
 setup() { cd "$BATS_TEST_TMPDIR"; }
 
-# value KEY FILE: a number of a report.
+# value KEY FILE: prints a number of a report.
 value() {
   awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2"
 }
 
-# A textured sphere with a dent that no silhouette shows, as seen by a ring of cameras.
+# A textured sphere with a dent that no silhouette shows, photographed by a ring of cameras.
 photograph_truth() {
   tm-shape dented --faces 5000 -o truth.ply
   mkdir photos masks
@@ -15,10 +15,10 @@ photograph_truth() {
     -o par.txt truth.ply
 }
 
-# accuracy FILE: 90 % of it are no farther from the truth.
+# accuracy FILE: prints the distance from the truth that 90 % of the mesh do not exceed.
 accuracy() { tm-compare --reference truth.ply "$1" | awk '$1 == "accuracy:" { print $2 }'; }
 
-# less A B: whether A < B.
+# less A B: tests whether A < B.
 less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
 
 @test "steps at finer and finer scales lead from the hull to the true surface" {
@@ -92,7 +92,7 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
   assert_status 3
   one_line "$stderr"
   [ -z "$output" ]
-  # The default leaves the camera out, and a note says so.
+  # The camera is left out by default, and a note says so.
   tm-photo-step --cameras par.txt --images photos truth.ply -o moved.ply 2>notes
   grep -q 'left out' notes
   run tm-photo-step --images photos truth.ply

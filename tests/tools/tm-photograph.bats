@@ -16,7 +16,7 @@ setup() {
   [ "$(ls images)" = "$(ls masks)" ]
   tm-cameras --list par.txt --images images >table
   grep -q '80x60' table
-  # The hull of the masks holds the torus, hole and all, and is not much larger.
+  # The hull of the masks contains the torus, has its hole, and has less than twice its volume.
   tm-hull --cameras par.txt --silhouettes masks --resolution 60 -o hull.ply
   tm-checkmanifold --closed hull.ply
   awk -v hull="$(tm-info --get volume hull.ply)" -v truth="$(tm-info --get volume truth.ply)" \
@@ -78,7 +78,7 @@ setup() {
 
 @test "--focal is the focal length per width, and --waves changes the texture" {
   tm-photograph "${size[@]}" --write-images images -o par.txt truth.ply
-  # The first camera's K is in columns 2 to 10: 80 pixels wide.
+  # Columns 2 to 10 have the first camera's K, for images 80 pixels wide.
   awk 'NR == 2 { exit !($2 == 3.4 * 80 && $6 == $2) }' par.txt
   tm-photograph "${size[@]}" --focal 2 --waves 80 --write-images other -o near.txt truth.ply
   awk 'NR == 2 { exit !($2 == 160 && $6 == $2) }' near.txt
@@ -93,7 +93,7 @@ setup() {
   one_line "$stderr"
   [[ $stderr == *"view0000.png (par.txt line 2)"*"--size WxH" ]]
   [ ! -e new ] && [ ! -e out.txt ]
-  # COLMAP's cameras carry it, and masks to compare with have it.
+  # COLMAP's cameras state the size of the images, and masks to compare with have it.
   tm-cameras --format colmap --images masks --folder colmap par.txt
   tm-photograph --cameras colmap --write-silhouettes again -o /dev/null truth.ply
   diff -r masks again
@@ -105,7 +105,7 @@ setup() {
 @test "COLMAP's names with folders: images are found, and written, in folders" {
   tm-photograph "${size[@]}" --write-images images --write-silhouettes masks -o par.txt truth.ply
   tm-cameras --format colmap --images images --folder colmap par.txt
-  # Two rigs that number their images alike.
+  # Two rigs that give their images the same numbers.
   sed -i 's/view0003/left\/0001/; s/view0004/left\/0002/; s/view0005/left\/0003/
     s/view0000/right\/0001/; s/view0001/right\/0002/; s/view0002/right\/0003/' colmap/images.txt
   for folder in images masks; do
@@ -125,7 +125,7 @@ setup() {
   grep -q '^left/0001.png ' new.txt
   tm-hull --cameras new.txt --silhouettes 'masks/*/*.png' --resolution 40 -o again.ply
   cmp hull.ply again.ply
-  # Names that lead out of the folder stay in it.
+  # Names that lead out of the folder are changed to stay in it.
   sed -i 's/left/..\/up/' colmap/images.txt
   tm-photograph --cameras colmap --write-images in -o out.txt truth.ply
   [ -e in/0001.png ] && [ ! -e up ]

@@ -88,11 +88,12 @@ compared() { # KEY MESH
 @test "the state of an interrupted run is neither continued nor thrown away unasked" {
   few=(--coarsest 2 --passes 1 --robust 0)
   mkdir -p frames/frame-00002.ply
-  # What cannot be written ends the loop; the mesh before is kept, and can be continued from.
+  # An output that cannot be written ends the loop. The mesh of the sweep before is kept, and the run can be
+  # continued.
   run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply --frames frames --every 2
   assert_status 5
   [[ ${stderr_lines[0]} == "tm-reconstruct: cannot write 'frames/frame-00002.ply': "* ]]
-  [[ ${stderr_lines[1]} == *"stopped in sweep 2; 'out.ply' holds the mesh of sweep 1, and --resume"* ]]
+  [[ ${stderr_lines[1]} == *"stopped in sweep 2; 'out.ply' holds the mesh of sweep 1; continue with --resume"* ]]
   cp out.ply first.ply
   run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply
   assert_status 2
@@ -109,7 +110,7 @@ compared() { # KEY MESH
   below "$(compared accuracy "$scene/whole.ply")" \
     "$(awk "BEGIN { print 0.75 * $(compared accuracy plain.ply) }")"
   below "$(compared hausdorff "$scene/whole.ply")" "$(compared hausdorff plain.ply)"
-  # The sweeps before are the same, and what comes then is at full scale.
+  # The sweeps before are the same, and the later ones are at full scale.
   for log in "$scene/whole.csv" half.csv; do
     [ -e "$log" ] || "${reconstruct[@]}" --robust 0.5 -q -o half.ply --csv half.csv
     count=$(wc -l <plain.csv)
@@ -140,7 +141,7 @@ compared() { # KEY MESH
   below "$(value doubtful "$scene/whole.json")" "$(value doubtful report.json)"
   below "$(value disagreement "$scene/whole.json")" "$(value disagreement report.json)"
   grep -q '"doubtful_places": ".* square pixels' report.json
-  # The column, from 0 to 1.
+  # The column holds values from 0 to 1.
   tm-convert --format ply-ascii "$scene/whole.ply" | sed '/^end_header/q' | grep -q '^property float doubt$'
   tm-select --where 'doubt > 0.5' out.ply | tm-info --get faces >doubtful
   [ "$(cat doubtful)" -gt 20 ]
@@ -155,8 +156,8 @@ compared() { # KEY MESH
   run --separate-stderr tm-reconstruct --cameras "$scene/par.txt" --images other \
     --silhouettes "$scene/masks" --hollows closed --pull 0 --stiffness 0.001 --iterations 20 -o out.ply
   assert_status 4
-  [[ $stderr == *"explodes at scale "*"beginning anew, 4 times as stiff"*"16 times as stiff"*"explodes at scale"* ]]
-  # Photographs of other views may show hollows; then that is noticed at a finer scale.
+  [[ $stderr == *"explodes at scale "*"restarting with 4 times the stiffness"*"16 times the stiffness"*"explodes at scale"* ]]
+  # Photographs of other views may show concavities; then the mismatch is noticed at a finer scale.
   run --separate-stderr tm-reconstruct --restart --cameras "$scene/par.txt" --images other \
     --silhouettes "$scene/masks" --pull 0 --stiffness 0.001 --iterations 20 -o out.ply
   assert_status 4
@@ -298,7 +299,7 @@ take_pocket() {
   [ "$(value dissimilarity report.json)" = "$(value first_dissimilarity report.json)" ]
   [ "$(tm-info --get faces out.ply)" -eq "$(tm-info --get faces start.ply)" ]
   [ "$(compared accuracy out.ply)" = "$(compared accuracy start.ply)" ]
-  # A rough start is refined.
+  # A rough initial mesh is refined.
   tm-shape sphere --radius 45 --faces 2000 -o rough.ply
   run --separate-stderr "${reconstruct[@]}" --start rough.ply -o refined.ply --report refined.json
   assert_status 0
@@ -316,7 +317,7 @@ take_pocket() {
   [ "$(outside)" -lt 10 ]
   "${reconstruct[@]}" "${few[@]}" --clip nothing
   [ "$(outside)" -gt 100 ] || fail "$(cat log.csv)"
-  # Of masks that show only some of the object the hull may be too small.
+  # The hull of masks that show only a part of the object may be too small.
   "${reconstruct[@]}" "${few[@]}" --silhouettes-show least --frames frames
   awk -v a="$(tm-info --get volume frames/frame-00000.ply)" -v b="$(tm-info --get volume start.ply)" \
     'BEGIN { exit !(a > 0.9 * b) }'
@@ -334,7 +335,7 @@ take_pocket() {
 @test "with a start, outlines come from a threshold that is given, and no background is supposed" {
   few=(tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images" --start "$scene/whole.ply"
     --coarsest 2 --passes 1 --no-provenance -q)
-  # Without outlines it is all one how much they pull.
+  # Without outlines, the pull of silhouettes has no effect.
   "${few[@]}" -o out.ply
   "${few[@]}" --pull 3 -o pull.ply
   cmp out.ply pull.ply
@@ -362,7 +363,7 @@ take_pocket() {
   [ ! -e out.ply ] && [ ! -e out.ply.tm-reconstruct ]
 }
 
-# take STEP MESH...: photographs of a time step, by the cameras of the first one.
+# take STEP MESH...: makes the photographs of a time step, with the cameras of the first one.
 take() {
   local step=film/$1 cameras=(--ring 16 --elevations '35,-25' --distance 500)
   shift
@@ -374,8 +375,8 @@ take() {
   mv par.new par.txt
 }
 
-# is_close FOLDER NAME: the surface of a time step is closed, and 90 % of it are at most a pixel off,
-# 0.92: stiff surfaces round the crease between balls.
+# is_close FOLDER NAME: checks that the surface of a time step is closed, and that 90 % of it are at most a
+# pixel, 0.92, from the truth. Stiff surfaces round the crease between the balls.
 is_close() {
   local accuracy
   tm-checkmanifold --closed "$1/$2.ply" >/dev/null
@@ -393,7 +394,7 @@ is_close() {
   "${sequence[@]}" -o whole --csv whole.csv --report whole.json 2>messages
   grep -q '3 time steps, 1 tracked, 3 as good as from the hull' messages
   [ "$(value time_steps whole.json) $(value tracked whole.json)" = "3 1" ]
-  # In natural order.
+  # The time steps are in natural order.
   diff <(cut -d, -f1-4,7,8 whole.csv) - <<'CSV'
 step,name,start,accepted,components,genus
 1,8,hull,yes,2,0
@@ -406,7 +407,7 @@ CSV
   done
   [ "$(find whole -mindepth 1 | wc -l)" -eq 3 ]
 
-  # Interrupted in the second time step, and continued.
+  # The run is interrupted in the second time step, and continued.
   env --default-signal=INT "${sequence[@]}" --threads 1 -o parts --csv parts.csv -q 2>messages 3>&- &
   while [ ! -e parts.csv ] || [ ! -e parts/.tm-reconstruct/before/mesh.ply ]; do
     sleep 0.05
@@ -422,7 +423,7 @@ CSV
   cmp <(cut -d, -f1-13 parts.csv) <(cut -d, -f1-13 whole.csv)
 }
 
-# take_from NUMBER X: a ball at X, by cameras that look there.
+# take_from NUMBER X: makes photographs of a ball at X, by cameras that point there.
 take_from() {
   mkdir -p "film/$1"/{images,masks}
   tm-shape sphere --radius 20 --faces 5000 --center "$2,0,0" -o "film/$1/truth.ply"
@@ -432,7 +433,8 @@ take_from() {
 }
 
 @test "a sequence: a surface that no view sees any more, or that all views see elsewhere, comes from the hull" {
-  # First cameras and ball move, so that the old place of the ball is in no image. Then the cameras stay, and the ball jumps.
+  # First, cameras and ball move, so that no image shows the old place of the ball. Then the cameras stay,
+  # and the ball jumps.
   take_from 1 0
   take_from 2 900
   cp -r film/2 film/3
@@ -441,7 +443,7 @@ take_from() {
     --write-images film/3/images --write-silhouettes film/3/masks -o film/3/par.txt film/3/truth.ply
   tm-reconstruct --sequence film --cameras '{}/par.txt' --images '{}/images' --silhouettes '{}/masks' \
     -o out --csv log.csv 2>messages
-  grep -q 'time step 2, 2: the surface before is lost' messages
+  grep -q 'time step 2, 2: tracking lost the previous surface' messages
   diff <(cut -d, -f1-4,7,8 log.csv) - <<'CSV'
 step,name,start,accepted,components,genus
 1,1,hull,yes,1,0
@@ -474,7 +476,7 @@ CSV
   run --separate-stderr "${sequence[@]}" --sequence names
   assert_status 2
   [[ $stderr == *"'first'"* ]]
-  # What is wrong with a time step is said by the program that finds it.
+  # Errors of a time step are reported by the program that finds them.
   echo missing >names
   run --separate-stderr "${sequence[@]}" --sequence names
   assert_status 3
@@ -496,7 +498,7 @@ CSV
 
   run --separate-stderr tm-reconstruct --cameras par.txt --images images --box 60,60,60,65,65,65 -o out.ply
   [ "$status" -eq 3 ]
-  [[ $stderr == *"nothing of the box is in this view"* ]]
+  [[ $stderr == *"the box is outside this view"* ]]
   [ ! -e out.ply ]
   run --separate-stderr tm-reconstruct --cameras par.txt --images images --box 1,1,1,0,0,0 -o out.ply
   [ "$status" -eq 2 ]

@@ -1,6 +1,6 @@
 load ../helpers/common
 
-# value KEY FILE: a number of a report.
+# value KEY FILE: prints a number of a report.
 value() {
   awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2"
 }
@@ -56,7 +56,7 @@ OFF
 MESH
   run tm-remesh "$BATS_TEST_TMPDIR/in.off"
   assert_status 3
-  [[ $output == *"faces 0 and 1 run the same way"*"mend it with tm-stitch --orient"* ]]
+  [[ $output == *"faces 0 and 1 traverse the edge "*" in the same direction"*"orient it with tm-stitch --orient"* ]]
 }
 
 @test "factors of smoothing are read and checked" {
@@ -90,7 +90,7 @@ MESH
   assert_status 0
 }
 
-# sized NEAR FAR: a sphere whose property `size` is NEAR where x < 0, else FAR.
+# sized NEAR FAR: writes a sphere whose property `size` is NEAR if x < 0, and otherwise FAR.
 sized() {
   tm-shape sphere --faces 2000 --format ply-ascii --no-provenance |
     awk -v near="$1" -v far="$2" '
@@ -113,7 +113,7 @@ sized() {
   assert_status 0
   read -r columns ratio <<<"$output"
   [ "$columns" -eq 4 ]
-  # twenty-five times as many where edges are five times as short, but for the grading
+  # edges that are five times as short make twenty-five times as many faces, without grading
   awk -v r="$ratio" 'BEGIN { exit !(r > 12 && r < 27) }' || fail "ratio $ratio"
 }
 
@@ -151,7 +151,7 @@ sized() {
   [[ $output == *"the error must be above 0"* ]]
 }
 
-# kept_above FILE: the feature angle in its report.
+# kept_above FILE: prints the feature angle in the report.
 kept_above() {
   jq .result.feature_angle "$1"
 }
@@ -175,7 +175,7 @@ kept_above() {
   tm-shape box 1 1 3 --edge 0.11 -o coarse.ply
   tm-shape box 1 1 3 --faces 60000 -o fine.ply
   tm-transform --rotate 1,2,3,17 coarse.ply -o turned.ply
-  # Coordinates of the cut are rounded.
+  # The coordinates of the cut are rounded.
   tm-shape box 1 1 1 --center 0.3,0.4,1.5 --faces 300 | tm-transform --rotate 0,0,1,30 | tm-stitch --flip |
     tm-cat coarse.ply - | tm-transform --rotate 1,2,3,17 | tm-clean -q -o cut.ply
   for mesh in coarse fine turned cut; do
@@ -239,6 +239,27 @@ SHAPES
     tm-compare --reference sphere.ply --samples 0 $mesh.ply |
       awk '/^hausdorff_to_reference/ { print $2 }'
   done | paste -s | awk '{ exit !($1 < 1e-14 && $2 > 1e-4) }'
+  # Faces between such vertices lie inside, the more so the larger they are.
+  for line in "--project --iterations 5" "--iterations 5"; do
+    read -ra words <<<"$line"
+    tm-remesh "${words[@]}" sphere.ply -o mesh.ply
+    tm-info --get volume mesh.ply
+    tm-compare --reference sphere.ply --get mean mesh.ply
+  done | paste -s | awk '{ exit !($1 < 0.9995 * $3 && $2 > 1.5 * $4) }'
+}
+
+@test "the lengths that a refusal advises are accepted, and have four digits" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape sphere --faces 100 -o sphere.ply
+  for lengths in "0.075 0.07" "0.2 0.25" "0.333333333 0.3"; do
+    read -r shortest longest <<<"$lengths"
+    run tm-remesh --min-edge "$shortest" --max-edge "$longest" sphere.ply
+    assert_status 2
+    [[ $output =~ "use at most "([0-9.e-]{1,9})" for the shortest, or at least "([0-9.e-]{1,9})" for the longest" ]] ||
+      fail "$output"
+    tm-remesh --min-edge "${BASH_REMATCH[1]}" --max-edge "$longest" sphere.ply >/dev/null
+    tm-remesh --min-edge "$shortest" --max-edge "${BASH_REMATCH[2]}" sphere.ply >/dev/null
+  done
 }
 
 # A sphere without its cap above z = 0.5.
@@ -254,7 +275,7 @@ open_sphere() {
       END { printf "%selement face %d\n%s\nend_header\n%s%s", header, count, list, points, faces }'
 }
 
-# border FILE: the points of the edges that one face has, sorted.
+# border FILE: prints the points of the border edges, sorted.
 border() {
   tm-convert --format ply-ascii "$1" | awk '
     /^element vertex/ { vertices = $3 }
@@ -313,7 +334,7 @@ border() {
 
 @test "--error decimates while input and result stay that close, in both directions" {
   cd "$BATS_TEST_TMPDIR"
-  # Closed and noisy, folded, and with a border.
+  # Three meshes: a closed noisy one, a folded one, and one with a border.
   tm-shape genus 3 --faces 8000 --noise 10% -o noisy.ply
   tm-shape folded --faces 8000 | tm-clean -q -o folded.ply
   tm-shape sphere --faces 8000 | tm-select --box=-9,-9,-9,9,9,0.5 -o open.ply
@@ -322,7 +343,7 @@ border() {
     for error in 0.05 0.01; do
       tm-remesh --error "$error" "$mesh.ply" -o out.ply --report r.json
       tm-compare --json --samples 100000 --reference "$mesh.ply" out.ply >distance.json
-      # Both distances come close to the error, or it would not be used.
+      # Both distances come close to the error; otherwise the error would not be used.
       jq -e --argjson error "$error" '.hausdorff <= $error and .hausdorff > 0.7 * $error' distance.json ||
         fail "$mesh $error: $(cat distance.json)"
       jq -e --argjson error "$error" --slurpfile distance distance.json \
@@ -343,7 +364,7 @@ border() {
   run tm-remesh --error 0.01 --faces 20 in.ply -o out.ply
   assert_status 0
   [[ $output == *" faces left, more than the 20 wanted: "*"a larger --error leaves fewer"* ]]
-  # The advice holds.
+  # The advice is true.
   run tm-remesh --error 1 --faces 20 in.ply -o out.ply
   [ -z "$output" ]
   [ "$(tm-info --get faces out.ply)" -eq 20 ]
@@ -404,7 +425,7 @@ border() {
   [ -z "$stderr" ]
 }
 
-# far_pairs: of faces of far.ply that cross as floats.
+# far_pairs: counts pairs of faces of far.ply that intersect as floats.
 far_pairs() {
   tm-convert -q --float far.ply | tm-intersect -q --report pairs.json -o intersected.ply
   sed -n 's/.*"pairs": \([0-9][0-9]*\).*/\1/p' pairs.json
@@ -436,7 +457,7 @@ far_pairs() {
   done
   tm-remesh far.ply | tm-clean -q -o out.stl
   tm-intersect -q --check out.stl
-  # Computed coordinates are looked at too, once.
+  # Computed coordinates are checked too, once.
   tm-convert -q --float far.ply -o floats.ply
   run --separate-stderr tm-displace --normal-speed 0.05x floats.ply -o out.ply
   one_line "$stderr"
@@ -472,7 +493,7 @@ far_pairs() {
   [[ $output == *"1 component of "*" dropped: smaller than the shortest edge 0.2; a smaller --min-edge keeps more"* ]]
   [ "$(value components_dropped r.json)" -eq 1 ]
   [ "$(value components_dropped_faces r.json)" -eq "$(tm-info --get faces speck.ply)" ]
-  # What the message advises is true.
+  # The advice of the message is true.
   pipe "tm-shape sphere --faces 1000 | tm-cat - speck.ply |
     tm-remesh --min-edge 0.02 --max-edge 0.4 | tm-info --get components"
   assert_status 0
@@ -528,11 +549,32 @@ far_pairs() {
   tm-remesh --no-provenance --edge 0.1 ball.ply -o edge.ply
   tm-remesh --no-provenance --min-edge 0.07 --max-edge 0.15 ball.ply -o limits.ply
   cmp <(sed '1,/^end_header/d' edge.ply) <(sed '1,/^end_header/d' limits.ply)
-  # Longer and shorter edges of the input lead to about the same length.
+  # Meshes with longer and with shorter edges lead to about the same length.
   for faces in 300 20000; do
     tm-shape sphere --faces $faces | tm-remesh --edge 0.1 -o other.ply
     awk -v mean="$(tm-info --get edge_mean other.ply)" 'BEGIN { exit !(mean > 0.08 && mean < 0.12) }'
   done
   run --separate-stderr tm-remesh --edge 0.1 --min-edge 0.05 ball.ply
   [ "$status" -eq 2 ]
+}
+
+@test "--faces merges flat faces where collapses alone get stuck, and says so" {
+  cd "$BATS_TEST_TMPDIR"
+  awk 'BEGIN {
+    slivers = 60; n = slivers + 2; u = 2 ^ -53
+    print "OFF"; print 4 * n, 8 * (n - 1) + 4, 0
+    for (z = 0; z < 2; ++z) for (x = 0; x < 2; ++x) for (i = 0; i < n; ++i)
+      printf "%d %.17g %d\n", x, i == 0 ? 0 : i == n - 1 ? 1 : .5 + (i - 1) * u, z
+    for (i = 0; i + 1 < n; ++i) {
+      quad(2 * n + i, 3 * n + i, 3 * n + i + 1, 2 * n + i + 1); quad(i, i + 1, n + i + 1, n + i)
+      quad(n + i, n + i + 1, 3 * n + i + 1, 3 * n + i); quad(i, 2 * n + i, 2 * n + i + 1, i + 1)
+    }
+    quad(0, n, 3 * n, 2 * n); quad(n - 1, 3 * n - 1, 4 * n - 1, 2 * n - 1)
+  }
+  function quad(a, b, c, d) { print 3, a, b, c; print 3, a, c, d }' >slivers.off
+  run tm-remesh --faces 20 slivers.off -o out.ply
+  assert_status 0
+  [[ $output == *"collapses alone left more than 20 faces, so flat faces were merged first"* ]]
+  [[ $output == *"12 faces left, fewer than the 20 wanted"* ]]
+  tm-checkmanifold --closed --intersections out.ply
 }

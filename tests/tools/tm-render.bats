@@ -6,7 +6,7 @@ setup() {
   cd "$BATS_TEST_TMPDIR" || exit
 }
 
-# Width, height and color type (2: RGB, 6: RGBA) from the header of a PNG file.
+# Prints width, height and color type (2: RGB, 6: RGBA) from the header of a PNG file.
 png_header() {
   [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "$1 is no PNG"
   od -An -tu1 -j16 -N10 "$1" |
@@ -86,7 +86,7 @@ differ() {
       -show_entries stream=width,height,avg_frame_rate,nb_read_frames "turn.$ending")
     [ "$facts" = 60,40,25/1,5 ] || fail "$facts"
   done
-  # What it shows is what is drawn, but for what the encoding loses.
+  # The decoded movie shows the drawn pictures, except for losses of the encoding.
   tm-render --size 60x40 --frames 5 -o turn.png box.ply
   ffmpeg -v error -i turn.mp4 -i turn-%03d.png -lavfi ssim=stats_file=log -f null -
   [ "$(wc -l <log)" -eq 5 ]
@@ -153,7 +153,7 @@ differ() {
   tm-render --size 300x200 --background transparent -o torus.png torus.ply
   ffmpeg -v error -i drawn.png -f rawvideo -pix_fmt gray drawn
   ffmpeg -v error -i torus.png -vf alphaextract -f rawvideo -pix_fmt gray covered
-  # Where the surface ends there is a line within two pixels.
+  # There is a line within two pixels of each place where the surface ends.
   python3 - <<'PYTHON'
 width, height = 300, 200
 drawn, covered = (open(name, "rb").read() for name in ("drawn", "covered"))
@@ -188,7 +188,7 @@ PYTHON
   differ plain.png shaded.png
   cmp shaded.png one.png
   cmp shaded.png four.png
-  # Meshes that stand on one floor: the shadow of the upper one is not where it ends itself.
+  # Two meshes on one floor: the shadow of the upper one does not end where the mesh ends.
   tm-shape sphere --faces 500 -o ball.ply
   tm-transform -q --translate 0,1,0 ball.ply -o above.ply
   tm-render --size 200x100 --frame place --soft-shadow ball.ply above.ply >place.png

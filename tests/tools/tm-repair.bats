@@ -1,4 +1,4 @@
-# tm-repair: damaged solids become the solids that they were, which tm-checkmanifold checks.
+# tm-repair: damaged solids become the original solids, which tm-checkmanifold checks.
 load ../helpers/common
 
 setup() {
@@ -6,14 +6,16 @@ setup() {
   tm-shape box 1 1 3 --faces 500 -o box.ply
 }
 
-# is_solid FILE VOLUME: closed, oriented, free of self-intersections, and of that volume.
+# is_solid FILE VOLUME: checks that the mesh is closed, oriented, free of self-intersections, and has that
+# volume.
 is_solid() {
   tm-checkmanifold -q --closed --intersections "$1" >verdict || fail "$1 is no solid: $(cat verdict)"
   awk -v is="$(tm-info --get volume "$1")" -v is_to_be="$2" \
     'BEGIN { exit !(is > 0.999 * is_to_be && is < 1.001 * is_to_be) }' || fail "volume, not $2"
 }
 
-# repairs FILE VOLUME: the mesh becomes that solid, by tm-repair and by the pipeline that it prints.
+# repairs FILE VOLUME: checks that the mesh becomes that solid, by tm-repair and by the pipeline that it
+# prints.
 repairs() {
   tm-repair -q --no-provenance "$1" >repaired || fail "$1 is refused"
   tm-repair -q --no-provenance --print-pipeline "$1" >pipeline
@@ -21,15 +23,16 @@ repairs() {
   is_solid repaired "$2"
 }
 
-# The faces of box.ply as OFF, each line through an awk program; the vertices stay.
+# Filters the faces of box.ply, as lines of OFF, through an awk program; the vertices stay.
 edited() {
   tm-convert -q --no-provenance --double --format off box.ply | grep -v '^#' |
     awk "BEGIN { srand(1) } NR == 2 { vertices = \$1; faces = \$2 } NR <= 2 + vertices { print; next } $1" >lines
-  # Counts are corrected.
+  # Corrects the counts.
   awk 'FNR == NR { if (FNR > 2 && NF == 4) ++faces; next } FNR == 2 { $2 = faces } { print }' lines lines
 }
 
-# cracked WIDTH: the triangles of box.ply, every corner moved by up to WIDTH / 2 in each direction.
+# cracked WIDTH: prints the triangles of box.ply, with every corner moved by up to WIDTH / 2 in each
+# direction.
 cracked() {
   tm-convert -q --no-provenance --double --format stl box.ply |
     tm-convert -q --no-provenance --double --format off |
@@ -64,7 +67,7 @@ cracked() {
     tm-repair -q --dry-run --report r.json cracked.off
     jq -e --argjson width "$width" '.result.crack_width > 0.1 * $width and .result.crack_width < 3 * $width' r.json
   done
-  # One face in five is cut in two, and its neighbors are not.
+  # One face in five is split in two, but its neighbors are not.
   tm-convert -q --no-provenance --double --format off box.ply | grep -v '^#' | awk 'BEGIN { srand(2) }
     NR == 2 { count = vertices = $1; next }
     NR > 2 && NR <= 2 + count { x[NR - 3] = $1; y[NR - 3] = $2; z[NR - 3] = $3; next }
@@ -112,7 +115,7 @@ cracked() {
     cmp "solid.$format" "out.${format%%-*}"
     [ "$(tm-repair -q --print-pipeline --format "$format" "solid.$format")" = "cat solid.$format" ]
   done
-  # Numbers that the suite would write otherwise.
+  # Numbers with a notation that the suite would not use.
   sed 's/^0 /0.000e0 /' solid.off >other.off
   tm-repair other.off | cmp - other.off
 }
@@ -143,13 +146,13 @@ cracked() {
   jq -e '.result.steps == 1 and .result.step_1_count > 0' r.json
 }
 
-@test "a step that takes away volume is named, with the share" {
+@test "a step that removes volume is named, with the share" {
   tm-shape box 2 2 2 -o box.ply
   # Three quarters of the second box are within the first.
   tm-transform --translate 0.5,0,0 box.ply | tm-cat box.ply - -o both.ply
   run --separate-stderr tm-repair both.ply -o repaired.ply
   [ "$status" -eq 0 ]
-  [[ $stderr == *"tm-clean takes away 38 % of the volume, in which overlaps counted once for each part, around ("* ]] || fail "$stderr"
+  [[ $stderr == *"tm-clean removes 38 % of the volume, which counted overlaps once for each part, around ("* ]] || fail "$stderr"
   is_solid repaired.ply 10
   run --separate-stderr tm-repair box.ply -o repaired.ply
   [ -z "$stderr" ]
@@ -186,12 +189,12 @@ cracked() {
 
 @test "shards are dropped and counted" {
   tm-shape sphere --radius 1e-4 --center 4,0,0 --faces 100 | tm-cat box.ply - -o shard.ply
-  # A solid with a small part is a solid.
+  # A solid with a small component is a solid.
   tm-repair shard.ply | cmp - shard.ply
   tm-transform --translate 0.3,0.4,0.5 box.ply | tm-cat shard.ply - -o crossing.ply
   run --separate-stderr tm-repair crossing.ply -o solid.ply
   assert_status 0
-  [[ $stderr == *"1 component dropped as shards"* ]] || fail "$stderr"
+  [[ $stderr == *"1 component dropped as small components"* ]] || fail "$stderr"
 }
 
 @test "vertices that are not numbers are dropped with their faces, and the hole is closed" {

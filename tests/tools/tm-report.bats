@@ -13,12 +13,12 @@ setup() {
   [ -e "$tm_build/share/transformesh/viewer.html" ] || skip "the viewer is not built: scripts/setup --browser"
 }
 
-# data_of PAGE: the JSON in it.
+# data_of PAGE: prints the JSON of a page.
 data_of() {
   sed -n 's|^<script id="page" type="application/json">\(.*\)</script>$|\1|p' "$1"
 }
 
-# block_of PAGE NAME: the block of that name, inflated.
+# block_of PAGE NAME: prints the decompressed block of that name.
 block_of() {
   sed -n "s|^<script id=\"$2\" type=\"text/plain\">\(.*\)</script>\$|\1|p" "$1" | base64 -d |
     python3 -c 'import sys, zlib; sys.stdout.buffer.write(zlib.decompress(sys.stdin.buffer.read()))'
@@ -67,8 +67,8 @@ block_of() {
   }
   mkdir -p other
   refused 2 'RUN is needed'
-  refused 3 'is no run' other
-  refused 3 'is no run' torus.ply
+  refused 3 'is not a run' other
+  refused 3 'is not a run' torus.ply
   refused 2 "--color-by: no mesh has a property 'heat'" one --color-by heat
   run --separate-stderr tm-report one -o page.png
   assert_status 2
@@ -94,6 +94,6 @@ block_of() {
   frame=$(data_of knot.html | jq '[.runs[0].meshes[].faces] | add / length | floor')
   [ "$frame" -gt 5000 ]
   size=$(($(wc -c <knot.html) - $(wc -c <"$tm_build/share/transformesh/viewer.html")))
-  # Ten frames, per face.
+  # The size is that of ten frames; a million faces take less than 29 MB.
   awk -v size="$size" -v faces="$frame" 'BEGIN { exit !(size / (10 * faces) * 1e6 < 29e6) }'
 }

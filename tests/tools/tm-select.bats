@@ -55,7 +55,7 @@ setup() {
   tm-select --split volume --by volume --invert --box 99,99,99,100,100,100 two.ply
   tm-info --get volume volume-001.ply | awk '{ exit !($1 > 26.99 && $1 < 27.01) }'
   [ "$(echo faces-* volume-*)" = "faces-001.ply faces-002.ply volume-001.ply volume-002.ply" ]
-  # A collection is what its parts are.
+  # The facts of a collection are those of its parts.
   tm-cat faces-001.ply faces-002.ply | tm-info --json >parts
   cmp parts <(tm-info --json two.ply)
 }
@@ -94,7 +94,7 @@ setup() {
 }
 
 @test "a capped cut is closed, and its volume is that in front of the plane" {
-  # The box is from -0.5 to 0.5: planes inside, at a side (grazing) and in front of all.
+  # The box is from -0.5 to 0.5. Planes are inside, at a side, and in front of the whole box.
   while read -r plane volume; do
     tm-select --plane "$plane" --cap small.ply -o cut.ply
     tm-checkmanifold --closed --intersections cut.ply >/dev/null
@@ -133,18 +133,18 @@ TABLE
 @test "an open cut leaves a border in the plane, and keeps properties" {
   run --separate-stderr tm-select --plane 0,0,1,0.123 small.ply -o open.ply
   assert_status 0
-  [[ $stderr == *"--cap closes it"* ]]
+  [[ $stderr == *"close it with --cap"* ]]
   [ "$(tm-info --get boundary_loops open.ply)" -eq 1 ]
   [[ $(tm-info --get bbox_min open.ply) == *" 0.123" ]]
   tm-info --get area open.ply | awk '{ a = 1 + 4 * 0.377; exit !($1 > a - 1e-9 && $1 < a + 1e-9) }'
   tm-fill --max-edges 1000 open.ply | tm-checkmanifold --closed --intersections
-  # A face in the plane bounds what is in front of it.
+  # A face in the plane bounds the part in front of it.
   tm-select --plane 0,0,1,-0.5 small.ply | tm-checkmanifold --closed
   run --separate-stderr tm-select --plane 0,0,1,0.5 small.ply
   assert_status 4
   run --separate-stderr tm-select --plane 0,0,1,0 --cap open.ply -o none.ply
   assert_status 3
-  [[ $stderr == *"tm-fill closes holes"* ]]
+  [[ $stderr == *"close holes with tm-fill"* ]]
 }
 
 @test "sections are the outline of a box, as edges and as a drawing" {

@@ -1,8 +1,9 @@
-# Shapes without input; what they are is tested in tests/lib/shapes.
+# Generated shapes and their options. tests/lib/shapes tests the shapes themselves.
 
 load ../helpers/common
 
-# refused TEXT COMMAND...: exit 2, nothing on stdout, one line on stderr that contains TEXT.
+# refused TEXT COMMAND...: checks for exit code 2, an empty stdout, and one line on stderr that contains
+# TEXT.
 refused() {
   local text=$1
   shift
@@ -105,7 +106,7 @@ end_header" ] || fail "$output"
 @test "--tube is the radius of a torus's tube, --count the number of spheres or boxes" {
   thick=$(tm-shape torus --radius 2 --tube 0.5 --faces 20000 | tm-info --get volume)
   thin=$(tm-shape torus --radius 2 --tube 0.25 --faces 20000 | tm-info --get volume)
-  # 2 pi^2 R r^2, less what is cut off between vertices.
+  # The volume is 2 pi^2 R r^2, less the parts that are cut off between vertices.
   awk -v thick="$thick" -v thin="$thin" 'BEGIN {
     pi = atan2(0, -1)
     exit !(thick < pi * pi && thick > 0.98 * pi * pi && thin < thick / 4 && thin > 0.97 * thick / 4)
@@ -133,13 +134,13 @@ end_header" ] || fail "$output"
   done
   tm-shape sphere --noise 0 --faces 100 | tm-checkmanifold >/dev/null
   tm-shape torus --radius 1e50 --faces 1000 | tm-checkmanifold >/dev/null
-  refused "unknown option '-1'; if it is no option, write -- before it" genus -1
-  refused "unknown option '-.5'; if it is no option, write -- before it" ellipsoid 1 -.5 1
+  refused "unknown option '-1'; write -- before it if it is a file name" genus -1
+  refused "unknown option '-.5'; write -- before it if it is a file name" ellipsoid 1 -.5 1
   run --separate-stderr tm-shape -o out.ply -- genus -1
   assert_status 2
   [[ $stderr == "tm-shape: genus: '-1' is not an integer from 1 to"* ]]
   refused 'genus takes 1 parameter, for' genus 1 2
-  # To go around.
+  # The shape surrounds another mesh.
   for scale in 1e100 1e200; do
     tm-shape sphere --faces 20 --format ply-ascii |
       awk -v s=$scale 'body && NF == 3 { printf "%.17g %.17g %.17g\n", s * $1, s * $2, s * $3; next }
@@ -218,7 +219,7 @@ TABLE
   tm-shape hull --of knot.ply -o hull.ply
   tm-checkmanifold --closed --intersections hull.ply >/dev/null
   for name in hull knot; do
-    # Behind the line of counts.
+    # Keeps the lines after the line of counts.
     tm-convert --format off $name.ply | grep -v '^#' | tail -n +3 >$name.off
   done
   # No point is in front of a face.
@@ -244,7 +245,7 @@ TABLE
 @test "a kind that is far from all others is not corrected into one of them" {
   run --separate-stderr tm-shape prism
   assert_status 2
-  [[ $stderr == *"--help lists"* ]]
+  [[ $stderr == *"with --help"* ]]
   run --separate-stderr tm-shape cyllinder
   [[ $stderr == *"did you mean 'cylinder'?"* ]]
 }

@@ -30,14 +30,14 @@ load ../helpers/common
   [[ $output == -* ]]
 }
 
-# shuffle: turns every other face or so of an ASCII PLY on stdin, by a fixed throw of the dice.
+# shuffle: reverses about every second face of an ASCII PLY on stdin, in a fixed random pattern.
 shuffle() {
   awk 'BEGIN { srand(3) }
     body && NF == 4 && $1 == 3 && rand() < 0.5 { print 3, $3, $2, $4; next }
     /end_header/ { body = 1 } { print }'
 }
 
-# cubes X,Y,Z...: unit cubes with a corner at those places, as an ASCII PLY.
+# cubes X,Y,Z...: prints unit cubes with a corner at each of these points, as ASCII PLY.
 cubes() {
   printf '%s\n' "$@" | awk -F, '
     { n = NR - 1
@@ -56,7 +56,8 @@ cubes() {
     }'
 }
 
-# is_solid VOLUME < mesh: a closed oriented manifold of that volume, and as clean as can be.
+# is_solid VOLUME < mesh: checks for a closed oriented manifold of that volume that tm-clean does not
+# change.
 is_solid() {
   cat > "$BATS_TEST_TMPDIR/solid.ply"
   tm-checkmanifold --closed "$BATS_TEST_TMPDIR/solid.ply" >&2 || return
@@ -72,10 +73,10 @@ is_solid() {
   run --separate-stderr tm-clean shuffled.ply -o out.ply
   assert_status 3
   one_line "$stderr"
-  [[ $stderr == *"the mesh is not oriented; mend it with tm-stitch --orient" ]]
+  [[ $stderr == *"the mesh is not oriented; orient it with tm-stitch --orient" ]]
   run --separate-stderr tm-stitch shuffled.ply -o out.ply
   assert_status 0
-  [[ $stderr == *"such edges): they stay apart; --orient turns faces to agree" ]]
+  [[ $stderr == *"such edges): they stay apart; orient them with --orient" ]]
   tm-stitch --orient shuffled.ply | tm-clean | is_solid "$(tm-info --get volume torus.ply)"
 }
 
@@ -93,7 +94,7 @@ is_solid() {
   printf 'OFF\n5 3 0\n0 0 -3\n0 -2 1\n3 0 0\n0 2 1\n-3 0 0\n3 0 2 4\n3 3 2 4\n3 2 4 1\n' > fan.off
   run --separate-stderr tm-clean fan.off -o out.off
   assert_status 3
-  [[ $stderr == *"faces 0, 1 and 2 run the same way along the edge from vertex 2 at (3, 0, 0) to "* ]]
+  [[ $stderr == *"faces 0, 1 and 2 traverse the edge from vertex 2 at (3, 0, 0) to "* ]]
   tm-stitch -q --orient fan.off -o out.off
   [ "$(tm-info --get components out.off)" = 2 ]
   tm-checkmanifold out.off
@@ -109,18 +110,18 @@ is_solid() {
     run --separate-stderr $program strip.off -o out.off
     assert_status 3
     one_line "$stderr"
-    [[ $stderr =~ faces\ [0-4]\ and\ [0-4]\ cannot\ agree\ at\ the\ edge\ from\ vertex ]]
-    [[ $stderr == *"one side only, like a Moebius strip; tm-stitch without --orient cuts it open, and tm-fill --allow-crossings closes borders" ]]
+    [[ $stderr =~ faces\ [0-4]\ and\ [0-4]\ cannot\ have\ consistent\ orientations\ at\ the\ edge\ from\ vertex ]]
+    [[ $stderr == *"only one side, like a Moebius strip; cut it open with tm-stitch without --orient, then close its borders with tm-fill --allow-crossings" ]]
     [ ! -e out.off ]
   done
-  # That advice is followed; and tm-stitch does not send back to --orient.
+  # The advice is true, and tm-stitch does not refer back to --orient.
   run --separate-stderr tm-stitch strip.off -o open.off
   assert_status 0
-  [[ $stderr == *"however faces are turned: they stay apart"* && $stderr != *"--orient"* ]]
+  [[ $stderr == *"however faces are reversed: they stay apart"* && $stderr != *"--orient"* ]]
   tm-clean open.off -o clean.off
   tm-fill -q --allow-crossings open.off -o closed.off
   [ "$(tm-info --get boundary_loops closed.off)" -eq 0 ]
-  # Five faces leave no room between the strip and its patch, twenty-four do.
+  # Between the strip and its patch there is no room with five faces, but there is with twenty-four.
   awk 'BEGIN {
     print "OFF\n24 24 0"
     for (i = 0; i < 12; i++) for (side = -0.3; side < 0.4; side += 0.6) {
@@ -140,22 +141,23 @@ is_solid() {
 
 @test "copies of faces beside others: what tm-clean says mends them does" {
   cd "$BATS_TEST_TMPDIR"
-  # A wall of two faces that is there twice, between two single faces that it shares edges with.
+  # A wall of two faces that occurs twice, between two single faces with which it shares edges.
   printf 'OFF\n6 6 0\n0 0 1\n1 0 1\n0 1 1\n0 1 0\n1 0 0\n0 0 0\n' >copies.off
   printf '3 %s\n' "0 1 2" "3 1 4" "4 1 0" "4 0 5" "4 1 0" "4 0 5" >>copies.off
   run --separate-stderr tm-clean copies.off -o out.off
   assert_status 3
   one_line "$stderr"
   case $stderr in
-    *"mend it with tm-stitch --orient") tm-stitch -q --orient copies.off -o mended.off ;;
-    *"cannot change that; tm-stitch keeps them apart") tm-stitch -q copies.off -o mended.off ;;
+    *"orient it with tm-stitch --orient") tm-stitch -q --orient copies.off -o mended.off ;;
+    *"cannot change that; separate them with tm-stitch") tm-stitch -q copies.off -o mended.off ;;
     *) fail "$stderr" ;;
   esac
   tm-clean mended.off -o out.off
   tm-checkmanifold out.off
 }
 
-# mended FILE [closed]: tm-stitch --orient makes of it what tm-checkmanifold and tm-clean take.
+# mended FILE [closed]: checks that tm-stitch --orient makes a mesh that tm-checkmanifold and tm-clean
+# accept.
 mended() {
   needs_shared "meshes/$1"
   tm-stitch -q --orient "$shared_file" -o "$BATS_TEST_TMPDIR/out.ply"
@@ -224,7 +226,7 @@ mended() {
   tm-cat "$BATS_TEST_TMPDIR/reverse.ply" "$BATS_TEST_TMPDIR/ball.ply" >"$BATS_TEST_TMPDIR/both.ply"
   run --separate-stderr tm-clean "$BATS_TEST_TMPDIR/both.ply"
   assert_status 4
-  [[ $stderr == *"in double-sided models; tm-stitch --one-side keeps one side of a double-sided model" ]]
+  [[ $stderr == *"in double-sided models; keep one side of a double-sided model with tm-stitch --one-side" ]]
   pipe "tm-stitch --one-side $BATS_TEST_TMPDIR/both.ply | tm-clean >$BATS_TEST_TMPDIR/out.ply"
   assert_status 0
   [ "$(tm-info --get volume "$BATS_TEST_TMPDIR/out.ply")" = "$(tm-info --get volume "$BATS_TEST_TMPDIR/ball.ply")" ]
@@ -233,7 +235,7 @@ mended() {
 @test "--orient does not turn a copy against its original: two rings are one after cleaning" {
   cd "$BATS_TEST_TMPDIR"
   tm-shape torus --faces 400 -o ring.ply
-  # Every third face of both looks the other way.
+  # Every third face of both is reversed.
   tm-cat ring.ply ring.ply | tm-convert --no-provenance --format off |
     awk '$1 == 3 && NF == 4 && ++k % 3 == 0 { print 3, $2, $4, $3; next } { print }' >two.off
   tm-stitch -q --orient two.off | tm-clean -q -o one.ply

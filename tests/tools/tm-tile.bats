@@ -15,7 +15,7 @@ clean_tiles() {
   done
 }
 
-# through_tiles MESH N [OPTION]...: the mesh in tiles, cleaned with these options and joined.
+# through_tiles MESH N [OPTION]...: splits the mesh, cleans the tiles with these options, and joins them.
 through_tiles() {
   rm -rf tiles
   tm-tile split "$1" --tiles "$2" -o tiles
@@ -23,7 +23,7 @@ through_tiles() {
   tm-tile join tiles -o joined.ply
 }
 
-# is_whole: joined.ply is whole.ply but for the order.
+# is_whole: checks that joined.ply equals whole.ply except for the order.
 is_whole() {
   cmp <(triangles joined.ply) <(triangles whole.ply) &&
     diff <(tm-info joined.ply | grep -E '^(vertices|faces|components|genus):') \
@@ -133,7 +133,7 @@ is_whole() {
 
 @test "a vertex that is no number is named" {
   tm-shape sphere --faces 500 -o in.ply
-  # The last coordinate of the last vertex: faces take 13 bytes each.
+  # Changes the last coordinate of the last vertex; faces take 13 bytes each.
   faces=$(tm-info --get faces in.ply)
   size=$(stat -c %s in.ply)
   { head -c $((size - 13 * faces - 8)) in.ply && printf '\0\0\0\0\0\0\370\177' && tail -c $((13 * faces)) in.ply; } >nan.ply
@@ -167,10 +167,11 @@ is_whole() {
     assert_status 2
     one_line "$stderr"
   done
-  tm-transform --scale 2 tiles/tile-1.ply -o scaled.ply
+  sed 's/^comment tm:tile/comment held/' tiles/tile-1.ply | tm-transform --scale 2 |
+    sed 's/^comment held/comment tm:tile/' >scaled.ply
   run --separate-stderr tm-clean scaled.ply -o out.ply
   assert_status 3
-  [[ $stderr == *"is not that tile"* ]]
+  [[ $stderr == *"differs from the tile"* ]]
   sed 's/^comment tm:tile 1 3/comment tm:tile 7 3/' tiles/tile-1.ply >bad.ply
   run --separate-stderr tm-clean bad.ply -o out.ply
   assert_status 3
@@ -178,6 +179,27 @@ is_whole() {
   assert_status 3
   run --separate-stderr tm-tile join missing -o out.ply
   assert_status 3
+}
+
+@test "only tm-clean changes tiles: other programs refuse them, or say what they show" {
+  tm-shape folded --faces 4000 -o in.ply
+  tm-tile split in.ply --tiles 3 -o tiles
+  tm-clean -q tiles/tile-1.ply -o tiles/clean-1.ply
+  for tile in tiles/tile-1.ply tiles/clean-1.ply; do
+    for program in tm-repair tm-remesh tm-transform tm-convert; do
+      run --separate-stderr "$program" "$tile" -o out.ply
+      assert_status 3
+      [[ $stderr == *"is a tile of a larger mesh"*"tm-tile join"* ]]
+      [ ! -e out.ply ]
+    done
+    run --separate-stderr tm-info "$tile"
+    assert_status 0
+    [[ $stderr == *"is a tile of a larger mesh, cut at its borders" ]]
+  done
+  # A comment that describes no tile does not keep a mesh from being looked at.
+  sed 's/^comment tm:tile .*/comment tm:tile none/' tiles/tile-1.ply >bad.ply
+  run --separate-stderr tm-info bad.ply
+  assert_status 0
 }
 
 @test "a tile that needs the whole mesh says so, with exit code 4" {
@@ -215,7 +237,7 @@ is_whole() {
   "$tm_root/scripts/experiments/tiles" in.ply out 4
   cp out/clean.ply joined.ply
   is_whole
-  # A tile that is clean is not cleaned again; one that is gone is.
+  # A clean tile is not cleaned again; a missing one is.
   rm out/clean.ply out/tiles/clean-2.ply out/tile-*.json
   "$tm_root/scripts/experiments/tiles" in.ply out 4
   [ "$(echo out/tile-*.json)" = out/tile-2.json ]
@@ -229,7 +251,7 @@ is_whole() {
   grep -q 'does not describe a tile' out/tile-1.log
 }
 
-# Stands for Slurm where that is not installed: runs the tasks of an array one after the other.
+# Replaces Slurm if it is not installed: runs the tasks of an array one after the other.
 @test "by sbatch, tiles are an array, and the job that joins depends on it" {
   mkdir bin
   cat >bin/sbatch <<'SBATCH'

@@ -32,7 +32,7 @@ data_of() {
   cmp <(sed 's/"version":"tm-view/"version":"tm-report/' view.html) report.html
 }
 
-# Stands for the user's browser.
+# Replaces the user's browser.
 fake_opener() { # EXIT CODE
   mkdir -p fake
   printf '#!/bin/sh\nprintf "%%s" "$1" >"%s/opened"\nexit %s\n' "$PWD" "$1" >fake/xdg-open
@@ -96,8 +96,14 @@ code_of() {
   for method in POST PUT DELETE OPTIONS; do
     [ "$(code_of -X "$method" "$address")" = 405 ]
   done
-  # A name of somebody else's that was made to lead here.
-  [ "$(code_of -H 'Host: example.org' "$address")" = 403 ]
+  # Foreign host names that were made to point here.
+  for host in example.org localhost.example.org:80 127.0.0.1.example.org example.org:127.0.0.1; do
+    [ "$(code_of -H "Host: $host" "$address")" = 403 ] || fail "$host"
+  done
+  # A tunnel whose other end has another port.
+  for host in localhost:9000 LOCALHOST:80 127.0.0.1:1 localhost; do
+    [ "$(code_of -H "Host: $host" "$address")" = 200 ] || fail "$host"
+  done
   end_server
   run code_of "$address"
   [ "$status" -ne 0 ]
@@ -145,11 +151,11 @@ code_of() {
   wait_for 4
   curl -s "${address}page.json" >page.json
   jq -e '.live and .runs[0].report.result.iterations == 3 and (.runs[0].log | length) > 0' page.json
-  # Every mesh that it names is there.
+  # Every mesh that the page names exists.
   for block in $(jq -r '.runs[0].meshes[].block' page.json); do
     [ "$(code_of "${address}block/$block")" = 200 ]
   done
-  # A run that begins anew in its place.
+  # A new run in the same folder.
   tm-evolve -q --step cat --iterations 1 --every 1 --run r b.ply
   wait_for 2
   end_server

@@ -97,11 +97,11 @@ setup() {
   assert_status 2
   one_line "$stderr"
   [ ! -e wrap.ply ]
-  # So many faces again, for a tenth of the area.
+  # The wrap of a single point is a ball of radius 1, which would also have too many faces.
   echo 0 0 0 >one.xyz
   run --separate-stderr timeout 20 tm-wrap one.xyz --alpha 0.0001 --offset 1 -o wrap.ply
   assert_status 2
-  [[ $stderr == *"; of 0.0029 or more it would not"* ]]
+  [[ $stderr == *"; use 0.0029 or more"* ]]
 }
 
 @test "coordinates that no square fits, and all that are too few: an answer, or exit 3 and one line" {
@@ -179,10 +179,10 @@ setup() {
   [[ $stderr == *"3 outliers left out"*"(40, 5, 3)"*"--keep-outliers"* ]]
   jq -e --argjson all "$(wc -l <spoiled.xyz)" ".result | .outliers == 3 and .points == \$all" spoiled.json
   cmp clean.ply spoiled.ply
-  # With normals, too.
+  # The same points with normals.
   awk '{ print $0, $1, $2, $3 }' clean.xyz >oriented.xyz
   awk '{ print $0, $1, $2, $3 }' spoiled.xyz | tm-wrap -q | cmp - <(tm-wrap oriented.xyz)
-  # What the message names keeps them.
+  # The option that the message names keeps these points.
   run --separate-stderr tm-wrap --keep-outliers --alpha 1 --offset 0.1 spoiled.xyz -o all.ply
   assert_status 0
   [[ $stderr != *"left out"* ]]
@@ -199,7 +199,7 @@ setup() {
   tm-info --get bbox_max wrap.ply | awk '{ exit !($1 > 20 && $2 > 20) }'
 }
 
-# 500 points on a sphere as COLMAP writes them: 1 % with large errors, 2 % in two photographs.
+# 500 points on a sphere in COLMAP's format: 1 % with large errors, 2 % in only two photographs.
 colmap_points() {
   echo '# 3D point list with one line of data per point:'
   awk 'BEGIN {
@@ -221,7 +221,7 @@ colmap_points() {
   [[ $stderr == *"10 points in fewer than three photographs left out"* ]]
   jq -e '.result | .points == 500 and .large_errors == 5 and .short_tracks == 10 and
     .outliers == 0 and .components == 1' r.json
-  # The points that are left, as text, and all of them.
+  # The remaining points as text, compared with all of them.
   awk '!/^#/ && $9 != "" && $8 < 5 && NF == 14 { print $2, $3, $4 }' points3D.txt >left.xyz
   [ "$(wc -l <left.xyz)" -eq 485 ]
   tm-wrap left.xyz | cmp - wrap.ply

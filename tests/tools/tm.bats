@@ -36,7 +36,7 @@ setup() {
   [ "$output" = "tm: there is no program 'claen'; did you mean 'tm-clean'?" ]
   run tm nothing
   assert_status 2
-  [ "$output" = "tm: there is no program 'nothing'; tm lists those that there are" ]
+  [ "$output" = "tm: there is no program 'nothing'; list all programs with tm" ]
   run tm clean cat
   assert_status 2
   [[ $output == *"'cat' is a second one" ]]
@@ -59,7 +59,7 @@ setup() {
   while read -r -u 8 line; do
     command=${line:26}
     case $command in
-      # The viewer serves until it is ended, and a morph takes long: their help is enough.
+      # The viewer serves until it is stopped, and a morph takes long, so only their help is run.
       tm-view* | tm-morph*) ${command%% *} --help >/dev/null 2>&1 || [ "${command%% *}" = tm-view ] ;;
       *) bash -euo pipefail -c "$command" >log 2>&1 </dev/null || fail "$command: $(cat log)" ;;
     esac

@@ -1,4 +1,4 @@
-# What the frame does for every program, shown with tm-convert and tm-cat.
+# Rules that the frame enforces for every program, shown with tm-convert and tm-cat.
 
 load ../helpers/common
 
@@ -175,7 +175,7 @@ in_terminal() {
   [[ $output != *"$escape"* ]]
 }
 
-# The start of a mesh of ten million vertices.
+# The beginning of a mesh of ten million vertices.
 large_mesh() {
   printf 'ply\nformat binary_little_endian 1.0\nelement vertex 10000000\n'
   printf 'property double x\nproperty double y\nproperty double z\nend_header\n'
@@ -202,7 +202,7 @@ large_mesh() {
   grep -qx "tm-remesh: --min-edge 0.7x = 0.989949" verbose
   grep -qx "tm-remesh: --max-edge 100% = 1.73205" verbose
   grep -qx "tm-remesh: reference edge 1.41421" verbose
-  # Of the reference's box, where that is twice as large.
+  # A percentage refers to the reference's box, which is twice as large.
   sed '/^end_header/,$ s/^1/2/; /^end_header/,$ s/ 1/ 2/g' t.ply | sed -E 's/^3 .*//; /^$/d' |
     sed 's/^element face 4/element face 0/' >points.ply
   tm-compare -v --reference points.ply t.ply 2>verbose >/dev/null || true

@@ -1,8 +1,8 @@
 load ../helpers/common
 load ../helpers/scene
 
-# Cameras and masks that do not belong together: what can be mended is, with a message and the result
-# of right masks; else it is named, exit 3, and nothing is written.
+# Cameras and masks that do not belong together. Some mistakes are corrected with a message, and the result
+# is that of correct masks. Others are named with exit code 3, and nothing is written.
 
 setup() {
   cd "$BATS_TEST_TMPDIR"
@@ -14,7 +14,7 @@ hull() { # [OPTION]...
   run --separate-stderr timeout 5 tm-hull --cameras par.txt --silhouettes masks -o out.ply "$@"
 }
 
-# refused WORD...: exit 3, one line with all words, nothing written.
+# refused WORD...: checks for exit code 3, one line with all words, and no output.
 refused() {
   assert_status 3
   one_line "$stderr"
@@ -23,7 +23,7 @@ refused() {
   [ ! -e out.ply ] || fail 'something was written'
 }
 
-# mended WORD...: a message with all words, and the hull of the right masks.
+# mended WORD...: checks for a message with all words, and for the hull of the correct masks.
 mended() {
   assert_status 0
   one_line "$stderr"
@@ -34,7 +34,7 @@ mended() {
   cmp right/out.ply out.ply
 }
 
-change() { # EXPRESSION VIEW...: other levels in the masks of these views
+change() { # EXPRESSION VIEW...: changes the intensities in the masks of these views
   local view
   for view in "${@:2}"; do
     changed_mask "$1" <"masks/view$view.pgm" >changed
@@ -42,7 +42,7 @@ change() { # EXPRESSION VIEW...: other levels in the masks of these views
   done
 }
 
-# with_names 'AWK OF k': line k of the camera file gets the name of another line, k changed.
+# with_names 'AWK OF k': gives line k of the camera file the name of another line, computed from k.
 with_names() {
   awk "FNR == NR { n[FNR] = \$1; next } FNR == 1 { print; next }
     { k = FNR; $1; \$1 = n[k]; print }" right.txt right.txt >par.txt
@@ -77,7 +77,7 @@ with_names() {
 }
 
 @test "masks from JPEG, and masks with nearly black background" {
-  # Ringing: up to 40 levels beside the contour and far from it.
+  # Ringing: changes of up to 40 levels near the contour and far from it.
   change 'l == 0 ? (i * 7919 % 41) : 255 - i * 104729 % 41' 4
   hull
   mended masks/view4.pgm JPEG
@@ -195,12 +195,12 @@ PY
   [[ $stderr == *"'view3' is left out"* ]]
   grep -q '"dropped_views": 1' r.json
   grep -q '"views": 8' r.json
-  # As if the view had never been there.
+  # The result is the same as without the view.
   mv masks/view3.pgm photos/*view3* .
   sed -i -e '1s/9/8/' -e /view3/d par.txt
   "${step[@]}" -o right.ply
   cmp right.ply out.ply
-  # Believed, or not looked at.
+  # The options accept the views, or skip the check.
   mv view3.pgm masks && mv ./*view3* photos && cp right.txt par.txt
   "${step[@]}" --least-agreement 0 -o believed.ply
   "${step[@]}" --silhouettes-show least -o least.ply

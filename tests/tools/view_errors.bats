@@ -1,8 +1,8 @@
 load ../helpers/common
 load ../helpers/scene
 
-# What is wrong with cameras, photographs and masks is exit 3, one line that names the file and where
-# it has lines the line, and nothing written: of every program that reads them, and of the loop.
+# Errors in cameras, photographs and masks, for every program that reads them and for the loop. Each gives
+# exit code 3, nothing is written, and one line names the file and, in text files, the line.
 
 setup() {
   cd "$BATS_TEST_TMPDIR"
@@ -12,7 +12,7 @@ setup() {
   tm-shape sphere --radius 2 -o ball.ply
 }
 
-# Every program that reads the `images` or the `masks` of the scene by the cameras in $cameras.
+# Runs every program that reads the `images` or the `masks` of the scene, with the cameras in $cameras.
 refused_by_all() { # READS WORD...
   local reads=$1 program
   shift
@@ -109,7 +109,7 @@ C
   cp par.txt good.txt
   sed -i '3s/ 10 0 4 0 10 4 / 10 0 4 20 0 8 /' par.txt
   refused_by_all images par.txt 'line 3'
-  # The rotation is none.
+  # The matrix is not a rotation.
   sed '4s/.*/c.pgm 10 0 4 0 10 4 0 0 1 1 0 0 1 0 0 0 -1 0 0 0 10/' good.txt >par.txt
   refused_by_all images par.txt 'line 4'
   mkdir matrices

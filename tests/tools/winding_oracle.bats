@@ -1,4 +1,4 @@
-# The oracle as bats files reach it: what it accepts, what it finds, and its exit codes.
+# The oracle as bats files call it: which results it accepts, which faults it finds, and its exit codes.
 
 load ../helpers/common
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
-# The page of docs/try in headless Chromium: what it computes has the bytes of the native programs, and
-# its command lines make the same. Skipped without a browser or the module of scripts/wasm.
+# The page of docs/try in headless Chromium: its results have the bytes of the native programs, and so have
+# the command lines that it prints. Skipped without a browser or the module of scripts/wasm.
 load ../helpers/common
 load ../helpers/try
 
@@ -24,7 +24,7 @@ setup() {
   needs_try
 }
 
-# The files are dropped, the task is done, and the command line of the page is run beside them.
+# Drops the files, runs the task, and compares the result with that of the page's command line.
 same_as_pasted() { # KIND FIELDS FILE...
   local name=$BATS_TEST_TMPDIR
   mkdir "$name/page" "$name/shell"
@@ -111,7 +111,8 @@ same_as_pasted() { # KIND FIELDS FILE...
 @test "counts are those of the native programs" {
   for file in folded.stl broken.stl ring.obj boxes.off open.ply; do
     tm-stitch -q "$file" -o joined.ply
-    # Faces that disagree have borders where tm-stitch cuts them: those of the turned mesh count as holes.
+    # Faces with inconsistent orientations have borders where tm-stitch separates them. The holes are those of
+    # the mesh after --orient.
     tm-stitch -q --orient --outwards "$file" -o turned.ply --report turned.json
     jq -n --argjson check "$(tm-checkmanifold --json turned.ply 2>/dev/null || true)" \
       --argjson info "$(tm-info --json turned.ply)" --argjson pairs "$(tm-intersect -q --check --get pairs "$file" || true)" \

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
-# The programs of the WebAssembly module, by scripts/wasm: the same bytes, exit codes and words as the
-# native ones.
+# The programs of the WebAssembly module of scripts/wasm: same bytes, exit codes and messages as the native
+# ones.
 load ../helpers/common
 
 package=$BATS_TEST_DIRNAME/../../build-wasm/package
@@ -15,7 +15,7 @@ wasm() {
   node "$package/bin/$1.mjs" "${@:2}"
 }
 
-# Runs both, with the standard input of the file named first ('' for none).
+# Runs both programs, with the standard input of the file named first ('' for none).
 same() {
   local input=$1
   shift
@@ -56,7 +56,7 @@ END
   tm-clean -q folded.ply -o native.ply
   wasm tm-clean -q folded.ply -o wasm.ply
   cmp native.ply wasm.ply
-  # Nothing is left beside the result.
+  # No temporary file is left beside the result.
   [ "$(find . -name '*.tmp' | wc -l)" = 0 ]
 }
 
@@ -87,7 +87,7 @@ END
 }
 
 @test "smooth patches differ by rounding alone" {
-  # CGAL weighs their edges by the tangents of the C library, which differ in the last digit.
+  # CGAL's weights of edges use the tangent of the C library, which differs in the last digit.
   tm-shape sphere --faces 4000 | tm-select -q --plane=0,0,-1,-0.7 -o open.ply
   tm-fill -q open.ply -o native.ply
   wasm tm-fill -q open.ply -o wasm.ply

@@ -1,5 +1,5 @@
 #!/usr/bin/env bats
-# The command-line contract (tests/tools/contract.bats) by the programs of the WebAssembly module.
+# The command-line contract (tests/tools/contract.bats) for the programs of the WebAssembly module.
 load ../helpers/common
 
 package=$BATS_TEST_DIRNAME/../../build-wasm/package
@@ -30,7 +30,7 @@ make_build() {
 }
 
 # Check 1 compares the help of tm-repair, which has no --picture here. Check 9 also closes the standard
-# output, for which Node.js opens another one. Check 12 waits for a handler of signals, which end Node.js
+# output, for which Node.js opens another one. Check 12 waits for a signal handler, but signals end Node.js
 # without one.
 @test "the checks of the contract pass, except 1, 9 and 12" {
   make_build

@@ -11,91 +11,98 @@ namespace {
 using Kind = ErrorKind;
 
 constexpr std::array table{
-    Advice{Kind::not_closed, "", "tm-fill closes holes"},
-    Advice{Kind::not_joined, "", "tm-stitch joins them"},
-    Advice{Kind::not_oriented, "", "mend it with tm-stitch --orient"},
-    Advice{Kind::not_orientable, "", "remove faces there"},
-    Advice{Kind::overlapping_sheets, "", "tm-stitch keeps them apart"},
+    Advice{Kind::not_closed, "", "close holes with tm-fill"},
+    Advice{Kind::not_joined, "", "join them with tm-stitch"},
+    Advice{Kind::not_oriented, "", "orient it with tm-stitch --orient"},
+    Advice{Kind::not_orientable, "", "remove faces at this edge"},
+    Advice{Kind::overlapping_sheets, "", "separate them with tm-stitch"},
     Advice{Kind::one_sided, "",
-           "tm-stitch without --orient cuts it open, and tm-fill --allow-crossings closes borders"},
-    Advice{Kind::not_manifold, "", "mend it with tm-stitch --orient"},
-    Advice{Kind::self_intersections, "", "tm-clean removes self-intersections"},
+           "cut it open with tm-stitch without --orient, then close its borders with tm-fill "
+           "--allow-crossings"},
+    Advice{Kind::not_manifold, "", "orient it with tm-stitch --orient"},
+    Advice{Kind::self_intersections, "", "remove self-intersections with tm-clean"},
     Advice{Kind::inside_out, "", "reverse it with tm-stitch --flip"},
-    Advice{Kind::double_sided, "", "tm-stitch --one-side keeps one side of a double-sided model"},
+    Advice{Kind::double_sided, "",
+           "keep one side of a double-sided model with tm-stitch --one-side"},
     Advice{Kind::double_sided_sheet, "",
-           "tm-stitch --one-side keeps one side of a double-sided sheet, open; tm-sample and "
-           "tm-wrap --method alpha go around a sheet"},
+           "keep one side of a double-sided sheet, open, with tm-stitch --one-side; or wrap the "
+           "sheet with tm-sample and tm-wrap --method alpha"},
     Advice{Kind::canceling_faces, "double",
-           "tm-sample and tm-wrap --method alpha go around a sheet; a shape that is small or far "
-           "from the origin needs --double, or to be moved there"},
+           "wrap a sheet with tm-sample and tm-wrap --method alpha; for a shape that is small or "
+           "far from the origin, give --double or move it to the origin"},
     Advice{Kind::canceling_faces, "",
-           "tm-sample and tm-wrap --method alpha go around a sheet; a shape that is small or far "
-           "from the origin needs tm-convert --double, or to be moved there"},
-    Advice{Kind::no_area, "double",
-           "a shape that is small or far from the origin needs --double, or to be moved there"},
+           "wrap a sheet with tm-sample and tm-wrap --method alpha; for a shape that is small or "
+           "far from the origin, run tm-convert --double first or move it to the origin"},
+    Advice{
+        Kind::no_area, "double",
+        "for a shape that is small or far from the origin, give --double or move it to the origin"},
     Advice{Kind::no_area, "",
-           "a shape that is small or far from the origin needs tm-convert --double, or to be moved "
-           "there"},
+           "for a shape that is small or far from the origin, run tm-convert --double first or "
+           "move it to the origin"},
     Advice{Kind::no_positive_winding, "",
-           "a mesh that is inside out is reversed by tm-stitch --flip"},
+           "reverse a mesh that is inside out with tm-stitch --flip"},
     Advice{Kind::component_too_small, "min-edge", "use a smaller --min-edge"},
-    Advice{Kind::thinner_than_rounding, "double",
-           "a shape that is small or far from the origin needs --double, or to be moved there"},
+    Advice{
+        Kind::thinner_than_rounding, "double",
+        "for a shape that is small or far from the origin, give --double or move it to the origin"},
     Advice{Kind::thinner_than_rounding, "",
-           "a shape that is small or far from the origin needs tm-convert --double, or to be moved "
-           "there"},
+           "for a shape that is small or far from the origin, run tm-convert --double first or "
+           "move it to the origin"},
     Advice{Kind::float_rounding_failed, "double",
-           "write doubles (--double), or merge vertices that lie close together there (tm-stitch "
-           "--tolerance)"},
+           "write doubles (--double), or merge close vertices there (tm-stitch --tolerance)"},
     Advice{Kind::float_rounding_failed, "",
-           "begin with doubles (tm-convert --double), or merge vertices that lie close together "
-           "there (tm-stitch --tolerance)"},
-    Advice{Kind::double_rounding_failed, "",
-           "merge vertices that lie close together there (tm-stitch --tolerance)"},
+           "begin with doubles (tm-convert --double), or merge close vertices there (tm-stitch "
+           "--tolerance)"},
+    Advice{Kind::double_rounding_failed, "", "merge close vertices there (tm-stitch --tolerance)"},
     Advice{Kind::needs_cleaning, "refuse", "leave out --refuse to clean it"},
     Advice{Kind::box_in_open_mesh, "",
-           "tm-checkmanifold names them, tm-fill closes holes, and tm-clean without --box takes "
-           "open meshes"},
-    Advice{Kind::static_test_of_open_mesh, "method", "use --method grow, or close it with tm-fill"},
+           "find these edges with tm-checkmanifold, close holes with tm-fill, or run tm-clean "
+           "without --box, which accepts open meshes"},
+    Advice{Kind::static_test_of_open_mesh, "method",
+           "use --method grow, or close the mesh with tm-fill"},
     Advice{Kind::decimation_stuck, "",
-           "ask for more faces, or remove crossings of the input first (tm-clean), around which "
-           "nothing collapses"},
+           "ask for more faces, or run tm-clean first: edges near self-intersections are not "
+           "collapsed"},
     Advice{Kind::meets_keep_out, "",
-           "cut one from the other first, as the difference in tm-clean(1)"},
+           "subtract that surface from the mesh first, as for a difference in tm-clean(1)"},
     Advice{Kind::bad_reference_edge, "reference-edge",
            "measure it again with --reference-edge auto"},
     Advice{Kind::bad_reference_edge, "", "measure it again with tm-convert --reference-edge auto"},
     Advice{Kind::no_velocity, "normal-speed",
            "give --normal-speed or --curvature-speed, or write the vertex properties vx vy vz"},
     Advice{Kind::no_source_points, "closest",
-           "write it with tm-clean --source or tm-remesh --source, or take the closest places with "
-           "tm-carry --closest"},
-    Advice{Kind::no_segments, "", "tm-intersect --segments writes one"},
-    Advice{Kind::no_color_property, "color-by", "name it with --color-by"},
+           "write them with tm-clean --source or tm-remesh --source, or use the closest places "
+           "with tm-carry --closest"},
+    Advice{Kind::no_segments, "", "write one with tm-intersect --segments"},
+    Advice{Kind::no_color_property, "color-by", "name the property with --color-by"},
     Advice{Kind::texture_too_small, "texture-size",
            "remesh the surface, or give a larger --texture-size"},
-    Advice{Kind::target_open, "", "close its holes before, or go around it with tm-wrap"},
+    Advice{Kind::target_open, "", "close its holes first, or wrap it with tm-wrap"},
     Advice{Kind::target_not_solid, "",
-           "the target is open, no manifold, or intersects itself, so that no surface without "
-           "crossings lies on all of it: clean it with tm-clean, or close its holes with tm-fill"},
+           "the target is open, not manifold or self-intersecting, so an embedded surface cannot "
+           "lie on all of it: clean it with tm-clean, or close its holes with tm-fill"},
     Advice{Kind::source_apart, "",
-           "begin with a source that overlaps all of the target, as tm-shape sphere --around makes "
-           "it"},
+           "begin with a source that overlaps all of the target, for example from tm-shape sphere "
+           "--around"},
     Advice{Kind::edges_too_long, "reference-edge", "shorten edges with --reference-edge {edge}"},
     Advice{Kind::uniform_edges_too_long, "gap-edges",
            "shorten edges at narrow places with --gap-edges 1.5"},
     // Only tm-reconstruct has --crumbs, which identifies the program here.
-    Advice{Kind::surface_explodes, "crumbs", "see --stiffness, --coarsest and tm-cameras"},
-    Advice{Kind::outside_hull, "clip", "see --clip"},
-    Advice{Kind::scene_behind_cameras, "mirror", "--mirror takes its mirror image, z for -z"},
-    Advice{Kind::views_disagree, "least-agreement", "see --least-agreement"},
+    Advice{Kind::surface_explodes, "crumbs",
+           "raise --stiffness or --coarsest, or check the cameras with tm-cameras"},
+    Advice{Kind::outside_hull, "clip",
+           "check that cameras and mesh have the same units and origin, or keep all of the mesh "
+           "with --clip nothing"},
+    Advice{Kind::scene_behind_cameras, "mirror", "mirror the scene with --mirror"},
+    Advice{Kind::views_disagree, "least-agreement",
+           "check cameras and masks, or accept less agreement with --least-agreement"},
     Advice{Kind::few_views_disagree, "drop-bad-views",
-           "look at camera and mask, or leave out what disagrees with --drop-bad-views"},
+           "check their cameras and masks, or leave these views out with --drop-bad-views"},
     Advice{Kind::bad_state, "restart", "begin again with --restart"},
     Advice{Kind::other_settings, "resume", "leave out --resume"},
     Advice{Kind::interrupted_run, "restart",
            "continue it with --resume, or discard it with --restart"},
-    Advice{Kind::not_a_run, "", "a loop such as tm-morph writes it with --run {name}"},
+    Advice{Kind::not_a_run, "", "let a loop such as tm-morph write it with --run {name}"},
 };
 
 void replace(std::string& text, const std::string& word, const std::string& value) {

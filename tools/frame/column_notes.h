@@ -9,25 +9,23 @@
 namespace transformesh::tool {
 
 inline void note_new_normals(bool are_new, Run& run) {
-  if (are_new) run.note("the normals nx ny nz are computed anew");
+  if (are_new) run.note("the normals nx ny nz are recomputed");
 }
 
 inline void note_dropped_lists(const std::vector<std::string>& names, Run& run) {
   for (const std::string& name : names)
     run.note("face property '" + name +
-             "' dropped: the corners whose texture coordinates it holds are no longer the same");
+             "' dropped: the face corners that its texture coordinates belong to have changed");
 }
 
-inline constexpr const char* source_of_step = "; --source writes those of this step";
-inline constexpr const char* closest_places = "; tm-carry --closest finds the closest places";
+inline constexpr const char* source_of_step = "; write those of this step with --source";
+inline constexpr const char* closest_places = "; find the closest places with tm-carry --closest";
 
 /// Notes, if `are_dropped`, that the source columns were removed. `remedy` ends the sentence.
 inline void note_dropped_sources(bool are_dropped, const std::string& remedy, Run& run) {
   if (are_dropped)
     run.note(
-        "properties source_face, source_u and source_v dropped: vertices and faces are no longer "
-        "the "
-        "same" +
+        "properties source_face, source_u and source_v dropped: vertices and faces have changed" +
         remedy);
 }
 

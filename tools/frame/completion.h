@@ -1,5 +1,6 @@
-/// Completion of a program's command line in bash, zsh and fish, made from the same options as its
-/// help: names, the words of choices, files, folders, and meshes by their endings.
+/// Makes completion scripts of a program's command line for bash, zsh and fish, from the same
+/// options as its help. They complete names, the words of choices, files, folders, and meshes by
+/// their endings.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 #include "frame/inputs.h"
 
+#include "clean/box/tile.h"
 #include "clean/stitch/join_soup.h"
 #include "io/formats/file_format.h"
 #include "io/streams/expand.h"
@@ -72,9 +73,18 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
     if (count > 0)
       messages_.note(
           Problem{ErrorKind::not_joined, name + ": " + counted(count, "border edge") +
-                                             " lie upon each other: the faces share no vertices "
-                                             "there"});
+                                             " coincide: the faces share no vertices there"});
   }
+}
+
+/// The borders of a tile are cuts through a larger mesh, so that no other program has a right
+/// result.
+void Inputs::check_tile(const Document& document, const std::string& name) {
+  if (program_.input.takes_tiles || !has_tile_comment(document.style.comments)) return;
+  const std::string problem = name + " is a tile of a larger mesh, cut at its borders";
+  if (program_.writes_mesh())
+    throw InputError(problem + "; clean each tile with tm-clean, and join them with tm-tile join");
+  messages_.note(problem);
 }
 
 void Inputs::keep_bytes(std::string_view bytes, const ReadResult& result) {
@@ -96,6 +106,7 @@ Document Inputs::read(const std::string& path) {
     line = with_advice({ErrorKind::not_joined, line}, program_);
   }
   messages_.note_all(result.notes);
+  check_tile(result.document, input_name(path));
   treat_soup(result.document.mesh, input_name(path), result.soup_note.has_value());
   messages_.detail(input_name(path) + ": " + described(result.document));
   phases_.begin("");

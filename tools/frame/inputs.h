@@ -71,6 +71,7 @@ class Inputs {
   void keep_bytes(std::string_view bytes, const ReadResult& result);
   /// Joins a soup or prints a note about it, by the rules of the program. `is_noted` is true if the
   /// reader has already noted it.
+  void check_tile(const Document& document, const std::string& name);
   void treat_soup(Mesh& mesh, const std::string& name, bool is_noted);
 
   const Program& program_;

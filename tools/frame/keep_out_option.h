@@ -22,13 +22,14 @@ class KeepOutOption {
   /// Reads the obstacle. The result refers to this object.
   KeepOutOptions options(Run& run) {
     if (file_.empty() != !gap_)
-      throw UsageError("--keep-out and --gap go together: what to stay away from, and how far");
+      throw UsageError(
+          "--keep-out and --gap need each other: the mesh to keep away from, and the distance");
     if (file_.empty()) return {};
     const double gap = run.length(*gap_);
     if (!(gap > 0)) throw UsageError("--gap must be above 0");
     surface_ = run.in().read(file_).mesh;
     if (surface_.faces.empty())
-      throw InputError(file_ + " has no faces: there is nothing to keep out of");
+      throw InputError(file_ + " has no faces: there is nothing to keep away from");
     return {&surface_, gap};
   }
 

@@ -34,7 +34,7 @@ void settle_run(Program& program, LoopChoices& choices) {
   if (finds_events) names.push_back("events");
   for (const char* name : names)
     if (program.options.find(name)->is_given)
-      throw UsageError("--run keeps all of a run under fixed names: leave out --" +
+      throw UsageError("--run writes all files of a run under fixed names: leave out --" +
                        std::string(name));
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
   program.common.output = folder + run_file::result;
@@ -102,7 +102,7 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   const bool is_continuable =
       !is_written_directly(end_of_links(run.out().name())) || !state.empty();
   if (options.resume && !is_continuable)
-    throw UsageError("--resume needs -o OUT, a file: what to continue");
+    throw UsageError("--resume continues an output file: name it with -o OUT");
   if (options.resume && options.restart)
     throw UsageError("give either --resume or --restart, not both");
   std::vector<std::string> files{"report", "csv"};
@@ -159,7 +159,7 @@ void evolve_or_keep(Run& run, const Record& record, const std::string& noun,
     evolve();
   } catch (const std::exception&) {
     if (record.iteration() > 0) {
-      const std::string continued = record.has_state() ? ", and --resume continues from there" : "";
+      const std::string continued = record.has_state() ? "; continue with --resume" : "";
       run.out().keep("stopped in " + noun + ' ' + std::to_string(record.iteration() + 1),
                      "the mesh of " + noun + ' ' + std::to_string(record.iteration()) + continued);
     }

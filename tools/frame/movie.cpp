@@ -61,7 +61,7 @@ void check_movie(int frames, int width, int height, bool is_transparent, const R
   const std::string& path = run.out().name();
   if (frames == 0 && is_movie(path))
     throw UsageError("--output: '" + path +
-                     "' is a movie: state the number of pictures with --frames");
+                     "' is a movie: give the number of pictures with --frames");
   if (frames > 0 && path == "-")
     throw UsageError(
         "--frames needs a name: -o orbit.mp4 or orbit.gif for a movie, orbit.png for numbered "
@@ -69,10 +69,10 @@ void check_movie(int frames, int width, int height, bool is_transparent, const R
   if (!is_movie(path)) return;
   const bool is_mp4 = ending_of(path) == ".mp4";
   if (is_mp4 && (width % 2 != 0 || height % 2 != 0))
-    throw UsageError("--size: width and height of an MP4 movie are even: add a pixel");
+    throw UsageError("--size: width and height of an MP4 movie must be even: add a pixel");
   if (is_mp4 && is_transparent)
     throw UsageError(
-        "--background: nothing in an MP4 movie is transparent; take a color, or a GIF");
+        "--background: an MP4 movie cannot be transparent: give a color, or write a GIF");
   if (!is_installed("ffmpeg"))
     throw GoalError(
         "movies are encoded by ffmpeg, which is not installed: install it (Debian: "

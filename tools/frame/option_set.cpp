@@ -74,7 +74,7 @@ Option& add(std::deque<Option>& options, const std::string& names, const std::st
 
 [[noreturn]] void throw_unknown(const std::string& token, const std::deque<Option>& options) {
   if (token.size() > 1 && (std::isdigit(static_cast<unsigned char>(token[1])) || token[1] == '.')) {
-    throw UsageError("unknown option '" + token + "'; if it is no option, write -- before it");
+    throw UsageError("unknown option '" + token + "'; write -- before it if it is a file name");
   }
   std::string word = token.substr(0, token.find('='));
   word.erase(0, word.find_first_not_of('-'));
@@ -85,7 +85,7 @@ Option& add(std::deque<Option>& options, const std::string& names, const std::st
   const std::string other = command_with(word);
   throw UsageError("unknown option '" + token + "'; " +
                    (is_near(word, nearest) ? "did you mean '--" + nearest + "'?"
-                    : other.empty()        ? "--help lists those that there are"
+                    : other.empty()        ? "list all options with --help"
                                            : "see " + other));
 }
 
@@ -121,7 +121,7 @@ Option& OptionSet::length(const std::string& names, LengthOrNone value, const st
   const auto read = [=](const std::string& text) {
     const Length length = parse_length(text);
     if (length.value >= 0 || may_be_negative) return length;
-    throw UsageError(quoted(text) + " is too small: a length of at least 0");
+    throw UsageError(quoted(text) + " is too small: a length must be at least 0");
   };
   return std::visit(
       [&](auto* variable) -> Option& {

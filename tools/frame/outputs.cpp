@@ -40,8 +40,8 @@ void Outputs::check_name() const {
   const auto check = [&](const std::vector<std::string>& known, const std::string& advice) {
     const std::string ending = unknown_ending(name(), known);
     if (!ending.empty())
-      throw UsageError("--output: '" + name() + "' ends in " + ending + ", which is not written; " +
-                       advice);
+      throw UsageError("--output: '" + name() + "' ends in " + ending +
+                       ", which cannot be written;  " + advice);
   };
   const OutputRules& rules = program_.output;
   if (rules.writes == Writes::picture)
@@ -59,7 +59,7 @@ void Outputs::check_files_of(const std::vector<std::string>& options) const {
   for (const std::string& option : options) {
     const std::string path = program_.options.find(option)->text();
     if (path == "-" && option != "output")
-      throw UsageError("--" + option + ": name a file, as standard output is the mesh's");
+      throw UsageError("--" + option + ": name a file, because standard output holds the mesh");
     if (path == "-" || (path.empty() && option != "output")) continue;
     check_writable(path);
     if (is_written_directly(end_of_links(path))) continue;
@@ -117,7 +117,7 @@ void Outputs::add_comments(Document& document) {
   std::vector<std::string>& comments = document.style.comments;
   if (const auto edge = inputs_.used_reference_edge()) set_reference_edge(comments, *edge);
   if (drop_bad_reference_edges(comments) > 0)
-    messages_.note("a tm:reference-edge comment that holds no positive length is dropped");
+    messages_.note("a tm:reference-edge comment without a positive length is dropped");
   if (!program_.common.no_provenance) add_provenance(comments, provenance(program_));
 }
 
@@ -139,7 +139,7 @@ void Outputs::stage_mesh() {
 
 void Outputs::write(const std::string& path, std::string bytes) {
   if (path == "-" && name() == "-" && !writes_nothing_)
-    throw UsageError("two outputs on standard output: name a file for one of them");
+    throw UsageError("two outputs would go to standard output: name a file for one of them");
   check_writable(path);
   further_files_.emplace_back(path, std::move(bytes));
 }
@@ -162,7 +162,7 @@ void Outputs::write_into(const std::string& folder, const std::string& name, std
 void Outputs::stage(const std::string& path, std::string bytes) {
   AtomicFile file(path, std::move(bytes));
   if (!file.is_direct() && !staged_places_.insert(file.place()).second)
-    throw UsageError("two outputs are called '" + file.target() + "': give each its own file");
+    throw UsageError("two outputs have the name '" + file.target() + "': give each its own file");
   staged_.push_back(std::move(file));
 }
 

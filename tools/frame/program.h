@@ -48,6 +48,7 @@ struct InputRules {
   Soups soups = Soups::kept;
   bool may_keep_polygons = false;        ///< the program has --keep-polygons
   bool keeps_bytes = false;              ///< the bytes of the mesh stay in memory (Inputs::bytes)
+  bool takes_tiles = false;              ///< the program cleans tiles of tm-tile
   bool are_cameras = false;              ///< the file contains cameras, no mesh or points
   std::function<bool()> is_absent = {};  ///< returns true if, with these options, nothing is read
 };

@@ -100,7 +100,7 @@ void set_child_group(pid_t group) { child_group = group; }
 
 void limit_time(const std::string& program, double seconds) {
   time_message =
-      program + ": stopped after " + shortest_text(seconds) + " s, as --max-time demands";
+      program + ": stopped after " + shortest_text(seconds) + " s, the limit of --max-time";
   messages = new Messages{{SIGALRM, time_message + "; nothing is written\n"}};
   struct sigaction action {};
   action.sa_handler = end_process;

@@ -57,8 +57,9 @@ void VelocityProcess::end_child() {
 void VelocityProcess::wait_until_ready() {
   pollfd waiting{socket_, POLLIN, 0};
   if (poll(&waiting, 1, most_milliseconds) == 1 && line() == "ready") return;
-  throw GoalError("'" + command_ +
-                  "' did not begin with the line 'ready', as a command that stays alive has to");
+  throw GoalError(
+      "'" + command_ +
+      "' did not begin with the line 'ready', which a command that stays alive must write");
 }
 
 void VelocityProcess::throw_ended() {

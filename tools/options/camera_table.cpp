@@ -119,7 +119,7 @@ CameraTable table_of(CameraList list, const std::vector<double>& center, std::si
   for (const CameraRecord& record : list.cameras) {
     if (record.unit != IntrinsicsUnit::pixel)
       throw InputError("the focal length of '" + record.name +
-                       "' is a fraction of the image's side (" + record.place +
+                       "' is given as a fraction of the image's side (" + record.place +
                        "): name the images");
     cameras.push_back(record.camera);
   }

@@ -17,15 +17,17 @@ void note_cleaning(const CleanResult& result, Run& run) {
   note_dropped_lists(result.dropped_columns, run);
   note_dropped_sources(result.dropped_source_points, source_of_step, run);
   if (result.is_whole)
-    run.note("rounding makes faces intersect in the box: the whole mesh was cleaned to mend that");
+    run.note(
+        "rounding makes faces intersect in the box: the whole mesh was cleaned to remove these "
+        "intersections");
   if (result.merge_refused > 0)
     run.note(counted(result.merge_refused, "flat region") +
              (result.merge_refused == 1 ? " keeps its faces" : " keep their faces") +
-             ": covered with fewer, they would intersect others or fold");
+             ": with fewer faces, it would intersect other faces or fold over");
   if (result.separation_refused > 0)
     run.note(counted(result.separation_refused, "vertex") +
              (result.separation_refused == 1 ? " stays" : " stay") +
-             " in the place of another: on a border, or faces would intersect");
+             " at the position of another: on a border, or because faces would intersect");
   if (result.decided_by_number > 0 && result.least_margin < small_margin)
     run.note("generalized winding numbers decided " + counted(result.decided_by_number, "part") +
              " of the open mesh, one of them by a margin of only " +

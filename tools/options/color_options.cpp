@@ -71,7 +71,9 @@ void declare_texture(Program& program, ColorChoices& choices) {
 void check_texture(const ColorChoices& choices, const Run& run) {
   if (!choices.has_texture) return;
   if (run.out().name() == "-")
-    throw UsageError("--texture needs -o NAME.obj, NAME.glb or NAME.ply: the picture is beside it");
+    throw UsageError(
+        "--texture needs -o NAME.obj, NAME.glb or NAME.ply, because the picture is written beside "
+        "the mesh");
   switch (const Format format = output_format(run); format) {
     case Format::off:
     case Format::stl_ascii:

@@ -26,10 +26,11 @@ std::string section_file(const CutChoices& c, const Mesh& mesh, const CutPlane& 
 
 void check_cut(const CutChoices& c, bool is_inverted) {
   if (c.plane.empty() && (c.cap || !c.section.empty()))
-    throw UsageError("--cap and --section are of a cut: name its plane with --plane A,B,C,D");
+    throw UsageError("--cap and --section need a cut: give its plane with --plane A,B,C,D");
   if (!c.plane.empty() && is_inverted)
     throw UsageError(
-        "--invert keeps other faces; for the other side of --plane negate its numbers");
+        "--invert cannot be combined with --plane: to keep the other side, negate the numbers of "
+        "the plane");
 }
 
 void cut_document(Document& document, const CutChoices& c, Run& run) {
@@ -40,7 +41,7 @@ void cut_document(Document& document, const CutChoices& c, Run& run) {
   if (c.cap) {
     cut_closed(document.mesh, plane, document.style.coordinate, run.progress());
   } else if (cut_open(document.mesh, plane)) {
-    run.note("the cut leaves a border; --cap closes it");
+    run.note("the cut leaves a border; close it with --cap");
   }
   if (corner_lists(document.mesh).empty()) note_dropped_lists(lists, run);
 }

@@ -19,7 +19,7 @@ struct EvolveChoices {
   DisplaceOptions displace;
   IterationOptions iteration;
   bool curved = false;
-  std::optional<Length> min_film, pinch;
+  std::optional<Length> adaptive, min_film, pinch;
   TimeChoices time;
   LoopChoices loop;
 

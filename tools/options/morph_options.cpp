@@ -87,7 +87,7 @@ void check_morph(const MorphChoices& choices, const Run& run) {
       throw UsageError("--sequence needs a source and the meshes to follow: SOURCE FRAME...");
     return;
   }
-  if (choices.target.empty()) throw UsageError("--target FILE is needed: what to move towards");
+  if (choices.target.empty()) throw UsageError("the target is missing: give --target FILE");
   if (choices.target == "-")
     throw UsageError("--target: name a file: standard input is for the source");
   if (inputs.size() > 1)
@@ -108,7 +108,7 @@ MorphOptions morphing_of(const MorphChoices& choices, Run& run) {
 std::string pipeline_of(const MorphChoices& choices, const Run& run) {
   if (choices.options.scales > 1 || choices.sequence) {
     throw UsageError(
-        "--print-pipeline is for a loop whose steps are known beforehand: leave out --scales and "
+        "--print-pipeline needs a loop whose steps are known in advance: leave out --scales and "
         "--sequence");
   }
   const std::string output = run.out().name() == "-" ? "evolved.ply" : run.out().name();

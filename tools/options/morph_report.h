@@ -47,7 +47,7 @@ inline void report_morph(const MorphResult& result, Run& run) {
   if (result.left_out > 0)
     run.note(counted(result.left_out, "component") + " of the target " +
              (result.left_out == 1 ? "bounds a cavity" : "bound cavities") +
-             " or floats in one, and is no goal: a surface that evolves keeps no cavity");
+             " or floats in one, and is ignored: an evolving surface cannot keep a cavity");
 }
 
 inline void report_tracking(const TrackResult& result, const Mesh& mesh, Run& run) {

@@ -73,7 +73,7 @@ PhotoScene read_scene(const PhotoOptions& options, Run& run) {
   if (!(pairs.minimum_angle_deg < pairs.maximum_angle_deg)) {
     throw UsageError("--min-angle " + shortest_text(pairs.minimum_angle_deg) +
                      " is not below --max-angle " + shortest_text(pairs.maximum_angle_deg) +
-                     ": no angle is between them");
+                     ": no angle lies between them");
   }
   pairs.neighbors = static_cast<std::size_t>(options.neighbors);
   ViewSources sources = options.sources;

@@ -132,7 +132,8 @@ WindowRadii windows_of(const std::string& text) {
 void refuse_standard_input(const ReconstructChoices& choices) {
   const auto refuse = [](const std::string& option, const std::string& place) {
     if (place == "-")
-      throw UsageError("--" + option + ": name a file: standard input is read once only");
+      throw UsageError("--" + option +
+                       ": name a file, because standard input can be read only once");
   };
   refuse("cameras", choices.sources.cameras);
   refuse("images", choices.sources.images);
@@ -143,7 +144,7 @@ void refuse_standard_input(const ReconstructChoices& choices) {
 
 void check_sequence(const ReconstructChoices& choices, const Run& run) {
   if (choices.is_colored || choices.color.has_texture)
-    throw UsageError("a --sequence is not colored: give each of its surfaces to tm-color");
+    throw UsageError("a --sequence cannot be colored: run tm-color on each of its surfaces");
   if (run.out().name() == "-")
     throw UsageError("--sequence needs -o FOLDER or --run FOLDER: where to write the surfaces");
   const auto check_place = [](const char* option, const std::string& place) {
@@ -186,7 +187,7 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   initial.opens_hollows = choices.hollows == "auto";
   if (choices.silhouettes_show == "least") initial.meaning = SilhouetteMeaning::least;
   if (!choices.threshold.empty())
-    initial.threshold = {.intensity = threshold_intensity(choices.threshold)};
+    initial.threshold = ThresholdOptions{.intensity = threshold_intensity(choices.threshold)};
   if (choices.keep != "auto") initial.keep = hull_share(choices.keep);
   initial.least_agreement = choices.check.least_agreement;
   options.scales.coarsest = number_or_auto("coarsest", choices.coarsest, 1);

@@ -25,7 +25,7 @@ double edge_length(std::optional<Length>& length, double default_value, const ch
 void take_one_edge(RemeshChoices& choices) {
   if (!choices.edge) return;
   if (choices.min_edge || choices.max_edge || choices.adaptive)
-    throw UsageError("--edge sets --min-edge and --max-edge: give either one or the others");
+    throw UsageError("--edge sets --min-edge and --max-edge: give either --edge or these");
   choices.min_edge = Length{0.7 * choices.edge->value, choices.edge->unit};
   choices.max_edge = Length{1.5 * choices.edge->value, choices.edge->unit};
 }

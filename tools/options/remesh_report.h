@@ -32,12 +32,16 @@ inline void note_slivers(const RemeshResult& result, Run& run) {
       ": removing such thin faces would make the surface intersect itself or change its topology");
 }
 
-inline void note_error(const DecimateResult& result, const DecimateOptions& options, Run& run) {
-  if (!options.error || options.faces == 0) return;
+inline void note_decimation(const DecimateResult& result, const DecimateOptions& options,
+                            Run& run) {
+  if (options.faces == 0) return;
+  if (!options.error && result.merged_faces > 0)
+    run.note("collapses alone left more than " + std::to_string(options.faces) +
+             " faces, so flat faces were merged first, which moves them by rounding errors");
   if (result.merged_faces > 0 && result.faces + 1 < options.faces)
     run.note(counted(result.faces, "face") + " left, fewer than the " +
              std::to_string(options.faces) + " wanted, as flat faces were merged");
-  if (result.faces <= options.faces) return;
+  if (!options.error || result.faces <= options.faces) return;
   run.note(counted(result.faces, "face") + " left, more than the " + std::to_string(options.faces) +
            " wanted: further collapses would exceed the error, change the topology or make the "
            "surface touch itself; a larger --error leaves fewer");

@@ -76,7 +76,8 @@ bool draws_lines(const Run& run) {
     for (const char* name : {"color", "color-by", "range", "highlight", "background",
                              "ambient-occlusion", "soft-shadow"})
       if (option.is_given && option.name() == name)
-        throw UsageError("--" + option.name() + ": an SVG holds lines alone; write a .png for it");
+        throw UsageError("--" + option.name() +
+                         ": an SVG file can hold only lines: write a .png file instead");
   return true;
 }
 

@@ -69,14 +69,14 @@ std::string joined(const std::vector<std::string>& commands, const std::string& 
   return text;
 }
 
-/// Notes a large loss of volume. `volume` is the volume before the step.
+/// Notes a large loss of volume. `volume` is the volume before the step. An open mesh, or one that
+/// is inside out, has none to lose.
 void note_volume_loss(const RepairStep& step, double volume, const Run& run) {
-  if (!(-step.volume_change > large_share * std::abs(volume))) return;
+  if (!(volume > 0 && -step.volume_change > large_share * volume)) return;
   const bool cleans = std::holds_alternative<CleanOptions>(step.operation);
-  run.note(command_of(step) + " takes away " +
-           significant(-100 * step.volume_change / std::abs(volume), 2) + " % of the volume" +
-           (cleans ? ", in which overlaps counted once for each part" : "") + ", around " +
-           rough_point_text(step.lost_share > 0 ? step.lost_place : step.place));
+  run.note(command_of(step) + " removes " + significant(-100 * step.volume_change / volume, 2) +
+           " % of the volume" + (cleans ? ", which counted overlaps once for each part" : "") +
+           ", around " + rough_point_text(step.lost_share > 0 ? step.lost_place : step.place));
 }
 
 }  // namespace

@@ -13,6 +13,18 @@
 namespace transformesh::tool {
 namespace {
 
+/// Distance of bodies that rest at each other. A body of one unit of edges that rests on another
+/// one leaves a millionth of its volume free. Much smaller distances would be below the spacing of
+/// coordinates far from the origin, where changes near the contact could not be tested.
+constexpr Length resting{1e-6, Length::Unit::reference_edge};
+
+Length gap_of(const std::string& contact) {
+  constexpr std::string_view gap = "gap:";
+  if (contact == "stop") return resting;
+  if (contact.starts_with(gap)) return parse_length(contact.substr(gap.size()));
+  throw UsageError("--contact: '" + contact + "' is neither gap:LENGTH nor stop");
+}
+
 /// Parses --time-step, which is a factor without --time, and a span with it.
 double number_of(const std::string& text) {
   const auto number = number_in<double>(text);
@@ -75,7 +87,9 @@ void declare_time(Program& program, TimeChoices& choices) {
                "restore the volume that cleaning and remeshing change");
   options.text("bodies", &choices.options.bodies, "COLUMN",
                "face property that numbers bodies, which move and change apart and never meet");
-  options.length("gap", &choices.gap, "with --bodies: least distance of two bodies");
+  options.text("contact", &choices.contact, "gap:LENGTH|stop",
+               "with --bodies: bodies keep this distance (default gap:0.05x), or come to rest at "
+               "each other");
 }
 
 std::initializer_list<const char*> time_option_names() {
@@ -84,13 +98,15 @@ std::initializer_list<const char*> time_option_names() {
       "grid",        "grid-step",
 
       "velocity",    "persistent", "integrator", "max-move", "tolerance", "event-tolerance",
-      "keep-volume", "bodies",     "gap"};
+      "keep-volume", "bodies",     "contact"};
   return names;
 }
 
 void check_time(const TimeChoices& choices) {
   if (choices.velocity.empty() == choices.flow.empty())
     throw UsageError("with --time, give either --flow NAME or --velocity COMMAND");
+  if (choices.options.bodies.empty() && choices.contact != TimeChoices().contact)
+    throw UsageError("--contact is for several bodies: name their face property with --bodies");
 }
 
 double time_factor(const TimeChoices& choices) {
@@ -108,7 +124,7 @@ TimeOptions time_options_of(const TimeChoices& choices, Run& run) {
   }
   if (choices.integrator != "midpoint")
     options.integrator = choices.integrator == "rk4" ? Integrator::rk4 : Integrator::euler;
-  options.gap = run.length(choices.gap);
+  if (!options.bodies.empty()) options.gap = run.length(gap_of(choices.contact));
   if (choices.tolerance) options.tolerance = run.length(*choices.tolerance);
   return options;
 }

@@ -21,7 +21,7 @@ struct TimeChoices {
   std::string integrator = "midpoint";
   TimeOptions options;
   std::optional<Length> tolerance;
-  Length gap{0.05, Length::Unit::reference_edge};
+  std::string contact = "gap:0.05x";
 };
 
 void declare_time(Program& program, TimeChoices& choices);

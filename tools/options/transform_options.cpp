@@ -66,7 +66,7 @@ void take_files(Option& matrix, TransformChoices& choices) {
 /// InputError if the mesh states no unit and --from is not given.
 Matrix4 change_of_unit(const TransformChoices& c, const Document& document) {
   const Unit* from = c.from.empty() ? unit_of(document) : find_unit(c.from);
-  if (from == nullptr) throw InputError("the mesh states no unit: name it with --from");
+  if (from == nullptr) throw InputError("the mesh does not state its unit: give it with --from");
   return scaling_by(Vec3::Constant(from->millimeters / find_unit(c.to)->millimeters));
 }
 

@@ -27,11 +27,11 @@ void note_doubts(const RegistrationResult& result, tool::Run& run) {
              " iterations; allow more with --iterations");
   if (result.overlap < low_overlap)
     run.note("only " + significant(100 * result.overlap, 2) +
-             " % of the mesh lie on the reference: the place may be wrong; turn the mesh nearer to "
-             "it with tm-transform, then align it again");
+             " % of the mesh lie on the reference: the alignment may be wrong; turn the mesh "
+             "closer to the reference with tm-transform, then align it again");
   if (result.stability < low_stability)
     run.note(
-        "the surfaces slide on each other, as a ball turns in its socket: that part of the "
+        "the surfaces can slide along each other, like a ball in its socket: that part of the "
         "motion is arbitrary");
 }
 

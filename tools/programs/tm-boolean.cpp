@@ -51,7 +51,8 @@ void run_script(const Choices& choices, tool::Run& run) {
 
 void combine(Choices& choices, tool::Run& run) {
   if ((choices.inside || choices.options.cap) && run.program().word != cut_command())
-    throw UsageError(std::string(choices.inside ? "--inside" : "--cap") + " is of cut alone");
+    throw UsageError(std::string(choices.inside ? "--inside" : "--cap") +
+                     " can be used only with cut");
   choices.options.merge_flat = !choices.no_merge_flat;
   if (run.program().common.as_float) choices.options.coordinate = Scalar::float32;
   choices.script.empty() ? combine_inputs(choices, run) : run_script(choices, run);

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
                         "Removes self-intersections: the boundary of winding number >= 1"};
   program.output.is_clean = true;
   program.input.soups = tool::Soups::own;
+  program.input.takes_tiles = true;
   tool::declare_cleaning(program, choices);
   program.example = "tm-clean self-intersecting.ply > clean.ply";
   return program.run(argc, argv,

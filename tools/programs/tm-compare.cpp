@@ -33,7 +33,7 @@ Mesh read_reference(const Options& options, tool::Run& run) {
   std::vector<Document>& documents = run.in().documents();
   const std::size_t most = options.reference.empty() ? 2 : 1;
   if (documents.size() > most)
-    throw UsageError("one mesh and one reference are compared, but '" + run.in().names()[most] +
+    throw UsageError("one mesh is compared with one reference, but '" + run.in().names()[most] +
                      "' is one more");
   if (!options.reference.empty()) return run.in().read(options.reference).mesh;
   if (documents.size() == 2) return std::move(documents[1].mesh);
@@ -42,7 +42,7 @@ Mesh read_reference(const Options& options, tool::Run& run) {
 
 void compare_with_reference(const Options& options, tool::Run& run) {
   if (options.is_signed && options.per_vertex.empty())
-    throw UsageError("--signed is for the distances that --per-vertex writes");
+    throw UsageError("--signed needs --per-vertex, which writes the distances");
   const Mesh reference = read_reference(options, run);
   run.in().set_basis(diagonal_of(bounding_box(reference)));
   CompareOptions library_options;

@@ -27,13 +27,14 @@ std::string described(const std::vector<OpenHole>& holes, const Mesh& mesh, cons
 
 void note_open(const FillResult& result, const Mesh& mesh, tool::Run& run) {
   if (!result.crossing.empty())
-    run.note(described(result.crossing, mesh, "as every patch would intersect the mesh") +
-             "; close these holes with --allow-crossings, for tm-clean");
+    run.note(described(result.crossing, mesh, "because every patch would intersect the mesh") +
+             "; close these holes with --allow-crossings, then run tm-clean");
   if (!result.flat.empty())
-    run.note(described(result.flat, mesh,
-                       "as every patch would have a face without area, or an edge that has two "
-                       "faces already") +
-             "; tm-clean closes slits");
+    run.note(
+        described(result.flat, mesh,
+                  "because every patch would have a face without area, or an edge that has two "
+                  "faces already") +
+        "; close slits with tm-clean");
   if (!result.too_large.empty()) run.note(described(result.too_large, mesh, "beyond the limits"));
 }
 

@@ -20,7 +20,7 @@ void add_velocities(const Choices& choices, tool::Run& run) {
                                              {choices.time, choices.span}, run.progress());
   run.report(entries_of(speeds));
   if (choices.span > 0 && !flow.motion.displacement)
-    run.note("the flow has no steps of its own: --span makes no difference");
+    run.note("the flow is not computed in steps: --span has no effect");
   tool::note_flow(flow, run);
 }
 

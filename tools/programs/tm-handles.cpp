@@ -29,10 +29,10 @@ void handle_document(Document& document, const Choices& choices, tool::Run& run)
   run.report("genus", connected_components(document.mesh).genus());
   if (result.refused > 0)
     run.note("no patches fit along " + counted(result.refused, "loop") +
-             ", where handles stay: tm-remesh, and then tm-handles again, may remove them");
+             ", where handles stay: run tm-remesh, then tm-handles again, which may remove them");
   if (result.blocked > 0)
     run.note("handles stay along " + counted(result.blocked, "loop") +
-             ", as slitting there would open a cavity or join parts that are apart");
+             ", because cutting there would open a cavity or join separate parts");
 }
 
 }  // namespace

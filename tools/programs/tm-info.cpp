@@ -16,8 +16,8 @@ void check_size(const std::string& key, const Value& value, const std::string& o
   const auto* size = std::get_if<double>(&value);
   if (size == nullptr || std::isfinite(*size) || !(only.empty() || only == key)) return;
   throw InputError("the " + key +
-                   " of the mesh is beyond what a number can hold: scale the mesh down, or ask "
-                   "for something else with --get");
+                   " of the mesh is beyond the range of double precision: scale the mesh down, or "
+                   "ask for another value with --get");
 }
 
 // Writes the mesh with the mean curvature of each vertex.

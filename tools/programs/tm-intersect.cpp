@@ -35,7 +35,7 @@ void count_per_face(Mesh& mesh, const std::vector<FacePair>& pairs) {
 
 void check_together(const Options& options) {
   if (options.any && (options.refine || !options.pairs.empty() || !options.segments.empty()))
-    throw UsageError("--any ends with the first pair: it goes with --check alone");
+    throw UsageError("--any, which stops at the first pair, needs --check");
 }
 
 void intersect(Document& document, const Options& options, tool::Run& run) {

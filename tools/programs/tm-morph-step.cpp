@@ -58,7 +58,7 @@ void step(Document& document, Options options, tool::Run& run) {
   run.report(entries_of(result));
   tool::note_new_normals(result.displaced.new_normals, run);
   note_clamped(result.displaced, options.step.displace.alpha,
-               "far from the target that is meant, and more steps get there", run);
+               "far from the target this is intended; use more steps to reach it", run);
 }
 
 }  // namespace

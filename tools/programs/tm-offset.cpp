@@ -20,7 +20,7 @@ struct Choices {
 void note_missed(const OffsetResult& result, tool::Run& run) {
   run.note("the surface did not converge: it is " + significant(result.deviation.missed, 3) +
            " from the offset at " + point_text(result.deviation.missed_at) +
-           ", as parts thinner than an edge are lost; shorter edges come nearer: --edge " +
+           ", because parts thinner than an edge are lost; use shorter edges: --edge " +
            significant(result.edge / 2, 3));
 }
 
@@ -39,8 +39,9 @@ void offset_document(Document& document, Choices& choices, tool::Run& run) {
   run.report(entries_of(result));
   if (result.has_missed) note_missed(result, run);
   if (!result.has_arrived)
-    run.note("the limit of iterations came first: the surface is " +
-             significant(result.deviation.rms, 3) + " from the offset on average; --iterations");
+    run.note("the surface has not converged after the last iteration: it is " +
+             significant(result.deviation.rms, 3) +
+             " from the offset on average; allow more with --iterations");
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ void step(Document& document, const tool::PhotoOptions& options, tool::Run& run)
   const bool has_time_step = steps.step.rule == PhotoStepRule::gradient;
   tool::note_clamped(result.last.displaced, steps.step.alpha,
                      has_time_step ? "use a smaller --time-step, or a larger --alpha"
-                                   : "more steps get there, or a larger --alpha",
+                                   : "use more steps, or a larger --alpha",
                      run);
 }
 

@@ -21,10 +21,11 @@ StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices,
   const std::size_t before = document.mesh.faces.size();
   if (before < options.faces)
     run.note("the mesh has " + std::to_string(before) + " faces, which are not more than " +
-             std::to_string(options.faces) + ": it stays as it is; --max-edge makes more");
+             std::to_string(options.faces) +
+             ": the mesh stays as it is; make more with --max-edge");
   const DecimateResult result = decimate(document.mesh, options, run.progress());
   run.report(entries_of(result));
-  tool::note_error(result, options, run);
+  tool::note_decimation(result, options, run);
   choices.keep_out.note_near(result.near_keep_out, run);
   return result.columns;
 }
@@ -55,7 +56,7 @@ void note_reference_edge(const tool::RemeshChoices& choices, const Document& doc
   if (reference <= most_apart * mean && mean <= most_apart * reference) return;
   run.note("edges become " + significant(reference, 3) +
            " long, as the comment tm:reference-edge " + "says, though their mean is " +
-           significant(mean, 3) + " now; --reference-edge auto measures it anew");
+           significant(mean, 3) + " now; measure it again with --reference-edge auto");
 }
 
 StaleColumns remesh_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {

@@ -25,7 +25,7 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   if (nearest != shape.kind) {
     throw UsageError("unknown kind of shape '" + shape.kind +
                      (is_near(shape.kind, nearest) ? "'; did you mean '" + nearest + "'?"
-                                                   : "'; --help lists those that there are"));
+                                                   : "'; list all kinds with --help"));
   }
   shape.parameters.assign(words.begin() + 1, words.end());
   shape.faces = options.faces;
@@ -34,8 +34,7 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   shape.center = {options.center[0], options.center[1], options.center[2]};
   if (!options.around.empty()) shape.around = bounding_box(run.in().read(options.around).mesh);
   if ((shape.kind == "hull") == options.of.empty())
-    throw UsageError(
-        "hull and --of FILE go together: the convex hull of that mesh or these points");
+    throw UsageError("hull and --of FILE need each other: FILE holds the mesh or the points");
   if (!options.of.empty()) shape.points = run.in().read(options.of).mesh.positions;
   return shape;
 }

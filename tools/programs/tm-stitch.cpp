@@ -12,9 +12,10 @@ void stitch_document(Document& document, StitchOptions options, const Length& to
   const StitchResult result = stitch(document.mesh, options);
   if (result.misoriented_edges > 0) {
     run.note(result.misorientation +
-             (result.can_be_oriented ? ": they stay apart; --orient turns faces to agree"
-                                     : ", however faces are turned: they stay apart, with borders "
-                                       "there, which tm-fill --allow-crossings closes"));
+             (result.can_be_oriented
+                  ? ": they stay apart; orient them with --orient"
+                  : ", however faces are reversed: they stay apart, with borders there; close "
+                    "these with tm-fill --allow-crossings"));
   }
   tool::note_new_normals(result.new_normals, run);
   run.report(entries_of(result));
@@ -33,7 +34,7 @@ int main(int argc, char** argv) {
   program.options.flag("orient", &options.orient,
                        "turn faces so that neighbors agree; closed components then look outwards");
   program.options.flag("drop-copies", &options.drop_copies,
-                       "keep one of faces that lie upon each other and look the same way");
+                       "keep one of coincident faces with the same orientation");
   program.options.flag(
       "one-side", &options.one_side,
       "of a double-sided model: drop faces whose reverse is there, turn faces so that "

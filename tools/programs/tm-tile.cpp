@@ -13,7 +13,7 @@ using namespace transformesh;
 
 void split(const std::string& path, std::optional<long> tiles, tool::Run& run) {
   const std::string& folder = run.out().name();
-  if (!tiles) throw UsageError("--tiles N is needed to split: the number of tiles");
+  if (!tiles) throw UsageError("the number of tiles is missing: give it with --tiles N");
   if (folder == "-") throw UsageError("tiles are files in a folder: name it with -o");
   const PlyRows rows(path);
   SplitResult result = split_tiles(rows, static_cast<std::size_t>(*tiles), folder, run.progress());
@@ -45,7 +45,7 @@ void split_or_join(std::optional<long> tiles, tool::Run& run) {
   tool::check_command(run.program(), words);
   if (words.size() != 2)
     throw UsageError("one " + std::string(words[0] == "split" ? "mesh" : "folder") +
-                     " is needed behind '" + words[0] + "'");
+                     " is needed after '" + words[0] + "'");
   run.out().write_nothing();
   words[0] == "split" ? split(words[1], tiles, run) : join(words[1], run);
 }

@@ -48,7 +48,7 @@ void serve(const Options& options, const tool::PageServer::Site& site) {
 
 void show(const Options& options, tool::Run& run) {
   if (options.is_served && run.out().name() != "-")
-    throw UsageError("give either --serve or --output, not both: what is served is no file");
+    throw UsageError("give either --serve or --output, not both");
   const std::string viewer = tool::read_viewer();
   Page page;
   page.version = run.program().name + ' ' + tool::Run::version();

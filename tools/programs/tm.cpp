@@ -40,9 +40,8 @@ std::string page_named(const std::string& word) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return name;
   const std::string nearest = nearest_name("tm-" + word, names);
   const bool is_meant = is_near(word, nearest.starts_with("tm-") ? nearest.substr(3) : nearest);
-  throw UsageError(
-      "there is no program '" + word + "'; " +
-      (is_meant ? "did you mean '" + nearest + "'?" : "tm lists those that there are"));
+  throw UsageError("there is no program '" + word + "'; " +
+                   (is_meant ? "did you mean '" + nearest + "'?" : "list all programs with tm"));
 }
 
 /// Replaces this process by the first of the commands that is installed.

@@ -11,6 +11,10 @@ const shownAtFirst = [
   /^mean_edge$/, /^seconds$/,
 ];
 
+// Titles of columns whose names do not say what they count.
+const titles = new Map([['pairs', 'pairs of intersecting faces']]);
+const titleOf = (name) => titles.get(name) ?? name.replaceAll('_', ' ');
+
 function svg(name, attributes = {}) {
   const element = document.createElementNS('http://www.w3.org/2000/svg', name);
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
@@ -29,7 +33,7 @@ class Chart {
     this.element = document.createElement('figure');
     this.caption = document.createElement('figcaption');
     this.title = document.createElement('span');
-    this.title.textContent = name.replaceAll('_', ' ');
+    this.title.textContent = titleOf(name);
     this.value = document.createElement('span');
     this.value.className = 'value';
     this.caption.append(this.title, this.value);
@@ -43,7 +47,10 @@ class Chart {
     // The mark is in a layer above the curves, so that these are not painted again when it moves.
     this.over = document.createElement('div');
     this.over.className = 'over';
-    plot.append(this.high, this.low, this.svg, this.over);
+    this.axis = ['span', 'span'].map((name) => document.createElement(name));
+    const axis = Object.assign(document.createElement('div'), {className: 'axis'});
+    axis.append(...this.axis);
+    plot.append(this.high, this.low, this.svg, this.over, axis);
     this.element.append(this.caption, plot);
     this.#follow(this.svg);
   }
@@ -63,15 +70,18 @@ class Chart {
     });
   }
 
-  // Draws the curves. `series` has x, y, events and the number of the color for each run.
-  set(series, first, last) {
+  // Draws the curves from time `first` to time `last`. `series` has x, y, events and the number of the
+  // color for each run; `counts` is what time counts, such as iterations.
+  set(series, first, last, counts) {
     Object.assign(this, {series, first, last});
+    this.axis[0].textContent = `${counts} ${short(first)}`;
+    this.axis[1].textContent = short(last);
     const [low, high] = endsOf(series);
     this.isLogarithmic = low > 0 && high / low > 200;
     this.ends = this.isLogarithmic ? [Math.log(low), Math.log(high)] : [low, high];
     this.high.textContent = high > low ? short(high) : '';
     this.low.textContent = short(low);
-    this.title.textContent = this.name.replaceAll('_', ' ') + (this.isLogarithmic ? ' (log)' : '');
+    this.title.textContent = titleOf(this.name) + (this.isLogarithmic ? ' (log)' : '');
     this.low.className = high > low ? 'low' : 'only';
     this.svg.replaceChildren();
     for (const end of [box.top, box.bottom])
@@ -165,7 +175,7 @@ export class Charts {
       this.#show(name, checkbox.checked);
       this.setTime(this.time);
     });
-    label.append(checkbox, name.replaceAll('_', ' '));
+    label.append(checkbox, titleOf(name));
     this.columns.append(label);
     this.boxes.set(name, checkbox);
   }
@@ -181,7 +191,7 @@ export class Charts {
     if (series.length === 0) return;
     if (!this.charts.has(name)) this.charts.set(name, new Chart(name, this.onTime));
     const chart = this.charts.get(name);
-    chart.set(series, this.first, this.last);
+    chart.set(series, this.first, this.last, this.logs[0].counts ?? 'frame');
     // Charts have the order of the check boxes, not that in which they were added.
     const order = [...this.boxes.keys()];
     const after = order.slice(order.indexOf(name) + 1).map((one) => this.charts.get(one)).find(Boolean);

@@ -3,40 +3,21 @@
 
 import {BufferAttribute, BufferGeometry} from 'three';
 import {lightOfChannels} from './colors.js';
-
-// Returns area-weighted vertex normals. The function of three.js gives the same and takes ten times as
-// long.
-function normalsOf({indices, positions}) {
-  const normals = new Float32Array(positions.length);
-  for (let i = 0; i < indices.length; i += 3) {
-    const a = 3 * indices[i], b = 3 * indices[i + 1], c = 3 * indices[i + 2];
-    const ux = positions[b] - positions[a], vx = positions[c] - positions[a];
-    const uy = positions[b + 1] - positions[a + 1], vy = positions[c + 1] - positions[a + 1];
-    const uz = positions[b + 2] - positions[a + 2], vz = positions[c + 2] - positions[a + 2];
-    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-    for (const corner of [a, b, c]) {
-      normals[corner] += x;
-      normals[corner + 1] += y;
-      normals[corner + 2] += z;
-    }
-  }
-  for (let i = 0; i < normals.length; i += 3) {
-    const length = Math.hypot(normals[i], normals[i + 1], normals[i + 2]) || 1;
-    normals[i] /= length;
-    normals[i + 1] /= length;
-    normals[i + 2] /= length;
-  }
-  return normals;
-}
+import {withCopies, withCreases} from './creases.js';
 
 export function geometryOf(mesh) {
   if (mesh.geometry) return mesh.geometry;
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
   if (mesh.faces > 0) {
-    const indices = mesh.vertices <= 65535 ? new Uint16Array(mesh.indices) : mesh.indices;
-    geometry.setIndex(new BufferAttribute(indices, 1));
-    geometry.setAttribute('normal', new BufferAttribute(normalsOf(mesh), 3));
+    const {positions, normals, indices, sources} = withCreases(mesh);
+    const isSmall = positions.length <= 3 * 65535;
+    geometry.setIndex(new BufferAttribute(isSmall ? new Uint16Array(indices) : indices, 1));
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+    geometry.userData.sources = sources;
+  } else {
+    geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+    geometry.userData.sources = [];
   }
   mesh.geometry = geometry;
   return geometry;
@@ -75,7 +56,7 @@ export function coloredGeometry(mesh, name, scale, colors) {
   const key = column.channels ? name : `${name} ${scale.low} ${scale.high}`;
   if (geometry.userData.colors !== key) {
     const light = column.channels ? lightOfChannels(column.channels) : colors.light(column.values, scale);
-    setColors(geometry, isOfFaces ? repeated(light) : light, key);
+    setColors(geometry, isOfFaces ? repeated(light) : withCopies(light, geometry.userData.sources), key);
   }
   return {geometry, isColored: true};
 }

@@ -37,7 +37,7 @@ class Viewer {
     this.#setTexts();
     this.#setColumns();
     $('slider').max = this.times.length - 1;
-    $('time').hidden = this.times.length < 2;
+    $('time').hidden = $('keys-of-time').hidden = this.times.length < 2;
     $('ghost-label').hidden = !page.runs.some((run) => run.targets.length > 0);
     const logs = page.runs.map((run) => parseLog(run.log));
     const ends = [this.times[0], this.times.at(-1), ...logs.flatMap((log) => log.columns.get(log.counts) ?? [])];
@@ -115,6 +115,9 @@ class Viewer {
     const name = stepNames.get(time);
     const label = shown.length === 1 && shown[0].label !== '' ? shown[0].label : `${counts ?? 'frame'} ${time}${name ? ` · ${name}` : ''}`;
     $('now').textContent = label;
+    // The slider keeps its length while the label changes.
+    this.widest = Math.max(this.widest ?? 0, label.length);
+    $('now').style.minWidth = `${this.widest}ch`;
     const faces = shown.map((mesh) => (mesh.faces > 0 ? `${short(mesh.faces)} faces` : `${short(mesh.vertices)} points`));
     $('slider').setAttribute('aria-valuetext', `${label}, ${faces.join(', ')}`);
     $('stage').setAttribute('aria-label', `Meshes in 3D: ${label}, ${faces.join(', ')}`);
@@ -128,6 +131,7 @@ class Viewer {
     this.waiting = {shown, place};
     if (this.isUnpacking) return;
     this.isUnpacking = true;
+    $('stage').setAttribute('aria-busy', 'true');
     while (this.waiting) {
       const now = this.waiting;
       this.waiting = undefined;
@@ -138,6 +142,7 @@ class Viewer {
       }
     }
     this.isUnpacking = false;
+    $('stage').setAttribute('aria-busy', 'false');
     this.#prepareNext();
   }
 
@@ -171,6 +176,7 @@ class Viewer {
     $('legend-name').textContent = this.colorBy.replaceAll('_', ' ');
     $('legend-low').textContent = short(scale.low);
     $('legend-high').textContent = short(scale.high);
+    $('legend-bar').hidden = $('legend-high').hidden = scale.low === scale.high;
     $('legend-bar').style.background = this.colors.gradient(scale);
   }
 

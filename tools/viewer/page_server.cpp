@@ -33,7 +33,7 @@ constexpr std::chrono::seconds patience{10};
 std::string random_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw_not_served("as there are no random numbers");
+    throw_not_served("because there are no random numbers");
   std::string token;
   for (const unsigned char byte : bytes) {
     constexpr std::string_view digits = "0123456789abcdef";
@@ -47,7 +47,7 @@ sockaddr* general(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&ad
 
 int listener_on(int port, int& bound) {
   const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (listener < 0) throw_not_served("as there is no socket");
+  if (listener < 0) throw_not_served("because there is no socket");
   const int yes = 1;
   setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   sockaddr_in address{};
@@ -90,6 +90,12 @@ std::string header_of(const std::string& request, const std::string& name) {
   std::size_t begin = found + name.size() + 3;
   while (begin < request.size() && request[begin] == ' ') ++begin;
   return request.substr(begin, request.find('\r', begin) - begin);
+}
+
+/// True if the value of a Host header names this machine. The port may be that of a tunnel.
+bool is_loopback(const std::string& host) {
+  const std::string name = lower(host.substr(0, host.rfind(':')));
+  return name == "127.0.0.1" || name == "localhost";
 }
 
 }  // namespace
@@ -141,8 +147,7 @@ std::string PageServer::answer(const std::string& request, const Site& site) con
   const std::string method = line.substr(0, first);
   if (method != "GET" && method != "HEAD") return refusal("405 Method Not Allowed");
   // Prevents DNS rebinding: a foreign page may have had its host name resolved to this machine.
-  const std::string host = header_of(request, "host"), port = ':' + std::to_string(port_);
-  if (host != "127.0.0.1" + port && host != "localhost" + port) return refusal("403 Forbidden");
+  if (!is_loopback(header_of(request, "host"))) return refusal("403 Forbidden");
   const std::string path = line.substr(first + 1, last - first - 1), prefix = '/' + token_ + '/';
   if (!path.starts_with(prefix)) return refusal("404 Not Found");
   const std::optional<Answer> found = site(path.substr(prefix.size()));

@@ -88,8 +88,8 @@ void BoxPart::check_held() const {
   const FacesAround around_others(mesh_, others, grid_, options_.coordinate);
   if (are_held(others) && are_held(around_others.next())) return;
   throw GoalError(
-      "faces in one plane reach beyond the tile and are cut together: that needs fewer and larger "
-      "tiles, or a process that has the whole mesh");
+      "faces in one plane reach beyond the tile and are cut together: use fewer and larger tiles, "
+      "or clean the whole mesh at once");
 }
 
 bool BoxPart::are_held(const std::vector<bool>& faces) const {

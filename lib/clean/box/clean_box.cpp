@@ -110,8 +110,8 @@ void check_input(const Mesh& mesh, const CleanOptions& options) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
   if (face_sums(mesh).is_closed()) return;
   throw InputError(ErrorKind::box_in_open_mesh,
-                   "a box can be cleaned in a closed oriented mesh only, and here faces are left "
-                   "over along edges");
+                   "a box can be cleaned only in a closed oriented mesh, but some edges are not "
+                   "traversed equally often in both directions");
 }
 
 // Rejects options that need the whole mesh. A tile defines its own box.
@@ -216,7 +216,8 @@ bool Pieces::collect_from(const Box& box) {
 void Pieces::collect_from_whole() {
   if (!region_.is_whole)
     throw GoalError(
-        "rounding makes faces intersect in the tile, and mending that needs the whole mesh");
+        "rounding makes faces intersect in the tile, and removing these intersections needs the "
+        "whole mesh");
   const std::vector<bool> is_own = faces_of_box(mesh_, *options_.box);
   const CleanedFaces cleaned = clean_numbered(mesh_, options_, result_, progress_);
   result_.is_whole = true;
@@ -246,7 +247,8 @@ CleanResult clean_tile(const Mesh& mesh, const Tile& tile, const CleanOptions& o
                        const Progress& progress) {
   check_tile_options(tile, options);
   if (face_sums(mesh).hash() != tile.faces)
-    throw InputError("the mesh has the comment of a tile, but is not that tile: it has changed");
+    throw InputError(
+        "the mesh differs from the tile that its comment describes: it was changed after tiling");
   CellSize least;
   for (Index f = 0; f < mesh.faces.size(); ++f) least.add(triangle_of(mesh, f));
   if (!mesh.faces.empty() && !(tile.cell_size >= least.least()))

@@ -19,6 +19,10 @@ const std::string* find(const std::vector<std::string>& comments, std::string_vi
   return found == comments.end() ? nullptr : &*found;
 }
 
+bool is_tile_comment(const std::string& line) {
+  return line.starts_with(tile_key) || line.starts_with(cleaned_key);
+}
+
 void add(const Vec3& point, std::string& text) {
   for (const double x : point) text += ' ' + shortest_text(x);
 }
@@ -113,10 +117,12 @@ std::optional<TileName> cleaned_tile_of(const std::vector<std::string>& comments
   return name;
 }
 
+bool has_tile_comment(const std::vector<std::string>& comments) {
+  return std::any_of(comments.begin(), comments.end(), is_tile_comment);
+}
+
 void drop_tile_comments(std::vector<std::string>& comments) {
-  std::erase_if(comments, [](const std::string& line) {
-    return line.starts_with(tile_key) || line.starts_with(cleaned_key);
-  });
+  std::erase_if(comments, is_tile_comment);
 }
 
 }  // namespace transformesh

@@ -38,6 +38,9 @@ std::string cleaned_tile_comment(const TileName& name);
 std::optional<Tile> tile_of(const std::vector<std::string>& comments);
 std::optional<TileName> cleaned_tile_of(const std::vector<std::string>& comments);
 
+/// True if there is a comment of either kind, well-formed or not.
+bool has_tile_comment(const std::vector<std::string>& comments);
+
 /// Removes the comments of both kinds.
 void drop_tile_comments(std::vector<std::string>& comments);
 

@@ -214,7 +214,7 @@ void certify_pieces(const Meshes& meshes, const FaceMatch& match, const CertifyO
     if (is_right[i] || certificate.wrong++ > 0) continue;
     certificate.problem = "face " + std::to_string(faces[i]) + ", at " +
                           point_text(meshes.unit * triangle_of(output, faces[i])[0]) +
-                          ", is no piece of a face of the input with its orientation";
+                          ", is not part of an input face of the same orientation";
   }
 }
 

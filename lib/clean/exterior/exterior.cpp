@@ -14,7 +14,7 @@ Problem nothing_enclosed(bool has_area) {
   if (!has_area) return {ErrorKind::no_area, what + "have no area"};
   return {ErrorKind::canceling_faces,
           what +
-              "lie upon each other and cancel out, as in a difference without a remainder, or a "
+              "coincide with opposite orientation and cancel out, as in an empty difference or a "
               "sheet whose border is filled flat"};
 }
 
@@ -63,13 +63,14 @@ std::vector<char> find_exterior_by_rays(const Arrangement& arrangement, int wind
 
 Problem nothing_kept(const WeldedMesh& welded, bool has_surface, int winding_level) {
   if (winding_level != 1)
-    return {ErrorKind::no_such_level, "no winding number reaches " + std::to_string(winding_level) +
-                                          ": nothing lies inside that many sheets"};
+    return {ErrorKind::no_such_level,
+            "no point has a winding number >= " + std::to_string(winding_level)};
   if (!has_surface) return nothing_enclosed(!welded.faces.empty());
   if (!welded.open_component.empty())
-    return {ErrorKind::other, "every part of the open mesh lies behind another part"};
+    return {ErrorKind::other, "nothing of the open mesh is in front of all its parts"};
   return {ErrorKind::no_positive_winding,
-          "no point has a winding number >= 1: a difference without a remainder is empty"};
+          "no point has a winding number >= 1: the mesh is inside out, or the difference of its "
+          "parts is empty"};
 }
 
 std::size_t drop_enclosed_components(Mesh& mesh) {

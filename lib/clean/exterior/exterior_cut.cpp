@@ -143,7 +143,7 @@ namespace {
 /// Marks the exterior facets of the face. Crossing a bounding part switches between exterior and
 /// hidden. `exterior_edge` must have an exterior facet on its left.
 std::vector<char> find_exterior(const PlanarTriangulation& triangulation, Index exterior_edge) {
-  constexpr char unknown = 2;
+  constexpr char unknown = 2;  // neither 0 nor 1, the two answers
   const auto& facets = triangulation.facets();
   std::vector<char> is_exterior(facets.size(), unknown);
   is_exterior[exterior_edge / 3] = 1;

@@ -69,8 +69,8 @@ std::vector<Cell> LocalReferences::way_to(Cell cell) const {
   return {};
 }
 
-// Finds a point in the cell from the reference point of the part, if the box that the part holds
-// reaches the cell.
+// Finds a point in the cell from the reference point of the part, if the box of the part overlaps
+// the cell.
 bool LocalReferences::enter(Cell cell) const {
   const Eigen::AlignedBox3d common = around_.grid.box_of(cell).intersection(around_.held);
   if (common.isEmpty()) return false;

@@ -126,9 +126,9 @@ int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
                                      std::vector<FaceCrossing>* crossings) const {
   const ExactGeometry geometry(welded_.points, welded_.faces);
   // A ray touches an edge if its origin is on the projection of that edge to the piece. That
-  // projection is a segment, which intersects the conic at most twice. Hence each edge spoils at
-  // most two attempts. The same holds for segments from a reference point outside the plane of the
-  // piece.
+  // projection is a segment, which intersects the conic at most twice. Hence each edge makes at
+  // most two attempts fail. The same holds for segments from a reference point outside the plane of
+  // the piece.
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     const ExactPoint origin = geometry.mean(part[0], part[1], part[2], weights(attempt));
     if (crossings) crossings->clear();

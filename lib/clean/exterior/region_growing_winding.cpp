@@ -92,8 +92,8 @@ void RegionGrowingWinding::trace_meeting(const Meeting& meeting, Index face, Cut
 }
 
 // Returns the smallest of a whole face and its whole neighbors, all of which have the same w in
-// front. If many faces meet in one place, small faces are near the outside of it, where rays cross
-// fewer faces.
+// front. If many faces meet in one place, small faces lie near its outside, where rays cross fewer
+// faces.
 Index RegionGrowingWinding::seed_near(Index face) const {
   const auto extent = [&](Index f) {
     const Triangle t = welded_.triangle(f);

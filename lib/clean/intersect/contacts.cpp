@@ -5,7 +5,7 @@
 namespace transformesh {
 namespace {
 
-constexpr FaceSimplex outside = 255;
+constexpr FaceSimplex outside = 255;  ///< not a face simplex, which are 0 to 6
 
 // One of the two faces, with the relations of its corners to the other face.
 struct Side {

@@ -10,7 +10,7 @@ namespace transformesh {
 
 /// Bit 2 * axis is the positive direction of that axis, bit 2 * axis + 1 the negative direction.
 using AxisDirections = std::uint8_t;
-inline constexpr AxisDirections all_axis_directions = 0x3f;
+inline constexpr AxisDirections all_axis_directions = 0x3f;  ///< six bits, one per direction
 
 struct FaceDirections {
   AxisDirections looks = 0;  ///< directions in which the projected area is positive for certain

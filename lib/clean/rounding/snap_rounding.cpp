@@ -25,10 +25,10 @@ constexpr double flat_steps = 4;
 /// Largest number of rounds. With 8, 3 of 220 hostile meshes fail; 32 repair hardly any more
 /// (docs/design/rounding.md).
 constexpr int most_rounds = 16;
-/// Doublings of the grid steps at a restart: 3 makes grids 8 times coarser. Grids 2 or 64 times
-/// coarser repair the same meshes, but displacements grow with the latter
-/// (docs/design/rounding.md).
-constexpr int doublings_of_restart = 3;
+/// Doublings of the grid steps at the restart, and in later rounds that leave no fewer faces
+/// broken: 3 makes grids 8 times coarser. With 1 or 2 in later rounds, an offset with edges of 3e-8
+/// of its size is refused; displacements grow with larger numbers (docs/design/rounding.md).
+constexpr int doublings_in_vain = 3;
 /// Repair fails if the number of intersecting pairs exceeds this multiple of the pairs and faces of
 /// the input. This bounds time and memory. With the factor 1, nearly coplanar faces are refused; 2
 /// and 8 make no difference (docs/design/rounding.md).
@@ -125,7 +125,7 @@ void SnapRounder::give_up() const {
 
 void SnapRounder::throw_nothing_left() {
   throw GoalError(ErrorKind::thinner_than_rounding,
-                  "the faces enclose nothing that is thicker than rounding moves it");
+                  "everything that the faces enclose is thinner than the rounding error");
 }
 
 // Removes collapsed faces until none is left. Faces without area at a singular edge may result from
@@ -198,7 +198,7 @@ void SnapRounder::begin_anew() {
   std::vector<Index> broken;
   for (Index f = 0; f < is_broken_.size(); ++f)
     if (is_broken_[f]) broken.push_back(f);
-  for (int i = 0; i < doublings_of_restart; ++i) grids_.coarsen(mesh_, broken);
+  for (int i = 0; i < doublings_in_vain; ++i) grids_.coarsen(mesh_, broken);
   clean_again(true, options_.winding_level, options_.chooser);
 }
 
@@ -231,11 +231,13 @@ bool SnapRounder::repair_round(bool is_first) {
   result_.faces += broken.size();
   result_.pairs += found.pairs;
   note_broken(broken);
-  if (is_in_vain(broken.size()) && !is_restarted_ && !options_.is_open) {
+  const bool is_vain = is_in_vain(broken.size());
+  if (is_vain && !is_restarted_ && !options_.is_open) {
     begin_anew();
     return false;
   }
-  grids_.coarsen(assembly_.mesh, broken);
+  for (int i = 0; i < (is_vain ? doublings_in_vain : 1); ++i)
+    grids_.coarsen(assembly_.mesh, broken);
   if (!is_whole) mend();
   return clean_again(!is_whole);
 }

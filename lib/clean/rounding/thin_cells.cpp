@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-constexpr char unknown = 2;
+constexpr char unknown = 2;  ///< neither 0 nor 1, the two answers
 
 /// Error of the measured distance of a point from a plane, relative to the distance of the point
 /// from a corner of the plane.

@@ -112,9 +112,8 @@ void Orienter::refuse(Index halfedge, Index across) const {
   data.faces = {first, second};
   throw InputError(ErrorKind::one_sided,
                    "faces " + std::to_string(first) + " and " + std::to_string(second) +
-                       " cannot agree at the " + edge_text(mesh_, halfedge) +
-                       ", however faces are turned: the surface has one side only, like a Moebius "
-                       "strip",
+                       " cannot have consistent orientations at the " + edge_text(mesh_, halfedge) +
+                       ": the surface has only one side, like a Moebius strip",
                    std::move(data));
 }
 

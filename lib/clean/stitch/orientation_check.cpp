@@ -35,8 +35,9 @@ Problem edge_problem(const Mesh& mesh, std::span<const Index> halfedges, bool fo
   const std::size_t against = halfedges.size() - alike.size();
   Problem problem{
       ErrorKind::not_oriented,
-      list_text(alike) + " run the same way along the " + edge_text(mesh, *first) +
-          (against == 0 ? "" : ", and only " + std::to_string(against) + " the other way"),
+      list_text(alike) + " traverse the " + edge_text(mesh, *first) + " in the same direction" +
+          (against == 0 ? ""
+                        : ", and only " + std::to_string(against) + " in the opposite direction"),
       edge_data(mesh, *first)};
   problem.data.faces.assign(alike.begin(), alike.end());
   return problem;

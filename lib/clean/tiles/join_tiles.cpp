@@ -89,12 +89,12 @@ void Joiner::read_seams() {
     const PlyRows rows = open(tile);
     const std::string path = cleaned_tile_path(folder_, tile, split_.count);
     if (cleaned_tile_of(rows.header().style.comments) != TileName{split_.mesh, tile, split_.count})
-      throw InputError(in_quotes(path) + " does not hold the clean pieces of tile " +
-                       std::to_string(tile) + " of the mesh that the others are of");
+      throw InputError(in_quotes(path) + " does not hold clean faces of tile " +
+                       std::to_string(tile) + " of the same mesh as the other tiles");
     if (!have_same_properties(rows.vertex_element(), first.vertex_element()) ||
         !have_same_properties(rows.face_element(), first.face_element()) ||
         rows.header().style.format != first.header().style.format)
-      throw InputError(in_quotes(path) + " has other properties than the first tile");
+      throw InputError(in_quotes(path) + " does not have the properties of the first tile");
     std::vector<Face> faces(rows.face_count());
     for (std::size_t f = 0; f < faces.size(); ++f) faces[f] = rows.face(f);
     seams_.add(faces, rows.vertex_count(), [&](Index v) { return rows.position(v); });

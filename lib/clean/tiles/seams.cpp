@@ -20,7 +20,7 @@ void Seams::find_borders(const std::vector<Face>& faces, std::size_t vertices) {
     const auto halfedges = edges.halfedges(e);
     if (halfedges.size() > 2)
       throw InputError("faces " + std::to_string(halfedges[0] / 3) + " and " +
-                       std::to_string(halfedges[1] / 3) + " have an edge in common with a third");
+                       std::to_string(halfedges[1] / 3) + " share an edge with a third face");
     if (halfedges.size() == 2) continue;
     const Index h = halfedges[0];
     const Face& face = faces[h / 3];

@@ -92,8 +92,8 @@ void Splitter::choose_boxes() {
   });
   if (!sums_.is_closed())
     throw InputError(ErrorKind::box_in_open_mesh,
-                     "only a closed oriented mesh can be split into tiles, and here faces are "
-                     "left over along edges");
+                     "only a closed oriented mesh can be split into tiles, but some edges are not "
+                     "traversed equally often in both directions");
   own_ = divide_space(std::move(samples), count_);
   grid_ = CellGrid(cell_size_.size());
   coarse_grid_ = CellGrid(cells_per_coarse_cell * cell_size_.size());

@@ -26,10 +26,10 @@ Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
   const bool is_sheet = one_side_is_open(mesh);
   return {is_sheet ? ErrorKind::double_sided_sheet : ErrorKind::double_sided,
           "the faces enclose nothing: " + std::to_string(reverses) + " of " +
-              std::to_string(mesh.faces.size()) + " lie upon their reverses, as in " +
+              std::to_string(mesh.faces.size()) +
+              " coincide with a face of opposite orientation, as in " +
               (is_sheet ? "sheets whose borders are filled flat, and in double-sided sheets"
-                        : "a difference without a remainder, which is empty, and in double-sided "
-                          "models"),
+                        : "an empty difference, and in double-sided models"),
           {.counts = {reverses, mesh.faces.size()}}};
 }
 
@@ -40,7 +40,7 @@ Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
                   "the mesh needs cleaning (" + std::to_string(result.pairs) +
                       " intersecting face pairs, " + std::to_string(result.removed_faces) +
                       " faces to remove, " + std::to_string(result.copied_vertices) +
-                      " vertices to duplicate" + (only_joins ? ", but vertices to join)" : ")"),
+                      " vertices to duplicate" + (only_joins ? ", but vertices to merge)" : ")"),
                   {.counts = {result.pairs, result.removed_faces, result.copied_vertices}});
 }
 

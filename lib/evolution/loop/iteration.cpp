@@ -1,5 +1,6 @@
 #include "transformesh/iteration.h"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "transformesh/clean.h"
 #include "transformesh/components.h"
 #include "transformesh/control.h"
+#include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 #include "transformesh/mesh_io.h"
 
@@ -115,14 +117,27 @@ class CleanAndRemesh {
     result_.was_cleaned = cleaned_.changed;
     result_.seconds_clean = watch_.lap();
   }
+  /// Returns the length of the loops around which thin parts are cut, 0 for none. If cleaning
+  /// changed a surface that is remeshed on curves, this is at least the shortest edge. Where a flow
+  /// tears a surface, cleaning leaves threads and handles much thinner than that. No collapse
+  /// removes these, as it would change the genus. They intersect each other in later steps, and
+  /// without cuts their number doubles from step to step.
+  double pinch_length() const {
+    const RemeshOptions& remeshing = options_.remesh;
+    const bool has_threads = remeshing.curved && cleaned_.changed &&
+                             remeshing.size_column.empty() && remeshing.keep_out.surface == nullptr;
+    if (!has_threads || !check_manifold(document_.mesh).is_closed()) return remeshing.pinch;
+    return std::max(remeshing.pinch, remesh_options(document_, options_).min_edge);
+  }
   /// Cuts thin parts. This is separate from remeshing, so that `on_cleaned` is called for the
   /// change.
   void pinch() {
-    if (options_.remesh.pinch == 0) return;
+    const double length = pinch_length();
+    if (length == 0) return;
     Mesh before;
     if (options_.on_cleaned) before = document_.mesh;
-    const PinchResult pinched = transformesh::pinch(document_.mesh, options_.remesh.pinch,
-                                                    document_.style.coordinate, progress_);
+    const PinchResult pinched =
+        transformesh::pinch(document_.mesh, length, document_.style.coordinate, progress_);
     if (pinched.cut == 0) return;
     cleaned_.opposites.clear();
     if (options_.on_cleaned) options_.on_cleaned(before, document_.mesh);
@@ -144,7 +159,9 @@ class CleanAndRemesh {
       }
     };
     run_concurrently(clean_or_cancel, [&] { early.run(); });
-    return cleaned_.changed ? remesh() : early.take(document_);
+    if (!cleaned_.changed) return early.take(document_);
+    pinch();
+    return remesh();
   }
 
   Document& document_;

@@ -63,7 +63,7 @@ void check_may_continue(const SavedState& state, const RecordOptions& options) {
   if (state.settings == options.settings) return;
   throw UsageError(
       ErrorKind::other_settings,
-      "'" + options.state + "' is of a run with other settings (" + state.settings + ")",
+      "'" + options.state + "' holds a run with other settings (" + state.settings + ")",
       {.name = options.state});
 }
 

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int layout = 1;
+constexpr int layout = 1;  ///< version of the folder's layout; a later one is refused
 constexpr std::string_view frame_prefix = "frame-";
 constexpr const char* mesh_ending = ".ply";
 
@@ -108,7 +108,7 @@ void check_run_folder(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
     if (!may_be_of_a_run(entry.path()))
       throw UsageError("'" + folder + "' holds " + entry.path().filename().string() +
-                       " and no run: name a folder that is new, empty or an earlier run");
+                       ", but not a run: name a folder that is new, empty or holds an earlier run");
   }
 }
 
@@ -145,13 +145,13 @@ RunDescription read_run(const std::string& folder) {
   const std::string name = folder + run_file::description;
   std::ifstream file(name, std::ios::binary);
   if (!file)
-    throw InputError(ErrorKind::not_a_run, "'" + folder + "' is no run: it has no run.json",
+    throw InputError(ErrorKind::not_a_run, "'" + folder + "' is not a run: run.json is missing",
                      {.name = folder});
   const Json json =
       Json::parse(std::string(std::istreambuf_iterator<char>(file), {}), nullptr, false);
   try {
     if (json.at("layout") > layout)
-      throw InputError("'" + name + "' is of a later version of this suite");
+      throw InputError("'" + name + "' was written by a later version of this suite");
     return {json.at("tool"), json.at("version"), json.at("commands")};
   } catch (const Json::exception&) {
     throw InputError("'" + name + "' is damaged: it does not describe a run");

@@ -27,7 +27,7 @@ BinaryDigits::BinaryDigits(double number) {
 /// above `bottom`, so that no sum of terms overflows.
 class MonomialSum::Window {
  public:
-  static constexpr int depth = 320;
+  static constexpr int depth = 320;  ///< 320 bits and the three words of a term fill `length` words
 
   explicit Window(int bottom) : bottom_(bottom) {}
 
@@ -64,7 +64,7 @@ class MonomialSum::Window {
   }
 
  private:
-  static constexpr std::size_t length = 8;
+  static constexpr std::size_t length = 8;  ///< words of 64 bits
 
   FixedInteger<length> magnitude() const {
     return sum_.is_negative() ? FixedInteger<length>() - sum_ : sum_;
@@ -105,6 +105,7 @@ int MonomialSum::sign() const {
 // Filter in doubles, relative to the largest term. Each product is rounded twice, and each addition
 // once.
 int MonomialSum::quick_sign() const {
+  // Two roundings for each of at most `most` terms.
   constexpr double error = 2 * most * std::numeric_limits<double>::epsilon();
   constexpr double underflow = 0x1p-800;  // exceeds the error of terms that underflow
   int top = std::numeric_limits<int>::min();

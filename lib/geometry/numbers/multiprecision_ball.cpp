@@ -80,7 +80,7 @@ MultiprecisionBall operator+(const MultiprecisionBall& a, const MultiprecisionBa
 // than one unit in the last place.
 MultiprecisionBall operator*(const MultiprecisionBall& a, const MultiprecisionBall& b) {
   constexpr std::size_t length = MultiprecisionBall::length;
-  constexpr std::size_t least_place = length - 2;
+  constexpr std::size_t least_place = length - 2;  // lower words are needed only for their carry
   MultiprecisionBall product;
   product.error_ = a.size() * b.error_ + a.error_ * b.size() + a.error_ * b.error_;
   product.sign_ = a.sign_ * b.sign_;

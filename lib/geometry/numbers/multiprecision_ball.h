@@ -96,8 +96,8 @@ class MultiprecisionBall {
   friend MultiprecisionBall operator*(const MultiprecisionBall& a, const MultiprecisionBall& b);
 
  private:
-  static constexpr std::size_t length = 8;  ///< words of 64 bits
-  static constexpr std::int64_t bits = 64 * length;
+  static constexpr std::size_t length = 8;           ///< words of 64 bits
+  static constexpr std::int64_t bits = 64 * length;  ///< digits of the value
   using Digits = std::array<std::uint64_t, length>;  ///< least significant first
 
   WideBound size() const { return sign_ == 0 ? WideBound() : WideBound::power(exponent_); }

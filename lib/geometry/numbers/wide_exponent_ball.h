@@ -61,7 +61,7 @@ class WideExponentBall {
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   static constexpr double slack = 1 + 32 * epsilon;  // factor that covers the rounding of errors
-  static constexpr double underflow = 0x1p-900;
+  static constexpr double underflow = 0x1p-900;  ///< exceeds the error of products that underflow
 
   // Normalizes such that the larger of value and error is in [1, 2). Values that are not finite
   // become unknown.

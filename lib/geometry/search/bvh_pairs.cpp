@@ -31,7 +31,7 @@ struct Task {
 
 /// Two places of a layer packed into one number, so that both are offset in one addition.
 using PlacePair = std::uint64_t;
-constexpr int place_bits = 32;
+constexpr int place_bits = 32;  ///< bits of an index
 constexpr PlacePair place_pair(Index first, Index second) {
   return PlacePair{second} << place_bits | first;
 }

@@ -10,7 +10,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t boxes_per_task = 4096;  ///< affects time only
-constexpr unsigned axes = 3;
+constexpr unsigned axes = 3;                  ///< x, y and z
 
 constexpr unsigned rotate_left(unsigned octant, unsigned by) {
   by %= axes;
@@ -117,7 +117,7 @@ class Cells {
   }
 
  private:
-  static constexpr double largest = (1U << hilbert_bits) - 1;
+  static constexpr double largest = (1U << hilbert_bits) - 1;  ///< largest cell along an axis
   std::array<double, 3> low_{};
   double cells_per_length_ = 0;
 };
@@ -145,8 +145,9 @@ class HilbertSort {
   using Key = std::uint64_t;
   static constexpr int coarse_bits = 12;  ///< bits per axis in a key
   static constexpr int digit_bits = 12;   ///< bits per pass of the radix sort
+  /// Different digits of a radix sort.
   static constexpr std::size_t digits = std::size_t{1} << digit_bits;
-  static constexpr int key_bits = 64;
+  static constexpr int key_bits = 64;           ///< bits of a sorting key
   static constexpr std::size_t few = 1024;      ///< fewer keys are sorted by comparison
   static constexpr std::size_t many = 1 << 20;  ///< more keys take a third pass
 

@@ -32,8 +32,8 @@ std::size_t round_positions(Mesh& mesh, Scalar coordinate) {
   const RoundingLoss loss = rounding_loss(mesh, before);
   if (2 * (loss.collapsed + loss.turned) > mesh.faces.size()) {
     throw GoalError(
-        "floats have no digits for this mesh: most of its faces collapse or turn; write double, in "
-        "PLY, OFF or OBJ, or move it to the origin before");
+        "float is too coarse for this mesh: most of its faces would collapse or turn over; write "
+        "double, in PLY, OFF or OBJ, or move the mesh to the origin first");
   }
   return loss.collapsed;
 }

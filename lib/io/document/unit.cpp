@@ -45,8 +45,8 @@ void note_lost_unit(const Document& document, const std::string& format, std::st
                     std::vector<std::string>& notes) {
   const Unit* unit = unit_of(document);
   if (unit == nullptr || unit->name == usual) return;
-  notes.push_back(format + ": the unit " + std::string(unit->name) + " is not stated" +
-                  (usual.empty() ? "" : ", and programs will take it for " + std::string(usual)));
+  notes.push_back(format + ": the unit " + std::string(unit->name) + " cannot be stored" +
+                  (usual.empty() ? "" : ", and programs will assume " + std::string(usual)));
 }
 
 bool is_unit_comment(std::string_view comment) { return comment.starts_with(mark); }

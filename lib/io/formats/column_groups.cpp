@@ -27,6 +27,10 @@ ColumnGroup first_group_of(const Columns& columns, std::initializer_list<Names> 
   return {};
 }
 
+std::size_t list_length(const Column& lists, std::size_t row) {
+  return lists.list_offsets[row + 1] - lists.list_offsets[row];
+}
+
 }  // namespace
 
 ColumnGroup normal_group(const Columns& columns) { return group_of(columns, {"nx", "ny", "nz"}); }
@@ -39,12 +43,13 @@ ColumnGroup texture_group(const Columns& columns) {
   return first_group_of(columns, {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}});
 }
 
-const Column* corner_texture(const Columns& face_columns) {
+const Column* corner_texture(const Columns& face_columns, const Column* outlines) {
   const Column* column = face_columns.find("texcoord");
   if (column == nullptr || !column->list_count_type || !is_floating(column->type)) return nullptr;
   for (std::size_t row = 0; row + 1 < column->list_offsets.size(); ++row) {
-    const std::size_t length = column->list_offsets[row + 1] - column->list_offsets[row];
-    if (length != 0 && length != 6) return nullptr;
+    const std::size_t corners = outlines == nullptr ? 3 : list_length(*outlines, row);
+    const std::size_t length = list_length(*column, row);
+    if (length != 0 && length != 2 * corners) return nullptr;
   }
   const bool are_finite = std::all_of(column->values.begin(), column->values.end(),
                                       [](double value) { return std::isfinite(value); });

@@ -29,8 +29,9 @@ inline constexpr std::array<const char*, 4> color_channels{"red", "green", "blue
 void add_missing_colors(Columns& first, std::size_t first_rows, Columns& second,
                         std::size_t second_rows);
 
-/// Returns the face column `texcoord`, lists of (u, v) of three corners or of none. Null if it is
-/// missing, has other lists, or holds a non-finite number.
-const Column* corner_texture(const Columns& face_columns);
+/// Returns the face column `texcoord`, lists of (u, v) of all corners or of none. The corners are
+/// those of MergedPolygons::outlines if given, otherwise three. Null if the column is missing, has
+/// other lists, or holds a non-finite number.
+const Column* corner_texture(const Columns& face_columns, const Column* outlines = nullptr);
 
 }  // namespace transformesh

@@ -22,8 +22,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t stl_header_size = 84;
-constexpr std::size_t stl_facet_size = 50;
+constexpr std::size_t stl_header_size = 84;  ///< 80 bytes of text and the count of facets
+constexpr std::size_t stl_facet_size = 50;   ///< 12 floats and a 16-bit attribute
 
 std::string lower_case(std::string_view text) {
   std::string result(text);
@@ -79,6 +79,7 @@ bool is_obj_start(std::string_view bytes, std::string_view word) {
 
 /// True if one of the first lines is a vertex of OBJ: `v` and three numbers.
 bool has_obj_vertex(std::string_view bytes) {
+  // Bytes; chosen by hand: longer comments before the first vertex are not recognized.
   constexpr std::size_t searched = 4096;
   const Source start{bytes.substr(0, searched), ""};
   TextRows rows(start, 0, {'#', true});
@@ -96,14 +97,14 @@ bool has_obj_vertex(std::string_view bytes) {
 /// others are ASCII.
 bool is_utf16(std::string_view bytes) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return true;
-  constexpr std::size_t looked_at = 16;
+  constexpr std::size_t looked_at = 16;  // bytes; at ASCII text, every other one is zero
   if (bytes.size() < looked_at) return false;
   std::array<std::size_t, 2> zeros{}, letters{};
   for (std::size_t i = 0; i < looked_at; ++i) {
     if (bytes[i] == '\0') ++zeros[i % 2];
     if (bytes[i] >= '\t' && bytes[i] <= '~') ++letters[i % 2];
   }
-  constexpr std::size_t half = looked_at / 2;
+  constexpr std::size_t half = looked_at / 2;  // bytes at even and at odd places
   return (zeros[0] == half && letters[1] == half) || (zeros[1] == half && letters[0] == half);
 }
 
@@ -124,7 +125,7 @@ std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   if (is_vtk(bytes)) return FileKind::vtk;
   if (is_vtk_xml(bytes)) return FileKind::vtp;
   if (is_pcd(bytes)) return FileKind::pcd;
-  // The characters of a text would denote a facet count that no text has the size for.
+  // If the file were text, these four characters as a count of facets would not match its size.
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
   if (is_off_keyword(word)) return FileKind::off;
   if (is_ascii_stl(bytes)) return FileKind::stl_ascii;

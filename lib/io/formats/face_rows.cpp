@@ -137,20 +137,27 @@ void FaceRows::number_polygons(Mesh& mesh, const Cuts& cuts) const {
 
 void FaceRows::add_notes(const Cuts& cuts, std::size_t faces, const std::string& format,
                          std::vector<std::string>& notes, std::uint32_t first_number) const {
-  std::size_t small = 0, folded = 0;
+  std::size_t small = 0, folded = 0, empty = 0;
   for (std::size_t i = 0; i < polygons_.size(); ++i)
     if (corners_of(i).size() < 3) ++small;
   std::uint32_t first_folded = 0;
-  for (std::size_t i = 0; i < cuts.results.size(); ++i)
+  for (std::size_t i = 0; i < cuts.results.size(); ++i) {
+    const bool is_large = corners_of(cuts.numbers[i]).size() >= 3;
+    if (is_large && cuts.results[i].triangles.empty()) ++empty;
     if (cuts.results[i].folds > 0 && folded++ == 0)
       first_folded = polygons_[cuts.numbers[i]].row + first_number;
-  if (polygons_.size() > small && !keeps_polygons_)
-    notes.push_back(format + ": " + counted(polygons_.size() - small, "polygon") + " cut into " +
-                    counted(faces - triangles_.size(), "triangle"));
+  }
+  if (polygons_.size() > small + empty && !keeps_polygons_)
+    notes.push_back(format + ": " + counted(polygons_.size() - small - empty, "polygon") +
+                    " cut into " + counted(faces - triangles_.size(), "triangle"));
   if (folded > 0)
     notes.push_back(format + ": " + counted(folded, "polygon") +
-                    " cut with folds, as the outline intersects itself; the first is face " +
+                    " cut into triangles that fold over, because the outline intersects itself; "
+                    "the first is face " +
                     std::to_string(first_folded));
+  if (empty > 0)
+    notes.push_back(format + ": " + counted(empty, "polygon") +
+                    " dropped, as the outline runs back along itself");
   if (small > 0)
     notes.push_back(format + ": " + counted(small, "face") +
                     " with fewer than three corners dropped");

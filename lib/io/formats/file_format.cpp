@@ -48,6 +48,7 @@ const std::vector<std::string>& written_endings() {
 }
 
 std::string unknown_ending(std::string_view name, const std::vector<std::string>& known) {
+  // Includes the dot; a longer word after a dot is part of the name.
   constexpr std::size_t longest = 5;
   const std::string_view file = name.substr(name.rfind('/') + 1);
   const std::string ending = extension_of(file);

@@ -109,8 +109,9 @@ class GlbReader {
       if (count > 0) note(counted(count, what) + " left out");
     };
     left_out(losses_.line_primitives, "primitive of lines");
-    left_out(losses_.unread_attributes, "vertex attribute that is no column");
-    left_out(losses_.unused_merges, "mesh extension EXT_mesh_manifold that does not fit");
+    left_out(losses_.unread_attributes, "vertex attribute of an unsupported type");
+    left_out(losses_.unused_merges,
+             "mesh extension EXT_mesh_manifold that does not match its triangles");
     left_out(file_.count("images"), "picture");
     left_out(file_.count("animations"), "animation");
     left_out(file_.count("skins"), "skin");

@@ -42,7 +42,7 @@ void append_u32(std::uint32_t value, std::string& bytes) {
 
 void append_chunk(std::uint32_t kind, const std::string& content, char padding,
                   std::string& bytes) {
-  constexpr std::size_t alignment = 4;
+  constexpr std::size_t alignment = 4;  // bytes, by the standard
   const std::size_t missing = (alignment - content.size() % alignment) % alignment;
   append_u32(static_cast<std::uint32_t>(content.size() + missing), bytes);
   append_u32(kind, bytes);
@@ -314,7 +314,7 @@ class GlbWriter {
   }
 
   std::string file_of(const Json& json) const {
-    constexpr std::size_t header_size = 12;
+    constexpr std::size_t header_size = 12;  // bytes, by the standard
     std::string chunks;
     const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (text.size() + binary_.size() > std::numeric_limits<std::uint32_t>::max() - 64)

@@ -99,7 +99,7 @@ class AccessorReader {
         file_.fail("the sparse part of " + name_ + " has no " + key);
       return *found;
     };
-    if (!sparse.is_object()) file_.fail("the sparse part of " + name_ + " is no object");
+    if (!sparse.is_object()) file_.fail("the sparse part of " + name_ + " is not an object");
     const std::size_t count = file_.whole(sparse, "count", name_);
     if (count > count_) file_.fail("the sparse part of " + name_ + " is larger than the whole");
     std::vector<std::size_t> places(count);

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t header_size = 12;
-constexpr std::size_t chunk_header_size = 8;
+constexpr std::size_t header_size = 12;       ///< bytes, by the standard
+constexpr std::size_t chunk_header_size = 8;  ///< bytes, by the standard
 constexpr std::string_view json_chunk = "JSON";
 constexpr std::string_view binary_chunk("BIN\0", 4);
 
@@ -83,7 +83,7 @@ void GltfFile::read_container() {
     return load_scalar<std::uint32_t>(bytes.data() + at, !host_is_little);
   };
   if (const std::size_t version = number(4); version != 2)
-    source_.fail("GLB of version " + std::to_string(version) + " is not read, only version 2");
+    source_.fail("GLB of version " + std::to_string(version) + " is not supported, only version 2");
   const std::size_t end = number(8);
   if (end > bytes.size())
     source_.fail("the GLB header announces " + counted(end, "byte") + ", but there are " +
@@ -111,7 +111,7 @@ void GltfFile::parse(std::string_view text) {
     const std::size_t at = std::min(error.byte, text.size());
     source_.fail_at_byte(text.data() + (at > 0 ? at - 1 : 0), "the JSON of glTF is malformed");
   }
-  if (!json_.is_object()) fail("the JSON is no object");
+  if (!json_.is_object()) fail("the JSON is not an object");
 }
 
 void GltfFile::check_version() const {
@@ -121,7 +121,7 @@ void GltfFile::check_version() const {
   if (!has_version) fail("the JSON has no asset with a version");
   const std::string version = (*asset)["version"];
   if (!version.starts_with("2."))
-    fail("version " + transformesh::quoted(version) + " is not read, only 2");
+    fail("version " + transformesh::quoted(version) + " is not supported, only 2");
 }
 
 /// Throws for required extensions that are not supported. Extensions that are only used have a
@@ -135,8 +135,9 @@ void GltfFile::check_extensions() const {
     const std::string compression = compression_name(name);
     if (!compression.empty())
       fail("meshes are compressed by " + compression + " (" + name +
-           "), which is not read: write the file without compression");
-    fail("the file requires the extension " + transformesh::quoted(name) + ", which is not read");
+           "), which is not supported: write the file without compression");
+    fail("the file requires the extension " + transformesh::quoted(name) +
+         ", which is not supported");
   }
 }
 
@@ -153,7 +154,7 @@ const GltfFile::Json& GltfFile::element(const char* array, std::size_t index) co
          there_are(count(array), "element"));
   const Json& found = json_.find(array)->at(index);
   if (!found.is_object())
-    fail("element " + std::to_string(index) + " of " + array + " is no object");
+    fail("element " + std::to_string(index) + " of " + array + " is not an object");
   return found;
 }
 
@@ -165,7 +166,7 @@ std::size_t GltfFile::whole(const Json& object, const char* key, const std::stri
     fail(what + " has no " + key);
   }
   if (!found->is_number_unsigned())
-    fail(std::string(key) + " of " + what + " is no whole number of 0 or more");
+    fail(std::string(key) + " of " + what + " is not a whole number of 0 or more");
   return found->get<std::size_t>();
 }
 
@@ -177,7 +178,7 @@ void GltfFile::read_buffers() {
     const Json& entry = element("buffers", i);
     const auto uri = entry.find("uri");
     if (uri == entry.end()) continue;
-    if (!uri->is_string()) fail("uri of buffer " + std::to_string(i) + " is no text");
+    if (!uri->is_string()) fail("uri of buffer " + std::to_string(i) + " is not a string");
     buffers_[i] = read_uri(i, uri->get<std::string>());
   }
 }
@@ -189,7 +190,7 @@ std::string GltfFile::read_uri(std::size_t index, const std::string& uri) const 
   const auto bytes = at == std::string::npos
                          ? std::nullopt
                          : bytes_of_base64(std::string_view(uri).substr(at + mark.size()));
-  if (!bytes) fail("the data of buffer " + std::to_string(index) + " is no base64");
+  if (!bytes) fail("the data of buffer " + std::to_string(index) + " is not base64");
   return *bytes;
 }
 
@@ -204,12 +205,12 @@ std::string GltfFile::read_beside(const std::string& name) const {
     fail("the buffer " + transformesh::quoted(name) + " is not in the folder of the file");
   if (folder_.empty())
     fail("the buffer " + transformesh::quoted(name) +
-         " is in a file of its own, which is found only if the input is a file given by its name");
+         " is in another file, which can be read only if the input is given by its file name");
   std::error_code error;
   const fs::path folder = fs::canonical(folder_, error);
   const fs::path place = fs::canonical(folder / path, error);
   if (error || !fs::is_regular_file(place, error))
-    fail("the buffer " + transformesh::quoted(name) + " is not there, beside the file");
+    fail("the buffer " + transformesh::quoted(name) + " is missing beside the file");
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
   if (end != folder.end())
     fail("the buffer " + transformesh::quoted(name) + " is not in the folder of the file");

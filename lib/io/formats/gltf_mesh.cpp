@@ -46,7 +46,7 @@ class MeshReader {
     if (primitives == entry_.end() || !primitives->is_array())
       file_.fail(name_ + " has no primitives");
     for (const Json& primitive : *primitives) {
-      if (!primitive.is_object()) file_.fail("a primitive of " + name_ + " is no object");
+      if (!primitive.is_object()) file_.fail("a primitive of " + name_ + " is not an object");
       read_primitive(primitive);
     }
     add_face_colors();
@@ -78,7 +78,8 @@ class MeshReader {
     first_ = mesh_.positions.size();
     Mesh part;
     const GltfNumbers positions = numbers(attributes, "POSITION", no_index - 1 - first_);
-    if (positions.width != 3) file_.fail("the positions of " + name_ + " are no vectors of three");
+    if (positions.width != 3)
+      file_.fail("the positions of " + name_ + " are not vectors of three numbers");
     for (std::size_t i = 0; i < positions.size(); ++i)
       part.positions.emplace_back(positions.values[3 * i], positions.values[3 * i + 1],
                                   positions.values[3 * i + 2]);

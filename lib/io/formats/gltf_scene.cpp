@@ -69,9 +69,9 @@ class Walk {
     std::vector<std::size_t> indices;
     const auto list = object.find(key);
     if (list == object.end()) return indices;
-    if (!list->is_array()) file_.fail(std::string(key) + " of the scene are no array");
+    if (!list->is_array()) file_.fail(std::string(key) + " of the scene is not an array");
     for (const Json& index : *list) {
-      if (!index.is_number_unsigned()) file_.fail("the index of a node is no whole number");
+      if (!index.is_number_unsigned()) file_.fail("the index of a node is not a whole number");
       indices.push_back(index.get<std::size_t>());
     }
     return indices;

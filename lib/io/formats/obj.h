@@ -17,8 +17,9 @@
 
 namespace transformesh {
 
-/// See read_mesh() and write_mesh(). Coordinates are double.
+/// See read_mesh() and write_mesh(). `outlines` are MergedPolygons::outlines. Coordinates are
+/// double.
 ReadResult read_obj(const Source& source);
-WriteResult write_obj(const Document& document);
+WriteResult write_obj(const Document& document, const Column* outlines = nullptr);
 
 }  // namespace transformesh

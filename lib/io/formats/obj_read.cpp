@@ -227,7 +227,7 @@ class ObjReader {
       notes.push_back("obj: weights of " + counted(weights_, "vertex") + " left out");
     if (rows_.trailing_comments > 0) {
       notes.push_back("obj: " + counted(rows_.trailing_comments, "comment") +
-                      " behind data left out");
+                      " after data left out");
     }
   }
 

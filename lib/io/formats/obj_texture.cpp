@@ -45,7 +45,7 @@ void ObjTexture::move_into(Mesh& mesh, std::uint32_t rows, std::vector<std::stri
   const std::size_t incomplete = add_lists(mesh, rows);
   if (incomplete == 0) return;
   notes.push_back("obj: " + counted(incomplete, "face") +
-                  " with texture coordinates that are not there left without");
+                  " with texture coordinate indices out of range left without texture coordinates");
 }
 
 bool ObjTexture::is_there(Index point) const {

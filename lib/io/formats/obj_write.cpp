@@ -35,7 +35,8 @@ struct Labels {
 
 class ObjWriter {
  public:
-  explicit ObjWriter(const Document& document) : document_(document), mesh_(document.mesh) {}
+  ObjWriter(const Document& document, const Column* outlines)
+      : document_(document), mesh_(document.mesh), lists_(outlines), outlines_(mesh_, outlines) {}
 
   WriteResult write() {
     add_comment_lines();
@@ -90,7 +91,7 @@ class ObjWriter {
 
   void find_texture() {
     if (mesh_.faces.empty()) return;
-    if (const Column* lists = corner_texture(mesh_.face_columns)) {
+    if (const Column* lists = corner_texture(mesh_.face_columns, lists_)) {
       keep({lists}, keeps_.face_columns);
       add_corner_texture(*lists);
       return;
@@ -119,6 +120,7 @@ class ObjWriter {
   void add_corner_texture(const Column& lists) {
     using Bits = std::pair<std::uint64_t, std::uint64_t>;
     const auto hash = [](const Bits& bits) {
+      // 2^64 divided by the golden ratio, which spreads the bits of a hash.
       constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
       return (bits.first * odd ^ bits.second) * odd >> 16U;
     };
@@ -180,14 +182,17 @@ class ObjWriter {
   const Document& document_;
   const Mesh& mesh_;
   TextBuffer text_;
-  FaceOutlines outlines_{mesh_};
-  Keeps keeps_{"OBJ", {}, {outline_column}};
+  const Column* lists_;  ///< MergedPolygons::outlines, or null
+  FaceOutlines outlines_;
+  Keeps keeps_{"OBJ", {}, {}};
   std::vector<std::uint64_t> texture_corners_;  ///< one per corner, 0 for none; or empty
   std::vector<Labels> labels_;
 };
 
 }  // namespace
 
-WriteResult write_obj(const Document& document) { return ObjWriter(document).write(); }
+WriteResult write_obj(const Document& document, const Column* outlines) {
+  return ObjWriter(document, outlines).write();
+}
 
 }  // namespace transformesh

@@ -13,8 +13,9 @@ namespace transformesh {
 /// without a blank.
 bool is_off_keyword(std::string_view word);
 
-/// See read_mesh() and write_mesh(). Coordinates are double.
+/// See read_mesh() and write_mesh(). `outlines` are MergedPolygons::outlines. Coordinates are
+/// double.
 ReadResult read_off(const Source& source);
-WriteResult write_off(const Document& document);
+WriteResult write_off(const Document& document, const Column* outlines = nullptr);
 
 }  // namespace transformesh

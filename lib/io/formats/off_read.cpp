@@ -81,7 +81,8 @@ class OffReader {
       rows_.fail("an OFF file starts with the word OFF (or COFF, NOFF, STOFF), not " +
                  quoted(keyword));
     }
-    if (rows_.peek() == "BINARY") rows_.fail("binary OFF is not read: convert it to text or PLY");
+    if (rows_.peek() == "BINARY")
+      rows_.fail("binary OFF is not supported: convert it to text or PLY");
     if (glued.empty() && !rows_.has_more())
       need_row([] { return std::string("the counts of vertices and faces"); });
     vertex_count_ = glued.empty() ? read_count("the count of vertices") : glued_count(glued);
@@ -109,7 +110,7 @@ class OffReader {
     if (vertex_count_ > source_.bytes.size() / shortest_row + 1 || vertex_count_ >= no_index) {
       rows_.fail("the header announces " + counted(vertex_count_, "vertex") +
                  ", but the file has only " + counted(source_.bytes.size(), "byte") +
-                 ": it is cut off or its header wrong");
+                 ": it is cut off or its header is wrong");
     }
     Mesh& mesh = result_.document.mesh;
     const auto count = static_cast<std::size_t>(vertex_count_);
@@ -224,13 +225,13 @@ class OffReader {
                          " without a color made black");
     }
     if (strange_faces_ > 0) {
-      notes.emplace_back("off: the numbers behind " + counted(strange_faces_, "face") +
-                         " are no color, dropped");
+      notes.emplace_back("off: the numbers after " + counted(strange_faces_, "face") +
+                         " are not a color: dropped");
     }
-    if (rows_.next_row()) notes.emplace_back("off: what follows the last face is ignored");
+    if (rows_.next_row()) notes.emplace_back("off: data after the last face ignored");
     if (rows_.trailing_comments > 0) {
       notes.emplace_back("off: " + counted(rows_.trailing_comments, "comment") +
-                         " behind data dropped");
+                         " after data dropped");
     }
   }
 

@@ -19,7 +19,8 @@ std::vector<std::string_view> color_names(const Columns& columns) {
 
 class OffWriter {
  public:
-  explicit OffWriter(const Document& document) : document_(document), mesh_(document.mesh) {
+  OffWriter(const Document& document, const Column* outlines)
+      : document_(document), mesh_(document.mesh), outlines_(mesh_, outlines) {
     if (has_columns(mesh_.vertex_columns, {"nx", "ny", "nz"})) normals_ = {"nx", "ny", "nz"};
     if (has_columns(mesh_.vertex_columns, {"s", "t"})) texture_ = {"s", "t"};
     colors_ = color_names(mesh_.vertex_columns);
@@ -34,7 +35,6 @@ class OffWriter {
     add_vertices();
     add_faces();
     Keeps keeps{"OFF", normals_, face_colors_};
-    keeps.face_columns.emplace_back(outline_column);
     keeps.vertex_columns.insert(keeps.vertex_columns.end(), colors_.begin(), colors_.end());
     keeps.vertex_columns.insert(keeps.vertex_columns.end(), texture_.begin(), texture_.end());
     return {text_.take(), losses(document_, keeps)};
@@ -69,12 +69,11 @@ class OffWriter {
   }
 
   void add_faces() {
-    const FaceOutlines outlines(mesh_);
     for (std::size_t row = 0; row < mesh_.faces.size(); ++row) {
-      text_.add_number(outlines.size(row));
-      for (std::size_t i = 0; i < outlines.size(row); ++i) {
+      text_.add_number(outlines_.size(row));
+      for (std::size_t i = 0; i < outlines_.size(row); ++i) {
         text_.add(' ');
-        text_.add_number(outlines.corner(row, i));
+        text_.add_number(outlines_.corner(row, i));
       }
       add_colors(mesh_.face_columns, face_colors_, row);
       text_.add('\n');
@@ -108,6 +107,7 @@ class OffWriter {
 
   const Document& document_;
   const Mesh& mesh_;
+  FaceOutlines outlines_;
   std::vector<std::string_view> normals_;
   std::vector<std::string_view> colors_;
   std::vector<std::string_view> texture_;
@@ -117,6 +117,8 @@ class OffWriter {
 
 }  // namespace
 
-WriteResult write_off(const Document& document) { return OffWriter(document).write(); }
+WriteResult write_off(const Document& document, const Column* outlines) {
+  return OffWriter(document, outlines).write();
+}
 
 }  // namespace transformesh

@@ -102,7 +102,7 @@ class PcdReader {
                    counted(field.count, "number"));
       field.offset = point_size_;
       if (!with_type(field, [](auto) {}))
-        rows_.fail("the PCD field " + quoted(field.name) + " has a type that is not read");
+        rows_.fail("the PCD field " + quoted(field.name) + " has a type that is not supported");
       point_size_ += field.size();
     }
     for (const char* name : {"x", "y", "z"})
@@ -118,7 +118,7 @@ class PcdReader {
 
   [[noreturn]] void fail_short(std::size_t present) const {
     source_.fail("the PCD header announces " + counted(points_, "point") + ", but only " +
-                 counted(present, "byte") + " follow: the file is cut off or its header wrong");
+                 counted(present, "byte") + " follow: the file is cut off or its header is wrong");
   }
 
   // --- Data --------------------------------------------------------------------------------------
@@ -174,13 +174,13 @@ class PcdReader {
       return load(bytes, point_size_, 1);
     }
     if (encoding_ != "binary_compressed")
-      source_.fail("PCD data of the encoding " + quoted(encoding_) + " is not read");
+      source_.fail("PCD data of the encoding " + quoted(encoding_) + " is not supported");
     load(expanded(bytes), 0, points_);
   }
 
   /// Decompresses the data, which then has each field of all points in turn.
   std::string expanded(std::string_view bytes) const {
-    constexpr std::size_t header = 8;
+    constexpr std::size_t header = 8;  // two 32-bit sizes
     if (bytes.size() < header) fail_short(bytes.size());
     const std::size_t stored = load_scalar<std::uint32_t>(bytes.data(), !host_is_little);
     const std::size_t size = load_scalar<std::uint32_t>(bytes.data() + 4, !host_is_little);
@@ -215,7 +215,8 @@ class PcdReader {
   void make_mesh() {
     Mesh& mesh = result_.document.mesh;
     const Field &x = *find("x"), &y = *find("y"), &z = *find("z");
-    if (x.count * y.count * z.count == 0) source_.fail("the PCD fields x y z have no numbers");
+    if (x.count * y.count * z.count == 0)
+      source_.fail("the PCD fields x, y and z have a count of 0");
     for (std::size_t i = 0; i < points_; ++i)
       mesh.positions.emplace_back(x.values[i], y.values[i], z.values[i]);
     const auto is_single = [](const Field& field) { return field.kind == 'F' && field.bytes == 4; };

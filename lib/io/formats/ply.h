@@ -34,8 +34,8 @@ PlyHeader read_ply_header(const Source& source);
 /// Returns the text of a header with the format, comments and type names of the style.
 std::string ply_header_text(const Style& style, const std::vector<PlyElement>& elements);
 
-/// See read_mesh() and write_mesh().
+/// See read_mesh() and write_mesh(). `outlines` are MergedPolygons::outlines.
 ReadResult read_ply(const Source& source);
-WriteResult write_ply(const Document& document);
+WriteResult write_ply(const Document& document, const Column* outlines = nullptr);
 
 }  // namespace transformesh

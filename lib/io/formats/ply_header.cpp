@@ -122,7 +122,7 @@ class HeaderReader {
       fail("'element NAME COUNT' needs a name and a count of 0 or more, not " + quoted(line_));
     }
     if (!names_.insert(element.name).second)
-      fail("the element " + quoted(element.name) + " comes twice");
+      fail("the element " + quoted(element.name) + " is listed twice");
     header_.elements.push_back(std::move(element));
   }
 

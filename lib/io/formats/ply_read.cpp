@@ -56,7 +56,8 @@ class PlyReader {
       if (property.name.size() != 1 || axis > 2) continue;
       if (property.count_type)
         source_.fail("vertex property " + quoted(property.name) + " must not be a list");
-      if (found[axis]) source_.fail("vertex property " + quoted(property.name) + " comes twice");
+      if (found[axis])
+        source_.fail("vertex property " + quoted(property.name) + " is listed twice");
       found[axis] = true;
       table.targets[i] = {PlyTable::Target::coordinate, axis};
       if (property.type != Scalar::float32) style.coordinate = Scalar::float64;
@@ -82,7 +83,8 @@ class PlyReader {
       is_integer = is_integer || !is_floating(element.properties[i].type);
     }
     if (places.size() == 3 && (places.back() - places.front() > 2 || order != "xyz")) {
-      result_.notes.emplace_back("ply: the vertex properties x y z are put together in this order");
+      result_.notes.emplace_back(
+          "ply: the vertex properties x, y and z will be written side by side in this order");
     }
     if (is_integer) result_.notes.emplace_back("ply: integer coordinates become double");
   }
@@ -212,9 +214,9 @@ class PlyReader {
     if (table.long_rows == 0) return;
     result_.notes.push_back("ply: " + counted(table.long_rows, "row") + " of element " +
                             quoted(table.element.name) +
-                            " with more values than the header names, from line " +
+                            " with more values than the header announces, from line " +
                             std::to_string(source_.line_of(table.first_long_row)) +
-                            " on; the rest of each is left out");
+                            " on; the extra values are left out");
   }
 
   /// Rejects a row count that the remaining bytes cannot hold, before memory is allocated for it.
@@ -228,7 +230,7 @@ class PlyReader {
       source_.fail_at_byte(place, "the header announces " + std::to_string(rows) +
                                       " rows of element " + quoted(table.element.name) +
                                       ", but only " + counted(left, "byte") +
-                                      " follow: the file is cut off or its header wrong");
+                                      " follow: the file is cut off or its header is wrong");
     }
     const bool is_face = table.element.name == "face";
     if (size > 0 && rows >= (is_face ? no_index / 3 : no_index)) {
@@ -239,8 +241,7 @@ class PlyReader {
 
   void note_rest() {
     if (header_.style.format == Format::ply_ascii) {
-      if (rows_.next_row())
-        result_.notes.emplace_back("ply: what follows the last element is ignored");
+      if (rows_.next_row()) result_.notes.emplace_back("ply: data after the last element ignored");
       return;
     }
     if (std::all_of(place_, source_.end(), [](char c) { return c == '\n' || c == '\r'; })) return;

@@ -45,7 +45,7 @@ PlyRows::PlyRows(const std::string& path) : file_(path), source_{file_.bytes(), 
   if (!source_.bytes.starts_with("ply")) source_.fail("only binary PLY can be read row by row");
   header_ = read_ply_header(source_);
   if (header_.style.format == Format::ply_ascii)
-    source_.fail("only binary PLY can be read row by row, and this is text");
+    source_.fail("only binary PLY can be read row by row, but this file is text");
   is_swapped_ = (header_.style.format == Format::ply_little) != host_is_little;
   place_tables();
   find_coordinates();
@@ -71,7 +71,7 @@ void PlyRows::place_tables() {
     }
     if (element.rows >= no_index || element.rows > source_.bytes.size())
       source_.fail("the header announces " + std::to_string(element.rows) + " rows of element " +
-                   quoted(element.name) + ", which are not there");
+                   quoted(element.name) + ", but the file ends before them");
     table.count = static_cast<std::size_t>(element.rows);
     table.first = source_.begin() + place;
     place += table.count * table.stride;
@@ -135,7 +135,7 @@ Face PlyRows::face(std::size_t face) const {
   const char* place = faces_.row(face) + list_offset_;
   if (load(*list.count_type, place, is_swapped_) != 3)
     source_.fail_at_byte(place, "face " + std::to_string(face) +
-                                    " is not a triangle, so that rows have no common size");
+                                    " is not a triangle: all rows must have the same size");
   place += byte_size(*list.count_type);
   Face corners;
   for (Index& corner : corners) {

@@ -5,7 +5,6 @@
 #include "io/document/scalar.h"
 #include "io/document/scalar_bytes.h"
 #include "io/formats/ply.h"
-#include "io/polygons/merge_polygons.h"
 #include "io/streams/text_buffer.h"
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
@@ -70,11 +69,10 @@ OutElement vertex_element(const Document& document) {
   return element;
 }
 
-OutElement face_element(const Document& document) {
+OutElement face_element(const Document& document, const Column* outlines) {
   const Mesh& mesh = document.mesh;
   const Style& style = document.style;
-  const Column* outlines = mesh.face_columns.find(outline_column);  // the last one
-  const std::size_t column_count = mesh.face_columns.columns.size() - (outlines ? 1 : 0);
+  const std::size_t column_count = mesh.face_columns.columns.size();
   const std::size_t before = std::min(style.face_list_column, column_count);
   OutElement element{"face", mesh.faces.size(), {}};
   add_columns(mesh.face_columns, 0, before, element);
@@ -116,7 +114,7 @@ std::vector<std::string> element_names(const Document& document) {
   return names;
 }
 
-std::vector<OutElement> out_elements(const Document& document) {
+std::vector<OutElement> out_elements(const Document& document, const Column* outlines) {
   std::multimap<std::string_view, const OtherElement*> others;
   for (const OtherElement& other : document.other_elements) others.emplace(other.name, &other);
   std::vector<OutElement> elements;
@@ -124,7 +122,7 @@ std::vector<OutElement> out_elements(const Document& document) {
     if (name == "vertex") {
       elements.push_back(vertex_element(document));
     } else if (name == "face") {
-      elements.push_back(face_element(document));
+      elements.push_back(face_element(document, outlines));
     } else {
       const auto [first, last] = others.equal_range(name);
       for (auto other = first; other != last; ++other)
@@ -281,8 +279,8 @@ void add_binary_rows(const OutElement& element, bool swapped, std::string& bytes
 
 }  // namespace
 
-WriteResult write_ply(const Document& document) {
-  const std::vector<OutElement> elements = out_elements(document);
+WriteResult write_ply(const Document& document, const Column* outlines) {
+  const std::vector<OutElement> elements = out_elements(document, outlines);
   const std::string header = header_of(document.style, elements);
   if (document.style.format == Format::ply_ascii) {
     TextBuffer text;

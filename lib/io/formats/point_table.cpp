@@ -144,6 +144,7 @@ class TableReader {
 }  // namespace
 
 bool is_point_table(const Source& source) {
+  // Bytes; chosen by hand: longer comments at the begin are not recognized.
   constexpr std::size_t searched = 4096;
   const std::string_view start = source.bytes.substr(0, searched);
   return start.find('\0') == std::string_view::npos && !header_of(with_blanks(start)).empty();

@@ -12,10 +12,10 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t header_size = 80;
-constexpr std::size_t facets_start = 84;
-constexpr std::size_t facet_size = 50;
-constexpr std::size_t most_facets = no_index / 3;
+constexpr std::size_t header_size = 80;            ///< bytes of text
+constexpr std::size_t facets_start = 84;           ///< after the header and the count
+constexpr std::size_t facet_size = 50;             ///< 12 floats and a 16-bit attribute
+constexpr std::size_t most_facets = no_index / 3;  ///< each facet has three new vertices
 
 void note_soup(ReadResult& result) {
   const std::size_t faces = result.document.mesh.faces.size();
@@ -71,7 +71,7 @@ class TextReader {
 
   void expect(std::string_view word) {
     if (word_ == word) return;
-    rows_.fail(quoted(word) + " is needed in " + place_name() + ", not " + quoted(word_));
+    rows_.fail(quoted(word) + " is missing in " + place_name() + ", which has " + quoted(word_));
   }
 
   void need(std::string_view word) {
@@ -189,7 +189,7 @@ const char* facet_at(const Source& source, std::size_t row) {
 /// Appends the corners of a facet and returns whether they are finite. Throws if they are not and
 /// reading is strict.
 bool read_facet(const Source& source, std::size_t row, std::vector<Vec3>& positions) {
-  constexpr std::size_t normal_size = 12;
+  constexpr std::size_t normal_size = 12;  // three floats
   const char* place = facet_at(source, row) + normal_size;
   bool is_finite = true;
   for (std::size_t corner = 0; corner < 3; ++corner) {

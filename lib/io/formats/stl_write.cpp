@@ -93,8 +93,8 @@ char* store_point(const Eigen::Vector3f& point, char* to) {
 
 std::string bytes_of(const Document& document, const Column* attribute) {
   constexpr bool swapped = !host_is_little;
-  constexpr std::size_t header_size = 80;
-  constexpr std::size_t facet_size = 50;
+  constexpr std::size_t header_size = 80;  // bytes of text
+  constexpr std::size_t facet_size = 50;   // 12 floats and a 16-bit attribute
   const std::vector<Face>& faces = document.mesh.faces;
   std::string bytes(header_size + sizeof(std::uint32_t) + facet_size * faces.size(), '\0');
   name_of(document).copy(bytes.data(), header_size);

@@ -83,7 +83,7 @@ class ModelReader {
       prefixes.remove_prefix(std::min(blank + 1, prefixes.size()));
       const std::string_view name_space = root.attribute(("xmlns:" + prefix).c_str()).value();
       if (!prefix.empty() && !is_read(name_space))
-        fail("requires the extension " + quoted(name_space) + ", which is not read");
+        fail("requires the extension " + quoted(name_space) + ", which is not supported");
     }
   }
 
@@ -142,7 +142,8 @@ class ModelReader {
     double value = 0;
     const Parsed parsed = parse_number(first, text.data() + text.size(), value);
     if (parsed != Parsed::ok || first != text.data() + text.size() || !std::isfinite(value))
-      fail(std::string("has ") + key + '=' + quoted(text) + " in " + what + ", no finite number");
+      fail(std::string("has ") + key + '=' + quoted(text) + " in " + what +
+           ", which is not a finite number");
     return value;
   }
 
@@ -216,7 +217,7 @@ class ModelReader {
     Eigen::Affine3d result = Eigen::Affine3d::Identity();
     if (text.empty()) return result;
     const std::vector<double> m = xml_numbers(text, "a transform", source_);
-    constexpr std::size_t size = 12;
+    constexpr std::size_t size = 12;  // numbers of a 3MF transform
     if (m.size() != size) fail("has a transform of " + counted(m.size(), "number") + ", not 12");
     for (std::size_t i = 0; i < size; ++i)
       result(static_cast<Eigen::Index>(i % 3), static_cast<Eigen::Index>(i / 3)) = m[i];

@@ -55,7 +55,7 @@ class ThreeMfReader {
     for (const pugi::xml_node& node : xml_elements(document, "Relationship"))
       if (std::string_view(node.attribute("Type").value()).ends_with("/3dmodel"))
         return without_slash(node.attribute("Target").value());
-    source_.fail("the ZIP archive is no 3MF file: '_rels/.rels' names no 3dmodel");
+    source_.fail("the ZIP archive is not a 3MF file: '_rels/.rels' does not name a 3dmodel");
   }
 
   const ThreeMfModel& model(const std::string& part) {
@@ -92,13 +92,15 @@ class ThreeMfReader {
   void add(const ThreeMfComponent& component, const std::string& from,
            const Eigen::Affine3d& to_build) {
     constexpr std::size_t deepest = 256;  // a level needs 512 bytes of stack
+    // Bytes counted for a component, so that repeated empty ones are limited, too.
     constexpr std::size_t cost_of_visit = 64;
     budget_.spend(cost_of_visit);
     const std::string part = component.part.empty() ? from : without_slash(component.part);
     const auto& objects = model(part).objects;
     const auto found = objects.find(component.object);
     if (found == objects.end())
-      source_.fail("object " + quoted(component.object) + " is used, but not in " + quoted(part));
+      source_.fail("object " + quoted(component.object) + " is used, but missing in " +
+                   quoted(part));
     const ThreeMfObject& object = found->second;
     if (!open_.insert(&object).second)
       source_.fail("object " + quoted(component.object) + " contains itself");
@@ -193,7 +195,7 @@ class ThreeMfReader {
       if (count > 0) note(counted(count, what) + " left out");
     };
     left_out(other_objects_, "object for support or of another type");
-    left_out(unread_properties_, "group of properties that are no colors");
+    left_out(unread_properties_, "group of properties other than colors");
     left_out(beam_lattices_, "beam lattice");
     if (const std::size_t count = model(root_).other_metadata; count > 0)
       note(std::to_string(count) + " metadata left out");

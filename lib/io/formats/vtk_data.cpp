@@ -29,7 +29,7 @@ class Converter {
     faces_.keep_polygons(source_.keeps_polygons);
     faces_.move_into(mesh, "vtk", result_.notes);
     if (piece_.other_cells > 0)
-      note(counted(piece_.other_cells, "cell") + " that are no polygons left out");
+      note(counted(piece_.other_cells, "cell") + " other than polygons left out");
     return std::move(result_);
   }
 
@@ -87,7 +87,7 @@ class Converter {
   }
 
   void add_list(const VtkArray& array, std::size_t rows, Columns& columns) {
-    constexpr std::size_t most = 255;
+    constexpr std::size_t most = 255;  // values that the 8-bit count of a list holds
     if (array.components > most) {
       note("array " + quoted(array.name) + " of " + counted(array.components, "component") +
            " left out");

@@ -43,7 +43,8 @@ class VtkReader {
     const std::string kind = stream_.word();
     is_grid_ = kind == "unstructured_grid";
     if (kind != "polydata" && !is_grid_)
-      stream_.fail("VTK data of the kind " + quoted(kind) + " is no surface: POLYDATA is read");
+      stream_.fail("VTK data of type " + quoted(kind) +
+                   " is not supported as a surface: only POLYDATA is");
   }
 
   void read_section(const std::string& word) {
@@ -250,7 +251,7 @@ class VtkReader {
       const std::string type = stream_.word();
       if (type == "string" || type == "bit" || type == "variant")
         stream_.fail("the array " + quoted(array.name) + " has the type " + quoted(type) +
-                     ", which is not read");
+                     ", which is not supported");
       stream_.numbers(type, rows * array.components, array);
       if (arrays_ != nullptr) arrays_->push_back(std::move(array));
     }

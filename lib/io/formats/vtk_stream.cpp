@@ -70,7 +70,7 @@ std::uint64_t VtkStream::count(const std::string& what) {
   const char* last = first + text.size();
   std::uint64_t value = 0;
   if (parse_number(first, last, value) != Parsed::ok || first != last)
-    fail(what + " is no whole number of 0 or more, but " + quoted(text));
+    fail(what + " must be a whole number of 0 or more, not " + quoted(text));
   return value;
 }
 
@@ -82,11 +82,11 @@ void VtkStream::numbers(const std::string& type, std::uint64_t count, VtkArray& 
     const std::size_t size = is_binary_ ? sizeof(T) : 2;
     if (count > left / size + 1)
       fail(counted(count, "number") + " of " + quoted(array.name) + " are announced, but only " +
-           counted(left, "byte") + " follow: the file is cut off or wrong");
+           counted(left, "byte") + " follow: the file is cut off or its header is wrong");
     is_binary_ ? read_bytes<T>(count, array) : read_text(count, array);
     set_type(std::is_floating_point_v<T>, std::is_signed_v<T>, sizeof(T), array);
   });
-  if (!is_known) fail("numbers of the type " + quoted(type) + " are not read");
+  if (!is_known) fail("numbers of the type " + quoted(type) + " are not supported");
 }
 
 void VtkStream::read_text(std::uint64_t count, VtkArray& array) {
@@ -126,7 +126,7 @@ std::vector<std::uint64_t> VtkStream::indices(const std::string& type, std::uint
   constexpr double most = 9007199254740992.0;  // 2^53: doubles represent all integers up to this
   for (const double value : array.values) {
     if (!(value >= 0 && value <= most) || value != std::floor(value))
-      fail(what + " has an index that is no whole number of 0 or more");
+      fail(what + " has an index that is not a whole number of 0 or more");
     result.push_back(static_cast<std::uint64_t>(value));
   }
   return result;

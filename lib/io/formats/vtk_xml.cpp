@@ -28,7 +28,7 @@ VtpEncoding VtkXml::encoding(const Source& source) const {
   encoding.is_compressed = !compressor.empty();
   if (encoding.is_compressed && compressor != "vtkZLibDataCompressor")
     source.fail("the data is compressed by " + quoted(compressor) +
-                ", which is not read: vtkZLibDataCompressor is");
+                ", which is not supported: only vtkZLibDataCompressor is");
   encoding.appended = appended;
   encoding.is_appended_text = is_appended_text;
   return encoding;

@@ -55,7 +55,7 @@ VtkArray VtpArrays::read(const pugi::xml_node& element) const {
   const std::string what = "the array " + quoted(array.name);
   if (array.components == 0) source_.fail(what + " has no components");
   if (!with_xml_type(type, [](auto) {}))
-    source_.fail(what + " has the type " + quoted(type) + ", which is not read");
+    source_.fail(what + " has the type " + quoted(type) + ", which is not supported");
   if (format == "ascii") {
     read_text(element, array);
     with_xml_type(type, [&](auto zero) { set_type_of<decltype(zero)>(array); });
@@ -75,7 +75,7 @@ std::vector<std::uint64_t> VtpArrays::indices(const pugi::xml_node& element) con
   for (const double value : array.values) {
     if (!(value >= 0 && value <= most) || value != std::floor(value))
       source_.fail("the array " + quoted(array.name) +
-                   " has an index that is no whole number of 0 or more");
+                   " has an index that is not a whole number of 0 or more");
     result.push_back(static_cast<std::uint64_t>(value));
   }
   return result;

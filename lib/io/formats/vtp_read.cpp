@@ -21,7 +21,8 @@ class VtpReader {
     const Node root = xml.root();
     const std::string_view type = root.attribute("type").value();
     if (type != "PolyData")
-      source_.fail("VTK data of the kind " + quoted(type) + " is no surface: PolyData is read");
+      source_.fail("VTK data of type " + quoted(type) +
+                   " is not supported as a surface: only PolyData is");
     encoding_ = xml.encoding(source_);
     ReadResult result;
     result.document.style.format = Format::vtp;
@@ -51,7 +52,7 @@ class VtpReader {
       piece.points = arrays.read(points);
     if (piece.points.values.size() % 3 != 0)
       source_.fail("the points of VTP have " + counted(piece.points.values.size(), "number") +
-                   ", which is no multiple of 3");
+                   ", which is not a multiple of 3");
     const std::size_t vertices = read_cells(node.child("Verts"), arrays).size();
     piece.other_cells = read_cells(node.child("Lines"), arrays).size();
     piece.polygons = read_cells(node.child("Polys"), arrays);

@@ -67,6 +67,7 @@ class Merger {
 
 void Merger::add_polygon(std::vector<Index> faces) {
   std::vector<Face> triangles;
+  triangles.reserve(faces.size());
   for (const Index face : faces) triangles.push_back(mesh_.faces[face]);
   std::vector<Index> outline = outline_of(triangles);
   if (!outline.empty()) return rows_.push_back({std::move(faces), std::move(outline)});
@@ -90,7 +91,7 @@ void Merger::find_rows() {
 }
 
 Column Merger::outlines() const {
-  Column column{outline_column, Scalar::uint32, {}, document_.style.face_list_count, {0}};
+  Column column{"", Scalar::uint32, {}, document_.style.face_list_count, {0}};
   for (const Row& row : rows_) {
     column.values.insert(column.values.end(), row.outline.begin(), row.outline.end());
     column.list_offsets.push_back(column.values.size());
@@ -123,7 +124,7 @@ MergedPolygons Merger::merge() {
   find_rows();
   std::vector<Index> first_faces;
   for (const Row& row : rows_) first_faces.push_back(row.faces.front());
-  MergedPolygons result{document_, unmerged_};
+  MergedPolygons result{document_, outlines(), unmerged_};
   Mesh& mesh = result.document.mesh;
   mesh.faces.clear();
   for (const Index face : first_faces) mesh.faces.push_back(mesh_.faces[face]);
@@ -132,7 +133,6 @@ MergedPolygons Merger::merge() {
     if (is_corner_list(mesh_.face_columns.columns[i]))
       mesh.face_columns.columns[i] = merged_list(mesh_.face_columns.columns[i]);
   mesh.face_columns.erase(polygon_column);
-  mesh.face_columns.columns.push_back(outlines());
   return result;
 }
 
@@ -143,7 +143,7 @@ MergedPolygons merge_polygons(const Document& document) { return Merger(document
 PolygonCount count_polygons(const Columns& face_columns) {
   PolygonCount count;
   const Column* numbers = face_columns.find(polygon_column);
-  if (numbers == nullptr) return count;
+  if (numbers == nullptr || numbers->list_count_type) return count;
   std::set<double> polygons;
   for (const double number : numbers->values) {
     if (!(number > 0)) continue;

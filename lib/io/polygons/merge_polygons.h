@@ -13,12 +13,10 @@ namespace transformesh {
 /// face by itself. Written to no file.
 inline constexpr const char* polygon_column = "tm:polygon";
 
-/// Face column of lists: the vertices of each face in order, once polygons are merged.
-inline constexpr const char* outline_column = "tm:outline";
-
 struct MergedPolygons {
-  /// Each polygon is a face whose corners are in outline_column; polygon_column is gone.
+  /// Each polygon is a face; its corners are in `outlines`. polygon_column is gone.
   Document document;
+  Column outlines;           ///< lists: the vertices of each face in order
   std::size_t unmerged = 0;  ///< polygons left as triangles, as their outline is no single loop
 };
 
@@ -31,12 +29,11 @@ struct PolygonCount {
 };
 PolygonCount count_polygons(const Columns& face_columns);
 
-/// The corners of a face as a format writes them: of outline_column if there is one.
+/// The corners of a face as a format writes them.
 class FaceOutlines {
  public:
-  /// Keeps a reference.
-  explicit FaceOutlines(const Mesh& mesh)
-      : mesh_(mesh), lists_(mesh.face_columns.find(outline_column)) {}
+  /// Keeps references. `outlines` are MergedPolygons::outlines, or null for a mesh of triangles.
+  FaceOutlines(const Mesh& mesh, const Column* outlines) : mesh_(mesh), lists_(outlines) {}
   std::size_t size(std::size_t face) const {
     return lists_ == nullptr ? 3 : lists_->list_offsets[face + 1] - lists_->list_offsets[face];
   }

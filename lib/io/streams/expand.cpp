@@ -11,7 +11,7 @@ namespace transformesh {
 namespace {
 
 constexpr int gzip_window = 15 + 16;  // the largest window; 16 selects the gzip header in zlib
-constexpr int zlib_window = 15;
+constexpr int zlib_window = 15;       ///< log2 of the window's bytes, the largest of zlib
 
 /// A zlib decompressor of bytes in memory, which appends to a string.
 class Inflater {
@@ -66,7 +66,7 @@ class Inflater {
 
 [[noreturn]] void fail_expansion(const Source& source, std::uint64_t most) {
   source.fail("the compressed data expands to more than " + std::to_string(most >> 20U) +
-              " MB, which no mesh of this size does");
+              " MB, more than any mesh in a file of this size");
 }
 
 std::size_t without_padding(std::string_view rest) { return rest.find_last_not_of('\0') + 1; }
@@ -86,7 +86,7 @@ void ExpansionBudget::spend(std::uint64_t bytes) {
   if (bytes > left_)
     source_.fail("repeated parts expand to more than " +
                  std::to_string(expansion_limit(source_.bytes.size()) >> 20U) +
-                 " MB, which no mesh of this size does");
+                 " MB, more than any mesh in a file of this size");
   left_ -= bytes;
 }
 

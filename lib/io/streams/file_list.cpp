@@ -127,7 +127,7 @@ std::vector<std::string> folders_at(const std::string& where) {
 std::string file_bytes(const std::string& path, std::size_t limit) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes;
-  constexpr std::size_t block = std::size_t{1} << 16;
+  constexpr std::size_t block = std::size_t{1} << 16;  // bytes; affects time only
   while (file && bytes.size() < limit) {
     const std::size_t size = bytes.size();
     bytes.resize(size + std::min(block, limit - size));

@@ -15,8 +15,8 @@
 namespace transformesh {
 namespace {
 
-/// A choice: half of it would cause repeated reads, twice of it would be half of a small machine's
-/// memory.
+/// A choice. Half of the value would cause repeated reads; twice the value would be half of a small
+/// machine's memory.
 constexpr std::size_t most_resident_bytes = std::size_t{256} << 20;
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {

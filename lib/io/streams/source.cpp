@@ -23,7 +23,7 @@ void Source::fail_at_byte(const char* place, const std::string& what) const {
 }
 
 std::string quoted(std::string_view text) {
-  constexpr std::size_t longest = 40;
+  constexpr std::size_t longest = 40;  // bytes shown, so that a message stays on a line
   constexpr std::string_view digits = "0123456789abcdef";
   std::string result = "'";
   for (const char c : text.substr(0, longest)) {

@@ -33,6 +33,7 @@ class TextBuffer {
   std::string take();
 
  private:
+  /// Bytes; the shortest text of a double has at most 24.
   static constexpr std::size_t longest_number = 32;
 
   void ensure(std::size_t size) {

@@ -86,8 +86,8 @@ ZipReader::~ZipReader() {
 }
 
 std::optional<std::string> ZipReader::read(const std::string& name) const {
-  constexpr int ignoring_case = 2;
-  constexpr std::size_t block = 1U << 16U;
+  constexpr int ignoring_case = 2;          // constant of minizip
+  constexpr std::size_t block = 1U << 16U;  // bytes; affects time only
   if (unzLocateFile(state_->file, name.c_str(), ignoring_case) != UNZ_OK) return std::nullopt;
   const auto fail = [&](const char* what) {
     source_.fail(quoted(name) + " in the archive " + what);
@@ -137,7 +137,7 @@ void ZipWriter::add(const std::string& name, std::string_view bytes) {
   if (zipOpenNewFileInZip64(state_->file, name.c_str(), &info, nullptr, 0, nullptr, 0, nullptr,
                             Z_DEFLATED, Z_DEFAULT_COMPRESSION, is_large) != ZIP_OK)
     throw std::bad_alloc();
-  constexpr std::size_t block = std::size_t{1} << 30U;
+  constexpr std::size_t block = std::size_t{1} << 30U;  // bytes; minizip counts in 32 bits
   for (std::size_t at = 0; at < bytes.size(); at += block) {
     const std::string_view part = bytes.substr(at, block);
     zipWriteInFileInZip(state_->file, part.data(), static_cast<unsigned>(part.size()));

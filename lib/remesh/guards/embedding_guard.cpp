@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "remesh/guards/slab.h"
 #include "support/parallel.h"
 
 namespace transformesh {
@@ -16,6 +17,9 @@ namespace {
 /// that meets a ball has a corner within 0.58 edges of the ball. The sum is about 1.5.
 constexpr double cell_edges = 1.5;
 constexpr double corner_reach = 0.58;
+/// The tree of faces is built when so many vertices of cells were visited per face of the mesh that
+/// building it would have been no slower. Meshes of equal edges stay below.
+constexpr std::size_t scans_per_face = 16;
 
 Vec3 lowest(const Triangle& triangle) {
   return triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
@@ -40,42 +44,12 @@ bool meets_itself(const Patch& patch) {
   return false;
 }
 
-}  // namespace
-
-/// The space between two planes perpendicular to a direction.
-class EmbeddingGuard::Slab {
- public:
-  explicit Slab(Vec3 direction) : direction_(std::move(direction)) {}
-  const Vec3& direction() const { return direction_; }
-  void extend(const Triangle& triangle) {
-    for (const Vec3& corner : triangle) {
-      low_ = std::min(low_, direction_.dot(corner));
-      high_ = std::max(high_, direction_.dot(corner));
-    }
-  }
-  /// Whether the triangle meets the slab; distances within rounding error count as contact.
-  bool meets(const Triangle& triangle) const {
-    const double a = direction_.dot(triangle[0]);
-    const double b = direction_.dot(triangle[1]);
-    const double c = direction_.dot(triangle[2]);
-    const double margin = 1e-12 * (std::abs(low_) + std::abs(high_) + std::abs(a));
-    return std::max({a, b, c}) >= low_ - margin && std::min({a, b, c}) <= high_ + margin;
-  }
-
- private:
-  Vec3 direction_;
-  double low_ = HUGE_VAL;
-  double high_ = -HUGE_VAL;
-};
-
-namespace {
-
 Vec3 sum_of(const std::vector<Vec3>& vectors) {
   return std::accumulate(vectors.begin(), vectors.end(), Vec3(Vec3::Zero()));
 }
 
 double longest_edge_of(const EditableMesh& mesh) {
-  constexpr std::size_t per_chunk = 2048;
+  constexpr std::size_t per_chunk = 2048;  // affects time only
   std::vector<double> longest((mesh.face_slots() + per_chunk - 1) / per_chunk, 0);
   parallel_for(longest.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t part = from; part < to; ++part) {
@@ -119,6 +93,15 @@ void EmbeddingGuard::commit(const Patch& patch) {
   longest_edge_ = std::max(longest_edge_, std::sqrt(patch.longest_squared));
   cells_.update(patch.center);
   cells_.restrict(patch.vertices, cone_, patch.longest_squared);
+  if (!tree_) return;
+  for (const Index face : patch.replaced) tree_->update(face);
+  if (patch.replaced.empty())
+    mesh_.for_each_outgoing(patch.center, [&](Index halfedge) { tree_->update(halfedge / 3); });
+}
+
+void EmbeddingGuard::count_scanned(std::size_t vertices) {
+  scanned_ += vertices;
+  if (scanned_ > scans_per_face * mesh_.face_slots() && !tree_) tree_.emplace(mesh_);
 }
 
 bool EmbeddingGuard::keeps_out(const Patch& patch) {
@@ -146,9 +129,13 @@ bool EmbeddingGuard::is_too_long(const Patch& patch) const {
 bool EmbeddingGuard::is_embedded(const Patch& patch) {
   if (is_too_long(patch)) return false;
   enclose(patch);
-  if (is_seen_around(patch)) return true;
+  if (!tree_ && is_seen_around(patch)) return true;
   find_faces_near(patch);
-  return is_height_field(patch) || (!meets_itself(patch) && !meets_others(patch));
+  // The tree has no cells for is_seen_around(): the same certificate is tested with the faces
+  // found.
+  const std::optional<Direction> direction = tree_ ? direction_of(patch) : std::nullopt;
+  return (direction && is_seen_in_slab(patch, direction->unit)) || is_height_field(patch) ||
+         (!meets_itself(patch) && !meets_others(patch));
 }
 
 bool EmbeddingGuard::is_certified(const Patch& patch) {
@@ -158,7 +145,7 @@ bool EmbeddingGuard::is_certified(const Patch& patch) {
   return lies_within(cells_.cell_size() - corner_reach * longest_edge_, patch);
 }
 
-/// Whether the ball of that radius around the old center contains the old and the new patch.
+/// True if the ball of that radius around the old center contains the old and the new patch.
 bool EmbeddingGuard::lies_within(double radius, const Patch& patch) const {
   const double limit = radius * radius;
   const Vec3& center = mesh_.position(patch.center);
@@ -170,30 +157,35 @@ bool EmbeddingGuard::lies_within(double radius, const Patch& patch) const {
 }
 
 /// The smallest slab perpendicular to the direction that contains the old and the new patch.
-EmbeddingGuard::Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
+Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
   Slab slab(direction);
   for (const Triangle& triangle : patch.made) slab.extend(triangle);
   for (const Index face : patch.replaced) slab.extend(mesh_.triangle(face));
   return slab;
 }
 
+/// True if the direction sees all near faces that meet the slab of the patch, and these belong to
+/// the component of the patch.
+bool EmbeddingGuard::is_seen_in_slab(const Patch& patch, const Vec3& direction) const {
+  const Index component = cells_[patch.center].component;
+  const Slab slab = slab_of(patch, direction);
+  return std::all_of(near_.begin(), near_.end(), [&](Index face) {
+    const Triangle triangle = mesh_.triangle(face);
+    return !slab.meets(triangle) ||
+           (cells_[mesh_.source(3 * face)].component == component && sees(direction, triangle));
+  });
+}
+
 /// The certificate of the header for another convex body: the intersection of slab_of() with the
 /// bounding box of both patches. All faces that meet it must be in front of the mean normal.
 bool EmbeddingGuard::is_height_field(const Patch& patch) const {
-  const Index component = cells_[patch.center].component;
-  if (component == no_index) return false;
+  if (cells_[patch.center].component == no_index) return false;
   const Vec3 direction = sum_of(patch.normals).normalized();
-  const Slab slab = slab_of(patch, direction);
-  const auto is_seen = [&](Index face) {
-    return cells_[mesh_.source(3 * face)].component == component &&
-           sees(direction, mesh_.triangle(face));
-  };
   return std::all_of(patch.made.begin(), patch.made.end(),
                      [&](const Triangle& triangle) { return sees(direction, triangle); }) &&
-         std::all_of(patch.replaced.begin(), patch.replaced.end(), is_seen) &&
-         std::all_of(near_.begin(), near_.end(), [&](Index face) {
-           return !slab.meets(mesh_.triangle(face)) || is_seen(face);
-         });
+         std::all_of(patch.replaced.begin(), patch.replaced.end(),
+                     [&](Index face) { return sees(direction, mesh_.triangle(face)); }) &&
+         is_seen_in_slab(patch, direction);
 }
 
 bool EmbeddingGuard::meets_others(const Patch& patch) const {
@@ -220,33 +212,44 @@ void EmbeddingGuard::enclose(const Patch& patch) {
   high_corner_ = high_ + reach;
 }
 
-/// The certificate of is_height_field() for one of the directions of normal_cone.h: among those
-/// that see both patches, the one nearest to the mean normal. Cells and vertices whose cones
-/// contain the direction are skipped without a test of their faces.
-bool EmbeddingGuard::is_seen_around(const Patch& patch) const {
-  const Index component = cells_[patch.center].component;
-  NormalCone cone = component == no_index ? 0 : cone_;
+/// Returns the direction of normal_cone.h that is nearest to the mean normal among those in front
+/// of both patches.
+std::optional<Direction> EmbeddingGuard::direction_of(const Patch& patch) const {
+  NormalCone cone = cells_[patch.center].component == no_index ? 0 : cone_;
   for (const Index vertex : patch.vertices) cone &= cells_[vertex].cone;
-  if (cone == 0) return false;
-  const Direction direction = nearest_direction(cone, sum_of(patch.normals));
+  if (cone == 0) return std::nullopt;
+  return nearest_direction(cone, sum_of(patch.normals));
+}
+
+/// Tests the certificate of is_height_field() for direction_of(). Cells and vertices whose cones
+/// contain the direction are skipped without a test of their faces.
+bool EmbeddingGuard::is_seen_around(const Patch& patch) {
+  const std::optional<Direction> direction = direction_of(patch);
+  if (!direction) return false;
+  const Index component = cells_[patch.center].component;
   const auto is_alike = [&](const auto& part) {
-    return part.component == component && (part.cone & direction.bit) != 0;
+    return part.component == component && (part.cone & direction->bit) != 0;
   };
 
   std::optional<Slab> slab;
-  return cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
-    if (is_alike(cell)) return true;
-    for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
-      if (is_alike(cells_[v]) || !is_around(v)) continue;
-      if (!slab) slab = slab_of(patch, direction.unit);
-      if (!is_seen_or_far(v, component, *slab)) return false;
-    }
-    return true;
-  });
+  std::size_t scanned = 0;
+  const bool result =
+      cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
+        if (is_alike(cell)) return true;
+        for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
+          ++scanned;
+          if (is_alike(cells_[v]) || !is_around(v)) continue;
+          if (!slab) slab = slab_of(patch, direction->unit);
+          if (!is_seen_or_far(v, component, *slab)) return false;
+        }
+        return true;
+      });
+  count_scanned(scanned);
+  return result;
 }
 
-/// Whether the slab's direction sees all faces at the vertex that meet both the slab and the box,
-/// and the vertex belongs to the component if there are such faces.
+/// True if the slab's direction is in front of all faces at the vertex that meet both the slab and
+/// the box. If there are such faces, the vertex must belong to the component.
 bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& slab) const {
   const bool is_mine = cells_[vertex].component == component;
   bool result = true;
@@ -263,27 +266,37 @@ bool EmbeddingGuard::meets_box(const Triangle& triangle) const {
          (highest(triangle).array() >= low_.array()).all();
 }
 
+/// Calls visit(face) for all faces whose bounding boxes may meet the box of enclose(), some
+/// repeatedly.
+template <class Visit>
+void EmbeddingGuard::for_each_near(const Visit& visit) {
+  if (tree_) return tree_->for_each_near(low_, high_, visit);
+  std::size_t scanned = 0;
+  cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
+    for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
+      ++scanned;
+      if (!is_around(v)) continue;
+      mesh_.for_each_outgoing(v, [&](Index halfedge) { visit(halfedge / 3); });
+    }
+    return true;
+  });
+  count_scanned(scanned);
+}
+
 /// Fills near_ with the faces that are not replaced and whose bounding boxes meet the box of
 /// enclose().
 void EmbeddingGuard::find_faces_near(const Patch& patch) {
   near_.clear();
   ++stamp_now_;
   for (const Index face : patch.replaced) stamp_[face] = stamp_now_;
-  const auto add_if_near = [&](Index halfedge) {
-    const Index face = halfedge / 3;
+  for_each_near([&](Index face) {
     if (stamp_[face] == stamp_now_) return;
     stamp_[face] = stamp_now_;
     if (meets_box(mesh_.triangle(face))) near_.push_back(face);
-  };
-  cells_.for_each_cell_near(low_corner_, high_corner_, [&](const VertexCells::Cell& cell) {
-    for (Index v = cell.first_vertex; v != no_index; v = cells_[v].next) {
-      if (is_around(v)) mesh_.for_each_outgoing(v, add_if_near);
-    }
-    return true;
   });
 }
 
-/// Whether the vertex may be the nearest corner of a face that meets the box.
+/// True if the vertex may be the nearest corner of a face that meets the box.
 bool EmbeddingGuard::is_around(Index vertex) const {
   const Vec3& position = mesh_.position(vertex);
   const double longest = std::sqrt(static_cast<double>(cells_[vertex].longest_squared));

@@ -16,6 +16,9 @@
 /// against
 ///   all triangles nearby and those of its own patch (triangle_contact.h).
 ///
+/// Cells are as wide as the longest edge, so that a mesh of slivers has thousands of faces in each.
+/// The second and third test then find near faces in a tree instead (face_tree.h).
+///
 /// If an obstacle is given, patches are also kept away from it (keep_out.h).
 #pragma once
 
@@ -24,6 +27,8 @@
 #include <vector>
 
 #include "geometry/keep_out.h"
+#include "remesh/guards/face_tree.h"
+#include "remesh/guards/slab.h"
 #include "remesh/guards/triangle_contact.h"
 #include "remesh/halfedges/editable_mesh.h"
 #include "remesh/halfedges/vertex_cells.h"
@@ -71,18 +76,21 @@ class EmbeddingGuard {
   void forget(Index vertex) { cells_.remove(vertex); }
 
  private:
-  class Slab;
-
   bool is_too_long(const Patch& patch) const;
   bool lies_within(double radius, const Patch& patch) const;
   bool is_certified(const Patch& patch);
   bool is_embedded(const Patch& patch);
+  void count_scanned(std::size_t vertices);
   bool keeps_out(const Patch& patch);
   void find_faces_near(const Patch& patch);
+  template <class Visit>
+  void for_each_near(const Visit& visit);
   void enclose(const Patch& patch);
-  bool is_seen_around(const Patch& patch) const;
+  std::optional<Direction> direction_of(const Patch& patch) const;
+  bool is_seen_around(const Patch& patch);
   bool is_seen_or_far(Index vertex, Index component, const Slab& slab) const;
   bool is_around(Index vertex) const;
+  bool is_seen_in_slab(const Patch& patch, const Vec3& direction) const;
   bool is_height_field(const Patch& patch) const;
   Slab slab_of(const Patch& patch, const Vec3& direction) const;
   bool meets_box(const Triangle& triangle) const;
@@ -94,6 +102,8 @@ class EmbeddingGuard {
   double longest_allowed_;
   double longest_edge_;  ///< longest edge so far
   VertexCells cells_;
+  std::optional<FaceTree> tree_;  ///< finds near faces in place of cells, once these were too slow
+  std::size_t scanned_ = 0;       ///< vertices of cells visited so far
   std::vector<std::uint32_t> stamp_;  ///< per face: `stamp_now_` if already visited
   std::uint32_t stamp_now_ = 0;
   NormalCone cone_ = 0;      ///< cone of the last allowed patch

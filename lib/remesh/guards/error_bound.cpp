@@ -20,8 +20,8 @@ constexpr std::size_t cuts_per_face = 8;
 /// The limit on faces and on cuts for one face of the result when certified() measures the
 /// distance.
 constexpr std::size_t most_measured_faces = 4096;
-/// The distance that certified() returns is found by attempts: the first one tries this share of
-/// the error, and each later one a distance larger by this factor.
+/// certified() finds the distance by attempts. The first attempt uses this share of the error, and
+/// each later one a distance larger by this factor.
 constexpr double first_share = 1.0 / 1024;
 constexpr double growth = 1.25;
 
@@ -117,12 +117,14 @@ CoverTriangle ErrorBound::corners_of(Index input) const {
   return {CoverCorner{triangle[0]}, CoverCorner{triangle[1]}, CoverCorner{triangle[2]}};
 }
 
-/// Most input faces are near one new face, which the distances of their corners say. Returns
-/// whether each corner is near a face that may be a witness: most patches are refused here.
+/// Most input faces are near a single new face, as the distances of their corners show. Returns
+/// false if a corner is not near any face that may be a witness; most patches are refused by this
+/// test.
 bool ErrorBound::find_close_witnesses() {
   for (const Index input : inputs_) {
     const Face& corners = input_.faces[input];
-    for (const Index v : corners) distances_of(v);  // all rows first, as these move in memory
+    // adds all rows first, because adding rows moves them in memory
+    for (const Index v : corners) distances_of(v);
     const double *a = distances_of(corners[0]), *b = distances_of(corners[1]),
                  *c = distances_of(corners[2]);
     Index best = no_index;
@@ -186,8 +188,8 @@ void ErrorBound::add_witness_candidates(Index input, Candidates& candidates) con
   });
 }
 
-/// Whether all points of the new faces are within the distance of the input. Vertices 2 i and
-/// 2 i + 1 of the patch are corners of new face i.
+/// True if all points of the new faces are within the distance of the input. Vertices 2 i and 2 i +
+/// 1 of the patch are corners of new face i.
 bool ErrorBound::is_near_input(const Patch& patch) {
   NearInput input(input_, input_query_, distance_);
   const std::size_t most = least_cuts + cuts_per_face * inputs_.size();

@@ -4,19 +4,13 @@
 
 #include "clean/intersect/contacts.h"
 #include "geometry/numbers/predicates.h"
+#include "remesh/halfedges/select_slots.h"
 
 namespace transformesh {
 namespace {
 
 bool has_no_area(const Triangle& triangle) {
   return collinear(triangle[0], triangle[1], triangle[2]);
-}
-
-std::vector<Vec3> positions_of(const EditableMesh& mesh) {
-  std::vector<Vec3> result;
-  for (Index v = 0; v < mesh.vertex_slots(); ++v)
-    if (mesh.has_vertex(v)) result.push_back(mesh.position(v));
-  return result;
 }
 
 bool holds(const FloatBox& outer, const FloatBox& inner) {
@@ -98,7 +92,7 @@ bool ExactGuard::for_each_near(const Triangle& triangle,
                                 [&](Index root) { return visit_below(root, box, visit); });
 }
 
-/// Whether each remaining face that the triangle meets was met by one of the replaced faces before.
+/// True if each remaining face that the triangle meets also met one of the replaced faces.
 bool ExactGuard::keeps_apart(const Triangle& triangle, std::span<const Index> replaced) const {
   return for_each_near(triangle, [&](Index face) {
     if (std::find(replaced.begin(), replaced.end(), face) != replaced.end()) return true;

@@ -24,7 +24,7 @@ bool is_wide(const TriangleAxes& axes) {
 ProjectedFaces::ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites)
     : mesh_(mesh), opposites_(std::move(opposites)), stamps_(mesh.faces.size(), 0) {}
 
-/// Whether the projected edge may meet the triangle. Tests whether one of the triangle's edges or
+/// True if the projected edge may meet the triangle. Tests whether one of the triangle's edges or
 /// the edge itself is a separating line.
 bool ProjectedFaces::may_meet(const Place& from, const Place& to) {
   if (std::max(from.first, to.first) < -margin || std::max(from.second, to.second) < -margin ||
@@ -42,7 +42,7 @@ bool ProjectedFaces::may_meet(const Place& from, const Place& to) {
 /// first axis: 1 upwards, -1 downwards. The ends are sorted, so both halfedges of an edge yield
 /// opposite numbers.
 int ProjectedFaces::turns_around_middle(const Place& from, const Place& to) {
-  constexpr double middle = 1.0 / 3;
+  constexpr double middle = 1.0 / 3;  // barycentric coordinate of the center
   const bool is_above = from.second > middle;
   if (is_above == (to.second > middle)) return 0;
   const Place &below = is_above ? to : from, &above = is_above ? from : to;
@@ -52,7 +52,7 @@ int ProjectedFaces::turns_around_middle(const Place& from, const Place& to) {
   return is_above ? -1 : 1;
 }
 
-/// Whether the part of a face that projects onto the triangle is within the distance of its plane.
+/// True if the part of a face that projects onto the triangle is within the distance of its plane.
 bool ProjectedFaces::is_within(const Places& face, double squared_limit) {
   const auto is_near = [&](const Place& place) {
     return place.away.squaredNorm() <= squared_limit;

@@ -12,7 +12,7 @@ namespace {
 constexpr double margin = 1e-12;
 constexpr double nearly_zero = 1e-9;
 
-/// Whether there is a gap between the projections onto the axis. `size` is the largest distance of
+/// True if there is a gap between the projections onto the axis. `size` is the largest distance of
 /// a corner from the origin of the coordinates.
 bool is_gap(const Vec3& axis, const Triangle& first, const Triangle& second, double size) {
   const std::array<double, 3> s{axis.dot(first[0]), axis.dot(first[1]), axis.dot(first[2])};
@@ -62,7 +62,7 @@ struct Wedges {
     return (ray < 2 ? 1.0 : -1.0) * axis.dot(rays[ray]);
   }
 
-  /// Whether the plane separates the triangles. If rays lie in it, it is tilted a little away from
+  /// True if the plane separates the triangles. If rays lie in it, it is tilted slightly away from
   /// them first.
   bool separates(const Vec3& unit_axis) const {
     double least = 1;
@@ -108,7 +108,7 @@ bool are_wedges_apart(const Wedges& wedges) {
                      [&](const Vec3& axis) { return wedges.separates_either_way(axis); });
 }
 
-/// Whether two triangles at a common edge enclose more than a thousandth of a radian. All vectors
+/// True if two triangles at a common edge enclose more than a thousandth of a radian. All vectors
 /// start at one end of the edge: `edge` leads to the other end, the others to the apexes.
 bool is_open_hinge(const Vec3& edge, const Vec3& first_apex, const Vec3& second_apex) {
   const Vec3 first = edge.cross(first_apex);

@@ -34,7 +34,7 @@ void EditableMesh::find_outgoing() {
   std::vector<Index> count(positions_.size(), 0);
   for (Index h = 0; h < halfedge_slots(); ++h) {
     ++count[source(h)];
-    // Takes the border halfedge if there is one, else the lowest.
+    // Chooses the border halfedge if there is one, otherwise the lowest.
     if (outgoing_[source(h)] == no_index || is_border(h)) outgoing_[source(h)] = h;
   }
   isolated_.assign(positions_.size(), false);
@@ -224,9 +224,9 @@ bool EditableMesh::can_collapse(Index halfedge) const {
   return count_common_neighbors(from, to) == (border_edge ? 1U : 2U);
 }
 
-/// The number of common neighbors of two adjacent vertices.
+/// Returns the number of common neighbors of two adjacent vertices.
 Index EditableMesh::count_common_neighbors(Index from, Index to) const {
-  constexpr std::size_t usual = 24;
+  constexpr std::size_t usual = 24;  // neighbors without an allocation; affects time only
   std::array<Index, usual> ring;
   std::size_t count = 0;
   for_each_neighbor(to, [&](Index neighbor, Index) {
@@ -276,7 +276,7 @@ void EditableMesh::collapse(Index halfedge, const Vec3& position, double source_
     blend_attributes(to, {to, from, to}, {1 - source_weight, source_weight, 0});
   Index moved = outgoing_[from];
   const Index first = moved;
-  do {  // not for_each_outgoing(), since the sources change under way
+  do {  // for_each_outgoing() cannot be used, because the sources change meanwhile
     const Index next = opposites_[previous_halfedge(moved)];
     sources_[moved] = to;
     moved = next;

@@ -15,9 +15,9 @@ namespace transformesh {
 
 class EditableMesh {
  public:
-  /// Throws InputError with face indices if the mesh is not an oriented manifold: an index is out
-  /// of range, a face has a corner twice, or an edge has three faces. Also throws if two faces
-  /// traverse an edge in the same direction, or if a vertex has several umbrellas. O(n).
+  /// Throws InputError with face indices if the mesh is not an oriented manifold. Reasons are an
+  /// index out of range, a face with a repeated corner, and an edge of three faces. Also throws if
+  /// two faces traverse an edge in the same direction, or if a vertex has several umbrellas. O(n).
   explicit EditableMesh(const Mesh& mesh);
   /// The same for a mesh whose manifold_opposites() (halfedges.h) are known.
   EditableMesh(const Mesh& mesh, std::vector<Index> opposites);

@@ -47,10 +47,10 @@ void check_corners(const Mesh& mesh) {
   data.faces.push_back(second / 3);
   throw InputError(ErrorKind::not_manifold,
                    "faces " + std::to_string(first / 3) + " and " + std::to_string(second / 3) +
-                       " run the same way along the edge from vertex " +
+                       " traverse the edge from vertex " +
                        std::to_string(halfedge_source(mesh, first)) + " to vertex " +
                        std::to_string(halfedge_target(mesh, first)) +
-                       ": the mesh is not an oriented manifold",
+                       " in the same direction: the mesh is not an oriented manifold",
                    std::move(data));
 }
 

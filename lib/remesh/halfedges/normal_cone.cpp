@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// A direction sees the front of a face if the cosine of its angle to the normal is above this.
+/// A direction is in front of a face if the cosine of its angle to the normal is above this.
 constexpr float least_cosine = 0.03F;
 /// Single precision represents the coordinates of normals between these lengths well.
 constexpr double smallest = 1e-30;
@@ -24,8 +24,8 @@ struct FourDirections {
   Floats x, y, z, length;
   Words bits;
 };
-constexpr float face = 1.41421356F;
-constexpr float cube = 1.73205081F;
+constexpr float face = 1.41421356F;  ///< square root of 2
+constexpr float cube = 1.73205081F;  ///< square root of 3
 constexpr std::array<FourDirections, 4> directions_tested{{
     {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 0}, {1, 1, 1, face}, {1, 2, 4, 8}},
     {{1, 0, 0, 1}, {-1, 1, 1, 0}, {0, 1, -1, 1}, {face, face, face, face}, {16, 32, 64, 128}},
@@ -33,8 +33,8 @@ constexpr std::array<FourDirections, 4> directions_tested{{
     {{-1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}, {cube, 1, 1, 1}, {4096, 0, 0, 0}},
 }};
 
-/// Four normals, coordinate by coordinate, and the least component along a unit direction with
-/// which the direction sees the front.
+/// Four normals, coordinate by coordinate, and the least component along a unit direction that is
+/// in front of the face.
 struct FourNormals {
   Floats x, y, z;
   Floats least;
@@ -51,7 +51,7 @@ float needed_length(const Vec3& normal) {
   return is_usual ? least_cosine * static_cast<float>(length) : HUGE_VALF;
 }
 
-/// The first four normals. If there are fewer, the first one takes the places of those missing.
+/// Loads the first four normals. If there are fewer, copies of the first one fill the rest.
 FourNormals four_normals(std::span<const Vec3> normals) {
   const Vec3& a = normals[0];
   const Vec3& b = normals[normals.size() > 1 ? 1 : 0];
@@ -124,7 +124,8 @@ NormalCone common_cone(std::span<const Vec3> normals) {
   return common_bits(cone);
 }
 
-// If the last group has fewer than four normals, normals of the group or the first one repeat.
+// If the last group has fewer than four normals, copies of normals of the group or of the first one
+// fill it.
 NormalCone common_cone(std::span<const NormalPair> pairs, std::size_t count) {
   Words cone{-1, -1, -1, -1};
   const auto pair_at = [&](std::size_t i) {
@@ -153,8 +154,9 @@ void find_cones(std::span<const Vec3> normals, std::span<NormalCone> cones) {
   }
 }
 
-/// Bit k is set if direction k sees the front, bit 16 + k if the opposite direction does. Rounding
-/// to single precision is harmless, since it is far smaller than the margin of least_cosine.
+/// Bit k is set if direction k is in front of the face, bit 16 + k if the opposite direction is.
+/// Rounding to single precision is harmless, because it is far smaller than the margin of
+/// least_cosine.
 NormalCone cone_of(const Vec3& normal) {
   const double length = normal.norm();
   if (!(length > smallest && length < largest)) return 0;

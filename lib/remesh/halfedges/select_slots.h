@@ -1,4 +1,4 @@
-/// Selects slots of an edited mesh that satisfy a condition, in parallel.
+/// Slots of an edited mesh that are in use, or satisfy a condition.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace transformesh {
 /// results in the order of the indices. `find` is called from several threads.
 template <class Find>
 std::vector<Index> indices_where_in(Index count, const Find& find) {
-  constexpr std::size_t per_chunk = 4096;
+  constexpr std::size_t per_chunk = 4096;  // affects time only
   std::vector<std::vector<Index>> chunks((count + per_chunk - 1) / per_chunk);
   parallel_for(chunks.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t chunk = from; chunk < to; ++chunk) {
@@ -36,6 +36,14 @@ std::vector<Index> indices_where(Index count, const IsWanted& is_wanted) {
   return indices_where_in(count, [&](Index i, std::vector<Index>& found) {
     if (is_wanted(i)) found.push_back(i);
   });
+}
+
+/// Returns the positions of all vertices that are not removed, in the order of their slots.
+inline std::vector<Vec3> positions_of(const EditableMesh& mesh) {
+  std::vector<Vec3> result;
+  for (Index v = 0; v < mesh.vertex_slots(); ++v)
+    if (mesh.has_vertex(v)) result.push_back(mesh.position(v));
+  return result;
 }
 
 /// Returns the lower halfedges of the edges for whose scaled squared length is_wanted() is true.

@@ -11,20 +11,21 @@
 namespace transformesh {
 namespace {
 
-/// A face has a steady normal if its height is above this many spacings of its coordinates:
-/// rounding then turns the normal by less than 4 degrees.
+/// A face has a reliable normal if its height is above this many spacings of its coordinates:
+/// rounding then rotates the normal by less than 4 degrees.
 constexpr double steady_spacings = 16;
-/// Angles between the normals at sharp edges and at lines, which include the sharp edges.
+/// Least angles between the normals at sharp edges and at lines; lines include sharp edges.
 constexpr double sharp_deg = 60;
 constexpr double line_deg = 40;
-/// A sharp edge is meant, and no noise, if the edges at its ends that are not lines turn by less
+/// A sharp edge is intended, not noise, if the edges at its ends that are not lines turn by less
 /// than this share of its angle.
 constexpr double smooth_share = 0.35;
-/// A mesh has sharp edges if the meant ones have more than these shares of the length of all sharp
-/// edges and of all lines. Larger shares miss features of noisy meshes, smaller ones keep noise.
+/// A mesh has sharp edges if the intended ones have more than these shares of the length of all
+/// sharp edges and of all lines. Larger shares miss features of noisy meshes; smaller ones take
+/// noise for features.
 constexpr double meant_share = 0.9;
 constexpr double meant_of_lines = 0.25;
-/// The total length of meant edges must exceed this share of the square root of the area.
+/// The total length of intended edges must exceed this share of the square root of the area.
 constexpr double least_length = 0.5;
 
 double cosine_of(double degrees) { return elementary::cos(degrees * std::numbers::pi / 180); }
@@ -48,7 +49,7 @@ double spacing_at_face(const EditableMesh& mesh, Index face) {
   return spacing;
 }
 
-/// The unit normal of a face, or zero if the face is too thin for a steady one.
+/// Returns the unit normal of a face, or zero if the face is too thin for a reliable one.
 Vec3 own_normal(const EditableMesh& mesh, Index face) {
   const Vec3 normal = mesh.face_normal(face);
   const double area = normal.stableNorm();
@@ -58,8 +59,8 @@ Vec3 own_normal(const EditableMesh& mesh, Index face) {
 }
 
 /// Walks from each thin face across longest edges until a face has a normal, and gives that normal
-/// to all faces on the path. Paths that end in a cycle, as if two thin faces share their longest
-/// edge, yield none.
+/// to all faces on the path. Paths that end in a cycle yield no normal, for example if two thin
+/// faces share their longest edge.
 void take_over_across_longest(const EditableMesh& mesh, const std::vector<Index>& thin,
                               std::vector<Vec3>& normals) {
   std::vector<char> is_visited(normals.size(), 0);
@@ -94,8 +95,8 @@ void take_over_across_any(const EditableMesh& mesh, std::vector<Vec3>& normals) 
   }
 }
 
-/// Whether any edge turns by more than 60 degrees, even if only by noise. This fast test without
-/// square roots settles most meshes, which are smooth.
+/// True if any edge turns by more than 60 degrees, even if only by noise. Most meshes are smooth
+/// and need no further test. Needs no square roots.
 bool may_have_sharp_edges(const EditableMesh& mesh) {
   std::vector<Vec3> normals(mesh.face_slots());
   std::vector<double> squares(mesh.face_slots());
@@ -112,7 +113,7 @@ bool may_have_sharp_edges(const EditableMesh& mesh) {
   return false;
 }
 
-/// Total lengths of lines, of the sharp edges among them, and of the meant ones among those.
+/// Total lengths of lines, of the sharp edges among them, and of the intended edges among those.
 struct SharpLengths {
   double lines = 0, sharp = 0, meant = 0;
 };

@@ -9,7 +9,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 4096;  ///< affects time only
-constexpr std::size_t faces_at_once = 64;
+constexpr std::size_t faces_at_once = 64;     ///< affects time only
 /// At most one slot in this many of the hash table is used: most searches find nothing and end at
 /// the first free slot. A fuller table takes less memory and longer searches.
 constexpr std::size_t most_full = 6;
@@ -184,7 +184,7 @@ void VertexCells::measure_edges() {
 }
 
 void VertexCells::stretch(Index vertex, double longest_squared) {
-  constexpr double margin = 1 + 1e-6;
+  constexpr double margin = 1 + 1e-6;  // exceeds the rounding of a double to float
   const float rounded_up =
       std::max(static_cast<float>(margin * longest_squared), std::numeric_limits<float>::min());
   vertices_[vertex].longest_squared = std::max(vertices_[vertex].longest_squared, rounded_up);

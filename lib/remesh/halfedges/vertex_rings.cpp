@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t usual_valence = 6;
+constexpr std::size_t usual_valence = 6;  ///< initial capacity; affects time only
 
 void append_ring(const EditableMesh& mesh, Index vertex, std::vector<Index>& ring) {
   ring.push_back(mesh.target(mesh.outgoing(vertex)));

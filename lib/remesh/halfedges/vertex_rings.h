@@ -24,7 +24,7 @@ class VertexRings {
   }
 
  private:
-  static constexpr Index chunk_size = 1024;
+  static constexpr Index chunk_size = 1024;  ///< affects time only
   /// Rings of consecutive vertices.
   struct Chunk {
     std::vector<Index> neighbors;

@@ -113,8 +113,8 @@ class IsIrregular {
         const Index h = 3 * face + i;
         const Index opposite = mesh_.opposite(h);
         if (opposite == no_index) continue;
-        // The comparison of both halfedges is unpredictable for the processor and comes after the
-        // test that rejects most edges.
+        // The comparison of both halfedges is unpredictable for the processor, so it comes after
+        // the test that rejects most edges.
         const int gained = gain(excess[i], excess[(i + 1) % 3], excess[(i + 2) % 3],
                                 excess_[mesh_.apex(opposite)]);
         if (gained > 0 && h < opposite && mesh_.scaled_squared_length(h) < limit_)

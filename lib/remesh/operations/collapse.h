@@ -17,8 +17,9 @@ struct CollapseCounts {
 /// Collapses edges shorter than `limits.shortest`, the shortest first. A collapse must keep the
 /// topology (link condition; a closed component keeps four faces) and rotate no normal by more than
 /// 60 degrees. It must make no sliver, no too long edge and no contact. The merged vertex lies at
-/// the midpoint, shifted along the normal so that the volume stays (Lindstrom & Turk, "Fast and
-/// memory efficient polygonal simplification", Visualization 1998), or at the end that must stay.
+/// the end that must stay, or else at the midpoint, shifted along the normal so that the volume
+/// stays. Reference: Lindstrom & Turk, "Fast and memory efficient polygonal simplification",
+/// Visualization 1998.
 /// ShapeRules::curved chooses among both ends and the middle of the curved edge the position with
 /// the least sum of squared distances to the planes of the replaced faces. Reference: Garland &
 /// Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997.

@@ -10,19 +10,20 @@
 namespace transformesh {
 namespace {
 
-/// The cosine of 40 degrees, the usual feature angle. Smooth faces of one edge length turn by so
-/// much where the radius of curvature is below that length, and no quadric describes them there.
+/// The cosine of 40 degrees, the usual feature angle. Smooth faces with equal edges turn by this
+/// much if the radius of curvature is below the edge length; a quadric does not describe them then.
 constexpr double crease_cosine = 0.7660444431189780;
-/// The cosine of 60 degrees: faces that turn by more from the plane are no part of a height field.
+/// The cosine of 60 degrees: faces that turn by more from the plane do not belong to a height
+/// field.
 constexpr double field_cosine = 0.5;
-/// Heights of more than this share of the edge are no smooth surface but a fold: on a sphere whose
-/// faces turn by 40 degrees the share is 0.16.
+/// Heights of more than this share of the edge belong to a fold, not to a smooth surface. On a
+/// sphere whose faces turn by 40 degrees the share is 0.16.
 constexpr double largest_height = 0.2;
 /// Share of the largest diagonal entry that is added to the normal equations, so that curvatures
-/// on which no vertex bears become 0. Without it a strip with two apexes has no solution; more than
-/// 1e-3 flattens regular neighborhoods.
+/// that no vertex determines become 0. Without it a strip with two apexes has no solution; more
+/// than 1e-3 flattens regular neighborhoods.
 constexpr double damping = 1e-6;
-/// The cosine of 45 degrees: a crease that turns by more has a corner there.
+/// The cosine of 45 degrees: a crease that turns by more at a vertex has a corner there.
 constexpr double corner_cosine = 0.7071067811865476;
 
 bool is_crease(const EditableMesh& mesh, Index h) {
@@ -30,8 +31,8 @@ bool is_crease(const EditableMesh& mesh, Index h) {
   return turns(mesh.face_normal(h / 3), mesh.face_normal(mesh.opposite(h) / 3), crease_cosine);
 }
 
-/// Visits the neighbors of the source of a halfedge that are reached across smooth edges to faces
-/// that look along `normal`. Returns whether these are all faces at the vertex.
+/// Visits the neighbors of the source of a halfedge that can be reached across smooth edges,
+/// through faces that face along `normal`. Returns whether these are all faces at the vertex.
 template <class Visit>
 bool visit_sector(const EditableMesh& mesh, Index start, const Vec3& normal, const Visit& visit) {
   const auto is_passable = [&](Index edge) {
@@ -53,7 +54,7 @@ bool visit_sector(const EditableMesh& mesh, Index start, const Vec3& normal, con
   }
 }
 
-/// Least squares in Count unknowns, which are pulled to 0 a little.
+/// Solves least squares in Count unknowns, which are slightly pulled to 0.
 template <int Count>
 class Fit {
  public:
@@ -86,7 +87,8 @@ struct Frame {
   }
 };
 
-/// Near vertices count for more: the error of a quadric grows with the third power of distance.
+/// Near vertices have larger weights, because the error of a quadric grows with the third power of
+/// distance.
 double weight_of(const Vec3& point) {
   const double squared = point.squaredNorm();
   return 1 / (squared * squared);
@@ -118,8 +120,8 @@ Vec3 smooth_midpoint(const EditableMesh& mesh, Index h) {
   return middle + height * length * normal;
 }
 
-/// The vertex with which a crease goes on straight beyond the target of one of its halfedges;
-/// no_index if it ends, branches or turns there.
+/// Returns the vertex to which a crease continues straight beyond the target of one of its
+/// halfedges; no_index if it ends, branches or turns there.
 Index crease_beyond(const EditableMesh& mesh, Index source, Index target) {
   Index beyond = no_index;
   int count = 0;
@@ -134,8 +136,8 @@ Index crease_beyond(const EditableMesh& mesh, Index source, Index target) {
   return turns(in, out, corner_cosine) ? no_index : beyond;
 }
 
-/// The height above the chord, at its middle, of the parabola through `from`, `to` and `beyond`,
-/// each by its distance from the one before.
+/// Returns the height above the middle of the chord of the parabola through `from`, `to` and
+/// `beyond`. The parameter of each point is its distance from the point before.
 Vec3 parabola_height(const Vec3& from, const Vec3& to, const Vec3& beyond) {
   const double step = (to - from).norm();
   const double next = (beyond - to).norm();
@@ -143,9 +145,9 @@ Vec3 parabola_height(const Vec3& from, const Vec3& to, const Vec3& beyond) {
   return -0.25 * step * step * second;
 }
 
-/// The mean of the parabolas with either neighbor is a cubic through all four vertices where these
-/// are evenly spaced. Reference: Dyn, Levin & Gregory, "A 4-point interpolatory subdivision scheme
-/// for curve design", Computer Aided Geometric Design 1987.
+/// The mean of the parabolas with either neighbor is a cubic through all four vertices if these are
+/// evenly spaced. Reference: Dyn, Levin & Gregory, "A 4-point interpolatory subdivision scheme for
+/// curve design", Computer Aided Geometric Design 1987.
 Vec3 crease_midpoint(const EditableMesh& mesh, Index h) {
   const Index source = mesh.source(h);
   const Index target = mesh.target(h);

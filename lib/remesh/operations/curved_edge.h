@@ -14,12 +14,12 @@
 
 namespace transformesh {
 
-/// Returns the place of the surface at the middle of an edge. It is the midpoint of the chord if
+/// Returns the point of the surface at the middle of an edge. It is the midpoint of the chord if
 /// the surface around is unknown or turns too much. O(valence).
 Vec3 curved_midpoint(const EditableMesh& mesh, Index halfedge);
 
-/// Returns the place of the surface above `target`, which lies near the vertex in the plane across
-/// its area normal. It is `target` itself beside a crease. O(valence).
+/// Returns the point of the surface above `target`. The target lies near the vertex, in the plane
+/// perpendicular to its area normal. Returns `target` itself beside a crease. O(valence).
 Vec3 lifted_onto_surface(const EditableMesh& mesh, Index vertex, const Vec3& target);
 
 }  // namespace transformesh

@@ -12,16 +12,17 @@
 namespace transformesh {
 namespace {
 
-/// A round halves every edge that is too long, so that 64 take an edge from the largest extent of a
-/// mesh to the shortest edge that is split. More could only repeat what was refused.
+/// Largest number of rounds. A round halves every edge that is too long, so 64 rounds reduce an
+/// edge from the largest extent of a mesh to the shortest edge that is split. More rounds would
+/// only repeat refused splits.
 constexpr int most_rounds = 64;
-/// Triangles at least this round may become narrower when a new vertex leaves its chord. The usual
-/// 0.6 keeps vertices on chords beside edges that were split one after the other, since halves of
-/// halves are narrower than that. Much below 0.1 they would be slivers.
+/// Triangles of at least this roundness may become narrower when a new vertex leaves its chord. The
+/// usual 0.6 would keep vertices on chords beside edges that were split one after the other,
+/// because triangles halved twice are narrower than that. Values far below 0.1 would allow slivers.
 constexpr double round_enough = 0.1;
 
-/// The curved midpoints of the edges that are too long, by their ends. They are found before the
-/// splits, which put vertices on chords.
+/// The curved midpoints of the edges that are too long, by the ends of the edges. They are computed
+/// before the splits, which put vertices on chords.
 class CurvedMidpoints {
  public:
   CurvedMidpoints(const EditableMesh& mesh, double longest) {

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_turn_cosine = 0.5;
+constexpr double least_turn_cosine = 0.5;  ///< 60 degrees; chosen by hand, not measured
 /// Collapses may leave triangles of at least this roundness, or none less round than before.
 constexpr double round_enough = 0.3;
 /// The same for collapse_to(), where the shape of the surface matters more than that of triangles.
@@ -133,7 +133,7 @@ bool EdgeCollapser::try_free_positions() {
 }
 
 /// Tries both ends and the curved midpoint by increasing squared distance from the planes of the
-/// replaced faces. Of equal ones an end comes first: it may still be a vertex of the input.
+/// replaced faces. Ties go to the ends, which may still be vertices of the input.
 bool EdgeCollapser::try_curved_positions() {
   struct Place {
     Vec3 position;
@@ -151,7 +151,8 @@ bool EdgeCollapser::try_curved_positions() {
   });
 }
 
-/// Whether the collapse would move the surface farther than films or curved shapes allow.
+/// True if the collapse would move the surface farther than the limits for films or curved shapes
+/// allow.
 bool EdgeCollapser::moves_too_far(const Vec3& position) const {
   const bool has_film = shape_.min_film > 0;
   if (!has_film && !shape_.curved) return false;

@@ -12,7 +12,8 @@ constexpr std::array<double, 5> shares{0.5, 0.4375, 0.5625, 0.375, 0.625};
 
 Vec3 point_on(const Vec3& a, const Vec3& b, double share) { return (1 - share) * a + share * b; }
 
-/// The next number above (step 1) or below (step -1) a coordinate in the type of coordinates.
+/// Returns the next number above (step 1) or below (step -1) a coordinate in the type of
+/// coordinates.
 double neighbor_of(double x, int step, bool is_single) {
   if (step == 0) return x;
   if (is_single) return std::nextafter(static_cast<float>(x), step > 0 ? HUGE_VALF : -HUGE_VALF);
@@ -76,7 +77,7 @@ void ExactSplitter::gather_replaced() {
   }
 }
 
-/// Whether there is a vertex at the position already, which the new one would touch.
+/// True if a vertex already exists at the position; the new vertex would touch it.
 bool ExactSplitter::is_taken(const Vec3& position) const {
   return !guard_.for_each_near({position, position, position}, [&](Index face) {
     const Triangle triangle = mesh_.triangle(face);

@@ -54,7 +54,7 @@ class StarThinner {
  private:
   bool is_crowded(Index vertex) const { return valences_[vertex] > usual_valence; }
 
-  /// Whether the edge is short and opposite to a crowded vertex, with no crowded end.
+  /// True if the edge is short and opposite to a crowded vertex, and neither end is crowded.
   bool is_wanted(Index h) const {
     const Index opposite = mesh_.opposite(h);
     return (is_crowded(mesh_.apex(h)) ||

@@ -29,11 +29,12 @@ class Quadric {
     const double sum = p.dot(matrix_ * p) + 2 * linear_.dot(p) + constant_;
     return sum > 0 ? sum : 0;
   }
-  /// Where it is least. In directions in which it hardly changes, that is as near to `start` as can
-  /// be: by the pseudoinverse, and steps that correct its rounding.
+  /// Returns the point with the least value. Among points with nearly equal values, returns the one
+  /// nearest to `start`. Uses the pseudoinverse, and steps that correct its rounding errors.
   Vec3 least_near(const Vec3& start) const {
+    // Smaller eigenvalues, as a fraction of the largest, count as 0; chosen by hand, not measured.
     constexpr double least_share = 1e-4;
-    constexpr int steps = 3;
+    constexpr int steps = 3;  // chosen by hand; not measured
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_);
     const Vec3& values = solver.eigenvalues();
     if (!(values[2] > 0)) return start;

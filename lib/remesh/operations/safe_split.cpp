@@ -18,8 +18,8 @@ class ContactCheck {
                std::span<const Index> parents)
       : before_(before), after_(after), parents_(parents), guard_(after) {}
 
-  /// Whether a face at the vertex meets others or has no area, and the face that it is part of did
-  /// not.
+  /// True if a face at the vertex intersects others or has no area, although the face of which it
+  /// is a part did not.
   bool is_worse_at(Index vertex) const {
     bool is_worse = false;
     after_.for_each_outgoing(

@@ -112,7 +112,8 @@ class SliverRemoval {
     return true;
   }
 
-  /// Whether a flip leaves fewer slivers, or as many and a shorter edge. This ensures termination.
+  /// True if a flip leaves fewer slivers, or as many slivers and a shorter edge. This ensures
+  /// termination.
   bool is_progress(Index across, bool is_shorter) const {
     const auto is_made_thin = [&](const Triangle& t) { return is_sliver_.is_sliver(t); };
     const auto after = std::count_if(made_.begin(), made_.end(), is_made_thin);

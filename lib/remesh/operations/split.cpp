@@ -17,7 +17,7 @@ namespace {
 /// A midpoint that touches other faces is moved along its normal by these distances, in spacings of
 /// its largest coordinate.
 constexpr std::array<double, 3> roundings{1, 2, 4};
-constexpr int most_rounds = 4;
+constexpr int most_rounds = 4;  ///< chosen by hand; not measured
 /// Edges shorter than this many spacings are not split. Rounding moves midpoints by up to half the
 /// square root of 3 spacings. From this length on, edges to the midpoint of a longest edge are
 /// still shorter than that edge; otherwise splits might not end.
@@ -80,7 +80,7 @@ class Splitter {
     if (!mesh_.is_border(halfedge)) is_held_[mesh_.opposite(halfedge)] = is_held;
   }
 
-  /// Whether a face at the edge has a longer edge that is held and longer than 1.5 times the limit.
+  /// True if a face at the edge has a longer edge that is held and longer than 1.5 times the limit.
   /// Splitting the other edges of such a face would never make all of them short: in turn, they
   /// approach one and two thirds of the held edge. Longer edges are always decided earlier.
   bool is_beside_held(const QueuedEdge& edge) const {

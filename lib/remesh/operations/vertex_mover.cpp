@@ -5,7 +5,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_turn_cosine = 0.5;
+constexpr double least_turn_cosine = 0.5;  ///< 60 degrees; chosen by hand, not measured
 /// Normals of triangles that are at most this round are mostly rounding error.
 constexpr double normal_roundness = 0.02;
 /// Triangles with a smaller squared roundness have no reliable normal (normal_cone.h).
@@ -115,7 +115,8 @@ void VertexMover::name_faces(Index vertex, const VertexStar& star, const Vec3& t
   mesh_.for_each_outgoing(vertex, [&](Index halfedge) { patch_.replaced.push_back(halfedge / 3); });
 }
 
-// The certificate needs no list of faces, so that is made only if the certificate fails.
+// The certificate does not need the list of faces, so the list is made only if the certificate
+// fails.
 bool VertexMover::is_allowed(Index vertex, const VertexStar& star, const Vec3& target) {
   if (!place_triangles(star, target)) return false;
   patch_.clear();

@@ -19,7 +19,8 @@ constexpr std::array parts = {0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3
 // Reduction of moderate angles (Cody & Waite). The first part, and the other parts as one number,
 // are enough unless the angle is close to a multiple of pi/2.
 ReducedAngle reduced_by_parts(double x) {
-  constexpr double all_but_first = 0x1.0b4611a626331p-34;
+  constexpr double all_but_first = 0x1.0b4611a626331p-34;  // pi/2 without its first part
+  // Closer to a multiple, the error of `all_but_first` is too large.
   constexpr double near = 0x1p-6;
   const double n = nearest_integer(x * inverse(half_pi.high));
   const int quarters = static_cast<int>(n) & 3;

@@ -28,7 +28,7 @@ CameraRecord read_camera(TextRows& rows, const Source& source, std::size_t numbe
   const Vec3 lens = read_vector(rows, "focal length, k1 and k2 of " + who);
   record.place = place_of(rows, source);
   if (lens.x() == 0)
-    rows.fail(who + " has focal length 0: Bundler could not place it, leave it out");
+    rows.fail(who + " has focal length 0, because Bundler could not place it: leave it out");
   record.camera.intrinsics = Vec3(lens.x(), lens.x(), 1).asDiagonal();
   check_intrinsics(rows, record.camera.intrinsics, who);
   // Radial distortion does not change if y is reversed.

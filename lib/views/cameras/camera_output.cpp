@@ -40,10 +40,10 @@ void check_undistorted(const CameraList& list, CameraFormat format) {
   if (!is_pinhole) return;
   for (const CameraRecord& record : list.cameras) {
     if (record.distortion.is_none()) continue;
-    throw InputError("the lens of " + transformesh::quoted(record.name) + " has distortion (" +
-                     record.place +
-                     "), which this format cannot hold: write COLMAP's, or undistort the images "
-                     "with colmap image_undistorter");
+    throw InputError(
+        "the lens of " + transformesh::quoted(record.name) + " has distortion (" + record.place +
+        "), which this format cannot hold: write a COLMAP model, or undistort the images "
+        "with colmap image_undistorter");
   }
 }
 
@@ -67,7 +67,7 @@ std::string write_matrices(const CameraList& list) {
 
 std::string write_only_opencv(const CameraList& list) {
   if (list.cameras.size() != 1)
-    throw InputError("OpenCV's files hold a camera each: name a folder for them");
+    throw InputError("OpenCV writes one file per camera: name a folder for them");
   return write_opencv(list.cameras.front());
 }
 
@@ -89,7 +89,8 @@ const TextFormat& text_format(CameraFormat format) {
       std::find_if(text_formats.begin(), text_formats.end(),
                    [&](const TextFormat& row) { return row.format == format; });
   if (found == text_formats.end())
-    throw InputError(std::string(reader_of(format).program) + "'s files are read, not written");
+    throw InputError(std::string(reader_of(format).program) +
+                     "'s files can be read, but not written");
   return *found;
 }
 
@@ -102,7 +103,8 @@ void check_files(const std::vector<CameraText>& files, const CameraList& list) {
     if (is_new && !name.starts_with('.')) continue;
     throw InputError("the file of " + transformesh::quoted(list.cameras[i].name) + " (" +
                      list.cameras[i].place + ") would be in " + transformesh::quoted(name) +
-                     (is_new ? ", a hidden file" : ", as another one is") + ": rename the image");
+                     (is_new ? ", a hidden file" : ", which another camera uses") +
+                     ": rename the image");
   }
 }
 

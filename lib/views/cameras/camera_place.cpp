@@ -59,7 +59,7 @@ std::vector<std::string> camera_files_in(const std::string& folder) {
     if (!found) continue;
     if (format && *format != *found) {
       throw InputError(std::string(folder)
-                           .append(": camera files of different formats are in this folder, ")
+                           .append(": this folder has camera files of different formats, ")
                            .append(files.back())
                            .append(" and ")
                            .append(path)

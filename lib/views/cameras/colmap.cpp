@@ -71,8 +71,8 @@ void read_lens(TextRows& rows, Lenses& lenses) {
                                          [&](const Model& known) { return known.name == name; });
   if (model == models.end()) {
     rows.fail(who + " has the model " + quoted(name) +
-              ", whose distortion is not taken out here (that of SIMPLE_RADIAL, RADIAL, OPENCV and "
-              "FULL_OPENCV is): undistort the images with colmap image_undistorter");
+              ", whose distortion is not supported (SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV "
+              "are): undistort the images with colmap image_undistorter");
   }
   Lens lens;
   lens.width = read_side(rows, "the width", who);
@@ -88,7 +88,7 @@ void read_lens(TextRows& rows, Lenses& lenses) {
   }
   rows.end_row([&] { return std::string(who); });
   check_intrinsics(rows, k, who);
-  if (!lenses.emplace(id, lens).second) rows.fail(who + " is there twice");
+  if (!lenses.emplace(id, lens).second) rows.fail(who + " is listed twice");
 }
 
 Eigen::Matrix3d read_rotation(TextRows& rows, const std::string& who) {
@@ -118,7 +118,7 @@ CameraRecord read_image(TextRows& rows, const Source& source, const Lenses& lens
   const std::string_view id = rows.word();
   const auto lens = lenses.find(id);
   if (lens == lenses.end())
-    rows.fail("there is no camera " + quoted(id) + ", which " + who + " has");
+    rows.fail("there is no camera " + quoted(id) + ", to which " + who + " refers");
   record.camera.intrinsics = lens->second.intrinsics;
   record.distortion = lens->second.distortion;
   record.width = lens->second.width;
@@ -140,7 +140,8 @@ void skip_points(TextRows& rows, const Source& source, const std::string& name) 
   bool are_points = words % 3 == 0;
   while (are_points && rows.has_more()) are_points = is_number(rows.word());
   if (!are_points) {
-    rows.fail("a line of points x y id, perhaps empty, must follow the line of " + quoted(name));
+    rows.fail("a line of points x y id, which may be empty, must follow the line of " +
+              quoted(name));
   }
 }
 
@@ -158,7 +159,7 @@ CameraList read_images(TextRows& rows, const Source& source, const Lenses& lense
 bool at_lens(const TextRows& rows) { return colmap_section(rows) == ColmapSection::cameras; }
 
 [[noreturn]] void fail_without_images(const TextRows& rows) {
-  rows.fail("there is no image in COLMAP's images.txt, so that no camera has a place");
+  rows.fail("there is no image in COLMAP's images.txt, so no camera has a pose");
 }
 
 Lenses read_lenses(const Source& source) {

@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int first_exchanging_sides = 5;
+constexpr int first_exchanging_sides = 5;  ///< 5 to 8 exchange width and height, by Exif
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
@@ -22,9 +22,9 @@ void check_camera(const std::string& path, const std::string& bytes, int orienta
   const GrayImage stored = decode_size(bytes, path);
   if (camera.width != stored.height || camera.height != stored.width) return;
   throw InputError(path + ": pixels are stored as " + size_text(stored.width, stored.height) +
-                   ", but the camera is for the picture as it is shown, " +
+                   ", but the camera was calibrated for the picture as displayed, " +
                    size_text(camera.width, camera.height) + " (" + camera.place +
-                   "): turn the pixels by mogrify -auto-orient");
+                   "): rotate the pixels with mogrify -auto-orient");
 }
 
 }  // namespace
@@ -48,8 +48,8 @@ void check_orientations(const std::vector<std::string>& paths, const CameraList&
   sources.on_note(counted(turned.size(), "image") + " with an Exif orientation, the first is " +
                   turned.front() + ": pixels are used as they are stored" +
                   (is_size_known ? ", as their cameras were calibrated"
-                                 : "; if cameras were calibrated for the turned pictures, turn the "
-                                   "pixels by mogrify -auto-orient"));
+                                 : "; if cameras were calibrated for the turned pictures, rotate "
+                                   "the pixels with mogrify -auto-orient"));
 }
 
 }  // namespace transformesh

@@ -17,7 +17,7 @@ Json parse_camera_json(const Source& source) {
   };
   try {
     Json json = Json::parse(source.bytes, keeps);
-    if (!json.is_object()) source.fail("the JSON is no object");
+    if (!json.is_object()) source.fail("the JSON is not an object");
     return json;
   } catch (const Json::exception& error) {
     const auto* const parse_error = dynamic_cast<const Json::parse_error*>(&error);
@@ -39,7 +39,7 @@ std::string json_text(const nlohmann::ordered_json& json, const CameraRecord& re
 }
 
 bool JsonEntry::has(const char* key) const {
-  if (!value_->is_object()) fail("is no object");
+  if (!value_->is_object()) fail("is not an object");
   return value_->contains(key);
 }
 
@@ -56,7 +56,7 @@ JsonEntry JsonEntry::at(std::size_t index) const {
 
 std::vector<JsonEntry> JsonEntry::elements() const {
   if (value_->is_string() && value_->get_ref<const std::string&>().empty()) return {};
-  if (!value_->is_array()) fail("is no list");
+  if (!value_->is_array()) fail("is not a list");
   std::vector<JsonEntry> elements;
   for (std::size_t i = 0; i < value_->size(); ++i) elements.push_back(at(i));
   return elements;
@@ -66,7 +66,7 @@ double JsonEntry::number() const {
   std::optional<double> number;
   if (value_->is_number()) number = value_->get<double>();
   if (value_->is_string()) number = number_in<double>(value_->get_ref<const std::string&>());
-  if (!number || !std::isfinite(*number)) fail("is no finite number");
+  if (!number || !std::isfinite(*number)) fail("is not a finite number");
   return *number;
 }
 
@@ -85,7 +85,7 @@ std::vector<double> JsonEntry::numbers(std::size_t count) const {
 
 std::string JsonEntry::text() const {
   if (value_->is_string()) return value_->get<std::string>();
-  if (!value_->is_number()) fail("is no text");
+  if (!value_->is_number()) fail("is not a string");
   return value_->dump();
 }
 
@@ -96,7 +96,7 @@ std::string JsonEntry::text(const char* key, const std::string& otherwise) const
 int JsonEntry::side() const {
   const double value = number();
   if (!(value >= 1 && value <= 1e9 && value == std::floor(value)))
-    fail("is no whole number of 1 or more");
+    fail("is not a whole number of 1 or more");
   return static_cast<int>(value);
 }
 

@@ -9,11 +9,11 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t row_size = 17;
+constexpr std::size_t row_size = 17;  ///< a 3x5 matrix and two depths
 
 int side(double value, const char* what, const std::string& who, const Source& source) {
   if (!(value >= 1 && value <= 1e9))
-    source.fail("the " + std::string(what) + " of " + who + " is no size of an image");
+    source.fail("the " + std::string(what) + " of " + who + " is not a size of an image");
   return static_cast<int>(value);
 }
 
@@ -42,7 +42,7 @@ CameraRecord read_row(const double* row, const std::string& who, const Source& s
 CameraList read_llff(const Source& source, const std::string& stem) {
   const NpyArray array = read_npy(source);
   if (array.shape.size() != 2 || array.shape[1] != row_size)
-    source.fail("NumPy's array has not 17 numbers for each image, as poses_bounds.npy has");
+    source.fail("NumPy's array must have 17 numbers for each image, like poses_bounds.npy");
   CameraList list;
   for (std::size_t i = 0; i < array.shape[0]; ++i) {
     const std::string number = std::to_string(i + 1);

@@ -61,7 +61,8 @@ std::string read_distortion(const JsonEntry& entry, LensDistortion& distortion) 
   const bool is_read = (is_radial && k.size() <= 3) || (is_brown && k.size() == 5);
   const bool is_pinhole = model == "none" || model == "pinhole" || is_radial || is_brown;
   if (!is_pinhole || (!is_none && !is_read))
-    return "the lens model " + transformesh::quoted(model) + " is not read: undistort the images";
+    return "the lens model " + transformesh::quoted(model) +
+           " is not supported: undistort the images";
   k.resize(5, 0);
   distortion.radial = {k[0], k[1], k[2], 0, 0, 0};
   if (is_brown) distortion.tangential = {k[3], k[4]};
@@ -102,7 +103,7 @@ CameraList read_meshroom(const Source& source) {
   std::map<std::string, Lens> lenses;
   std::map<std::string, JsonEntry> poses;
   if (!file.has("poses"))
-    source.fail("Meshroom's file has no poses: name that of structure from motion");
+    source.fail("Meshroom's file has no poses: name the file that structure from motion wrote");
   for (const JsonEntry& entry : file.at("intrinsics").elements())
     lenses.emplace(entry.at("intrinsicId").text(), read_lens(entry, revision));
   for (const JsonEntry& entry : file.at("poses").elements())
@@ -113,9 +114,9 @@ CameraList read_meshroom(const Source& source) {
     // Views that could not be placed have no pose.
     const auto pose = poses.find(view.text("poseId", view.text("viewId", "")));
     if (pose == poses.end()) continue;
-    if (view.has("rigId")) view.fail("is of a rig, which is not read");
+    if (view.has("rigId")) view.fail("belongs to a rig, which is not supported");
     const auto lens = lenses.find(view.at("intrinsicId").text());
-    if (lens == lenses.end()) view.at("intrinsicId").fail("is that of no lens");
+    if (lens == lenses.end()) view.at("intrinsicId").fail("does not match any intrinsic");
     if (!lens->second.problem.empty()) view.fail(": " + lens->second.problem);
     CameraRecord record = lens->second.record;
     record.name = view.at("path").text();

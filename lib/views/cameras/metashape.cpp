@@ -48,7 +48,7 @@ Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
   if (!calibration) return sensor;
   if (const auto type = xml_attribute(calibration, "type"); type && *type != "frame")
     source.fail("a sensor is of the type " + quoted(*type) +
-                ": undistort the photographs of cameras that are no frame cameras");
+                ", not 'frame': undistort its photographs");
   pugi::xml_node resolution = xml_element(calibration, "resolution");
   if (!resolution) resolution = xml_element(element, "resolution");
   if (!resolution) source.fail("a sensor has no resolution");
@@ -64,7 +64,7 @@ Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
   sensor.distortion.tangential = {get("p2"), get("p1")};
   for (const char* name : {"k4", "p3", "p4"})
     if (get(name) != 0)
-      source.fail(std::string(name) + " of a sensor is not taken out here: undistort the images");
+      source.fail(std::string(name) + " of a sensor is not supported: undistort the images");
   sensor.is_calibrated = true;
   return sensor;
 }
@@ -73,7 +73,7 @@ Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
 /// pose.
 PinholeCamera pose_of(const std::vector<double>& numbers, const std::string& who,
                       const Source& source) {
-  if (numbers.size() != 16) source.fail("the transform of " + who + " has no 16 numbers");
+  if (numbers.size() != 16) source.fail("the transform of " + who + " does not have 16 numbers");
   PinholeCamera pose;
   Vec3 center;
   for (int i = 0; i < 3; ++i) {
@@ -114,7 +114,7 @@ CameraList read_metashape(const Source& source) {
   const auto chunks = xml_elements(document, "chunk");
   if (chunks.size() != 1)
     source.fail(chunks.empty() ? "Metashape's file has no chunk"
-                               : "Metashape's file has several chunks: export one alone");
+                               : "Metashape's file has several chunks: export only one");
   std::map<std::string, Sensor> sensors;
   for (const pugi::xml_node& element : xml_elements(chunks[0], "sensor"))
     sensors[xml_attribute(element, "id").value_or("")] = read_sensor(element, source);

@@ -79,7 +79,7 @@ void read_lens(const Entries& entries, double focal, const Source& source, Camer
   if (center[0] == 0.5 && center[1] == 0.5) return;
   if (record.width == 0)
     source.fail("principal_point depends on the size of " + std::string(image_name) +
-                ".png, which is not beside the file");
+                ".png, which is missing beside the file");
   record.camera.intrinsics(0, 2) += (center[0] - 0.5) * record.width;
   record.camera.intrinsics(1, 2) += (center[1] - 0.5) * record.height;
 }

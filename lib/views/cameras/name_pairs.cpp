@@ -86,10 +86,9 @@ std::string counts_text(const NamedFiles& first, const NamedFiles& second) {
 
 [[noreturn]] void fail_lonely(const NamedFiles& files, std::size_t i, const NamedFiles& others) {
   const bool is_count_equal = files.paths.size() == others.paths.size();
-  throw InputError(label(files, i) + ": there is no " + others.kind + " of this name in " +
-                   others.where + ": " +
-                   (is_count_equal ? "names have to agree, or to have nothing in common"
-                                   : counts_text(files, others)));
+  throw InputError(
+      label(files, i) + ": there is no " + others.kind + " of this name in " + others.where + ": " +
+      (is_count_equal ? "either all names must agree, or none" : counts_text(files, others)));
 }
 
 /// Returns the index of each partner of `first`, or nothing if no name has a partner. Throws

@@ -12,7 +12,8 @@ namespace {
 
 CameraRecord read_matrix(const Source& source, const std::string& name) {
   const NpyArray array = read_npy(source);
-  if (array.shape != std::vector<std::size_t>{4, 4}) source.fail(name + " has not 4x4 numbers");
+  if (array.shape != std::vector<std::size_t>{4, 4})
+    source.fail(name + " does not have 4x4 numbers");
   const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(array.values.data());
   CameraRecord record;
   record.place = source.name;
@@ -37,7 +38,7 @@ CameraList read_neus(const Source& source, const std::string& stem) {
     list.cameras.push_back(std::move(record));
   }
   if (list.cameras.empty())
-    source.fail("the archive has no world_mat_0, as cameras_sphere.npz has");
+    source.fail("the archive has no world_mat_0, unlike cameras_sphere.npz");
   return list;
 }
 

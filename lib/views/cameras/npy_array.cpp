@@ -107,7 +107,7 @@ NpyArray read_npy(const Source& source) {
   }
   const bool is_fortran = after(source, header, "fortran_order").starts_with("True");
   if (is_fortran && array.shape.size() > 2)
-    source.fail("NumPy's array is in Fortran's order: save it in C's");
+    source.fail("NumPy's array is in Fortran order: save it in C order");
   if (is_fortran && array.shape.size() == 2) reorder_columns(array);
   return array;
 }

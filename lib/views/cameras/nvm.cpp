@@ -61,7 +61,7 @@ Eigen::Matrix3d read_rotation(TextRows& rows, const std::string& who) {
   rotation.z() = read_number(rows, "qz", who);
   // Numbers in files are rounded, some to three digits.
   if (std::abs(rotation.norm() - 1) > 1e-3)
-    rows.fail("the quaternion of " + who + " has not length 1");
+    rows.fail("the quaternion of " + who + " does not have length 1");
   return rotation.normalized().toRotationMatrix();
 }
 

@@ -34,7 +34,7 @@ LensDistortion distortion_of(const OpencvStorage& storage) {
   for (std::size_t i = 8; i < found->size(); ++i)
     if ((*found)[i] != 0)
       storage.fail(
-          "distortion beyond k1 k2 p1 p2 k3 k4 k5 k6 is not taken out here: undistort the "
+          "distortion beyond k1 k2 p1 p2 k3 k4 k5 k6 is not supported: undistort the "
           "images first");
   auto& [k1, k2, k3, k4, k5, k6] = distortion.radial;
   const std::array order{
@@ -45,7 +45,7 @@ LensDistortion distortion_of(const OpencvStorage& storage) {
 
 Eigen::Matrix3d intrinsics_of(const OpencvStorage& storage) {
   const std::vector<double> entries = storage.get(intrinsics_keys);
-  if (entries.size() != 9) storage.fail("camera_matrix of OpenCV's file has no 9 numbers");
+  if (entries.size() != 9) storage.fail("camera_matrix of OpenCV's file does not have 9 numbers");
   Eigen::Matrix3d k;
   for (int i = 0; i < 9; ++i) k(i / 3, i % 3) = entries[static_cast<std::size_t>(i)];
   const std::string problem = intrinsics_problem(k, "camera_matrix");
@@ -125,7 +125,7 @@ void add_cameras(const OpencvStorage& storage, const Source& source, const std::
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Eigen::Matrix3d& r = poses[i].rotation;
     const bool is_rotation = (r * r.transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-4);
-    if (!is_rotation || r.determinant() < 0) storage.fail("R of OpenCV's file is no rotation");
+    if (!is_rotation || r.determinant() < 0) storage.fail("R of OpenCV's file is not a rotation");
     const std::string problem = translation_problem(poses[i].translation, "OpenCV's file");
     if (!problem.empty()) storage.fail(problem);
     record.camera.rotation = r;

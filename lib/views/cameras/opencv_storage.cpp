@@ -95,7 +95,8 @@ OpencvStorage::Entries OpencvStorage::numbers_in(std::string_view text,
     const bool is_read =
         parse_number(first, word.data() + word.size(), value) == Parsed::ok && std::isfinite(value);
     if (!is_read || first != word.data() + word.size())
-      source_.fail(key + " of OpenCV's file has " + quoted(word) + ", which is no finite number");
+      source_.fail(key + " of OpenCV's file has " + quoted(word) +
+                   ", which is not a finite number");
     entries.push_back(value);
     text.remove_prefix(word.size());
   }

@@ -12,7 +12,7 @@ JsonEntry data_of(const JsonEntry& entry) { return entry.at("value").at("ptr_wra
 
 /// Reads the distortion by the name of its list: radial coefficients, then two tangential ones.
 void read_distortion(const JsonEntry& data, LensDistortion& distortion) {
-  if (data.has("fisheye")) data.at("fisheye").fail("is not read: undistort the images");
+  if (data.has("fisheye")) data.at("fisheye").fail("is not supported: undistort the images");
   if (data.has("disto_k1")) distortion.radial[0] = data.at("disto_k1").numbers(1)[0];
   if (data.has("disto_k3")) {
     const std::vector<double> k = data.at("disto_k3").numbers(3);
@@ -32,7 +32,7 @@ CameraRecord read_lens(const JsonEntry& data) {
   const JsonEntry pinhole = data.has("value0") ? data.at("value0") : data;
   record.width = pinhole.at("width").side();
   record.height = pinhole.at("height").side();
-  if (!pinhole.has("focal_length")) pinhole.fail("is no pinhole: it has no focal_length");
+  if (!pinhole.has("focal_length")) pinhole.fail("is not a pinhole: it has no focal_length");
   const double focal = pinhole.at("focal_length").number();
   const std::vector<double> center = pinhole.at("principal_point").numbers(2);
   record.camera.intrinsics << focal, 0, center[0], 0, focal, center[1], 0, 0, 1;
@@ -44,7 +44,7 @@ CameraRecord read_lens(const JsonEntry& data) {
 
 void read_pose(const JsonEntry& pose, PinholeCamera& camera) {
   Eigen::Matrix3d rotation;
-  if (pose.at("rotation").elements().size() != 3) pose.at("rotation").fail("has not 3 rows");
+  if (pose.at("rotation").elements().size() != 3) pose.at("rotation").fail("does not have 3 rows");
   for (std::size_t i = 0; i < 3; ++i) {
     const std::vector<double> row = pose.at("rotation").at(i).numbers(3);
     rotation.row(static_cast<Eigen::Index>(i)) << row[0], row[1], row[2];
@@ -79,7 +79,7 @@ CameraList read_openmvg(const Source& source) {
     const auto pose = poses.find(view.at("id_pose").text());
     if (pose == poses.end()) continue;
     const auto lens = lenses.find(view.at("id_intrinsic").text());
-    if (lens == lenses.end()) view.at("id_intrinsic").fail("is that of no lens");
+    if (lens == lenses.end()) view.at("id_intrinsic").fail("does not match any intrinsic");
     CameraRecord record = read_lens(lens->second);
     record.name = name_of(view);
     record.place = view.place();

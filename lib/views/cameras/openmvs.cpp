@@ -8,8 +8,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::uint32_t newest_version = 7;
-constexpr std::uint32_t no_pose = 0xffffffff;
+constexpr std::uint32_t newest_version = 7;    ///< newest version of the format that was tested
+constexpr std::uint32_t no_pose = 0xffffffff;  ///< value of the format
 
 /// Rotation, and center in the world or on a platform.
 struct Pose {

@@ -65,7 +65,7 @@ std::string write_openmvs(const CameraList& list) {
   bytes.add(std::uint32_t{0});
   add_counted(platforms, bytes);
   add_counted(images, bytes);
-  constexpr int lists_of_points_and_lines = 6;
+  constexpr int lists_of_points_and_lines = 6;  // lists of the format that stay empty
   for (int i = 0; i < lists_of_points_and_lines; ++i) bytes.add(std::uint64_t{0});
   add_matrix(Eigen::Matrix4d::Identity(), bytes);
   return bytes.take();

@@ -72,7 +72,7 @@ Projection read_projection(TextRows& rows, const std::string& who) {
 
 std::string decompose(const Projection& projection, const std::string& who, PinholeCamera& camera) {
   if (!projection.allFinite() || is_singular(projection)) {
-    return who + " is singular: no camera has it";
+    return who + " is singular: it is not a camera matrix";
   }
   camera = decomposed(projection);
   const std::string problem = intrinsics_problem(camera.intrinsics, who);

@@ -38,7 +38,7 @@ CameraRecord record_of(const Lens& lens, const std::string& who, const Source& s
   if (!problem.empty()) source.fail(problem);
   if (lens.k[3] != 0)
     source.fail("k4 of " + who +
-                " is not taken out here: export with another model of distortion, "
+                " is not supported: export with another model of distortion, "
                 "such as Brown3, or undistorted images");
   record.distortion.radial = {lens.k[0], lens.k[1], lens.k[2], 0, 0, 0};
   record.distortion.tangential = lens.t;
@@ -108,7 +108,7 @@ class Row {
     const auto value = number_in<double>(text(column));
     if (value && std::isfinite(*value)) return *value;
     source_.fail_at_line(place_,
-                         column + " is " + quoted(text(column)) + ", which is no finite number");
+                         column + " is " + quoted(text(column)) + ", which is not a finite number");
   }
   /// Returns 0 if there is no such column.
   double optional_number(const std::string& column) const {
@@ -189,7 +189,7 @@ Lens lens_of(const pugi::xml_node& description, const Source& source) {
   const bool is_plain = k == std::vector<double>(6, 0);
   if (!is_plain && !model.starts_with("brown"))
     source.fail("the distortion model " + quoted(model) +
-                " is not taken out here: export with Brown3, or undistorted images");
+                " is not supported: export with Brown3, or undistorted images");
   lens.k = {k[0], k[1], k[2], k[3]};
   lens.t = {k[4], k[5]};
   return lens;
@@ -210,7 +210,7 @@ CameraList read_reality_capture(const Source& source, const std::string& stem) {
   Eigen::Matrix3d& r = record.camera.rotation;
   for (int i = 0; i < 9; ++i) r(i / 3, i % 3) = rotation[static_cast<std::size_t>(i)];
   if (!(r * r.transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-3) || r.determinant() < 0)
-    source.fail("xcr:Rotation is no rotation");
+    source.fail("xcr:Rotation is not a rotation");
   place_at(Vec3(center.data()), "the camera", source, record.camera);
   record.name = stem;
   CameraList list;

@@ -32,7 +32,7 @@ void check_model(const Frame& frame) {
          {"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "PERSPECTIVE", "SIMPLE_RADIAL", "RADIAL"})
       if (model == known) return;
     frame.at("camera_model")
-        .fail(transformesh::quoted(model) + " is not read: undistort the images");
+        .fail(transformesh::quoted(model) + " is not supported: undistort the images");
   }
   if (frame.has("is_fisheye") && frame.at("is_fisheye").is_true())
     frame.at("is_fisheye").fail("is true: undistort the images");
@@ -85,7 +85,7 @@ void read_lens(const Frame& frame, CameraRecord& record) {
   if (!problem.empty()) frame.entry.fail(": " + problem);
   record.distortion.radial = {frame.number("k1"), frame.number("k2"), frame.number("k3"), 0, 0, 0};
   record.distortion.tangential = {frame.number("p1"), frame.number("p2")};
-  if (frame.number("k4") != 0) frame.at("k4").fail("is not taken out here: undistort the images");
+  if (frame.number("k4") != 0) frame.at("k4").fail("is not supported: undistort the images");
 }
 
 /// Reads the matrix that maps the camera's coordinates, x to the right, y up, z backwards, to the
@@ -94,7 +94,7 @@ void read_pose(const JsonEntry& matrix, CameraRecord& record) {
   Eigen::Matrix3d to_world;
   Vec3 center;
   const std::size_t rows = matrix.elements().size();
-  if (rows != 3 && rows != 4) matrix.fail("has not 3 or 4 rows");
+  if (rows != 3 && rows != 4) matrix.fail("does not have 3 or 4 rows");
   for (std::size_t i = 0; i < 3; ++i) {
     const std::vector<double> row = matrix.at(i).numbers(4);
     to_world.row(static_cast<Eigen::Index>(i)) << row[0], -row[1], -row[2];

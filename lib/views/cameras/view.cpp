@@ -102,7 +102,7 @@ GrayImage resampled(const GrayImage& image, double scale, double deviation) {
 /// Returns the blur of scale 1 with three taps. It is truncated to one pixel on both sides.
 ThreeTapBlur taps_at_scale_one() {
   const Kernel kernel(1, blur_at_scale_one);
-  constexpr int size = 3;
+  constexpr int size = 3;  // taps: the pixel and its two neighbors
   const auto weights = [&]<std::size_t count>(int place, std::array<float, count>& taps) {
     const Blend blend = blend_at(place, size, kernel);
     std::copy_n(blend.weights.begin(), count, taps.begin());

@@ -103,12 +103,11 @@ void decode_masks(const std::vector<std::string>& paths, const ViewSources& sour
   });
   note_masks(paths, is_scaled, char{1}, ": scaled to the size of the photograph", sources);
   note_masks(paths, rules, MaskRule::alpha,
-             ": transparency is the mask: the object is where the picture is opaque", sources);
-  note_masks(
-      paths, rules, MaskRule::between_intensities,
-      ": black and white are not quite that, as noise or JPEG leave them: the object is what "
-      "is brighter than half-way between",
-      sources);
+             ": transparency is used as the mask: opaque pixels show the object", sources);
+  note_masks(paths, rules, MaskRule::between_intensities,
+             ": the mask is not purely black and white, as after noise or JPEG: pixels brighter "
+             "than half-way between show the object",
+             sources);
 }
 
 }  // namespace transformesh

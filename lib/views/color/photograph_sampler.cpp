@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int rows_per_band = 16;
+constexpr int rows_per_band = 16;  ///< affects time only
 /// Differences of depth, in pixel sides at that depth. Neighboring pixels with a larger difference
 /// than `contour_step` belong to different parts of the surface. A place that is farther than
 /// `hidden_step` from the depth of its pixel is hidden.

@@ -44,9 +44,9 @@ struct Layout {
 
 void check(const AtlasOptions& options) {
   if (options.most_size < 16 || options.most_size > 32768)
-    throw UsageError("a texture has at most 16 to 32768 texels each way");
+    throw UsageError("a texture must have 16 to 32768 texels each way");
   if (options.padding < 1 || options.padding > 64)
-    throw UsageError("charts of a texture are 1 to 64 texels apart from others");
+    throw UsageError("the distance between charts of a texture must be 1 to 64 texels");
 }
 
 /// Returns boxes for all texels between which the corners of a chart lie, plus padding.

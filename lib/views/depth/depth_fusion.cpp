@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t nodes_per_task = 1 << 14;
+constexpr std::size_t nodes_per_task = 1 << 14;  ///< affects time only
 /// A node is unobserved if at most this many views observe its neighborhood on average. Its value
 /// is then found by diffusion. Larger values diffuse into regions with few depths.
 constexpr float unheard = 0.5F;

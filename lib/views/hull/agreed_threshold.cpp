@@ -94,7 +94,7 @@ double highest_of_best(const std::vector<Candidate>& candidates) {
 double agreed_threshold(std::span<const View> views, const ThresholdOptions& options,
                         const Progress& progress) {
   const std::vector<SmallView> small = shrunk(views);
-  if (small.empty()) throw UsageError("without photographs there is no level that divides them");
+  if (small.empty()) throw UsageError("a threshold cannot be chosen without photographs");
   std::vector<GrayImage> images;
   images.reserve(small.size());
   for (const SmallView& view : small) images.push_back(view.view.image);

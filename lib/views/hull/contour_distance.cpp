@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::int32_t no_segment = -1;
+constexpr std::int32_t no_segment = -1;  ///< not an index
 
 using Point = Eigen::Vector2f;
 

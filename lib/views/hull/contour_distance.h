@@ -13,7 +13,7 @@
 
 namespace transformesh {
 
-inline constexpr float contour_intensity = 127.5F;
+inline constexpr float contour_intensity = 127.5F;  ///< half-way between 0 and 255
 
 /// Returns the distance of every pixel from the contour, in pixels, positive outside. Without a
 /// contour all distances are infinite. Distances are cut off at `limit`; `limit` does not change

@@ -208,8 +208,8 @@ ValueGrid make_grid(const Box& box, const HullOptions& options) {
   double count = 1;
   for (int axis = 0; axis < 3; ++axis) count *= std::ceil(size[axis] / grid.spacing) + 3;
   if (!(count <= most_nodes))
-    throw UsageError("the cells of the hull are too small for a box of this size: " +
-                     std::to_string(count / most_nodes) + " times more than the largest number");
+    throw UsageError("the cells of the hull are too small for a box of this size: there would be " +
+                     std::to_string(count / most_nodes) + " times the largest number");
   for (int axis = 0; axis < 3; ++axis) {
     const double cells = std::ceil(size[axis] / grid.spacing) + 2;
     grid.nodes[axis] = static_cast<std::size_t>(cells) + 1;
@@ -263,8 +263,7 @@ HullResult visual_hull(std::span<const View> views, const HullOptions& options,
   progress("march");
   HullResult result{march_tetrahedra(field.grid), field.box, field.grid.spacing};
   if (result.mesh.faces.empty())
-    throw InputError(
-        "nothing is inside all silhouettes: look at the cameras, or use smaller cells");
+    throw InputError("no point is inside all silhouettes: check the cameras, or use smaller cells");
   result.dropped_components = drop_components(result.mesh, options.keep);
   return result;
 }

@@ -45,7 +45,7 @@ void keep_in_box(std::vector<View>& views, const Box& box) {
       if (inside_share(shown) == 0)
         throw InputError(
             views[i].name +
-            ": nothing of the box is in this view; are its units those of the cameras?");
+            ": the box is outside this view; check that its units are those of the cameras");
       blacken(views[i].image, shown);
       blacken(views[i].silhouette, shown);
     }

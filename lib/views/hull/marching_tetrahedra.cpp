@@ -1,163 +1,48 @@
 #include "views/hull/marching_tetrahedra.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <utility>
 
 #include "support/parallel.h"
+#include "views/hull/grid_cubes.h"
 
 namespace transformesh {
 namespace {
 
-/// Least distance of a vertex from the ends of its edge, as a fraction of the edge. Larger values
-/// give better shaped but less accurate faces.
-constexpr double least_share = 0.05;
-
-/// Identifies an edge of the grid: eight times its first node, plus 1, 2 and 4 if the edge extends
-/// along x, y and z.
-using EdgeKey = std::uint64_t;
-using KeyFace = std::array<EdgeKey, 3>;
-
-/// Corners of a cube as bits x, y, z, ordered so that the tetrahedron has positive orientation.
-using Tetrahedron = std::array<unsigned, 4>;
-constexpr std::array<Tetrahedron, 6> kuhn = {{{{0, 1, 3, 7}},
-                                              {{0, 2, 6, 7}},
-                                              {{0, 4, 5, 7}},
-                                              {{0, 3, 2, 7}},
-                                              {{0, 6, 4, 7}},
-                                              {{0, 5, 1, 7}}}};
-
-/// Even permutations that move each corner, and each pair of corners, to the front.
-constexpr std::array<std::array<unsigned, 4>, 4> one_first = {
-    {{{0, 1, 2, 3}}, {{1, 0, 3, 2}}, {{2, 3, 0, 1}}, {{3, 2, 1, 0}}}};
-constexpr std::array<std::array<unsigned, 4>, 6> two_first = {{{{0, 1, 2, 3}},
-                                                               {{0, 2, 3, 1}},
-                                                               {{0, 3, 1, 2}},
-                                                               {{1, 2, 0, 3}},
-                                                               {{1, 3, 2, 0}},
-                                                               {{2, 3, 0, 1}}}};
-
-class Cube {
- public:
-  Cube(const ValueGrid& grid, std::size_t base) {
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      node_[corner] = base + grid.index(corner & 1, corner >> 1 & 1, corner >> 2);
-      is_inside_[corner] = grid.values[node_[corner]] < 0;
-      inside_count_ += is_inside_[corner] ? 1 : 0;
-    }
+GridCube cube_at(const ValueGrid& grid, std::size_t base) {
+  GridCube cube;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    cube.nodes[corner] = base + grid.index(corner & 1, corner >> 1 & 1, corner >> 2);
+    cube.values[corner] = grid.values[cube.nodes[corner]];
   }
+  return cube;
+}
 
-  bool is_cut() const { return inside_count_ > 0 && inside_count_ < 8; }
-
-  void cut(std::vector<KeyFace>& faces) const {
-    for (const Tetrahedron& tetrahedron : kuhn) cut(tetrahedron, faces);
-  }
-
- private:
-  void cut(const Tetrahedron& t, std::vector<KeyFace>& faces) const {
-    const auto inside = std::count_if(t.begin(), t.end(), [&](auto c) { return is_inside_[c]; });
-    if (inside == 1) cut_off(t, true, faces);
-    if (inside == 3) cut_off(t, false, faces);
-    if (inside == 2) cut_across(t, faces);
-  }
-
-  /// Adds the triangle that separates the only corner with `is_inside_ == side` from the others.
-  void cut_off(const Tetrahedron& t, bool side, std::vector<KeyFace>& faces) const {
-    for (const auto& order : one_first) {
-      if (is_inside_[t[order[0]]] != side) continue;
-      KeyFace face;
-      for (unsigned i = 0; i < 3; ++i) face[i] = key(t[order[0]], t[order[i + 1]]);
-      if (!side) std::swap(face[1], face[2]);
-      faces.push_back(face);
-    }
-  }
-
-  /// Adds two triangles that separate the two corners inside from the two corners outside.
-  void cut_across(const Tetrahedron& t, std::vector<KeyFace>& faces) const {
-    for (const auto& order : two_first) {
-      const std::array<unsigned, 4> c = {t[order[0]], t[order[1]], t[order[2]], t[order[3]]};
-      if (is_inside_[c[0]] != is_inside_[c[1]] || !is_inside_[c[0]]) continue;
-      const std::array<EdgeKey, 4> ring = {key(c[0], c[2]), key(c[0], c[3]), key(c[1], c[3]),
-                                           key(c[1], c[2])};
-      faces.push_back({ring[0], ring[1], ring[2]});
-      faces.push_back({ring[0], ring[2], ring[3]});
-    }
-  }
-
-  /// Requires two corners of one Kuhn tetrahedron. The bits of one are a subset of the bits of the
-  /// other. The edge thus starts at corner `a & b` and extends along the axes `a ^ b`.
-  EdgeKey key(unsigned a, unsigned b) const { return node_[a & b] * 8 + (a ^ b); }
-
-  std::array<std::size_t, 8> node_{};
-  std::array<bool, 8> is_inside_{};
-  int inside_count_ = 0;
-};
-
-std::vector<KeyFace> faces_of_layer(const ValueGrid& grid, std::size_t z) {
-  std::vector<KeyFace> faces;
-  for (std::size_t y = 0; y + 1 < grid.nodes[1]; ++y) {
-    for (std::size_t x = 0; x + 1 < grid.nodes[0]; ++x) {
-      const Cube cube(grid, grid.index(x, y, z));
-      if (cube.is_cut()) cube.cut(faces);
-    }
-  }
+std::vector<EdgeKeyFace> faces_of_layer(const ValueGrid& grid, std::size_t z) {
+  std::vector<EdgeKeyFace> faces;
+  for (std::size_t y = 0; y + 1 < grid.nodes[1]; ++y)
+    for (std::size_t x = 0; x + 1 < grid.nodes[0]; ++x)
+      cut_cube(cube_at(grid, grid.index(x, y, z)), faces);
   return faces;
 }
 
-std::vector<KeyFace> all_faces(const ValueGrid& grid) {
+std::vector<EdgeKeyFace> all_faces(const ValueGrid& grid) {
   const std::size_t layers = grid.nodes[2] - 1;
-  std::vector<std::vector<KeyFace>> of_layer(layers);
+  std::vector<std::vector<EdgeKeyFace>> of_layer(layers);
   parallel_for(layers, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t z = first; z < last; ++z) of_layer[z] = faces_of_layer(grid, z);
   });
-  std::vector<KeyFace> faces;
-  for (const std::vector<KeyFace>& some : of_layer)
+  std::vector<EdgeKeyFace> faces;
+  for (const std::vector<EdgeKeyFace>& some : of_layer)
     faces.insert(faces.end(), some.begin(), some.end());
   return faces;
-}
-
-Vec3 crossing(const ValueGrid& grid, EdgeKey key) {
-  const std::size_t start = key / 8;
-  const std::array<std::size_t, 3> direction = {key & 1, key >> 1 & 1, key >> 2 & 1};
-  const double a = grid.values[start];
-  const double b = grid.values[start + grid.index(direction[0], direction[1], direction[2])];
-  const double share = std::clamp(a / (a - b), least_share, 1 - least_share);
-  const std::array<std::size_t, 3> site = {start % grid.nodes[0],
-                                           start / grid.nodes[0] % grid.nodes[1],
-                                           start / grid.nodes[0] / grid.nodes[1]};
-  Vec3 position = grid.origin;
-  for (int axis = 0; axis < 3; ++axis) {
-    position[axis] += grid.spacing * (static_cast<double>(site[axis]) +
-                                      share * static_cast<double>(direction[axis]));
-  }
-  return position;
 }
 
 }  // namespace
 
 Mesh march_tetrahedra(const ValueGrid& grid) {
-  Mesh mesh;
-  if (*std::min_element(grid.nodes.begin(), grid.nodes.end()) < 2) return mesh;
-  const std::vector<KeyFace> faces = all_faces(grid);
-
-  // Vertices are in the order of their edges.
-  std::vector<EdgeKey> keys;
-  keys.reserve(3 * faces.size());
-  for (const KeyFace& face : faces) keys.insert(keys.end(), face.begin(), face.end());
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  for (const EdgeKey key : keys) mesh.positions.push_back(crossing(grid, key));
-
-  mesh.faces.resize(faces.size());
-  parallel_for(faces.size(), 4096, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f) {
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const auto at = std::lower_bound(keys.begin(), keys.end(), faces[f][corner]);
-        mesh.faces[f][corner] = static_cast<Index>(at - keys.begin());
-      }
-    }
-  });
-  return mesh;
+  if (*std::min_element(grid.nodes.begin(), grid.nodes.end()) < 2) return {};
+  return mesh_of_cut_edges({grid.origin, grid.spacing, grid.nodes}, all_faces(grid),
+                           [&](std::size_t node) { return grid.values[node]; });
 }
 
 }  // namespace transformesh

@@ -96,9 +96,11 @@ double dividing_threshold(std::span<const GrayImage> images) {
 
 GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options) {
   if (options.intensity && !(*options.intensity > 0 && *options.intensity < 255))
-    throw UsageError("the level of a silhouette must be between 0 and 255");
+    throw UsageError("the threshold of a silhouette must be between 0 and 255");
   if (!(options.close >= 0 && options.close <= 1))
-    throw UsageError("what is closed in a silhouette must be between 0 and 1 of the image");
+    throw UsageError(
+        "the width of gaps that are closed in a silhouette must be between 0 and 1, in image "
+        "sizes");
   if (!(options.blur >= 0)) throw UsageError("the blur of a silhouette must not be negative");
   GrayImage silhouette = image;
   if (image.empty()) return silhouette;

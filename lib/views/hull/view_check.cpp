@@ -254,7 +254,7 @@ void Diagnosis::try_cameras() const {
   }
   if (agree(views)) {
     throw InputError(
-        "the cameras look away from the scene, as those of OpenGL do, which look along -z with y "
+        "the cameras look away from the scene, like those of OpenGL, which look along -z with y "
         "up: negate the second and the third row of each rotation and translation");
   }
 }
@@ -276,7 +276,7 @@ void Diagnosis::try_inverted() const {
                         ? "all masks look inverted"
                         : (names.size() == 1 ? "the mask of " : "the masks of ") + names_of(names) +
                               (names.size() == 1 ? " looks inverted" : " look inverted")) +
-                   ": they are not black where the object is not; with black and white exchanged "
+                   ": they are not black outside of the object; if black and white are exchanged, "
                    "all views agree");
 }
 
@@ -352,7 +352,7 @@ void Diagnosis::try_exchanges() const {
       if (!agree(views)) continue;
       throw InputError("the cameras of " + quoted(views_[std::min(i, j)].name) + " and " +
                        quoted(views_[std::max(i, j)].name) +
-                       " look swapped: the other way round all views agree");
+                       " look swapped: if they are exchanged, all views agree");
     }
   }
 }
@@ -364,7 +364,7 @@ void Diagnosis::fail_for_bad() const {
                      "cameras and silhouettes disagree and may not belong together: the hull "
                      "covers " +
                          percent(agreement_.least()) + " of the silhouette of " + quoted(worst) +
-                         ", and it is not because of a few views",
+                         ", and leaving out a few views does not help",
                      {.name = worst});
   }
   std::vector<std::string> names;
@@ -372,8 +372,9 @@ void Diagnosis::fail_for_bad() const {
   throw InputError(ErrorKind::few_views_disagree,
                    (names.size() == 1 ? "the view " : "the views ") + names_of(names) +
                        (names.size() == 1 ? " disagrees" : " disagree") +
-                       " with the rest: with it, the hull covers " + percent(agreement_.least()) +
-                       " of the silhouette of " + quoted(worst) + ", without all agree",
+                       " with the others: the hull covers " + percent(agreement_.least()) +
+                       " of the silhouette of " + quoted(worst) +
+                       " with them, and agrees with all others without them",
                    {.name = names[0]});
 }
 

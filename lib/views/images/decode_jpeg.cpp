@@ -38,7 +38,7 @@ struct ErrorManager {
 /// Treats warnings as errors, because libjpeg would replace damaged data by a guess. Ignores a few
 /// warnings about labels.
 void take_message(j_common_ptr jpeg, int intensity) {
-  constexpr int warning = -1;
+  constexpr int warning = -1;  // message level of libjpeg
   if (intensity != warning) return;
   switch (jpeg->err->msg_code) {
     case JWRN_ADOBE_XFORM:

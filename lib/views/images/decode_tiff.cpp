@@ -146,13 +146,13 @@ class Reader {
 
   void check_kind() const {
     if (field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT) != SAMPLEFORMAT_UINT)
-      refuse_format(source_, "TIFF of samples that are no unsigned integers");
+      refuse_format(source_, "TIFF with samples other than unsigned integers");
     if (bits_ != 8 && bits_ != 16)
       refuse_format(source_, "TIFF of " + std::to_string(bits_) + "-bit samples");
     if (!is_gray() && (photometric_ != PHOTOMETRIC_RGB || stride_ < 3))
-      refuse_format(source_, "TIFF of samples that are neither gray nor red, green and blue");
+      refuse_format(source_, "TIFF with samples other than gray or red, green and blue");
     if (stride_ > 1 && field<std::uint16_t>(TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG)
-      refuse_format(source_, "TIFF of channels that lie apart");
+      refuse_format(source_, "TIFF with channels in separate planes");
   }
 
   /// Returns the number of rows of a strip or of a row of tiles.
@@ -166,7 +166,8 @@ class Reader {
   /// compression in use reduces a photograph by a factor of 2^16.
   template <class Sample>
   std::unique_ptr<Sample[]> claimed_samples(std::uint64_t count) const {  // NOLINT(*-c-arrays)
-    constexpr std::uint64_t always_fine = 1 << 24;
+    constexpr std::uint64_t always_fine = 1 << 24;  // bytes that may be allocated for any file
+    // Bytes per byte of the file, by the strongest compression.
     constexpr std::uint64_t most_of_a_byte = 1 << 16;
     const std::uint64_t size = sizeof(Sample) * count;
     if (size > std::max(always_fine, most_of_a_byte * source_.bytes.size())) {

@@ -74,7 +74,7 @@ template void IntensityRows::add_row(const std::uint16_t* row);
 
 void check_size(const Source& source, std::uint64_t width, std::uint64_t height,
                 std::uint64_t pixels_per_byte) {
-  constexpr std::uint64_t largest = 1 << 29;
+  constexpr std::uint64_t largest = 1 << 29;  // pixels; indices of pixels stay within 32 bits
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width == 0 || height == 0) source.fail("the image has no pixel: " + size);
   if (width > largest || height > largest || width * height > largest) {

@@ -6,7 +6,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::uint32_t orientation_tag = 0x112;
+constexpr std::uint32_t orientation_tag = 0x112;  ///< number of the tag in Exif
 
 std::uint32_t byte_at(std::string_view bytes, std::size_t at) {
   return static_cast<unsigned char>(bytes[at]);
@@ -47,8 +47,8 @@ class TiffDirectory {
 /// Returns the Exif data of a JPEG file, or "".
 std::string_view exif_of_jpeg(std::string_view bytes) {
   constexpr std::string_view title("Exif\0\0", 6);
-  constexpr std::uint32_t application_1 = 0xe1;
-  constexpr std::uint32_t start_of_scan = 0xda;
+  constexpr std::uint32_t application_1 = 0xe1;  // marker of the segment with Exif data
+  constexpr std::uint32_t start_of_scan = 0xda;  // marker after which no such segment follows
   std::size_t at = 2;
   while (at + 4 <= bytes.size() && byte_at(bytes, at) == 0xff) {
     const std::uint32_t marker = byte_at(bytes, at + 1);

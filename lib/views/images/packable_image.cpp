@@ -11,7 +11,7 @@ namespace {
 constexpr float intensities_per_unit = 256;  ///< words per unit of intensity
 constexpr float distances_per_unit = 64;     ///< words per pixel of distance
 constexpr float no_distance = 32768;         ///< the word of distance 0
-constexpr std::uint16_t last_word = 65535;
+constexpr std::uint16_t last_word = 65535;   ///< largest 16-bit number
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 std::uint16_t word_of(float value) {
@@ -31,7 +31,7 @@ float distance_of(std::uint16_t word) {
 
 float intensity_of(std::uint16_t word) { return static_cast<float>(word) / intensities_per_unit; }
 
-constexpr float inside_mask = 255;
+constexpr float inside_mask = 255;  ///< intensity of pixels inside
 
 bool is_of_mask(float intensity) { return intensity == 0 || intensity == inside_mask; }
 bool is_byte(float intensity) {

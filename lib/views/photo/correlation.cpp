@@ -91,7 +91,7 @@ class Correlation {
   }
 
  private:
-  static constexpr int rows = 2 * radius + 1;
+  static constexpr int rows = 2 * radius + 1;  ///< rows of a window
 
   using Rows = std::array<const float*, rows>;
 
@@ -129,7 +129,7 @@ class Correlation {
 
   /// Sets weights to rho, and to 0 for windows of which at most half is visible.
   void find_weights(int y) {
-    constexpr float half = 0.5F * rows * rows;
+    constexpr float half = 0.5F * rows * rows;  // pixels of half a window
     const float* __restrict seen = compared_.row(is_seen, y);
     const float* __restrict n = sums_[count].data();
     float* __restrict weight = weight_.data();

@@ -123,6 +123,15 @@ void smooth(Mesh& mesh, const UniformLaplacian& laplacian, double factor) {
   for (std::size_t v = 0; v < ways.size(); ++v) mesh.positions[v] += factor * ways[v];
 }
 
+/// Returns unit normals; zero at borders, which do not move. Windows at a border compare little of
+/// the surface, and steps there would tear it.
+std::vector<Vec3> normals_off_borders(const Mesh& mesh, const UniformLaplacian& laplacian) {
+  std::vector<Vec3> normals = vertex_normals(mesh);
+  for (Index v = 0; v < normals.size(); ++v)
+    if (laplacian.is_border(v)) normals[v] = Vec3::Zero();
+  return normals;
+}
+
 }  // namespace
 
 PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepOptions& options,
@@ -139,7 +148,7 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
 
   // Vertices move along their normals. displace() clamps the movements.
   const UniformLaplacian laplacian(mesh);
-  const std::vector<Vec3> normals = vertex_normals(mesh);
+  const std::vector<Vec3> normals = normals_off_borders(mesh, laplacian);
   const bool is_gradient = options.rule == PhotoStepRule::gradient;
   const std::vector<double> movements =
       is_gradient

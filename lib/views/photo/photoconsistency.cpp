@@ -51,7 +51,7 @@ void check(std::span<const View> views, std::span<const ViewPair> pairs,
   for (const ViewPair& pair : pairs) {
     if (pair.first < views.size() && pair.second < views.size()) continue;
     throw UsageError("views " + std::to_string(pair.first) + " and " + std::to_string(pair.second) +
-                     " cannot be compared: there are " + std::to_string(views.size()));
+                     " cannot be compared: the number of views is " + std::to_string(views.size()));
   }
 }
 

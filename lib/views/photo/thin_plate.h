@@ -27,6 +27,7 @@ class UniformLaplacian {
   void apply(std::span<const Vec3> values, std::vector<Vec3>& result) const;
   /// Computes L^T L `values`, where L is zero at borders.
   void apply_bending(std::span<const Vec3> values, std::vector<Vec3>& result) const;
+  bool is_border(Index vertex) const { return share_[vertex] == 0 && !neighbors(vertex).empty(); }
   std::span<const Index> neighbors(Index vertex) const {
     return {ids_.data() + offsets_[vertex], ids_.data() + offsets_[vertex + 1]};
   }

@@ -14,7 +14,7 @@ namespace {
 
 using Vec3f = Eigen::Vector3f;
 
-constexpr int rows_per_band = 16;
+constexpr int rows_per_band = 16;  ///< affects time only
 
 /// Returns 1 / (r N) if the camera observes the front of the face, at a cosine above
 /// `least_cosine`; else 0.

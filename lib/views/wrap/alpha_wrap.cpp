@@ -24,7 +24,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 512;
+constexpr std::size_t points_per_task = 512;  ///< affects time only
 /// The default of AlphaWrapOptions::offset is the smaller of both. A wrap of 50,000 points on a
 /// sphere with noise of .5 % has a Hausdorff distance of .047 with an eighth of the spacing. It is
 /// .049 with a fourth, and .056 with the fraction of the diagonal.
@@ -125,8 +125,8 @@ void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal
   if (faces <= most_faces) return;
   const double least = scale.from_unit(alpha * std::sqrt(faces / most_faces));
   throw UsageError(
-      "alpha is too small: a wrap of more than two million faces would take minutes; of " +
-      rounded_up(least) + " or more it would not");
+      "alpha is too small: the wrap would have more than two million faces and take minutes; use " +
+      rounded_up(least) + " or more");
 }
 
 /// Returns the smallest distance of a point from the surface.

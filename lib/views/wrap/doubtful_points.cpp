@@ -6,9 +6,9 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_error_by_median = 3;
-constexpr double least_track = 3;
-constexpr double least_left = 0.5;
+constexpr double most_error_by_median = 3;  ///< see the header
+constexpr double least_track = 3;           ///< see the header
+constexpr double least_left = 0.5;          ///< see the header
 
 /// Returns the values, or the lengths of lists.
 std::vector<double> numbers_of(const Column& column) {

@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 512;
-constexpr std::size_t neighbors = 6;
+constexpr std::size_t points_per_task = 512;  ///< affects time only
+constexpr std::size_t neighbors = 6;          ///< see the header
 /// See the table in the header for both.
 constexpr double reach = 2;
 constexpr double jump = 4;

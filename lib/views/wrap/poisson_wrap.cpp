@@ -137,7 +137,8 @@ std::unique_ptr<Function> rising_function(const std::vector<Oriented>& cloud, do
   if (function == nullptr || rises_outwards(*function, cloud, spacing / 2)) return function;
   function = function_of(shaken(cloud, shaken_by_spacing * spacing));
   if (function == nullptr || rises_outwards(*function, cloud, spacing / 2)) return function;
-  throw GoalError("no surface has these normals: most point inwards, or they do not agree");
+  throw GoalError(
+      "no surface fits these normals: most point inwards, or they contradict each other");
 }
 
 /// Samples the function on a grid around the points, with a margin for surfaces that bulge.

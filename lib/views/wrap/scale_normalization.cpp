@@ -80,13 +80,14 @@ void check_detail(std::span<const Vec3> points, double detail, double largest) {
   double reach = 0;
   for (const Vec3& point : points) reach = std::max(reach, point.cwiseAbs().maxCoeff());
   if (!(detail >= least_detail * reach)) {
-    throw InputError("coordinates of up to " + shortest_text(reach) +
-                     " leave no digits for details of " + shortest_text(detail) +
-                     ": move the points to the origin, or wrap them more coarsely");
+    throw InputError(
+        "coordinates reach " + shortest_text(reach) + ", so details of " + shortest_text(detail) +
+        " cannot be resolved: move the points to the origin, or wrap them more coarsely");
   }
   if (!(detail >= least_detail * largest)) {
-    throw InputError("details of " + shortest_text(detail) + " are lost against lengths of " +
-                     shortest_text(largest) + ": give lengths that differ less");
+    throw InputError("details of " + shortest_text(detail) +
+                     " cannot be resolved beside lengths of " + shortest_text(largest) +
+                     ": give lengths that differ less");
   }
 }
 
@@ -95,8 +96,8 @@ void check_wrap(Mesh& mesh) {
   const bool is_sound = report.is_manifold() && report.is_oriented() && report.is_closed();
   if (mesh.faces.empty() || !is_sound)
     throw GoalError(
-        "no closed surface fits these points: do their normals point outwards, or are some far "
-        "off?");
+        "no closed surface fits these points: check that their normals point outwards, and that no "
+        "point is far off");
   if (volume(mesh) >= 0) return;
   for (Face& face : mesh.faces) std::swap(face[1], face[2]);
 }

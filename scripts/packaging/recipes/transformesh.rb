@@ -8,6 +8,7 @@ class Transformesh < Formula
   license "GPL-3.0-only"
 
   depends_on "cmake" => :build
+  depends_on "fast_float" => :build
   depends_on "nlohmann-json" => :build
   depends_on "pandoc" => :build
   depends_on "boost"

@@ -11,15 +11,15 @@
 namespace chains {
 namespace {
 
-constexpr double unit = 0.125;  ///< of the lattice: coordinates on it are exact
-constexpr double reach = 16;    ///< farther than any part lies from the origin
+constexpr double unit = 0.125;  ///< spacing of the lattice; coordinates on it are exact
+constexpr double reach = 16;    ///< farther from the origin than any part
 
 struct Interval {
   double low, high;
   double length() const { return high - low; }
 };
 
-/// A convex polygon, counter-clockwise, swept along an axis.
+/// A prism: a convex polygon, counterclockwise, extruded along an axis.
 struct Part {
   std::size_t axis = 2;
   std::vector<std::array<double, 2>> polygon;
@@ -30,13 +30,13 @@ struct Part {
 
 double on_lattice(double x) { return std::round(x / unit) * unit; }
 
-/// Some parts are thin plates and rods.
+/// Returns a random size; some parts are thin plates and rods.
 double side_length(Random& random) {
   return unit * (random.chance(0.03) ? 0.125 : random.integer(2, 10));
 }
 
-/// An interval that shares an end with `other`, touches it from outside (if allowed), or lies
-/// anywhere over a part of it.
+/// Returns an interval that shares an end with `other`, touches it from outside (if allowed), or
+/// overlaps a part of it.
 Interval place_beside(const Interval& other, bool may_touch, Random& random) {
   const double length = side_length(random);
   switch (random.integer(0, may_touch ? 5 : 3)) {
@@ -57,7 +57,7 @@ Interval place_beside(const Interval& other, bool may_touch, Random& random) {
   return {low, low + length};
 }
 
-/// Corners on an ellipse that the rectangle holds, or the rectangle itself, or half of it.
+/// Chooses corners on an ellipse in the rectangle, the rectangle itself, or half of it.
 void draw_polygon(Part& part, const Interval& u, const Interval& v, Random& random) {
   const int kind = random.integer(0, 9);
   if (kind < 4) {
@@ -108,7 +108,8 @@ Part next_solid(const Part& other, Random& random) {
   return make_part(box, random);
 }
 
-/// A hole through `other`, a pocket or a cavity: mostly its ends stand out, some are flush.
+/// Returns a cutter that makes a hole through `other`, a pocket or a cavity. Most of its ends stick
+/// out of `other`; some are flush with its sides.
 Part next_cutter(const Part& other, Random& random) {
   std::array<Interval, 3> box;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -185,7 +186,7 @@ ConvexBody convex_body(const Part& part) {
   return body;
 }
 
-/// Whether faces of both meshes lie in one plane and meet, exactly.
+/// Returns whether faces of both meshes lie exactly in one plane and intersect.
 bool touch_in_plane(const TriangleMesh& one, const TriangleMesh& other) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   const auto triangle = [](const TriangleMesh& mesh, const Triangle& face) {
@@ -237,7 +238,7 @@ void round_to(TriangleMesh& mesh, Type type) {
       for (double& x : p) x = rounded_to_float(x);
 }
 
-/// Turns there and back leave what lies in a common plane apart by the last digits.
+/// Rotations back and forth change the last digits, so coplanar faces come slightly apart.
 void shake(TriangleMesh& mesh, Random& random) {
   const Matrix there = random_rotation(random);
   Matrix back = there;
@@ -247,7 +248,7 @@ void shake(TriangleMesh& mesh, Random& random) {
   map(mesh, back, 1, {});
 }
 
-/// Turns, scales and moves the body as a whole, and rounds it to its scalar type.
+/// Rotates, scales and translates the body as a whole, and rounds it to its scalar type.
 void place_body(Body& body, Random& random) {
   Matrix matrix = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   body.is_rotated = random.chance(0.8);

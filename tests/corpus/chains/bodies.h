@@ -1,5 +1,6 @@
-/// Random bodies as CAD programs make them: unions and differences of boxes, prisms and cylinders
-/// on a common lattice, whose faces touch in common planes, turned as a whole by a random angle.
+/// Random bodies like those of CAD programs: unions and differences of boxes, prisms and cylinders
+/// on a common lattice, whose faces touch in common planes. Each body is rotated as a whole by a
+/// random angle.
 #pragma once
 
 #include "corpus/chains/random.h"
@@ -8,19 +9,20 @@
 namespace chains {
 
 struct Body {
-  TriangleMesh solids;  ///< the parts to be united, one after the other
-  TriangleMesh cutter;  ///< parts to be taken away, their faces reversed; may be empty
+  TriangleMesh solids;  ///< parts to be united, in one mesh
+  TriangleMesh cutter;  ///< parts to be subtracted, with reversed faces; may be empty
   /// Volumes in closed form, in the coordinates before rounding.
-  double volume_of_solids = 0;
-  double volume = 0;         ///< without cutter
-  double volume_in_two = 0;  ///< of what lies in two solids or more
+  double volume_of_solids = 0;  ///< volume of the union of all solids, before the cut
+  double volume = 0;            ///< volume of the solids without the cutter's parts
+  double volume_in_two = 0;     ///< volume of the points in at least two solids
   bool is_single_solid = false;
   bool is_rotated = false;
   bool has_coplanar_contact = false;  ///< faces of two parts met in a common plane before rotation
-  bool is_flat = false;               ///< all edges turn by at least 45 degrees
+  bool is_flat = false;               ///< the surface bends by at least 45 degrees at all edges
 };
 
-/// Never empty: a body whose cutter leaves less than a tenth of it is drawn again.
+/// Returns a body that is not empty. If the cutter would leave less than a tenth of a body, another
+/// one is drawn.
 Body random_body(Random& random);
 
 }  // namespace chains

@@ -60,8 +60,8 @@ class Chain {
     record_.faults.push_back({kind, record_.pairs.back(), text});
   }
 
-  /// Runs one program on what the chain has come to, and judges what it writes. False ends the
-  /// chain.
+  /// Runs one program on the current mesh of the chain, and judges its output. Returns false if the
+  /// chain ends here.
   bool take(const Step& step) {
     record_.pairs.push_back(previous_ + '|' + step.label());
     record_.commands += " | " + step.command();
@@ -128,7 +128,7 @@ class Chain {
     return findings.empty() && (after.faces > 0 || step.program == "sample");
   }
 
-  /// Volume of the program's output, if it is known.
+  /// Returns the volume of the program's output, if it is known.
   std::optional<double> expected_volume(const Step& step) const {
     if (step.label() == "clean --level") return body_.volume_in_two;
     if (step.program == "clean")
@@ -141,7 +141,7 @@ class Chain {
     return {};
   }
 
-  /// Keeps track of the volume of what the mesh encloses.
+  /// Updates the known volume of the region that the mesh encloses.
   void follow(const Step& step, const MeshFacts& after) {
     const std::string& name = step.program;
     // A surface that moves inwards may turn a small component inside out without an intersection.
@@ -153,7 +153,7 @@ class Chain {
       is_cut_ = true;
       return;
     }
-    // The cutter fits solids that are in their place only.
+    // The cutter fits only solids that have not moved.
     if (name != "clean" && name != "stitch" && name != "intersect") is_cut_ = true;
     if (step.label() == "clean --separate") is_cut_ = true;
     if (name == "transform" && true_volume_) *true_volume_ *= step.volume_factor;
@@ -174,13 +174,14 @@ class Chain {
   ChainRecord record_;
 
   TriangleMesh mesh_;
-  std::string bytes_;        ///< of mesh_, as the last program wrote it
-  std::string before_last_;  ///< what the last program read
+  std::string bytes_;        ///< file of mesh_, as the last program wrote it
+  std::string before_last_;  ///< input of the last program
   MeshFacts facts_;
   std::string previous_ = "cat";
   bool is_soup_ = false, is_cut_ = false, was_cleaned_ = false;
-  bool is_polyhedral_ = true;          ///< the programs so far leave flat sides flat
-  std::optional<double> true_volume_;  ///< of what winds at least once, if it is known
+  bool is_polyhedral_ = true;  ///< no program so far has curved flat sides
+  // volume of the points with a winding number of at least 1, if known
+  std::optional<double> true_volume_;
   Type coarsest_ = Type::float64;
 };
 

@@ -1,14 +1,15 @@
-// A program of the tests, never installed: runs chains of the suite's programs on random CAD-like
-// bodies, judges the output of every program, and prints the faults and a summary.
+// A test program, not installed. Runs chains of the suite's programs on random CAD-like bodies,
+// judges the output of every program, and prints the faults and a summary.
+// Usage:
 //   chains --seeds A..B [--bin FOLDER] [--jobs N] [--seconds S]
 //   chains --write SEED FOLDER [--bin FOLDER]
-//     keeps the body, what every program wrote, and the commands in chain.sh
+//     keeps the body, the output of every program, and the commands in chain.sh
 //   chains --pipelines [--seeds A..B] [--write SEED FOLDER] ...
 //     runs the pipelines of docs/recipes.md on 50 bodies instead; --list prints their commands
 //   chains --judge FILE...
-//     prints what each mesh is; exit code 1 where one is not closed, manifold, free of
+//     prints the facts about each mesh; exit code 1 unless all are closed, manifold, free of
 //     intersections and of faces without area
-// Exit code 1 where a chain has a fault, or more than 2 % of the chains are refused; 2: usage.
+// Exit code 1 if a chain has a fault or more than 2 % of the chains are refused; 2 for wrong usage.
 #include <algorithm>
 #include <atomic>
 #include <charconv>
@@ -93,7 +94,7 @@ bool Tally::print(double percent_refused) const {
   return failed_ == 0 && percent(refused_) <= percent_refused;
 }
 
-/// Runs all seeds on several threads; prints in the order of the seeds.
+/// Runs all seeds on several threads. Prints results in the order of the seeds.
 bool run_all(const Options& options) {
   Tally tally;
   std::map<std::uint64_t, ChainRecord> done;

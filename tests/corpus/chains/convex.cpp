@@ -20,7 +20,7 @@ bool is_same(const HalfSpace& a, const HalfSpace& b) {
   return dot(a.normal, b.normal) > 1 - 1e-13 && std::abs(a.offset - b.offset) < 1e-12;
 }
 
-/// A square in the plane of the half-space that reaches far beyond the body.
+/// Returns a square in the plane of the half-space that extends far beyond the body.
 std::vector<Point> square_in(const HalfSpace& plane, double reach) {
   const auto k = static_cast<std::size_t>(
       std::min_element(plane.normal.begin(), plane.normal.end(),
@@ -60,9 +60,9 @@ double area_of(const std::vector<Point>& polygon, const Point& normal) {
   return std::abs(area);
 }
 
-/// Sums volumes over all sets of bodies from `next` on that join the `count` bodies whose
-/// intersection is `common`, each with the coefficient of inclusion and exclusion for the winding
-/// level.
+/// Adds up volumes over all sets of the `count` bodies whose intersection is `common`, and at least
+/// one body from `next` on. Each volume is multiplied by its coefficient of inclusion and exclusion
+/// for the winding level.
 double alternating_sum(int level, const std::vector<ConvexBody>& bodies, std::size_t next,
                        const ConvexBody& common, int count, double reach) {
   double sum = 0;
@@ -82,7 +82,8 @@ double alternating_sum(int level, const std::vector<ConvexBody>& bodies, std::si
 
 double volume_of(const ConvexBody& body, double reach) {
   double volume = 0;
-  Point apex{};  // a corner: a body without thickness then has no volume, however it is rounded
+  // starting at a corner makes the volume of a flat body exactly 0, however it is rounded
+  Point apex{};
   bool has_apex = false;
   for (std::size_t i = 0; i < body.size(); ++i) {
     const auto is_earlier = [&](const HalfSpace& other) { return is_same(other, body[i]); };

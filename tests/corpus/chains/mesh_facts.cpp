@@ -16,7 +16,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point3 = Kernel::Point_3;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
-/// A number for each place: equal for points at equal coordinates.
+/// Returns a number for each point. Points with equal coordinates have equal numbers.
 std::vector<std::uint32_t> number_places(const std::vector<Point>& points) {
   std::vector<std::uint32_t> order(points.size()), places(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -30,7 +30,7 @@ std::vector<std::uint32_t> number_places(const std::vector<Point>& points) {
   return places;
 }
 
-/// Decides whether two faces meet beyond the corners and edges that they share by place.
+/// Decides whether two faces intersect outside of the corners and edges with equal coordinates.
 class PairTest {
  public:
   explicit PairTest(const TriangleMesh& mesh) : places_(number_places(mesh.points)) {
@@ -118,7 +118,8 @@ void count_edges(const TriangleMesh& mesh, MeshFacts& facts) {
   }
 }
 
-/// Edges of faces that keep three places: others have vanished by rounding.
+/// Counts edges, compared by position, without a partner in the opposite direction. Edges that
+/// rounding has collapsed do not count.
 void count_unpaired_places(const TriangleMesh& mesh, MeshFacts& facts) {
   const std::vector<std::uint32_t> places = number_places(mesh.points);
   std::vector<std::pair<Edge, int>> edges;
@@ -152,8 +153,8 @@ std::size_t count_roots(const std::vector<std::uint32_t>& parents, const std::ve
   return count;
 }
 
-/// Corners of faces are united across edges: the corners at a vertex then are one set if its faces
-/// are one fan.
+/// Unites corners of faces across edges. The corners at a vertex are then one set if its faces form
+/// one umbrella.
 void count_umbrellas(const TriangleMesh& mesh, MeshFacts& facts) {
   std::vector<std::uint32_t> parents(3 * mesh.faces.size());
   std::iota(parents.begin(), parents.end(), 0U);

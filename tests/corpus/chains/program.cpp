@@ -32,7 +32,7 @@ struct Pipe {
   }
 };
 
-/// Only calls that are safe between fork and exec in a process of several threads.
+/// Between fork and exec, a process with several threads may only make async-signal-safe calls.
 [[noreturn]] void become(const char* path, char* const* arguments, int in, int out, int messages,
                          const ProgramLimits& limits) {
   dup2(in, STDIN_FILENO);
@@ -65,7 +65,7 @@ void give_some(int& end, const std::string& bytes, std::size_t& given) {
   if (count <= 0 || given == bytes.size()) Pipe::close_end(end);
 }
 
-/// Moves bytes until the program has closed its ends. False if that takes too long.
+/// Copies bytes until the program has closed its pipes. Returns false after the limit of time.
 bool feed(Pipe& in, Pipe& out, Pipe& messages, const std::string& input, ProgramResult& result,
           double seconds) {
   const auto start = std::chrono::steady_clock::now();
@@ -123,7 +123,7 @@ ProgramResult run_program(const std::string& path, const std::vector<std::string
   result.cpu_seconds = cpu_seconds_of(usage);
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   result.exit_code = signal != 0 ? 128 + signal : WEXITSTATUS(status);
-  // A program may end by itself with the code that a shell gives to the signal.
+  // A program may also exit with the code by which a shell reports a signal.
   result.is_hung = !is_done || result.exit_code == 128 + SIGXCPU ||
                    (signal == SIGKILL && result.cpu_seconds >= limits.cpu_seconds);
   if (result.exit_code == 127) throw std::runtime_error("cannot run " + path);

@@ -16,7 +16,7 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(bits() >> 11U) * 0x1p-53;
   }
-  /// From `low` to `high`, both included.
+  /// Returns an integer from `low` to `high`, both included.
   int integer(int low, int high) {
     return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
   }

@@ -13,12 +13,12 @@ namespace chains {
 namespace {
 
 struct Pipeline {
-  std::string preparation;  ///< makes the meshes that the command needs from the body
-  std::string command;      ///< the words as printed; if empty, only the preparation is run
+  std::string preparation;  ///< script that makes the meshes that the command needs from the body
+  std::string command;      ///< the command as printed; if empty, only the preparation is run
   std::string output;
 };
 
-/// `solids.ply` holds the parts of a body, `b.ply` a convex part that overlaps it.
+/// `solids.ply` holds the parts of a body, and `b.ply` a convex part that overlaps it.
 const std::vector<Pipeline> pipelines = {
     {"tm-clean solids.ply > a.ply", "", "a.ply"},
     {"", "tm-boolean union a.ply b.ply > union.ply", "union.ply"},
@@ -58,7 +58,7 @@ const std::vector<Pipeline> pipelines = {
      "repaired.ply"},
 };
 
-/// A convex body whose middle lies on a corner of the other one, so that they overlap.
+/// Returns a convex body whose center is a corner of the other one, so that they overlap.
 TriangleMesh second_operand(const TriangleMesh& first, Random& random) {
   Body body = random_body(random);
   while (!body.is_single_solid) body = random_body(random);
@@ -74,7 +74,8 @@ TriangleMesh second_operand(const TriangleMesh& first, Random& random) {
   return mesh;
 }
 
-/// A body without cutter, of about unit size at the origin: lengths of the recipes fit it.
+/// Returns a body without a cutter, of about unit size at the origin, so that lengths in the
+/// recipes fit it.
 TriangleMesh first_operand(Random& random, bool& is_rotated_with_contact) {
   Body body = random_body(random);
   while (body.is_single_solid) body = random_body(random);
@@ -145,7 +146,7 @@ class ReadmeRun {
     return record_.faults.size() == before;
   }
 
-  /// Volumes of union, intersection and difference add up.
+  /// Checks that volumes of union, intersection and difference add up.
   void check_volumes() {
     if (!facts_.contains("difference.ply")) return;
     const double a = facts_["a.ply"].volume;

@@ -1,4 +1,5 @@
-/// The pipelines of README.md and docs/recipes.md on random bodies instead of the shapes there.
+/// Runs the pipelines of README.md and docs/recipes.md on random bodies instead of the shapes
+/// there.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace chains {
 /// Returns the commands as README.md and docs/recipes.md print them.
 std::vector<std::string> readme_commands();
 
-/// Runs all of them on the body of this seed; every mesh that they write is judged.
+/// Runs all commands on the body of this seed, and judges every mesh that they write.
 ChainRecord run_readme(std::uint64_t seed, const ChainOptions& options);
 
 }  // namespace chains

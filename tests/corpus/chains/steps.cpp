@@ -21,7 +21,7 @@ std::string text_of(double x) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
 }
 
-/// A percentage with one digit behind the point.
+/// Returns a percentage with one decimal.
 std::string percent(double low, double high, Random& random) {
   return text_of(std::round(10 * random.uniform(low, high)) / 10) + "%";
 }
@@ -38,7 +38,8 @@ std::string comma_separated(const std::vector<double>& numbers) {
 
 double rounded(double x) { return std::round(x * 1000) / 1000; }
 
-/// The intersection of the solids, where they overlap by a good part and nothing is to be cut.
+/// Returns true if the solids overlap substantially and there is no cutter, so that their
+/// intersection is worth computing.
 bool can_intersect(const Situation& now) {
   return now.is_raw && now.body.cutter.faces.empty() &&
          now.body.volume_in_two > 0.05 * now.body.volume;
@@ -190,7 +191,8 @@ Step cat_cutter(const Situation& now, Random&) {
   return result;
 }
 
-/// The solids of a second body, moved to overlap the mesh and `share` times as large.
+/// Returns the solids of a second body, moved to overlap the mesh and scaled to `share` of its
+/// size.
 TriangleMesh other_solids(Body body, const Situation& now, double share, Random& random) {
   TriangleMesh& other = body.solids;
   const double scale = share * diagonal(now.mesh) / diagonal(other);
@@ -203,7 +205,7 @@ TriangleMesh other_solids(Body body, const Situation& now, double share, Random&
   return other;
 }
 
-/// A body of a single solid: a target that does not intersect itself.
+/// Returns a body of a single solid: a target that does not intersect itself.
 Body random_solid(Random& random) {
   for (;;) {
     Body body = random_body(random);
@@ -242,7 +244,8 @@ Step evolve(const Situation& now, Random&) {
 }
 
 Step morph(const Situation& now, Random& random) {
-  if (now.facts.faces < 300) return remesh(now, random);  // a coarse mesh vanishes on its way
+  // a coarse mesh would vanish before it reaches the target
+  if (now.facts.faces < 300) return remesh(now, random);
   Step result = step("morph", {"--target", "target.ply", "--iterations", "2"});
   result.files["target.ply"] = write_ply(other_solids(random_solid(random), now, 0.7, random));
   return result;
@@ -298,7 +301,7 @@ Step next_step(const Situation& now, Random& random) {
     return is_last ? plain_clean(now, random) : choose(after_self_intersection, now, random);
   if (!now.facts.is_closed()) return choose(after_open, now, random);
   if (!now.is_cut && !is_last && now.previous.starts_with("clean")) return cat_cutter(now, random);
-  // A chain begins with what its body needs.
+  // The first program of a chain is one that the body requires.
   if (now.previous == "cat") return choose(after_self_intersection, now, random);
   if (!is_last && random.chance(0.02)) return sample(now, random);
   return choose(after_sound, now, random);

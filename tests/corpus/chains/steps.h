@@ -1,5 +1,5 @@
-/// Random walks over what a pipe can join: the programs that may follow a mesh, with options that
-/// users give them.
+/// Draws random chains of programs that can be joined by pipes, with options that users would
+/// choose.
 #pragma once
 
 #include <map>
@@ -14,17 +14,18 @@ namespace chains {
 
 /// One program of a chain.
 struct Step {
-  std::string program;  ///< without "tm-"
+  std::string program;  ///< name without "tm-"
   std::vector<std::string> arguments;
-  std::map<std::string, std::string> files;  ///< name and bytes of the files that arguments name
-  double volume_factor = 1;                  ///< of an affine map: the magnitude of its determinant
-  /// True if area and volume of flat bodies must stay within a thousandth: tm-remesh with edges of
-  /// 2 % that keeps sharp edges.
+  // bytes of the files that arguments name, by file name
+  std::map<std::string, std::string> files;
+  double volume_factor = 1;  ///< determinant of an affine map, in magnitude
+  /// True if area and volume of bodies with flat sides must stay within a thousandth: for tm-remesh
+  /// with edges of 2 % that keeps sharp edges.
   bool keeps_measures = false;
 
   std::string label()
-      const;  ///< program with the option that makes it another one: "remesh --faces"
-  std::string command() const;  ///< as a shell takes it
+      const;  ///< program with the option that changes its operation, such as "remesh --faces"
+  std::string command() const;  ///< the command in the syntax of a shell
 };
 
 /// The state of a chain before its next step.
@@ -37,8 +38,8 @@ struct Situation {
   std::string previous;            ///< label of the last program
   bool is_soup = false;            ///< the mesh was written as STL
   bool is_raw = true;              ///< no program has changed the body yet
-  bool is_cut = false;             ///< the cutter is in the mesh already
-  int steps_left = 1;              ///< with the one to be chosen
+  bool is_cut = false;             ///< the cutter is in the mesh already, or no longer fits it
+  int steps_left = 1;              ///< including the step to be chosen
 };
 
 Step next_step(const Situation& now, Random& random);

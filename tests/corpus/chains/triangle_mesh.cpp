@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little);
 
 enum class Encoding { text, little, big };
 
-/// Takes numbers one after the other from the body of a file.
+/// Reads consecutive numbers from the body of a file.
 class Numbers {
  public:
   Numbers(const std::string& bytes, std::size_t begin, Encoding encoding)
@@ -61,7 +61,8 @@ class Numbers {
 };
 
 struct Property {
-  std::string name, type, count_type;  ///< count_type is empty unless the property is a list
+  // type of the count of a list; empty if the property is not a list
+  std::string name, type, count_type;
 };
 
 struct Element {
@@ -73,7 +74,7 @@ struct Element {
 struct Header {
   Encoding encoding = Encoding::little;
   std::vector<Element> elements;
-  std::size_t size = 0;  ///< bytes
+  std::size_t size = 0;  ///< length of the header in bytes
 };
 
 Header read_header(const std::string& bytes) {
@@ -152,7 +153,7 @@ TriangleMesh read_ply(const std::string& bytes) {
 }
 
 TriangleMesh read_off(const std::string& bytes) {
-  std::string text;  // without comments
+  std::string text;  // lines without comments
   std::istringstream lines(bytes);
   for (std::string line; std::getline(lines, line);) text += line.substr(0, line.find('#')) + '\n';
   Numbers numbers(text, std::strlen("OFF"), Encoding::text);

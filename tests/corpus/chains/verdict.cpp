@@ -18,7 +18,7 @@ bool has(const Step& step, const std::string& word) {
   return std::find(step.arguments.begin(), step.arguments.end(), word) != step.arguments.end();
 }
 
-/// A count of the report: a number, a list, or an object with a count.
+/// Returns a count of the report: a number, the length of a list, or the count in an object.
 std::size_t reported(const Json& report, const std::string& key) {
   const Json& result = report.contains("result") ? report["result"] : report;
   if (!result.is_object() || !result.contains(key)) return 0;
@@ -71,13 +71,14 @@ class Judge {
       note("coordinates", is_.after.bad_coordinates, " points that are not finite");
   }
 
-  /// No intersection, no face without area, a manifold.
+  /// Checks that there is no intersection and no face without area, and that the mesh is a
+  /// manifold.
   void check_surface() {
     const bool always = is_one_of(program(), {"clean", "offset", "evolve", "morph"});
     const bool as_input = is_one_of(program(), {"remesh", "fill", "select"});
     if ((always || (as_input && is_.before.intersections == 0)) && is_.after.intersections > 0)
       note("intersects", is_.after.intersections, " intersecting pairs");
-    // tm-remesh reports what it could not remove of its input.
+    // tm-remesh reports which parts of its input it could not remove.
     const std::size_t kept = is_.before.no_area > 0 ? reported(report_, "faces_without_area") : 0;
     if ((always || program() == "remesh" || (as_input && is_.before.no_area == 0)) &&
         is_.after.no_area > kept)
@@ -115,7 +116,8 @@ class Judge {
            ", reported as dropped: ", dropped);
   }
 
-  /// Returns the change of volume that rounding may cause: a thousand spacings everywhere.
+  /// Returns the change of volume that rounding may cause: a movement of a thousand spacings at
+  /// every vertex.
   double volume_tolerance() const {
     const double spacing = (is_.coarsest == Type::float32 ? 0x1p-23 : 0x1p-52) *
                            std::max(largest_coordinate(is_.input), largest_coordinate(is_.output));
@@ -129,7 +131,7 @@ class Judge {
   }
 
   void check_measures() {
-    // tm-offset cleans first, so the volume of what intersects itself says nothing.
+    // tm-offset cleans first, so the volume of a self-intersecting input is not comparable.
     if (program() == "offset" && is_.before.intersections == 0 && !grows_as_asked())
       note("volume", "volume ", is_.after.volume, " from ", is_.before.volume);
     if (!is_.step.keeps_measures || !is_.is_flat || !is_.before.is_closed()) return;

@@ -1,4 +1,4 @@
-/// Compares the promises of the man pages with the facts about a program's input and output.
+/// Compares the promises of the man pages with measured facts about a program's input and output.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace chains {
 
 struct Finding {
-  std::string kind;  ///< one word, by which findings are counted
+  std::string kind;  ///< one word; the summary counts findings by kind
   std::string text;
 };
 
@@ -21,11 +21,15 @@ struct Passage {
   const MeshFacts& before;
   const TriangleMesh& output;
   const MeshFacts& after;
-  const std::string& report;      ///< JSON
-  std::optional<double> volume;   ///< of the output where it is known
-  Type coarsest = Type::float64;  ///< scalar type that coordinates have been rounded to so far
-  bool was_cleaned = false;       ///< the input is the union of what it came from
-  bool is_flat = false;  ///< all edges of the body turn by 45 degrees or more, or not at all
+  const std::string& report;     ///< report of the program in JSON
+  std::optional<double> volume;  ///< correct volume of the output, if it is known
+  // coarsest scalar type to which coordinates have been rounded so far
+  Type coarsest = Type::float64;
+  /// True if tm-clean has united the parts of the input, and no later program may have turned a
+  /// component inside out.
+  bool was_cleaned = false;
+  // the faces at every edge of the body are coplanar or meet at 45 degrees or more
+  bool is_flat = false;
 };
 
 std::vector<Finding> find_faults(const Passage& passage);

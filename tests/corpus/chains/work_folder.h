@@ -1,4 +1,4 @@
-/// The folder in which programs of a chain run: a temporary one unless the chain is to be kept.
+/// The working folder of a chain's programs: temporary unless the chain is to be kept.
 #pragma once
 
 #include <cstdlib>
@@ -33,7 +33,7 @@ class WorkFolder {
   void write(const std::string& name, const std::string& bytes) const {
     std::ofstream(path_ / name, std::ios::binary) << bytes;
   }
-  /// Empty if there is no such file.
+  /// Returns the bytes of a file; empty if there is no such file.
   std::string read(const std::string& name) const {
     std::ifstream file(path_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

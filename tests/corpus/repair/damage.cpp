@@ -60,7 +60,7 @@ Mesh shuffled_soup(const Mesh& solid, std::uint64_t seed) {
   return test::soup_of(mesh);
 }
 
-/// Every corner of the soup moved by up to half of this share of the diagonal in each direction.
+/// Moves every corner of the soup by up to half of this fraction of the diagonal in each direction.
 Mesh cracked(const Mesh& solid, std::uint64_t seed, double share) {
   Random random(seed);
   Mesh mesh = test::soup_of(solid);
@@ -73,7 +73,7 @@ Mesh cracks(const Mesh& solid, std::uint64_t seed) { return cracked(solid, seed,
 Mesh wide_cracks(const Mesh& solid, std::uint64_t seed) { return cracked(solid, seed, 2e-5); }
 
 Mesh seams(const Mesh& solid, std::uint64_t seed) {
-  // Faces on both sides of a plane have vertices of their own, which miss each other a little.
+  // Faces on both sides of a plane get vertices of their own, which differ slightly in position.
   Random random(seed);
   Mesh mesh = solid;
   const Vec3 direction = random.point(-1, 1).normalized();
@@ -93,7 +93,7 @@ Mesh seams(const Mesh& solid, std::uint64_t seed) {
   return mesh;
 }
 
-/// Some edges are split on one of their sides only.
+/// Splits some edges on only one of their sides.
 Mesh t_junctions(const Mesh& solid, std::uint64_t seed) {
   Random random(seed);
   Mesh mesh = solid;
@@ -157,8 +157,8 @@ Mesh missing_faces(const Mesh& solid, std::uint64_t seed) {
   return without(solid, is_gone);
 }
 
-/// The faces at a vertex; of solids with few faces the two at an edge, as all at a vertex are half
-/// of them.
+/// Removes the faces at a vertex. If a solid has few faces, removes only the two at an edge,
+/// because all faces at a vertex would be half of the solid.
 Mesh missing_patch(const Mesh& solid, std::uint64_t seed) {
   Random random(seed);
   const Face at = solid.faces[any_face(solid, random)];
@@ -216,7 +216,7 @@ Mesh inner_face(const Mesh& solid, std::uint64_t seed) {
 }
 
 Mesh inner_shell(const Mesh& solid, std::uint64_t seed) {
-  // A small ball just below a face, oriented outwards: it is solid already.
+  // Adds a small ball just inside a face, oriented outwards; the solid already contains it.
   Random random(seed);
   const Face face = solid.faces[any_face(solid, random)];
   const double radius = 0.005 * diagonal(solid);
@@ -257,7 +257,7 @@ Mesh collapsed_faces(const Mesh& solid, std::uint64_t seed) {
 }
 
 Mesh flat_faces(const Mesh& solid, std::uint64_t seed) {
-  // An edge is split on one side, and a face without area covers the difference.
+  // Splits an edge on one side, and covers the difference by a face without area.
   Random random(seed);
   Mesh mesh = solid;
   for (int i = 0; i < 5; ++i) {
@@ -274,7 +274,7 @@ Mesh flat_faces(const Mesh& solid, std::uint64_t seed) {
 }
 
 Mesh zero_edges(const Mesh& solid, std::uint64_t seed) {
-  // A copy of a vertex takes some of its faces, and two faces without area connect the two.
+  // Moves some faces of a vertex to a copy of it, and connects both by two faces without area.
   Random random(seed);
   Mesh mesh = solid;
   const Face face = mesh.faces[any_face(solid, random)];
@@ -301,7 +301,7 @@ Mesh touching_bodies(const Mesh& solid, std::uint64_t) {
 }
 
 Mesh bow_tie(const Mesh& solid, std::uint64_t) {
-  // The solid and its image in the point of the vertex farthest along x, which both share.
+  // The solid and its point reflection in the vertex farthest along x, which both share.
   Index tip = 0;
   for (Index v = 0; v < solid.positions.size(); ++v)
     if (solid.positions[v].x() > solid.positions[tip].x()) tip = v;

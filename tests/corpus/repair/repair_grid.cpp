@@ -1,13 +1,13 @@
-// A program of the tests, never installed: damages solids (damage.h), repairs them and prints a
-// table by kinds of damage.
+// A test program, not installed. Damages solids (damage.h), repairs them, and prints a table by
+// kinds of damage.
 //
 //   repair_grid [--seeds N] [--faults] [KIND...]     default 8 seeds, all kinds
 //   repair_grid --write KIND SOLID SEED FILE         writes one damaged solid
 //
-// The columns are cases, results that are solids, results that are right, and seconds of the
-// slowest case. A solid is right if its volume is. If the damage leaves the volume open, it must
-// have the inside of the input's generalized winding number above 1/2. Exit code 1 if less than 90
-// % of a kind are right.
+// The columns are cases, results that are solids, results that are correct, and seconds of the
+// slowest case. A solid is correct if its volume is. If the damage does not determine the volume,
+// the inside of the solid must be the region in which the generalized winding number of the input
+// is above 1/2. Exit code 1 if less than 90 % of a kind are correct.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -34,7 +34,7 @@ constexpr double least_right = 0.9;
 constexpr int samples = 200;
 constexpr double least_agreement = 0.99;
 
-/// Share of random points of the box at which both agree what is inside.
+/// Returns the fraction of random points in the box at which both agree on inside and outside.
 double agreement(const Mesh& input, const Mesh& repaired) {
   test::Random random(1);
   Eigen::AlignedBox3d box;

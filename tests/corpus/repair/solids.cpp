@@ -1,4 +1,4 @@
-// Undamaged solids, and what a solid is.
+// Makes undamaged solids, and checks whether a mesh is a solid.
 #include "corpus/repair/damage.h"
 #include "helpers/cgal_boolean.h"
 #include "helpers/cgal_oracle.h"
@@ -8,7 +8,8 @@
 namespace transformesh::corpus {
 namespace {
 
-/// Largest relative difference of volumes that counts as the same solid, as the issue asks.
+/// Largest relative difference between volumes that count as equal. It allows for rounding and for
+/// the patches of small holes.
 constexpr double same_volume = 1e-3;
 
 Mesh bracket() {

@@ -1,4 +1,4 @@
-// A project of somebody else, on the installed library: a surface grows until its components merge.
+// A project that uses the installed library: a surface grows until its components merge.
 #include <transformesh/transformesh.h>
 
 using namespace transformesh;

@@ -1,5 +1,5 @@
-// Laws of Boolean operations on random operands that overlap themselves, touch, equal and contain
-// each other, judged by solid angles; and the cases with closed forms.
+// Laws of Boolean operations on random operands that intersect themselves, touch, coincide and
+// contain each other, checked by solid angles; and cases with closed forms.
 #include "transformesh/boolean.h"
 
 #include <doctest/doctest.h>
@@ -26,7 +26,8 @@ BooleanResult combine(Operation operation, const std::vector<Mesh>& meshes,
   return boolean(operation, operands, options);
 }
 
-/// On a coarse grid, so that faces lie upon each other, or in general position.
+/// Returns a box or a tetrahedron. Its corners lie on a coarse grid before the rotation, so that
+/// faces of parts with the same rotation are often coplanar.
 Mesh random_part(test::Random& random, const Eigen::Matrix3d& rotation) {
   const auto steps = [&](std::uint64_t least, std::uint64_t below) {
     return static_cast<double>(least + random.below(below));
@@ -38,7 +39,7 @@ Mesh random_part(test::Random& random, const Eigen::Matrix3d& rotation) {
   return random.below(8) == 0 ? test::reversed(part) : part;
 }
 
-/// Up to three parts, of which some may be inside out.
+/// Returns up to three parts; some may be inside out.
 Mesh random_operand(test::Random& random) {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   if (random.below(3) == 0)
@@ -70,7 +71,7 @@ bool is_selected(Operation operation, const std::vector<int>& windings) {
   return inside % 2 == 1;
 }
 
-/// Empty near a surface.
+/// Returns nothing for a point near the surface.
 std::optional<int> winding_at(const Mesh& mesh, const Vec3& point) {
   const double winding = test::winding_number(mesh, point);
   if (std::abs(winding - std::round(winding)) > 1e-6) return std::nullopt;

@@ -1,4 +1,4 @@
-/// Parts of sheets that a solid closes: closed forms, and winding numbers by solid angles.
+/// Parts of sheets, closed by a solid, against closed forms and winding numbers by solid angles.
 #include "boolean/capped_sheet.h"
 
 #include <doctest/doctest.h>
@@ -35,7 +35,7 @@ std::string refusal(const Mesh& sheet, const Mesh& solid, SheetSide side) {
   return {};
 }
 
-/// A square of side 20 around the z axis, which looks upwards.
+/// A square of side 20 around the z axis that faces upwards.
 Mesh plane(double z) { return test::moved(test::scaled(test::grid(2), 20), Vec3(-10, -10, z)); }
 
 Mesh box(double low, double high) {
@@ -89,8 +89,8 @@ TEST_CASE("closed sheets give the intersection and the difference, by solid angl
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     CAPTURE(seed);
     test::Random random(seed);
-    // The parts of the solid overlap, and no sheet is around all of it: a body that a sheet does
-    // not meet is left out.
+    // The parts of the solid overlap, so the solid is one body, and no sheet encloses all of it. An
+    // enclosed body would be missing from the result, because no sheet meets it.
     const auto ball = [&](double least, double most, const Vec3& at) {
       return test::moved(test::scaled(test::icosphere(1), random.uniform(least, most)), at);
     };

@@ -14,7 +14,7 @@ Mesh whole(BooleanOperation operation, const Mesh& solid, const Mesh& operand) {
   return boolean(operation, {{&solid}, {&operand}}).mesh;
 }
 
-/// A ball of many faces on a box of few.
+/// A ball of many faces on a box of few faces.
 Mesh statue() {
   const Mesh ball = test::icosphere(5);
   const Mesh base = test::cuboid(Vec3(-2, -2, -2), Vec3(2, 2, -0.5));
@@ -25,7 +25,7 @@ Mesh random_tool(test::Random& random) {
   const Vec3 at = random.point(-1.1, 1.1);
   if (random.below(2) == 0)
     return test::moved(test::scaled(test::icosphere(1), random.uniform(0.05, 0.15)), at);
-  // On a grid, so that tools touch each other and the base.
+  // Corners lie on a grid, so that tools touch each other and the base.
   const auto snapped = [](const Vec3& p) { return Vec3((8 * p).array().round().matrix() / 8); };
   return test::moved(test::scaled(test::cube(), 0.125), snapped(at));
 }
@@ -83,8 +83,8 @@ TEST_CASE("a local operation that the part does not decide changes nothing") {
     return combine_in_place(BooleanOperation::subtract, solid, operand, {}).has_value();
   };
   const Mesh tool = test::moved(test::scaled(test::cube(), 0.1), Vec3(0.95, 0, 0));
-  CHECK_FALSE(is_done(ball));                  // a large share of the whole
-  CHECK_FALSE(is_done(test::reversed(tool)));  // not simple
+  CHECK_FALSE(is_done(ball));                  // the part is a large share of the solid
+  CHECK_FALSE(is_done(test::reversed(tool)));  // not a simple solid: inside out
   Mesh colored = tool;
   colored.face_columns.get("red", Scalar::uint8, colored.faces.size());
   CHECK_FALSE(is_done(colored));

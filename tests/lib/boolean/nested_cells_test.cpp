@@ -1,4 +1,4 @@
-/// Cells between boxes within each other, by hand.
+/// Cells between nested boxes, compared with cells listed by hand.
 #include "boolean/nested_cells.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ Mesh box(double low, double high) {
   return test::cuboid(Vec3::Constant(low), Vec3::Constant(high));
 }
 
-/// The sides of the faces of boxes, after cells were joined. All faces of a box are one patch.
+/// The sides of the faces of boxes after cells were joined. All faces of a box are one patch.
 struct JoinedSides {
   explicit JoinedSides(const Mesh& mesh)
       : arrangement(test::arranged(mesh)),
@@ -35,7 +35,7 @@ struct JoinedSides {
 }  // namespace
 
 TEST_CASE("a body lies in the innermost cell around it") {
-  // Boxes within each other, in an order that is not theirs, and one beside them.
+  // Three nested boxes, not sorted by size, and one box beside them.
   const Mesh mesh =
       test::joined(test::joined(box(2, 8), box(3, 7)), test::joined(box(0, 10), box(11, 12)));
   for (const double scale : {1.0, 1e-200, 1e300}) {
@@ -61,7 +61,7 @@ TEST_CASE("a cavity bounds the cell inside of its shell") {
 }
 
 TEST_CASE("a body in the box of a cell, but not in the cell, is outside") {
-  // In the hole of a ring.
+  // The box lies in the hole of the ring.
   const Mesh ring = test::torus(3, 1, 24, 12);
   const Mesh mesh = test::joined(box(-0.5, 0.5), ring);
   JoinedSides joined(mesh);

@@ -20,7 +20,7 @@ std::vector<Kind> kinds_of(BooleanOperation operation, const std::vector<Mesh>& 
 
 Kind kind_of(const Mesh& mesh) {
   const Kind kind = kinds_of(BooleanOperation::unite, {mesh})[0];
-  // The kind is that of the mesh, reversed or not, and whatever else there is.
+  // The kind depends on the mesh alone, not on its orientation or on other operands.
   const Mesh other = test::moved(test::cube(), Vec3::Constant(0.4));
   CHECK(kinds_of(BooleanOperation::unite, {other, mesh})[1] == kind);
   CHECK(kinds_of(BooleanOperation::subtract, {other, mesh})[1] == kind);

@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Twice the area of the chosen pieces along each axis and direction: -x, +x, -y, +y, -z, +z.
+/// Returns twice the area of the chosen pieces by direction: -x, +x, -y, +y, -z, +z.
 std::array<double, 6> chosen_areas(BooleanOperation operation, const std::vector<Mesh>& meshes) {
   std::vector<Operand> operands;
   for (const Mesh& mesh : meshes) operands.push_back({&mesh});
@@ -52,7 +52,8 @@ TEST_CASE("coincident faces of two operands count for each operand") {
   CHECK(chosen_areas(subtract, {twice, cube}) == all(0));
   CHECK(chosen_areas(exclude, {twice, cube}) == all(0));
   CHECK(chosen_areas(exclude, {twice, cube, cube}) == all(2));
-  // The sum of the jumps at the common face is 0, yet the face parts inside from outside.
+  // The sum of the winding jumps at the common face is 0, yet the face separates inside from
+  // outside.
   const Mesh beside = test::reversed(test::moved(cube, Vec3(1, 0, 0)));
   const auto areas = chosen_areas(subtract, {cube, test::joined(beside, beside)});
   CHECK(areas == all(2));

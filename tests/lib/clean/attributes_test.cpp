@@ -1,4 +1,4 @@
-/// Columns, provenance and locality of cleaning, judged by closed forms and exact rationals.
+/// Columns, provenance and locality of cleaning, checked by closed forms and exact rationals.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
@@ -35,7 +35,8 @@ Rational dot(const ExactVec& a, const ExactVec& b) {
 
 double length(const ExactVec& a) { return std::sqrt(dot(a, a).convert_to<double>()); }
 
-/// How far the point lies outside of the triangle: off its plane, or beyond an edge within it.
+/// Returns how far the point lies outside of the triangle. This is the largest of its distance from
+/// the plane and, within the plane, its distances beyond the edges.
 double distance_outside(const Vec3& point, const Triangle& triangle) {
   const ExactVec p = exact(point), a = exact(triangle[0]), b = exact(triangle[1]),
                  c = exact(triangle[2]);
@@ -58,7 +59,7 @@ double largest_coordinate(const Mesh& mesh) {
   return largest;
 }
 
-/// With a linear function of position and a number of its own at each vertex, and the number of
+/// Adds columns: a linear function of the position, the number of each vertex, and the number of
 /// each face.
 Mesh with_columns(Mesh mesh) {
   const std::size_t vertices = mesh.positions.size();
@@ -80,7 +81,7 @@ Triangle triangle(const Mesh& mesh, Index face) {
   return {mesh.positions[f[0]], mesh.positions[f[1]], mesh.positions[f[2]]};
 }
 
-/// Faces that are input faces come first, in order, as they were; so do vertices.
+/// Uncut input faces come first and unchanged, in their order; so do input vertices.
 void check_order(const Mesh& input, const Mesh& output, std::size_t new_vertices) {
   const auto& vertex = values(output.vertex_columns, "vertex");
   const std::size_t old_vertices = output.positions.size() - new_vertices;
@@ -102,7 +103,7 @@ void check_order(const Mesh& input, const Mesh& output, std::size_t new_vertices
       break;
     before = source[whole];
   }
-  // From there on only pieces: smaller than their faces.
+  // All later faces are pieces, smaller than their sources.
   bool only_pieces = true;
   for (std::size_t f = whole; f < output.faces.size(); ++f) {
     only_pieces = only_pieces && triangle(input, static_cast<Index>(source[f])) !=
@@ -112,7 +113,7 @@ void check_order(const Mesh& input, const Mesh& output, std::size_t new_vertices
   CHECK(whole > 0);
 }
 
-/// Everything that cleaning promises about columns.
+/// Checks everything that cleaning promises about columns.
 void check_columns(const Mesh& plain, const CleanOptions& options = {}) {
   const Mesh input = with_columns(plain);
   const CleanResult result = clean(input, options);
@@ -120,7 +121,8 @@ void check_columns(const Mesh& plain, const CleanOptions& options = {}) {
   REQUIRE(result.changed);
   const double scale = largest_coordinate(input);
   const double digits = options.coordinate == Scalar::float32 ? 24 : 53;
-  const double rounding = scale * std::ldexp(1, 5 - static_cast<int>(digits));  // as vertices merge
+  // largest movement when vertices merge
+  const double rounding = scale * std::ldexp(1, 5 - static_cast<int>(digits));
 
   double worst_height = 0;
   for (std::size_t v = 0; v < output.positions.size(); ++v) {
@@ -129,7 +131,7 @@ void check_columns(const Mesh& plain, const CleanOptions& options = {}) {
   }
   CHECK(worst_height <= 2 * rounding);
 
-  // A number that cannot be blended comes from a corner of a face on which the vertex lies.
+  // A number that is not interpolated comes from a corner of a face on which the vertex lies.
   double worst_place = 0;
   std::vector<char> is_corner(output.positions.size(), 0);
   for (Index f = 0; f < output.faces.size(); ++f) {
@@ -232,7 +234,7 @@ TEST_CASE("--refuse names the defect of a soup without intersections") {
   options.refuse = true;
   CHECK_THROWS_WITH(clean(soup, options),
                     "the mesh needs cleaning (0 intersecting face pairs, 0 faces to remove, 0 "
-                    "vertices to duplicate, but vertices to join)");
+                    "vertices to duplicate, but vertices to merge)");
   CHECK(clean(ball, options).mesh.positions == ball.positions);
 }
 

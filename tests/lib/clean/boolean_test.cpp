@@ -1,5 +1,5 @@
-// Booleans of bodies, which cleaning is: against CGAL's corefinement, against each other in any
-// order, against sampled volumes and against counted voxels.
+// Boolean operations by cleaning, compared with CGAL's corefinement, with other orders of operands,
+// with sampled volumes and with counted voxels.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@
 namespace transformesh {
 namespace {
 
-/// Rotated at random, then shifted by up to that much along each axis.
+/// Rotates the mesh at random, then shifts it by up to `shift` along each axis.
 Mesh placed(Mesh mesh, test::Random& random, double shift) {
   const Vec3 axis = random.point(-1, 1).normalized();
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(random.uniform(0, 3), axis).toRotationMatrix();
@@ -30,7 +30,7 @@ Mesh placed(Mesh mesh, test::Random& random, double shift) {
   return mesh;
 }
 
-/// Nothing where no point has that winding number.
+/// Returns nothing if no point has that winding number.
 std::optional<Mesh> cleaned(const Mesh& mesh, int winding_level = 1) {
   CleanOptions options;
   options.winding_level = winding_level;
@@ -51,7 +51,7 @@ void check_same_body(const std::optional<Mesh>& own, const Mesh& expected, doubl
   CHECK(std::abs(test::signed_volume(*own) - test::signed_volume(expected)) < 1e-12 * size);
 }
 
-/// The exact sum over faces of six times the volume below them.
+/// Returns the exact volume: a sixth of the sum of the determinants of all faces.
 boost::multiprecision::cpp_rational exact_volume(const Mesh& mesh) {
   using Rational = boost::multiprecision::cpp_rational;
   Rational sum = 0;
@@ -150,14 +150,16 @@ TEST_CASE("the union is the same in any order, at once and one by one") {
 
 namespace {
 
-/// Where a line along z meets a convex polyhedron that looks outwards: cut by each face's plane.
+/// Returns the interval in which a line along z lies inside a convex polyhedron whose faces are
+/// oriented outwards. The plane of each face cuts the line.
 std::optional<std::array<double, 2>> interval_inside(const Mesh& convex, double x, double y) {
   double low = -1e300;
   double high = 1e300;
   for (const auto& [a, b, c] : convex.faces) {
     const Vec3& p = convex.positions[a];
     const Vec3 normal = (convex.positions[b] - p).cross(convex.positions[c] - p);
-    const double rest = normal.dot(p) - normal.x() * x - normal.y() * y;  // >= normal.z() z
+    // inside if rest >= normal.z() * z
+    const double rest = normal.dot(p) - normal.x() * x - normal.y() * y;
     if (normal.z() > 0) high = std::min(high, rest / normal.z());
     if (normal.z() < 0) low = std::max(low, rest / normal.z());
     if (normal.z() == 0 && rest < 0) return std::nullopt;
@@ -196,7 +198,8 @@ TEST_CASE("the volume of overlapping balls agrees with random samples") {
     }
     const double own = test::signed_volume(clean(all).mesh);
 
-    // Lines in jittered cells of a grid over [-2, 2]^2, in independent runs that tell the error.
+    // Samples lines in jittered cells of a grid over [-2, 2]^2. The spread of independent runs
+    // estimates the error.
     constexpr int runs = 10;
     constexpr int cells = 120;
     constexpr double cell = 4.0 / cells;

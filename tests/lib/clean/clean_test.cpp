@@ -1,4 +1,4 @@
-// Options of clean() beyond the whole mesh: columns of sources, copies moved apart, boxes.
+// Options of clean(): columns of sources, moving copies apart, boxes.
 #include "transformesh/clean.h"
 
 #include <doctest/doctest.h>
@@ -19,7 +19,8 @@ Mesh overlapping_boxes() {
                       test::cuboid(Vec3::Constant(.5), Vec3::Constant(1.5)));
 }
 
-/// Two boxes that touch along an edge: cleaning leaves two copies of its vertices in one place.
+/// Two boxes that touch along an edge. Cleaning leaves two copies of its vertices at the same
+/// positions.
 Mesh touching_boxes() {
   return test::joined(test::cuboid(Vec3::Zero(), Vec3::Ones()), test::cuboid({1, 1, 0}, {2, 2, 1}));
 }

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A surface of revolution about the x axis: a closed profile of (x, radius) from pole to pole.
-/// A negative radius is a profile pushed through the axis, which turns that part inside out.
+/// A surface of revolution about the x axis, from a profile of (x, radius) between two poles. A
+/// negative radius moves the profile through the axis, which turns that part inside out.
 Mesh revolved(const std::vector<std::array<double, 2>>& profile, int around) {
   Mesh mesh;
   const std::size_t rings = profile.size() - 2;
@@ -60,8 +60,8 @@ Mesh dumbbell(double neck) {
   return revolved(profile, 24);
 }
 
-/// A tube bent about the z axis through an angle that may exceed a full turn, so that its ends,
-/// which are capped, run into each other.
+/// A tube with caps, bent around the z axis by an angle that may exceed a full turn, so that its
+/// ends intersect.
 Mesh bent_tube(double turns, double minor) {
   std::vector<std::array<double, 2>> profile{{0, 0}};
   for (int i = 0; i <= 48; ++i) profile.push_back({i / 48.0, minor});
@@ -89,7 +89,7 @@ struct Expected {
   double tolerance;
 };
 
-// All promises of clean() at once, by both methods.
+// Checks all promises of clean(), with both methods.
 Mesh check_clean(const Mesh& input, const Expected& expected) {
   CleanOptions by_rays;
   by_rays.method = ExteriorMethod::static_test;
@@ -111,7 +111,7 @@ Mesh check_clean(const Mesh& input, const Expected& expected) {
   return result.mesh;
 }
 
-/// The volume where w >= 1, by counting points of a grid.
+/// Returns the volume with winding number >= 1, by counting points of a grid.
 double volume_by_counting(const Mesh& mesh) {
   constexpr int cells = 32;
   const Box box = bounding_box(mesh);

@@ -1,4 +1,4 @@
-// Entries of evolutions: the names that reports have had, and the words for how they ended.
+// Report entries of evolutions: their established names, and the words for how a run ended.
 #include <doctest/doctest.h>
 
 #include "entries/entries.h"

@@ -1,4 +1,5 @@
-// Entries against closed forms, and the order in which the programs print them.
+// Report entries of surfaces: their values in closed form, and the order in which programs print
+// them.
 #include <doctest/doctest.h>
 
 #include "entries/entries.h"

@@ -33,7 +33,7 @@ Mesh ball(double radius, const Vec3& center) {
   return test::moved(test::scaled(test::icosphere(3), radius), center);
 }
 
-/// Vertices move away from the origin of the body with this number times its speed.
+/// Moves each vertex away from the center of its body at the speed of its body.
 Motion growing(const std::vector<Vec3>& centers, const std::vector<double>& speeds) {
   return {[=](const Mesh& mesh, const Moment&, const Progress&) {
     std::vector<Vec3> velocities(mesh.positions.size(), Vec3::Zero());
@@ -85,8 +85,8 @@ TEST_CASE("two balls that grow press against each other and never meet") {
   CHECK(result.evolution.last.topology == Topology{2, 0});
   CHECK(result.held_back > 0);
   CHECK(find_intersections(document.mesh).empty());
-  // Each ball of radius 1.5 lacks the cap beyond the plane x = 0, of height .3, or the other one
-  // has pressed it back farther, which comes later.
+  // Each ball of radius 1.5 lacks the cap of height 0.3 beyond the plane x = 0. The balls move one
+  // after the other, so one may hold the other back farther; the sum of their volumes is compared.
   const double whole = 4 * std::numbers::pi / 3 * std::pow(1.5, 3);
   const double cap = std::numbers::pi * 0.3 * 0.3 / 3 * (3 * 1.5 - 0.3);
   const double both = volume_of(document, 0) + volume_of(document, 1);
@@ -106,7 +106,7 @@ TEST_CASE("an inner shell that grows faster stops at the outer one") {
   CHECK(outer == doctest::Approx(4 * std::numbers::pi / 3 * std::pow(1.05, 3)).epsilon(0.02));
   CHECK(middle < outer);
   CHECK(inner < middle);
-  // The gap, and the flat faces of a ball of 1,280 faces.
+  // The tolerance covers the gap and the flat faces of a ball of 1,280 faces.
   CHECK(middle > 0.85 * outer);
 }
 

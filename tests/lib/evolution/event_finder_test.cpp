@@ -73,7 +73,7 @@ Mesh check_neck(ShapeOptions shape, double time, const char* kind) {
   return mesh;
 }
 
-/// Marks the vertices from `first` on.
+/// Marks all vertices from `first` on.
 void mask_from(Mesh& mesh, std::size_t first) {
   Column& mask = mesh.vertex_columns.get("mask", Scalar::float64, mesh.positions.size());
   for (std::size_t v = first; v < mesh.positions.size(); ++v) mask.values[v] = 1;
@@ -83,7 +83,7 @@ double mask_of(const Mesh& mesh, std::size_t v) {
   return mesh.vertex_columns.find("mask")->values[v];
 }
 
-/// Vertices move by a function of their number and position.
+/// Moves vertices by a function of their number and position.
 VectorField moving(const std::function<Vec3(const Mesh& mesh, std::size_t vertex)>& velocity) {
   return [velocity](const Mesh& mesh, const Moment&, const Progress&) {
     std::vector<Vec3> velocities;
@@ -171,6 +171,31 @@ TEST_CASE("by curvature the hole of a thick torus closes when the one-dimensiona
   shape.radius = 1;
   shape.tube = 0.75;
   check_neck(shape, test::pinch_time(test::torus_profile(1, 0.75, 400)), "handle closed");
+}
+
+TEST_CASE("a handle that opens and closes within a step is no event, and new faces get labels") {
+  Mesh ball = test::icosphere(2);
+  Mesh torus = test::torus(1, 0.3, 20, 10);
+  EventFinder finder;
+  IterationOptions options;
+  finder.start(ball);
+  torus.face_columns.get(component_label, Scalar::int32, torus.faces.size())
+      .values.assign(torus.faces.size(), 1);
+  finder.watch(options);
+  finder.begin_step(ball);
+  options.on_cleaned(ball, torus);
+  CHECK(finder.has_found());
+  Mesh pinched = ball;
+  // A face of a cap, which has no label.
+  pinched.face_columns.columns.front().values[5] = 0;
+  options.on_cleaned(torus, pinched);
+  CHECK(!finder.has_found());
+  CHECK(labels_of(pinched) == std::set<long>{1});
+  options.on_cleaned(pinched, torus);
+  finder.end_step(torus, 1, 0.5);
+  EvolveResult result;
+  finder.report(result);
+  CHECK(kinds(result.events) == "handle opened");
 }
 
 TEST_CASE("the hole of a torus closes once, in its middle") {
@@ -281,7 +306,7 @@ TEST_CASE("two trays that meet close a cavity once, which is kept or filled") {
 
 namespace {
 
-/// In a row, with gaps of 0.2 and 0.3; the mask is the number of the ball.
+/// Balls in a row with gaps of 0.2 and 0.3; the mask is the number of the ball.
 Mesh three_balls() {
   const Mesh ball = test::icosphere(2);
   Mesh mesh = test::joined(ball, test::moved(ball, {2.2, 0, 0}));

@@ -30,8 +30,8 @@ Motion growing(double speed) {
   }};
 }
 
-/// Two balls of radius 1 whose surfaces are apart by this distance; the right one moves to the left
-/// with unit speed.
+/// Two balls of radius 1 whose surfaces are at the distance `apart`. The right one moves to the
+/// left at unit speed.
 Document two_balls(double apart) {
   Document document;
   document.mesh =

@@ -11,7 +11,7 @@ using namespace transformesh;
 
 namespace {
 
-/// A filter that changes the mesh between its bytes.
+/// A filter that changes the mesh in the bytes.
 MeshFilter changing(const std::function<void(Mesh&)>& change) {
   return [change](const std::string& bytes) {
     Document document = read_mesh(bytes, "mesh").document;

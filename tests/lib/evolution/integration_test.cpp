@@ -11,8 +11,8 @@ using namespace transformesh;
 
 namespace {
 
-/// Turns about the axis of z with an angular velocity that grows with time: after time t the angle
-/// is t + t^2 / 2.
+/// A rotation about the z axis whose angular velocity grows with time. After time t the angle is t
+/// + t^2 / 2.
 Motion turning() {
   return {[](const Mesh& mesh, const Moment& moment, const Progress&) {
     std::vector<Vec3> velocities;
@@ -22,7 +22,7 @@ Motion turning() {
   }};
 }
 
-/// Returns the largest distance to the exact positions after unit time in this many steps.
+/// Returns the largest distance to the exact positions after unit time in `steps` steps.
 double error_of(Integrator integrator, int steps) {
   const Motion motion = turning();
   Mesh mesh = test::tetrahedron();

@@ -94,7 +94,7 @@ TEST_CASE("a target without faces has no topology to be reached") {
   points.positions = test::icosphere(4).positions;
   CHECK_FALSE(goal_of(make_target(points)).topology);
   CHECK(goal_of(make_target(test::torus(1, 0.4, 40, 20))).topology == Topology{1, 1});
-  // Neither has one that is open.
+  // An open mesh does not have one either.
   Mesh open = test::icosphere(3);
   open.faces.pop_back();
   CHECK_FALSE(goal_of(make_target(open)).topology);

@@ -61,7 +61,7 @@ TEST_CASE("a box grows by Steiner's formula and shrinks to a smaller box") {
   CHECK(volume(moved_by(test::cube(), d, 0.04).mesh) == doctest::Approx(grown).epsilon(0.005));
   const auto [small, result] = moved_by(test::cube(), -d, 0.03);
   CHECK(volume(small) == doctest::Approx(0.6 * 0.6 * 0.6).epsilon(0.02));
-  CHECK(result.deviation.missed < 0.06);  // corners are cut by the length of two edges at most
+  CHECK(result.deviation.missed < 0.06);  // corners are cut by up to two edge lengths
 }
 
 TEST_CASE("balls that are near become one, and those that are far stay two") {
@@ -103,7 +103,7 @@ TEST_CASE("a plate that loses its rim is reported with the place; finer edges ke
   CHECK(lost.has_missed);
   CHECK(!lost.is_done());
   CHECK(volume(coarse.mesh) < 0.9 * left);
-  // The place is on the small box, and nothing of the result is nearer than that.
+  // The place is on the small box, and no part of the result is nearer.
   const Vec3 to_middle = lost.deviation.missed_at - Vec3(2, 3, 4);
   CHECK((to_middle.cwiseAbs() - Vec3(0.1, 1.1, 2.1)).maxCoeff() ==
         doctest::Approx(0).epsilon(1e-5));
@@ -121,12 +121,12 @@ TEST_CASE("a plate that loses its rim is reported with the place; finer edges ke
 }
 
 TEST_CASE("the root mean square is that of the surface, whatever the vertices are") {
-  // An icosahedron's faces sag, while its vertices are on the sphere.
+  // The faces of an icosahedron lie inside of the sphere, and its vertices on it.
   for (const double edge : {0.1, 0.3}) {
     const auto [mesh, result] = moved_by(test::icosphere(4), 0.5, edge);
     double sum = 0, area = 0;
     for (Index f = 0; f < mesh.faces.size(); ++f) {
-      // Three points at the middles of edges integrate squares of second degree.
+      // The midpoints of the edges integrate quadratic polynomials exactly.
       const auto& [a, b, c] = mesh.faces[f];
       for (const auto& [i, j] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
         const double off = ((mesh.positions[i] + mesh.positions[j]) / 2).norm() - 1.5;

@@ -14,7 +14,7 @@ using test::TemporaryFolder;
 
 namespace {
 
-/// Two balls that come together, are one, and part again.
+/// Frames of two balls that approach, merge and separate again.
 Target balls(std::size_t frame) {
   const double apart[] = {0.4, 0.2, -0.3, -0.3, 0.2, 0.4};
   Document both;

@@ -1,4 +1,4 @@
-/// Faces near boxes in a mesh that grows, against a look at all faces.
+/// Faces near boxes in a growing mesh, compared with a test of all faces.
 #include "fill/face_search.h"
 
 #include <doctest/doctest.h>

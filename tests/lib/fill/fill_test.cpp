@@ -1,4 +1,4 @@
-/// Filled holes of balls and boxes, against the volumes of what they were.
+/// Filled holes of balls and boxes, compared with the volumes of the original solids.
 #include "transformesh/fill.h"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@
 namespace transformesh {
 namespace {
 
-/// The mesh without the faces whose corners all lie above a height.
+/// Returns the mesh without the faces whose corners all lie above a height.
 Mesh opened(Mesh mesh, double height) {
   std::erase_if(mesh.faces, [&](const Face& f) {
     return std::all_of(f.begin(), f.end(), [&](Index v) { return mesh.positions[v].z() > height; });
@@ -45,7 +45,7 @@ TEST_CASE("a faired patch continues a ball, and what was there stays") {
   CHECK(std::equal(open.positions.begin(), open.positions.end(), mesh.positions.begin()));
   CHECK(volume(mesh) == doctest::Approx(volume(test::icosphere(4))).epsilon(0.005));
 
-  // Without fairing it is flat, and a cap is missing.
+  // Without fairing the patch is flat, and the volume of a cap is missing.
   Mesh flat = open;
   CHECK(fill_holes(flat, {.fair = false}).refined == 1);
   check_solid(flat);
@@ -88,7 +88,8 @@ TEST_CASE("a patch that would intersect the mesh stays out") {
 }
 
 TEST_CASE("a slit, which has only flat patches, is not filled by intersecting faces") {
-  // The cube with a vertex in the middle of an edge, of which only one of the faces there knows.
+  // A cube with a new vertex in the middle of edge (0, 1). Only one of the two faces at the edge is
+  // split there.
   for (const bool allows : {false, true}) {
     Mesh mesh = test::cube();
     mesh.positions.emplace_back(0.5, 0, 0);

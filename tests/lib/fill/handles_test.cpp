@@ -1,4 +1,4 @@
-/// Surfaces without their handles: what is left, against closed forms and the Euler characteristic.
+/// Surfaces after the removal of handles, compared with closed forms and the Euler characteristic.
 #include "transformesh/handles.h"
 
 #include <doctest/doctest.h>
@@ -90,7 +90,7 @@ TEST_CASE("cleaned afterwards, handles do not come back") {
   CHECK(connected_components(clean(mesh).mesh).genus() == 0);
 }
 
-/// A ring around the z axis with a cavity of the same kind inside, turned by that angle.
+/// A ring around the z axis with a ring-shaped cavity inside, rotated by `angle`.
 Mesh ring_with_cavity(double tube, double angle) {
   Mesh cavity = test::reversed(test::torus(2, tube, 60, 16));
   const Eigen::AngleAxisd turn(angle, Vec3::UnitZ());

@@ -1,4 +1,5 @@
-/// Triangulations of random polygons, against CGAL's search and the definition of a triangulation.
+/// Triangulations of random polygons, compared with CGAL's search and the definition of a
+/// triangulation.
 #include "fill/hole_triangulation.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -15,7 +16,7 @@ namespace {
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
-/// Points around a circle, moved at random; flat ones have ties.
+/// Points around a circle, moved at random. Flat polygons have ties.
 HoleBorder random_border(std::mt19937& random, Index size, double noise) {
   std::uniform_real_distribution<double> shift(-noise, noise);
   HoleBorder border;

@@ -22,7 +22,7 @@ struct Words {
         opposites(opposite_halfedges(mesh)),
         words(homology_words(mesh, opposites)) {}
 
-  /// The sum of the words along a loop of vertices.
+  /// Returns the sum of the words along a loop of vertices.
   HomologyWord along(const std::vector<Index>& loop) const {
     HomologyWord sum = 0;
     for (std::size_t i = 0; i < loop.size(); ++i)

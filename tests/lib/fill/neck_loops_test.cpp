@@ -1,4 +1,4 @@
-/// Loops around necks, against the circumferences of surfaces of revolution.
+/// Loops around necks, compared with the circumferences of surfaces of revolution.
 #include "fill/neck_loops.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@
 namespace transformesh::test {
 namespace {
 
-/// A closed surface around the z axis with this radius at heights from 0 to `height`.
+/// A closed surface around the z axis with the radius `radius(z)` at heights from 0 to `height`.
 Mesh revolved(const std::function<double(double)>& radius, double height, Index rings) {
   constexpr Index around = 16;
   Mesh mesh;
@@ -52,13 +52,13 @@ std::vector<NeckLoop> necks_of(const Mesh& mesh, double length) {
   return loops;
 }
 
-/// The circumference of the polygon that a ring of the mesh is.
+/// Returns the circumference of a ring of the mesh, which is a polygon.
 double around(double radius) { return 32 * radius * std::sin(std::numbers::pi / 16); }
 
 }  // namespace
 
 TEST_CASE("the neck between two balls is found where it is narrowest, if it is short enough") {
-  // Ring 30 of 60 lies next to the waist at z = pi.
+  // Ring 30 of rings 0 to 60 lies at the waist, z = pi.
   const Mesh mesh = revolved(dumbbell, 2 * std::numbers::pi, 61);
   const double waist = around(0.1);
   const std::vector<NeckLoop> necks = necks_of(mesh, 1.05 * waist);

@@ -1,4 +1,4 @@
-/// Short loops against closed forms, and against all loops of tiny meshes.
+/// Short loops, compared with closed forms, and with all loops of tiny meshes.
 #include "fill/short_loops.h"
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@ std::vector<ShortLoop> loops_of(const Mesh& mesh, double max_length = any_length
   return short_loops(mesh, HalfedgeStars(mesh, opposite_halfedges(mesh)), max_length);
 }
 
-/// Whether faces hang together in as many parts as before when the loop's edges are cut.
+/// Returns whether cutting the loop's edges leaves the number of connected components unchanged.
 bool keeps_together(const Mesh& mesh, const std::vector<Index>& loop) {
   std::set<std::pair<Index, Index>> cut;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -39,7 +39,7 @@ bool keeps_together(const Mesh& mesh, const std::vector<Index>& loop) {
   return joins == 0;
 }
 
-/// The length of the shortest simple loop that keeps the faces together, by trying all.
+/// Finds the length of the shortest simple loop that does not separate the faces, by trying all.
 class AllLoops {
  public:
   explicit AllLoops(const Mesh& mesh) : mesh_(mesh), next_(mesh.positions.size()) {
@@ -83,7 +83,7 @@ TEST_CASE(
   CHECK(loops.front().length == doctest::Approx(around_tube));
   CHECK(loops.front().vertices.size() == 24);
 
-  // As a grid of the other side up: the ring is the shorter way.
+  // For this thick torus, the loop through the hole is shorter than that around the tube.
   const Mesh thick = test::torus(2, 1.9, 12, 80);
   const double around_hole = 2 * 12 * (2 - 1.9) * std::sin(std::numbers::pi / 12);
   CHECK(loops_of(thick).front().length == doctest::Approx(around_hole));

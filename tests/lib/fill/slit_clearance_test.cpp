@@ -11,8 +11,8 @@ namespace {
 
 constexpr int around = 24, across = 10;
 
-/// Whether the tube of a torus can be cut through at the angle of vertex `at`, with another part of
-/// the surface there. The torus begins at vertex 0.
+/// A torus and another part of the surface. Decides whether the tube can be cut through at the
+/// angle of vertex `at`. The torus begins at vertex 0.
 class Tube {
  public:
   explicit Tube(const Mesh& other)
@@ -38,7 +38,7 @@ class Tube {
   SlitClearance clearance_;
 };
 
-/// A small cavity around a place.
+/// A small cavity around a point.
 Mesh cavity(const Vec3& at, double radius) {
   return test::reversed(test::moved(test::scaled(test::icosphere(1), radius), at));
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The divergence by central differences.
+/// Returns the divergence by central differences.
 double divergence(const VectorAt& field, const Vec3& p) {
   constexpr double step = 1e-5;
   double sum = 0;
@@ -25,7 +25,7 @@ double divergence(const VectorAt& field, const Vec3& p) {
   return sum;
 }
 
-/// The end of a particle's path by the classic Runge-Kutta method.
+/// Returns the end of a particle's path by the classic Runge-Kutta method.
 Vec3 end_of_path(const AnalyticField& field, Vec3 p, double duration, int steps) {
   const double h = duration / steps;
   for (int i = 0; i < steps; ++i) {

@@ -14,7 +14,7 @@ using doctest::Approx;
 
 namespace {
 
-/// The volume by the divergence theorem, relative to the first vertex.
+/// Returns the volume by the divergence theorem, relative to the first vertex.
 double volume_of(const Mesh& mesh, std::size_t first, std::size_t last) {
   const Vec3 origin = mesh.positions[mesh.faces[first][0]];
   double sum = 0;
@@ -38,7 +38,7 @@ Mesh moved(Mesh mesh, const std::vector<Vec3>& by, double factor) {
   return mesh;
 }
 
-/// Two balls, the second one far away.
+/// Two balls; the second one is far away.
 Mesh two_balls() {
   return test::joined(test::icosphere(2),
                       test::moved(test::scaled(test::icosphere(2), 0.1), Vec3(1000, 0, 0)));

@@ -15,7 +15,7 @@ using doctest::Approx;
 
 namespace {
 
-/// Moves a mesh by steps of the flow's own integrator; no face changes.
+/// Moves a mesh by steps of the flow's own integrator; faces do not change.
 void advance(Mesh& mesh, const char* name, double duration, int steps) {
   const Motion motion = make_flow(name).motion;
   REQUIRE(motion.displacement);
@@ -48,7 +48,7 @@ double sphere_error(std::size_t faces, int steps) {
   return std::abs(std::pow(mean_radius(sphere), 2) / 0.4 - 1);
 }
 
-/// Six times the volume, summed here.
+/// Returns the volume, computed without the library.
 double volume_of(const Mesh& mesh) {
   double sum = 0;
   for (const auto& [a, b, c] : mesh.faces)
@@ -151,7 +151,8 @@ TEST_CASE("steps a thousand times longer than explicit ones are stable") {
     advance(mesh, name, 3 * 1000 * limit, 3);
     for (const Vec3& p : mesh.positions) REQUIRE(p.allFinite());
     CHECK(bounding_box(mesh).diagonal().norm() < 1.05 * before.diagonal().norm());
-    // Under mean curvature the sphere has vanished by then, and its remains may be inside out.
+    // The exact sphere has vanished by then under mean curvature flow, and the rest of the mesh may
+    // be inside out.
     if (std::string(name) == "mean-curvature")
       CHECK(volume_of(mesh) > -1e-12);
     else

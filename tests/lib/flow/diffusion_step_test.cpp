@@ -31,7 +31,7 @@ Value laplacian_at(const Mesh& mesh, Index v, const std::vector<Value>& f) {
 }  // namespace
 
 TEST_CASE("the implicit step solves its equation, also where neighbors are fixed") {
-  // Half of a ball, stretched: some angles are obtuse.
+  // Half of a ball, stretched so that some angles are obtuse.
   Mesh mesh = test::icosphere(3);
   std::erase_if(mesh.faces, [&](const Face& face) {
     return mesh.positions[face[0]].z() + mesh.positions[face[1]].z() + mesh.positions[face[2]].z() <

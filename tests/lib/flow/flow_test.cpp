@@ -76,7 +76,7 @@ TEST_CASE("vertices and times outside of the grids are counted") {
   CHECK(!flow.counts->is_time_outside);
   mesh.positions[2].y() = 1;
   CHECK(flow.motion.velocity(mesh, {4, 0, 0}, Progress())[0].isApprox(Vec3(0, 0, 6)));
-  CHECK(flow.counts->outside == 2);  // the most of any evaluation
+  CHECK(flow.counts->outside == 2);  // the largest of all evaluations
   CHECK(flow.counts->is_time_outside);
 }
 

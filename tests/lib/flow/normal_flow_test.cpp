@@ -23,7 +23,7 @@ void advance(Mesh& mesh, const Motion& motion, double duration, int steps) {
   }
 }
 
-/// The unit cube with this many cells along each edge.
+/// Returns the unit cube with approximately `faces` faces.
 Mesh cube_of(std::size_t faces) {
   ShapeOptions options;
   options.kind = "box";
@@ -92,7 +92,7 @@ TEST_CASE("a column and a grid multiply the speed") {
   grid.origin = Vec3(-2, 0, 0);
   grid.spacing = Vec3(4, 1, 1);
   grid.size = {2, 1, 1};
-  grid.values = {0, 4};  // 2 + x
+  grid.values = {0, 4};  // the linear function 2 + x
   const Flow flow = make_flow("normal", {.speed = 0.5, .column = "rate", .grids = {grid}});
   const auto velocities = flow.motion.velocity(sphere, {}, Progress());
   for (std::size_t v = 0; v < velocities.size(); ++v) {

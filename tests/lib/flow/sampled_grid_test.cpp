@@ -82,7 +82,7 @@ TEST_CASE("values are linear in time, and times outside are those of the nearest
   CHECK(series.around(7).is_outside);
   CHECK(!series.around(0).is_outside);
   CHECK(!series.around(2).is_outside);
-  // A layer of one node has no thickness, so that nothing is outside.
+  // A layer of a single node has no thickness, so no point is outside of it.
   CHECK(!value_at(series.around(0), Vec3(9, 9, 9)).is_outside);
 }
 
@@ -91,9 +91,9 @@ TEST_CASE("inconsistent series of grids are refused") {
   grid.values = {1, 2, 3};
   CHECK_THROWS_AS(GridSeries({}, 3), UsageError);
   CHECK_THROWS_AS(GridSeries({grid}, 1), UsageError);
-  CHECK_THROWS_AS(GridSeries({grid, grid}, 3), InputError);  // no times
+  CHECK_THROWS_AS(GridSeries({grid, grid}, 3), InputError);  // grids without times
   grid.time = 1;
-  CHECK_THROWS_AS(GridSeries({grid, grid}, 3), InputError);  // equal times
+  CHECK_THROWS_AS(GridSeries({grid, grid}, 3), InputError);  // grids with equal times
   grid.spacing.y() = 0;
   CHECK_THROWS_AS(GridSeries({grid}, 3), UsageError);
   grid.spacing.y() = 1;

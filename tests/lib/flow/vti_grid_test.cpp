@@ -35,7 +35,7 @@ FlowGrid read(const Parts& parts, std::size_t components = 3) {
   return read_flow_grid(vti(parts), "a.vti", components);
 }
 
-/// Refused, with these words in the sentence.
+/// Returns whether reading is refused with a message that contains these words.
 bool refuses(const Parts& parts, const std::string& words, std::size_t components = 3) {
   try {
     read(parts, components);
@@ -47,7 +47,7 @@ bool refuses(const Parts& parts, const std::string& words, std::size_t component
   return false;
 }
 
-/// Six vectors as VTK stores them: their size, and little-endian doubles.
+/// Six vectors as VTK stores them: their size in bytes, and little-endian doubles.
 std::string block() {
   std::string bytes;
   const auto append = [&](const auto& value) {
@@ -123,10 +123,10 @@ TEST_CASE("ImageData that is no suitable grid is refused with the reason") {
   CHECK(refuses(parts, "a value of node 5"));
   parts = {};
   parts.image += " Direction=\"0 1 0 -1 0 0 0 0 1\"";
-  CHECK(refuses(parts, "axes are not x, y and z"));
+  CHECK(refuses(parts, "axes other than x, y and z"));
   parts = {};
   parts.piece = "Extent=\"0 1 0 2 0 99999999999\"";
-  CHECK(refuses(parts, "extent of the grid"));
+  CHECK(refuses(parts, "extent must have"));
   parts = {};
   parts.image = "WholeExtent=\"0 1 0 2 0 0\" Spacing=\"0 1 1\"";
   CHECK(refuses(parts, "spacing"));

@@ -1,4 +1,4 @@
-/// Changes of the winding number along paths, against sums of solid angles.
+/// Changes of the winding number along paths, compared with sums of solid angles.
 #include "geometry/axis_path.h"
 
 #include <doctest/doctest.h>
@@ -48,7 +48,8 @@ TEST_CASE("the change between two points is that of solid angles") {
 TEST_CASE("a path that meets an edge, a corner or a face at its end is uncertain") {
   const Mesh cube = test::cube();
   CHECK(change(cube, {.5, .25, .3}, {5, .25, .3}) == -1);
-  CHECK(change(cube, {.5, .5, .5}, {5, .5, .5}) == std::nullopt);    // the diagonal of a side
+  // through the diagonal of a side
+  CHECK(change(cube, {.5, .5, .5}, {5, .5, .5}) == std::nullopt);
   CHECK(change(cube, {.5, 0, .25}, {5, 0, .25}) == std::nullopt);    // along a side
   CHECK(change(cube, {.5, .25, .3}, {1, .25, .3}) == std::nullopt);  // ends on a side
   CHECK(change(cube, {.5, .25, .3}, {.75, .25, .3}) == 0);

@@ -44,7 +44,7 @@ TEST_CASE("a linear column follows a chain of two remeshings") {
   const std::array before{&first, &middle};
   CHECK(carry_along(before, last).vertex_columns == 1);
   check_values(last);
-  // The source points of the last mesh refer to the first one now.
+  // The source points of the last mesh now refer to the first one.
   const SourcePoints places = read_source_points(last, first.faces.size(), "the first mesh");
   for (Index v = 0; v < last.positions.size(); ++v)
     CHECK((position_of(first, places.of_vertices[v]) - last.positions[v]).norm() < .03);

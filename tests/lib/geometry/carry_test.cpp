@@ -22,7 +22,7 @@ namespace {
 
 const Vec3 slope(1, -2, 0.5);
 
-/// With a column that is a linear function of position.
+/// Adds a column that is a linear function of position.
 Mesh with_height(Mesh mesh) {
   Column& column = mesh.vertex_columns.get("height", Scalar::float64, mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
@@ -55,7 +55,8 @@ SourcePoints places_of(const Mesh& mesh, const Mesh& source) {
   return read_source_points(mesh, source.faces.size(), "the source");
 }
 
-/// The angle of a point around the axis of a torus, and around its ring, in turns from 0 to 1.
+/// Returns the angles of a point around the axis of a torus and around its ring, in turns from 0 to
+/// 1.
 std::pair<double, double> turns_of(const Vec3& point, double major) {
   const auto turns = [](double y, double x) {
     const double angle = std::atan2(y, x) / (2 * std::numbers::pi);
@@ -64,7 +65,8 @@ std::pair<double, double> turns_of(const Vec3& point, double major) {
   return {turns(point.y(), point.x()), turns(point.z(), std::hypot(point.x(), point.y()) - major)};
 }
 
-/// Texture coordinates by angles, with a seam along each turn, which cut the torus to one sheet.
+/// Adds texture coordinates by angles, with a seam along each turn, which cut the torus into one
+/// sheet.
 Mesh with_texture(Mesh mesh, double major) {
   Column column{"texcoord", Scalar::float64, {}, Scalar::uint8, {0}};
   for (const Face& face : mesh.faces) {
@@ -108,8 +110,8 @@ TEST_CASE(
   const std::vector<double>& height = last.vertex_columns.find("height")->values;
   double squares = 0;
   for (std::size_t v = 0; v < last.positions.size(); ++v) {
-    // Exactly that of the place, which is where the vertex was before the motion, but for edges
-    // across the crease where the balls meet.
+    // The value is exactly that of the source point. That point is where the vertex was before the
+    // motion, except at edges across the crease where the balls meet.
     const Vec3 place = position_of(first, places.of_vertices[v]);
     CHECK(std::abs(height[v] - slope.dot(place)) < 1e-12);
     CHECK((3 * place - last.positions[v]).norm() < 0.3 * 0.35);
@@ -147,7 +149,7 @@ TEST_CASE("texture coordinates stay on one side of a seam, and are those of the 
           const auto turns = turns_of(last.positions[last.faces[f][i]], major);
           const double truth = axis == 0 ? turns.first : turns.second;
           const double off = std::remainder(at[2 * i] - truth, 1);
-          // A corner beyond a seam takes the nearest place before it, at 0 or 1.
+          // A corner beyond a seam takes the nearest point before the seam, at 0 or 1.
           const bool is_at_seam = at[2 * i] < 1e-9 || at[2 * i] > 1 - 1e-9;
           beyond += is_at_seam && std::abs(off) > 0.001;
           CHECK(std::abs(off) < (is_at_seam ? 0.2 : 0.03));
@@ -184,7 +186,8 @@ TEST_CASE("faces take the numbers of the face at their middle; names choose") {
 namespace {
 
 /// Three boxes with corners on a grid, so that they share planes, rotated together. Every face has
-/// its number as `id`, and texture coordinates that are its number and the corner's position.
+/// its number as `id`. The texture coordinates of a corner are the number of the face and the
+/// corner's position.
 Mesh numbered_boxes(test::Random& random) {
   Mesh mesh;
   for (int box = 0; box < 3; ++box) {
@@ -209,7 +212,7 @@ Mesh numbered_boxes(test::Random& random) {
   return mesh;
 }
 
-/// Each face cut in three at its middle.
+/// Splits each face in three at its center.
 Mesh in_thirds(const Mesh& mesh) {
   Mesh thirds{mesh.positions, {}, {}, {}};
   for (const auto& [a, b, c] : mesh.faces) {
@@ -220,7 +223,8 @@ Mesh in_thirds(const Mesh& mesh) {
   return thirds;
 }
 
-/// Checks that faces lie on the faces of the first mesh that they name, and look the same way.
+/// Checks that faces lie on the faces of the first mesh that they refer to, with the same
+/// orientation.
 void check_faces_lie_on_theirs(const Mesh& first, const Mesh& mesh) {
   const std::vector<double>& id = mesh.face_columns.find("id")->values;
   const std::vector<double>& texture = mesh.face_columns.find("texcoord")->values;
@@ -228,7 +232,7 @@ void check_faces_lie_on_theirs(const Mesh& first, const Mesh& mesh) {
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto& [a, b, c] = first.faces[static_cast<Index>(id[f])];
     const Vec3 normal = face_normal(mesh, f);
-    if (normal.norm() < 1e-9) continue;  // a sliver of rounding looks anywhere
+    if (normal.norm() < 1e-9) continue;  // rounding may give a sliver any normal
     CHECK(normal.normalized().dot(face_normal(first, static_cast<Index>(id[f])).normalized()) >
           1 - 1e-6);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -254,7 +258,7 @@ TEST_CASE("faces of boxes that share planes come from the face that they lie on,
       const std::vector<double> own = between.face_columns.find("id")->values;
       const SourcePoints on_first = places_of(between, first);
       carry_columns(first, on_first, between);
-      // Cleaning carries numbers of faces itself, from face to piece.
+      // Cleaning itself carries numbers of faces from faces to pieces.
       CHECK(between.face_columns.find("id")->values == own);
       check_faces_lie_on_theirs(first, between);
 

@@ -1,4 +1,4 @@
-/// Points in, on and around bodies of which it is known.
+/// Points in, on and around bodies for which the component is known.
 #include "geometry/component_around.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// Balls of radius 1 to 3 around each other, the middle one inside out, and a box beside them.
+/// Nested balls of radius 1 to 3, the middle one inside out, and a box beside them.
 Mesh nested() {
   const auto ball = [](double radius) {
     Mesh mesh = test::icosphere(2);
@@ -24,7 +24,7 @@ Mesh nested() {
   return test::joined(mesh, test::cuboid({5, 0, 0}, {6, 1, 1}));
 }
 
-/// The number of the component chosen, and whether it contains the point.
+/// The number of the chosen component, and whether it contains the point.
 std::pair<Index, bool> found_at(const Mesh& mesh, const Vec3& point) {
   const ComponentAround found = component_around(mesh, point);
   const Components all = connected_components(mesh);

@@ -21,7 +21,7 @@ double length_of(const std::vector<std::pair<Vec3, Vec3>>& segments) {
   return length;
 }
 
-/// Largest distance of the vertices behind the plane.
+/// Returns the largest distance of the vertices behind the plane.
 double overhang(const Mesh& mesh, const CutPlane& plane) {
   double most = 0;
   for (const Vec3& p : mesh.positions) most = std::max(most, plane.offset - plane.normal.dot(p));
@@ -41,7 +41,7 @@ TEST_CASE("an open cut and a capped one are the part in front of the plane") {
     CHECK(overhang(open, plane) < 1e-14);
     CHECK(overhang(closed, plane) < 1e-14);
     CHECK(check_manifold(closed).is_closed());
-    // A cap closes what is open: the areas differ by a disk.
+    // A cap closes the cut: the areas differ by a disk.
     const double height = 1 - offset;
     const double disk = M_PI * (1 - offset * offset);
     CHECK(surface_area(closed) - surface_area(open) == Approx(disk).epsilon(0.02));

@@ -15,8 +15,8 @@ using doctest::Approx;
 
 namespace {
 
-/// By brute force: the least distance of a grid of points on one from a grid on the other, which is
-/// too large by no more than the grids are coarse.
+/// Returns the least distance between grids of points on both triangles. It exceeds the distance of
+/// the triangles by at most the size of a grid cell.
 double sampled_distance(const Triangle& first, const Triangle& second, int n) {
   const auto points = [n](const Triangle& t) {
     std::vector<Vec3> grid;
@@ -37,7 +37,7 @@ Triangle moved(Triangle triangle, const Vec3& by) {
   return triangle;
 }
 
-/// The star of a vertex in the middle of a hexagon.
+/// The faces around a vertex in the middle of a hexagon.
 std::vector<Triangle> star(const Vec3& center) {
   std::vector<Triangle> triangles;
   for (int i = 0; i < 6; ++i) {
@@ -87,7 +87,7 @@ TEST_CASE("a vertex star may move up to the gap, and no farther") {
   CHECK(!keep_out.allows(star(Vec3(0, 0, 0.76)), flat));
   CHECK(!keep_out.allows(star(Vec3(0, 0, 1.5)), flat));
   CHECK(keep_out.allows(star(Vec3(0, 0, -2)), flat));
-  // What is too near already may go away or along, but no nearer.
+  // Faces that are too near already may move away or sideways, but not nearer.
   const auto near = star(Vec3(0, 0, 0.9));
   CHECK(keep_out.allows(star(Vec3(0, 0, 0.85)), near));
   CHECK(keep_out.allows(star(Vec3(0.1, 0, 0.9)), near));
@@ -105,7 +105,7 @@ TEST_CASE("faces do not pass over a body that is smaller than the step") {
   CHECK(keep_out.allows(star(Vec3(0, 0, -3)), flat));
   CHECK(keep_out.allows(star(Vec3(0, 0, 0.2)), flat));
 
-  // The same for a triangle whose rim moves as well.
+  // The same checks for a triangle that moves as a whole.
   const Triangle before{Vec3(-1, -1, 0), Vec3(2, -1, 0), Vec3(0, 2, 0)};
   for (const double height : {0.2, 3.0}) {
     const Triangle after = moved(before, Vec3(0, 0, height));

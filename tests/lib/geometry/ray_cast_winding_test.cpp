@@ -11,7 +11,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// Overlapping, nested, inverted and coincident parts: numbers from -1 to 3.
+/// Overlapping, nested, inverted and coincident parts, with winding numbers from -1 to 3.
 Mesh nest() {
   Mesh mesh = joined(cuboid({-2, -2, -2}, {2, 2, 2}), cuboid({-1, -1, -1}, {1, 1, 1}));
   mesh = joined(mesh, cuboid({-1, -1, -1}, {1, 1, 1}));
@@ -44,7 +44,7 @@ TEST_CASE("a ray through edges and corners is replaced, and a point on the surfa
   const Mesh mesh = cuboid({0, 0, 0}, {4, 4, 4});
   const RayCastWinding winding(mesh);
   CHECK(winding({1, 2, 3}) == 1);
-  // Along x and y the rays of these points run into diagonals of the sides.
+  // Rays from (1, 1, 3) along x and y meet diagonals of the sides.
   CHECK(winding({1, 1, 3}) == 1);
   CHECK(winding({1, 1, 5}) == 0);
   CHECK(!winding({1, 0, 2}));

@@ -40,7 +40,8 @@ double distance_from(const Mesh& points, const Vec3& place) {
   return std::sqrt(nearest);
 }
 
-/// From the place uphill, by random steps within its face that become smaller.
+/// Returns the largest distance found from the place by random steps of decreasing length within
+/// its face.
 double farthest_around(const Mesh& mesh, const Mesh& points, SurfacePoint place) {
   Random random(5);
   double farthest = distance_from(points, place.position);
@@ -59,7 +60,7 @@ double farthest_around(const Mesh& mesh, const Mesh& points, SurfacePoint place)
   return farthest;
 }
 
-/// Largest distance of places of the surface from the points, by brute force.
+/// Returns the largest distance of the surface from the points, by brute force.
 double farthest_place(const Mesh& mesh, const Mesh& points) {
   std::vector<std::pair<double, std::size_t>> places;
   const std::vector<SurfacePoint> samples = surface_points(mesh, 20000, 77);
@@ -92,7 +93,8 @@ TEST_CASE("points by area are even: chi-square over faces of very different size
     const double expected = count * face_area(mesh, static_cast<Index>(f)) / surface_area(mesh);
     chi_square += (found[f] - expected) * (found[f] - expected) / expected;
   }
-  // Of independent points it would be 479 +- 31 with 479 degrees of freedom; these are more even.
+  // For independent points the sum would be 479 +- 31, with 479 degrees of freedom. These points
+  // are more even.
   CHECK(chi_square < 479 + 4 * 31);
 }
 
@@ -128,7 +130,8 @@ TEST_CASE("Poisson disk samples keep their distance and leave no gap, by brute f
 }
 
 TEST_CASE("a Poisson disk is as dense as random ones that are complete, far from the origin too") {
-  // Disks of half the distance cover .547 of a plane (Feder 1980), more along edges of a cube.
+  // Disks of half the distance cover .547 of a plane (Feder 1980), and more along the edges of a
+  // cube.
   for (const double far : {0.0, 1e9}) {
     Mesh mesh = test::cube();
     for (Vec3& p : mesh.positions) p += Vec3(-far, far, 0);

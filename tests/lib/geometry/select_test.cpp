@@ -1,4 +1,4 @@
-/// Conditions taken together.
+/// Combined conditions of selections.
 #include "transformesh/select.h"
 
 #include <doctest/doctest.h>
@@ -34,7 +34,7 @@ TEST_CASE("faces that meet all conditions stay, or all others") {
   options.invert = true;
   CHECK(selected(options).faces.size() == all.faces.size() - 1);
 
-  // Conditions that nothing meets together.
+  // No face meets both conditions.
   options = {};
   options.box = Box{Vec3(8, -1, -1), Vec3(13, 4, 4)};
   CHECK(selected(options).positions.size() == 8);

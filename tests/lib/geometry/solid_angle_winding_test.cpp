@@ -23,7 +23,7 @@ bool has_number(const Mesh& mesh, const Vec3& point, int number) {
   return winding.is_decided() && winding.rounded() == number;
 }
 
-/// The sum of arctangents as the reference writes it.
+/// Returns the sum of arctangents in the form of the reference.
 double sum_of_solid_angles(const Mesh& mesh, const Vec3& point) {
   double sum = 0;
   for (const Face& face : mesh.faces) {
@@ -114,7 +114,7 @@ TEST_CASE("the winding number holds for any size, place and for degenerate faces
   pinched.faces.push_back({0, 0, 7});
   pinched.faces.push_back({3, 3, 3});
   CHECK(has_number(pinched, {0.3, 0.4, 0.1}, 1));
-  pinched.positions.push_back({0.3, 0.4, 0.1});  // used by no face
+  pinched.positions.push_back({0.3, 0.4, 0.1});  // not used by a face
   CHECK(has_number(pinched, {0.3, 0.4, 0.1}, 1));
 }
 

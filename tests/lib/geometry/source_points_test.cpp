@@ -17,7 +17,7 @@ using namespace transformesh;
 
 namespace {
 
-/// Cleaned, with the input face of each face.
+/// Returns the cleaned mesh, with the input face of each face.
 Mesh cleaned(Mesh mesh) {
   Column& column = mesh.face_columns.get("from", Scalar::int32, mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) column.values[f] = static_cast<double>(f);
@@ -33,7 +33,7 @@ bool is_vertex_of(const Mesh& mesh, const Vec3& point) {
   return std::find(mesh.positions.begin(), mesh.positions.end(), point) != mesh.positions.end();
 }
 
-/// Distance from the faces that look the way of the normal, by brute force.
+/// Returns the distance from the faces at less than 90 degrees to `normal`, by brute force.
 double distance_facing(const Mesh& mesh, const Vec3& point, const Vec3& normal) {
   double least = HUGE_VAL;
   for (Index f = 0; f < mesh.faces.size(); ++f) {

@@ -1,4 +1,4 @@
-// Tests of the oracle itself: it accepts right results and finds each kind of deliberate fault.
+// Tests of the oracle itself: it accepts correct results and finds each kind of deliberate fault.
 #include "helpers/winding_oracle.h"
 
 #include <doctest/doctest.h>

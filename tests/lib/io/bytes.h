@@ -48,7 +48,7 @@ inline std::string rewritten(const std::string& bytes) {
   return write_mesh(read_document(bytes)).bytes;
 }
 
-/// The message with which reading fails, or "read".
+/// Returns the message with which reading fails, or "read".
 inline std::string read_error(const std::string& bytes, const std::string& name = "input",
                               const ReadOptions& options = {}) {
   try {

@@ -1,5 +1,5 @@
-// Valid files, damaged at random with a fixed seed: reading succeeds or throws InputError, and what
-// was read can be written and read again. Run by the asan preset this finds reads out of bounds.
+// Valid files, damaged at random with a fixed seed. Reading succeeds or throws InputError, and a
+// mesh that is read can be written and read again. The asan preset also finds reads out of bounds.
 // TM_FUZZ_ROUNDS raises the number of rounds.
 #include <cstdlib>
 #include <random>
@@ -68,7 +68,8 @@ std::string damaged(std::string file, std::mt19937& random) {
   return file;
 }
 
-/// Whether the bytes are refused properly, or read, written and read again alike.
+/// Returns whether the bytes are refused with InputError, or read, written and read again with
+/// equal result.
 bool is_handled(const std::string& bytes, const std::string& name) {
   Document document;
   try {

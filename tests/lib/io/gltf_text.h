@@ -1,5 +1,5 @@
-/// Files of glTF put together by hand: JSON with its buffer as a data URI, in hexadecimal digits
-/// that tests can read, turned into base64 bit by bit.
+/// Files of glTF written by hand: JSON with its buffer as a data URI. The bytes are converted to
+/// base64 bit by bit, without the library.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -48,7 +48,7 @@ inline Json gltf_tetrahedron() {
   return json;
 }
 
-/// Appends numbers as a buffer of its own, and returns the number of their accessor.
+/// Appends numbers as a new buffer, and returns the number of their accessor.
 inline std::size_t add_accessor(Json& json, const Bytes& bytes, std::size_t count, int type,
                                 const std::string& shape, bool is_normalized = false) {
   json["buffers"].push_back(

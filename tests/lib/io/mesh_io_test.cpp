@@ -17,7 +17,7 @@ const std::vector<Format> all_formats{Format::ply_ascii, Format::ply_little, For
                                       Format::off,       Format::obj,        Format::stl_ascii,
                                       Format::stl_binary};
 
-/// Coordinates that are floats, so that every format can hold them.
+/// Returns a tetrahedron whose coordinates are floats, so that every format can hold them.
 Document float_document() {
   Document document;
   document.mesh = tetrahedron();

@@ -46,7 +46,7 @@ inline std::string three_mf_of(const std::string& model, std::vector<StoredFile>
   return stored_zip(others);
 }
 
-/// The elements of a triangle in the plane z = height, with these attributes of the triangle.
+/// Returns the elements of a triangle in the plane z = height, with these attributes.
 inline std::string three_mf_triangle(int height, const std::string& attributes = "") {
   const std::string z = " z=\"" + std::to_string(height) + "\"/>";
   return "<mesh><vertices><vertex x=\"0\" y=\"0\"" + z + "<vertex x=\"1\" y=\"0\"" + z +

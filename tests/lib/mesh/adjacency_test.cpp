@@ -8,7 +8,7 @@ using namespace transformesh;
 
 namespace {
 
-/// Straight from the definition, in quadratic time.
+/// Returns the opposite halfedges by their definition, in quadratic time.
 std::vector<Index> opposites_by_search(const Mesh& mesh) {
   const Index count = static_cast<Index>(3 * mesh.faces.size());
   std::vector<Index> result(count, no_index);
@@ -29,7 +29,7 @@ std::vector<Index> opposites_by_search(const Mesh& mesh) {
   return result;
 }
 
-/// Faces with random indices: repeated vertices, crowded edges, everything.
+/// Faces with random indices, with repeated vertices and crowded edges.
 Mesh random_soup(unsigned seed, std::size_t faces, Index vertices) {
   Mesh mesh;
   mesh.positions.assign(vertices, Vec3::Zero());

@@ -70,7 +70,7 @@ TEST_CASE("blending interpolates floats and colors; labels and lists follow the 
   CHECK(column(blended, "tags").list_offsets == Offsets{0, 0, 1});
   CHECK(column(blended, "tags").values == Values{1});
 
-  // In place, a row of the table itself.
+  // Appends a blend of rows of the table itself, in place.
   blended.append({{1, 0, 0}, {0.75, 0.25, 0}});
   CHECK(column(blended, "height").values == Values{2.25, 1.5, 1.6875});
   CHECK(column(blended, "tags").list_offsets == Offsets{0, 0, 1, 2});
@@ -81,7 +81,7 @@ TEST_CASE("concatenation unites columns by name; what one lacks is zero or empty
   Columns first = four_rows();
   Columns second;
   second.get("label", Scalar::int32, 2).values = {70000, 8};
-  second.get("tags", Scalar::int8, 2).values = {9, 9};  // no list here
+  second.get("tags", Scalar::int8, 2).values = {9, 9};  // this column is not a list
   second.get("mass", Scalar::float32, 2).values = {0.5, 0.25};
   CHECK(first.concatenate(second, 4, 2) == std::vector<std::string>{"tags"});
   CHECK(column(first, "height").values == Values{0, 1, 2, 4, 0, 0});

@@ -63,9 +63,9 @@ TEST_CASE("boundary loops count as caps") {
   CHECK(found.components[0].genus() == 1);
 }
 
-TEST_CASE("holes that touch at a vertex are counted apart") {
-  // The grid without two cells that meet in a corner: outer border and, through the umbrellas of
-  // the middle vertex, two umbrellas between two holes.
+TEST_CASE("holes that touch at a vertex have one common border") {
+  // A grid without two cells that meet in a corner. There is one border around the grid, and one
+  // around both holes, whose borders are joined by the umbrellas of the common corner.
   Mesh mesh = test::grid(4);
   std::vector<bool> keep(mesh.faces.size(), true);
   for (const int cell : {5, 10}) keep[2 * cell] = keep[2 * cell + 1] = false;

@@ -43,11 +43,11 @@ TEST_CASE("faces collapse where two corners become one place, and turn where a b
   CHECK(loss({0, 0, 0}).turned == 0);
   CHECK(loss({0x1p51, 0, 0}).collapsed == 0);
   CHECK(loss({0x1p51, 0, 0}).turned == 0);
-  // The edge along x is gone; the oblique face, of the two that are left, turns.
+  // The edge along x collapses with two faces; of the other two, the oblique face turns over.
   CHECK(loss({0x1p60, 0, 0}).collapsed == 2);
   CHECK(loss({0x1p60, 0, 0}).turned == 1);
   CHECK(loss({0x1p60, 0x1p60, 0x1p60}).collapsed == 4);
-  // What had no area before has lost none.
+  // A face that had no area before is not counted.
   Mesh flat = tetrahedron({0, 0, 0});
   flat.faces = {{0, 0, 1}, {1, 1, 1}};
   CHECK(rounding_loss(flat, flat.positions).collapsed == 0);

@@ -26,7 +26,7 @@ std::vector<double> heights(const Mesh& mesh) {
   return values;
 }
 
-/// A plane whose triangles are obtuse.
+/// A plane with obtuse triangles.
 Mesh sheared_plane() {
   Mesh mesh = test::grid(6);
   for (Vec3& p : mesh.positions) p.x() -= 1.5 * p.y();

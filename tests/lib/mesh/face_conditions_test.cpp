@@ -1,4 +1,4 @@
-/// Selections of which the answer is known.
+/// Selections with a known result.
 #include "mesh/face_conditions.h"
 
 #include <doctest/doctest.h>
@@ -27,7 +27,7 @@ TEST_CASE("components are chosen by faces, area or volume") {
 
 TEST_CASE("a mesh is split into its components, the largest first, with all columns") {
   Mesh mesh = test::joined(test::icosphere(1), test::cuboid({5, 0, 0}, {8, 3, 3}));
-  mesh.positions.insert(mesh.positions.begin(), Vec3(99, 0, 0));  // of no face
+  mesh.positions.insert(mesh.positions.begin(), Vec3(99, 0, 0));  // not used by a face
   for (Face& face : mesh.faces)
     for (Index& vertex : face) ++vertex;
   Column& labels = mesh.face_columns.get("label", Scalar::int32, mesh.faces.size());
@@ -38,7 +38,8 @@ TEST_CASE("a mesh is split into its components, the largest first, with all colu
   REQUIRE(by_volume.size() == 2);
   CHECK(by_faces[0].faces.size() == test::icosphere(1).faces.size());
   for (std::size_t i = 0; i < 2; ++i) {
-    // The same as choosing this one, and the other way round by volume.
+    // Part 0 is the component with the most faces, and part 1 is the rest. By volume, the order is
+    // reversed.
     const std::vector<bool> keep = faces_of_largest(mesh, 1, ComponentSize::faces);
     std::vector<bool> other = keep;
     other.flip();

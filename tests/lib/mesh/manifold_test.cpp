@@ -39,7 +39,7 @@ TEST_CASE("a border is fine unless the mesh has to be closed") {
   CHECK(report.border_halfedges.size() == 12);
   CHECK(report.boundary_loops == 1);
   CHECK(describe_problem(mesh, report, false).empty());
-  CHECK(describe_problem(mesh, report, true).find("no face across (the first of 12") !=
+  CHECK(describe_problem(mesh, report, true).find("only one face (the first of 12") !=
         std::string::npos);
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("misoriented faces affect the orientation only") {
   CHECK(report.boundary_loops == 1);
   CHECK(!describe_problem(mesh, report, false).empty());
 
-  // The Moebius strip is a manifold without orientation and with one border.
+  // The Moebius strip is a non-orientable manifold with one border.
   const Mesh strip = triangles(5, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}});
   const ManifoldReport moebius = check_manifold(strip);
   CHECK(moebius.is_manifold());
@@ -91,7 +91,7 @@ TEST_CASE("faces that name a vertex twice spoil the manifold, equal positions do
   const ManifoldReport report = check_manifold(mesh);
   CHECK(report.collapsed_faces == std::vector<Index>{4});
   CHECK_FALSE(report.is_manifold());
-  CHECK(describe_problem(mesh, report, false) == "face 4 names a vertex twice");
+  CHECK(describe_problem(mesh, report, false) == "face 4 uses a vertex twice");
 }
 
 TEST_CASE("isolated vertices are listed and affect nothing else") {

@@ -10,7 +10,7 @@ using namespace transformesh;
 
 namespace {
 
-/// Counts border edges that lie upon each other by comparing all pairs of them.
+/// Counts coincident border edges by comparing all pairs of border edges.
 std::size_t count_by_search(const Mesh& mesh) {
   const auto halfedges = static_cast<Index>(3 * mesh.faces.size());
   const auto is_border = [&](Index h) {

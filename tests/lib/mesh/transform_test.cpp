@@ -1,4 +1,4 @@
-/// Affine maps against closed forms.
+/// Affine maps, compared with closed forms.
 #include "transformesh/transform.h"
 
 #include <doctest/doctest.h>
@@ -100,7 +100,7 @@ TEST_CASE("singular, projective and infinite matrices are refused") {
   const auto large = mesh.positions;
   CHECK_THROWS_AS(transform(mesh, scaling_by(Vec3::Constant(1e200))), GoalError);
   CHECK(mesh.positions == large);
-  // Flat is not singular.
+  // This matrix makes the mesh flat, but it is not singular.
   transform(mesh, scaling_by({1e-200, 1e-200, 1e-250}));
   CHECK((mesh.positions[7].head<2>() - before[7].head<2>()).norm() < 1e-15);
 }

@@ -1,6 +1,7 @@
 #include "page/live_run.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -83,6 +84,18 @@ TEST_CASE("a restarted run has new meshes, and an incomplete frame waits") {
   CHECK(numbers_of(live) == std::vector<std::size_t>{0, 3});
 }
 
+TEST_CASE("a FIFO among the frames is left out, and holds nothing up") {
+  const TemporaryFolder above;
+  const std::string folder = above / "run";
+  begin_run(folder, {"tm-evolve", "1", {}}, {});
+  add_frame(folder, 0, 1);
+  REQUIRE(mkfifo((folder + "/frames/frame-00001.ply").c_str(), 0600) == 0);
+  add_frame(folder, 2, 2);
+  LiveRun live(folder);
+  live.refresh(10);
+  CHECK(numbers_of(live) == std::vector<std::size_t>{0, 2});
+}
+
 TEST_CASE("targets and views of a movie appear with their frames") {
   const TemporaryFolder above;
   const std::string folder = above / "run";
@@ -103,7 +116,7 @@ TEST_CASE("targets and views of a movie appear with their frames") {
   CHECK(numbers_of(live) == std::vector<std::size_t>{0, 1});
   REQUIRE(live.run().targets.size() == 1);
   CHECK(live.block(live.run().targets[0].block) != nullptr);
-  // Now it has distances.
+  // Now the run has distances.
   CHECK(live.run().meshes[0].block != alone);
   REQUIRE(live.run().views.size() == 1);
   CHECK(live.block("photograph-0-1-0") != nullptr);

@@ -32,7 +32,7 @@ Page page_of_two_meshes() {
   return page;
 }
 
-/// What the element of that name holds.
+/// Returns the content of the element with this id.
 std::string content(const std::string& html, const std::string& id) {
   const std::size_t begin = html.find('>', html.find("id=\"" + id + '"')) + 1;
   return html.substr(begin, html.find("</script>", begin) - begin);
@@ -63,7 +63,7 @@ TEST_CASE("up follows the option, else the cameras, else is y") {
   Page page = page_of_two_meshes();
   const auto up = [&] { return Json::parse(page_json(page))["up"]; };
   CHECK(up() == "y");
-  // Cameras around the z axis that look down on it.
+  // Cameras around the z axis that point down at it.
   std::vector<RunView>& views = page.runs[0].views.emplace_back().views;
   for (const double angle : {0.0, 2.0, 4.0}) {
     const Vec3 forward(-std::cos(angle), -std::sin(angle), -0.5);

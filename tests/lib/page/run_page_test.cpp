@@ -15,7 +15,7 @@ namespace {
 using test::make_file;
 using test::TemporaryFolder;
 
-/// Balls of radius 2 to 1, and the last one as the target.
+/// Balls of radius 2 to 1; the last one is the target.
 std::string make_run(const TemporaryFolder& above, std::size_t frames) {
   const std::string folder = above / "a run";
   begin_run(folder, {"tm-morph", "1", {"tm-morph x"}}, {});
@@ -49,7 +49,7 @@ TEST_CASE("an active run is shown up to its last frame") {
   CHECK(run.report.empty());
   CHECK(numbers_of(run) == std::vector<std::size_t>{0, 1, 2, 3});
   REQUIRE(run.targets.size() == 1);
-  // The ball of radius 2 is 1 away from its target, more between the vertices of that.
+  // The ball of radius 2 is 1 away from the vertices of its target, and farther between them.
   const PackedColumn& distance = run.meshes[0].mesh.columns.at(0);
   CHECK(distance.name == "distance");
   CHECK(distance.low == doctest::Approx(1).epsilon(0.01));

@@ -1,4 +1,4 @@
-/// Colors of a picture of changes, by counting pixels in its four panels.
+/// Colors of a picture of changes, checked by counting pixels in its four panels.
 #include "picture/change_picture.h"
 
 #include <doctest/doctest.h>
@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Pixels of a panel in which one channel is far above both others.
+/// Counts the pixels of a panel in which one channel is far above both others.
 std::size_t count_colored(const Image& image, int channel, int left, int above) {
   std::size_t count = 0;
   for (int y = above; y < above + image.height / 2; ++y)

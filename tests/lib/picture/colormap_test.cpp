@@ -21,7 +21,7 @@ std::vector<int> bytes(const Color& color) {
   return {srgb_byte(color[0]), srgb_byte(color[1]), srgb_byte(color[2])};
 }
 
-/// CIE lightness, which a map even to the eye raises evenly.
+/// Returns CIE lightness, which a perceptually uniform map increases evenly.
 double lightness(const Color& color) {
   return 116 * std::cbrt(0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2]) - 16;
 }

@@ -28,7 +28,7 @@ TEST_CASE("corners of a cube are creases up to a right angle") {
     const Vec3 flat = face_normal(box, static_cast<Index>(f)).normalized();
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK((sharp[f][i].cast<double>() - flat).norm() < 1e-6);
-      // Weighted by angle, the diagonals across the sides do not show.
+      // Weights by angle make normals independent of the diagonals of the sides.
       const Vec3 outward = 2 * box.positions[box.faces[f][i]] - Vec3::Ones();
       CHECK((smooth[f][i].cast<double>() - outward.normalized()).norm() < 1e-6);
     }
@@ -36,7 +36,7 @@ TEST_CASE("corners of a cube are creases up to a right angle") {
 }
 
 TEST_CASE("a crease that ends within the surface parts normals only where it parts the faces") {
-  // A square pyramid whose apex has four faces: one chain around it is enough to join them all.
+  // A square pyramid with four faces at its apex: one chain around it joins all.
   Mesh roof;
   roof.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 0.1}};
   roof.faces = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};

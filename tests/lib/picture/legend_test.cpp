@@ -22,7 +22,7 @@ Image legend_of(const ColorScale& scale, int width = 200, int height = 100) {
   return image;
 }
 
-/// Dark pixels, which are those of the numbers, in columns [first, last).
+/// Counts the dark pixels, which are those of the numbers, in columns [first, last).
 int ink(const Image& image, int first, int last) {
   int count = 0;
   for (int y = 0; y < image.height; ++y)
@@ -41,7 +41,7 @@ TEST_CASE("the bar has the colors of the ends, and numbers stand beside it") {
   // the dots of 1 and of 8 in this font
   CHECK(ink(image, 0, 50) == 10);
   CHECK(ink(image, 150, 200) == 17);
-  // nothing above the strip
+  // the row above the strip stays white
   for (int x = 0; x < 200; ++x) CHECK(image.at(x, 100 - legend_height(200, 100) - 1) == white);
 }
 

@@ -32,7 +32,7 @@ std::string draw(std::vector<const Mesh*> meshes, const PictureOptions& options)
 
 using Polyline = std::vector<Eigen::Vector2d>;
 
-/// The polylines of the paths of a class.
+/// Returns the polylines of the paths of a class.
 std::vector<Polyline> lines_of(const std::string& svg, const std::string& kind) {
   std::vector<Polyline> lines;
   for (std::size_t at = 0; (at = svg.find("class=\"" + kind + "\"", at)) != std::string::npos;) {
@@ -60,7 +60,7 @@ double length_of(const std::vector<Polyline>& lines) {
   return length;
 }
 
-/// How long the image of an edge is.
+/// Returns the length of the image of an edge.
 double image_length(const Camera& camera, const Vec3& a, const Vec3& b) {
   const Vec3 p = camera.project(a);
   const Vec3 q = camera.project(b);
@@ -80,7 +80,7 @@ TEST_CASE(
   CHECK(outlines[0].front() == outlines[0].back());
   CHECK(lines_of(svg, "edges").empty());
 
-  // The eye is in front, to the right and above: seen are the faces towards +x, +y and +z.
+  // The eye is in front, to the right and above, so the faces towards +x, +y and +z are visible.
   const std::vector<const Mesh*> meshes{&block};
   const Camera camera = lay_out(meshes, options, 0)[0].camera;
   const Vec3 near(1, 1, 1);

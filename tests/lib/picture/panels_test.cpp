@@ -14,7 +14,7 @@ std::vector<Panel> panels_of(const std::vector<const Mesh*>& meshes, const Pictu
   return lay_out(meshes, options, strip);
 }
 
-/// Vertices of a mesh in pixels of its panel.
+/// Returns the height of the image of a mesh in its panel, in pixels.
 double height_in(const Panel& panel) {
   double low = 1e9, high = -1e9;
   for (const Vec3& position : panel.mesh->positions) {
@@ -71,7 +71,7 @@ TEST_CASE("framing by scale shows a mesh of half the size half as large") {
   CHECK(height_in(panels[0]) == doctest::Approx(height_in(panels[1])));
   options.framing = Framing::scale;
   panels = panels_of({&small, &large}, options);
-  // In perspective the nearer surface of the large ball looks somewhat larger.
+  // In perspective the nearer surface of the large ball appears slightly larger.
   CHECK(height_in(panels[1]) / height_in(panels[0]) == doctest::Approx(2).epsilon(.1));
 }
 

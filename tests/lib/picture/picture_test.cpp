@@ -29,7 +29,7 @@ Image draw(std::vector<const Mesh*> meshes, const PictureOptions& options) {
   return draw_picture(meshes, options);
 }
 
-/// Pixels covered in columns [first, last).
+/// Counts the covered pixels in columns [first, last).
 double covered(const Image& image, int first, int last) {
   double sum = 0;
   for (int y = 0; y < image.height; ++y)
@@ -50,7 +50,7 @@ TEST_CASE("each mesh fills its panel, whatever its size") {
 TEST_CASE("the same scale keeps sizes comparable") {
   const Image image = draw({&ball, &small_ball}, silhouettes(240, 120, Framing::scale));
   const double ratio = covered(image, 0, 120) / covered(image, 120, 240);
-  // sin^2 of the cones that touch, at the distance at which the large ball fits.
+  // squared sines of the tangent cones, at the distance at which the large ball fits
   CHECK(ratio > 4);
   CHECK(ratio < 4.5);
 }
@@ -121,7 +121,7 @@ TEST_CASE("frames of a movie are views of the same distance") {
 TEST_CASE("views of one mesh have the largest panels, of several a row each") {
   PictureOptions options = silhouettes(300, 200);
   options.views = 6;
-  const Image one = draw({&ball}, options);  // 3 columns of 2
+  const Image one = draw({&ball}, options);  // 3 columns and 2 rows
   for (int row = 0; row < 2; ++row)
     for (int column = 0; column < 3; ++column)
       CHECK(one.at(50 + 100 * column, 50 + 100 * row)[3] == 255);
@@ -154,8 +154,8 @@ TEST_CASE("colors stand for the same numbers in every panel, and the legend is b
   options.shade.color.by = "h";
   const auto middle = [](const Image& image, int panel) { return image.at(60 + 120 * panel, 52); };
   const Image both = draw({&low, &high}, options);
-  CHECK(middle(both, 0)[2] > middle(both, 0)[1]);      // purple
-  CHECK(middle(both, 1)[1] > 2 * middle(both, 1)[2]);  // yellow
+  CHECK(middle(both, 0)[2] > middle(both, 0)[1]);      // the color is purple
+  CHECK(middle(both, 1)[1] > 2 * middle(both, 1)[2]);  // the color is yellow
   CHECK(both.at(120, 119 - legend_height(240, 120) / 2)[3] == 255);
   options.range = {3, 5};
   CHECK(middle(draw({&low, &high}, options), 1) == middle(both, 0));

@@ -149,7 +149,7 @@ TEST_CASE("the surface is colored by numbers of faces, else of vertices, interpo
     CHECK(center(by_vertices(value), options) == center(by_faces(value), options));
   CHECK(center(by_faces(0), options) != center(by_faces(1), options));
 
-  // Of corners left at 0 and right at 1 the middle is between.
+  // If left corners are 0 and right corners 1, the middle has the value in between.
   const Mesh slope =
       with_column(centered_cube, false, "h", Scalar::float64, {0, 1, 0, 1, 0, 1, 0, 1});
   CHECK(center(slope, options) == center(by_faces(0.5), options));
@@ -182,7 +182,7 @@ TEST_CASE("edges are dark lines about a pixel wide") {
   options.draw_edges = true;
   const Image plain = shade(centered_cube, front_camera(200));
   const Image lined = shade(centered_cube, front_camera(200), options);
-  // The diagonal of the front crosses every row once, the sides are beyond.
+  // The diagonal of the front crosses every row once; the sides are outside.
   for (int y = 80; y < 120; y += 5) {
     int darker = 0;
     for (int x = 70; x < 130; ++x) darker += lined.at(x, y)[1] + 20 < plain.at(x, y)[1];
@@ -204,7 +204,7 @@ TEST_CASE("outlines are smooth: some pixels are partly covered") {
   CHECK(partial > 30);
   CHECK(image.at(0, 0) == Pixel{0, 0, 0, 0});
   CHECK(image.at(32, 32)[3] == 255);
-  // The disc of a unit sphere 8 away; the focal length fits 30 degrees into 65 pixels.
+  // The disc of a unit sphere at distance 8; the focal length maps 30 degrees to 65 pixels.
   const double focal = 32.5 / std::tan(15 * 3.14159265358979323846 / 180);
   const double area = 3.14159265358979323846 * focal * focal / (8.0 * 8 - 1);
   CHECK(static_cast<double>(coverage) / 255 == doctest::Approx(area).epsilon(0.01));

@@ -16,7 +16,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// A plate at height 1 whose straight end is above x = 0: it covers what is to the left.
+/// A plate at height 1 with a straight end above x = 0; it covers the side of negative x.
 Mesh plate() {
   Mesh mesh;
   mesh.positions = {{-2, -2, 1}, {0, -2, 1}, {0, 2, 1}, {-2, 2, 1}};
@@ -30,7 +30,8 @@ TEST_CASE("below the edge of a plate the visible part of the lamp is a segment o
   const SoftShadow shadow(plate(), Vec3::UnitZ());
   const double radius = std::tan(4 * std::numbers::pi / 180);
   for (double share = -1.5; share <= 1.5; share += 0.125) {
-    // The end hides the lamp left of where it is seen, `across` from the middle of the disc.
+    // The end of the plate hides the lamp to the left of the place `across`, measured from the
+    // middle of the disc.
     const double across = std::clamp(-share, -1.0, 1.0);
     const double seen =
         (std::acos(across) - across * std::sqrt(1 - across * across)) / std::numbers::pi;
@@ -54,7 +55,8 @@ TEST_CASE("the lit side of a convex body has no shadow, round or flat") {
       const Vec3 normal = (q - p).cross(r - p).normalized();
       const float share = shadow.share_seen(0.2 * p + 0.3 * q + 0.5 * r, normal);
       if (normal.dot(direction) > 0.1) CHECK(share == 1);
-      // Lifted points see a little beyond the horizon, where the light does not reach the surface.
+      // Lifted points are lit slightly beyond the horizon, where the light does not reach the
+      // surface.
       if (normal.dot(direction) < -0.3) CHECK(share == 0);
     }
   }

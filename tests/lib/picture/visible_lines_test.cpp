@@ -27,8 +27,8 @@ Mesh random_soup(Random& random, int faces) {
   return soup;
 }
 
-/// Whether a face lies between the eye and the point, by a ray; `margin` is how far that is from
-/// the other answer, in shares of faces and of the distance.
+/// Returns whether a face lies between the eye and the point, by a ray. `margin` is the distance
+/// from the opposite answer, in fractions of faces and of the distance.
 bool is_hidden(const Mesh& mesh, const Vec3& eye, const Vec3& point, double& margin) {
   bool hidden = false;
   margin = HUGE_VAL;
@@ -99,7 +99,7 @@ TEST_CASE("a line on a surface is visible, and one just behind it is not") {
   const VisibleLines lines(sheet, front);
   CHECK(lines.parts({-0.9, -0.7, 0}, {0.8, 0.9, 0}) == VisibleLines::Parts{{0, 1}});
   CHECK(lines.parts({-0.9, -0.7, -0.001}, {0.8, 0.9, -0.001}).empty());
-  // Faces that reach behind the eye hide what is below them.
+  // Faces that extend behind the eye hide the points below them.
   Mesh floor;
   floor.positions = {{-50, -0.1, -50}, {50, -0.1, -50}, {0, -0.1, 100}};
   floor.faces = {{0, 1, 2}};

@@ -109,7 +109,7 @@ TEST_CASE("an aim of a turn fits the points at every azimuth, and tightly at one
     for (Vec3& point : points) point = random.point(-3, 5);
     Orbit orbit{0, random.uniform(-90, 90), Axis::z, 1};
     const Aim aim = turn_aim(points, orbit, 300, 200);
-    double farthest = 0;  // from the middle, as a share of half a side
+    double farthest = 0;  // distance from the middle, as a fraction of half a side
     for (orbit.azimuth_deg = 0; orbit.azimuth_deg < 360; ++orbit.azimuth_deg) {
       const Camera camera = orbit_camera(aim, orbit, 300, 200);
       for (const Vec3& point : points) {

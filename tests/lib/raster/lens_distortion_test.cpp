@@ -15,12 +15,13 @@ Eigen::Matrix3d intrinsics() {
   return k;
 }
 
-/// What the world shows at x, y, 1: smooth, so that interpolation is nearly exact.
+/// Returns the intensity of the world at (x, y, 1); smooth, so that interpolation is nearly exact.
 float intensity(double x, double y) {
   return static_cast<float>(120 + 60 * std::sin(9 * x + 1) + 50 * std::cos(7 * y - 4 * x));
 }
 
-/// The point that the lens shows at x, y: by fixed-point iteration, apart from the code tested.
+/// Returns the undistorted point that the lens shows at x, y, by fixed-point iteration without the
+/// code under test.
 Eigen::Vector2d before_lens(const LensDistortion& lens, const Eigen::Vector2d& bent) {
   Eigen::Vector2d point = bent;
   for (int i = 0; i < 100; ++i) point += bent - lens.distorted(point.x(), point.y());

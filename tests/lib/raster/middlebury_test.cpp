@@ -32,7 +32,7 @@ TEST_CASE("Middlebury: K, R and t as they stand there") {
 TEST_CASE("Middlebury: every mistake is refused with its line") {
   const std::string good = "a.png " + lens + " " + identity + " 0 0 5";
   CHECK(refusal(middlebury(good)).empty());
-  CHECK(is_refused("2\n" + good + "\n", "promises 2 cameras, but there are only 1", 3));
+  CHECK(is_refused("2\n" + good + "\n", "announces 2 cameras, but there are only 1", 3));
   CHECK(is_refused("1\n" + good + "\n" + good + "\n", "but there are more", 3));
   CHECK(is_refused("0\n", "no camera", 1));
   CHECK(is_refused(good + "\n", "first line", 1));

@@ -10,7 +10,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// Decoded by libpng as RGBA.
+/// Decodes the bytes by libpng as RGBA.
 Image decoded(const std::string& bytes) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;

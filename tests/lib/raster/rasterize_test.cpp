@@ -17,7 +17,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// At the origin, looking along z.
+/// Returns a camera at the origin that looks along z.
 Camera camera_at_origin(int width, int height, double focal) {
   Camera camera;
   camera.width = width;
@@ -34,7 +34,7 @@ std::size_t count_covered(const FaceBuffer& buffer) {
   return count;
 }
 
-/// What a ray through the pixel hits first, by Cramer's rule for each face.
+/// Returns the first face that a ray through the pixel hits, by Cramer's rule for each face.
 FacePixel cast_ray(const Mesh& mesh, const Vec3& ray, double& margin) {
   FacePixel hit;
   double nearest = HUGE_VAL;

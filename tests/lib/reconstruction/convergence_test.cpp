@@ -11,15 +11,16 @@ TEST_CASE("lost surface is reported before movement, and movement before late ch
             "after scale 1.4142 than before") != std::string::npos);
   CHECK(ReconstructionFaults{0, 1, false}.in_words(good) ==
         "the surface was not at rest after the last sweep");
-  CHECK(ReconstructionFaults{0, 1, true}.in_words(good).find("as late as at scale 1.0000") !=
+  CHECK(ReconstructionFaults{0, 1, true}.in_words(good).find("vanished at scale 1.0000") !=
         std::string::npos);
 }
 
 TEST_CASE("a surface at rest is not converged if masks or photographs disagree with it") {
   const ReconstructionFaults at_rest{0, 0, true};
   CHECK(at_rest.in_words({0.946, 0.942, {}}).empty());
-  CHECK(at_rest.in_words({0.946, 0.902, {}}) ==
-        "the outline agrees with the silhouettes by 0.902, that of the initial mesh by 0.946");
+  CHECK(
+      at_rest.in_words({0.946, 0.902, {}}) ==
+      "the overlap of outline and silhouettes is 0.902, less than that of the initial mesh, 0.946");
   SurfaceEvidence evidence;
   evidence.doubt.disagreement = 0.19;
   evidence.doubt.share = 0.029;
@@ -32,5 +33,6 @@ TEST_CASE("a surface at rest is not converged if masks or photographs disagree w
   CHECK(at_rest.in_words(evidence) ==
         "photographs disagree on a thin sheet or fin around 4,5,6e+04 (30 square pixels, thin)");
   evidence.doubt.disagreement = 0.21;
-  CHECK(at_rest.in_words(evidence) == "photographs disagree by 0.21 beyond their noise");
+  CHECK(at_rest.in_words(evidence) ==
+        "photographs disagree by 0.21 more than their noise explains");
 }

@@ -24,7 +24,7 @@ double chosen(const std::map<double, int>& wrong) {
 }  // namespace
 
 TEST_CASE("the finest scale at which nearly all windows are alike is the first one") {
-  // Coarser scales are not even measured.
+  // Coarser scales are not measured.
   CHECK(chosen({{1, 3}}) == 1);
   CHECK(chosen({{2, 3}, {1.4142, 4}, {1, 30}}) == 2);
 }

@@ -23,7 +23,7 @@ using test::TemporaryFolder;
 
 namespace {
 
-/// With a dent that no silhouette shows.
+/// A ball with a dent that no silhouette shows.
 Mesh dented_ball() {
   Mesh mesh = test::icosphere(5);
   for (Vec3& p : mesh.positions)
@@ -92,7 +92,8 @@ TEST_CASE("a dent that the hull does not show is found; the surface is closed") 
   CHECK(messages[0].find("sweep 1, scale 2.00: ") == 0);
   CHECK(summary_of(run.result).find("components 1, genus 0; dissimilarity from ") !=
         std::string::npos);
-  // The last, robust sweeps go on towards the truth, where all windows agree a little less.
+  // The last, robust sweeps still approach the true surface, although the mean agreement of windows
+  // decreases slightly.
   options.robust = 0;
   const Run plain = run_of(options);
   CHECK(plain.result.last.dissimilarity < 0.7 * plain.result.first.dissimilarity);
@@ -102,7 +103,7 @@ TEST_CASE("a dent that the hull does not show is found; the surface is closed") 
 TEST_CASE("a run that was ended continues to the same bytes, from any sweep") {
   ReconstructionOptions options = few_sweeps();
   const std::string whole = write_mesh(run_of(options).document).bytes;
-  // Without masks the hull's outlines have to be found again.
+  // Without masks, the outlines of the hull must be found again if a run continues.
   const std::string outlined =
       write_mesh(run_of(options, {}, test::without_masks(dented_views())).document).bytes;
   CHECK(outlined != whole);
@@ -159,7 +160,8 @@ TEST_CASE("an initial mesh is clipped by the hull of exact masks, and only by th
   CHECK(outside(options) < 10);
   options.initial.clips_by_hull = false;
   CHECK(outside(options) > 50);
-  // Masks that show only some of the object clip nothing, and nothing counts as outside of them.
+  // Masks that show only a part of the object do not clip the mesh, and no vertex counts as outside
+  // of them.
   options.initial.clips_by_hull = true;
   options.initial.meaning = SilhouetteMeaning::least;
   std::vector<View> views = dented_views();
@@ -174,7 +176,7 @@ TEST_CASE("an initial mesh of which nothing is within the hull is refused, and l
   kept.state = folder / "state";
   const Document elsewhere = ball_of(0.1, Vec3(20, 0, 0));
   CHECK_THROWS_WITH_AS(run_of(from_given(few_sweeps()), elsewhere, dented_views(), kept),
-                       "nothing of 'start.ply' is within the hull of the silhouettes", GoalError);
+                       "'start.ply' lies outside the hull of the silhouettes", GoalError);
   CHECK(folder.is_empty());
 }
 
@@ -194,7 +196,7 @@ TEST_CASE("with a start, outlines come from a threshold that is given, and from 
 }
 
 TEST_CASE("a first scale at which the surface vanishes is skipped, unless requested") {
-  // A ball of a few pixels, between edges that are longer than it is wide.
+  // A ball of a few pixels, between edges that are longer than its diameter.
   const std::vector<View> views = test::photographed(test::scaled(test::icosphere(4), 0.2));
   ReconstructionOptions options = few_sweeps();
   options.scales = {};
@@ -205,7 +207,7 @@ TEST_CASE("a first scale at which the surface vanishes is skipped, unless reques
   const Run run = run_of(options, {}, views);
   CHECK(run.result.topology == Topology{1, 0});
   REQUIRE_FALSE(details.empty());
-  CHECK(details[0] == "scale 4.0000 is too coarse for this surface: beginning anew at the next");
+  CHECK(details[0] == "scale 4.0000 is too coarse for this surface: restarting at the next");
 
   options.scales.coarsest = 4;
   CHECK_THROWS_AS(run_of(options, {}, views), std::runtime_error);
@@ -228,7 +230,7 @@ TEST_CASE("comments of the document are those of the result, and its columns are
 }
 
 TEST_CASE("a surface that explodes is restarted, stiffer, and given up if that fails") {
-  // Photographs of other sides, and nothing that holds the surface.
+  // The photographs show other sides, and nothing keeps the surface in place.
   std::vector<View> views = dented_views();
   std::vector<GrayImage> images;
   for (const View& view : views) images.push_back(view.image);
@@ -244,8 +246,8 @@ TEST_CASE("a surface that explodes is restarted, stiffer, and given up if that f
   CHECK_THROWS_AS(run_of(options, {}, views), GoalError);
   REQUIRE(notes.size() == 2);
   CHECK(notes[0].find("the surface explodes at scale ") == 0);
-  CHECK(notes[0].find("beginning anew, 4 times as stiff") != std::string::npos);
-  CHECK(notes[1].find("beginning anew, 16 times as stiff") != std::string::npos);
+  CHECK(notes[0].find("restarting with 4 times the stiffness") != std::string::npos);
+  CHECK(notes[1].find("restarting with 16 times the stiffness") != std::string::npos);
 }
 
 TEST_CASE("components that are small relative to the largest are removed at the end") {
@@ -274,7 +276,7 @@ TEST_CASE("the result says where photographs disagree, and does not converge whe
   const Column* doubt = good.document.mesh.vertex_columns.find("doubt");
   REQUIRE(doubt != nullptr);
   CHECK(doubt->values.size() == good.document.mesh.positions.size());
-  // Too stiff for the dent.
+  // The stiffness is too large for the dent.
   options.scales.coarsest = 1;
   options.step.stiffness = 1e6;
   const Run stiff = run_of(options);
@@ -311,7 +313,7 @@ TEST_CASE("an accurate start is returned as it is, a rough one is not") {
 }
 
 TEST_CASE("a run from a start that was ended continues to the same bytes") {
-  // Larger than the masks, so that the start is clipped.
+  // The start is larger than the masks, so it is clipped.
   const Document ball = ball_of(1.1);
   ReconstructionOptions options = from_given({});
   options.sweeps = 1;

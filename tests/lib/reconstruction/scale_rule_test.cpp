@@ -57,7 +57,7 @@ TEST_CASE("while vertices move in from outside of silhouettes a scale continues"
   ScaleRule rule(2);
   CHECK_FALSE(rule.add(with_outside(moving(0.5), 100)).is_done);
   CHECK_FALSE(rule.add(with_outside(moving(0.5), 80)).is_done);
-  // Those that stay outside do not come in; and a few are none.
+  // Vertices that stay outside do not count as moving in, and a few vertices do not matter.
   CHECK(rule.add(with_outside(moving(0.5), 79)).is_done);
   rule.begin();
   rule.add(moving(0.5));
@@ -76,7 +76,7 @@ TEST_CASE("a surface whose coverage decreases in a scale is lost, not at rest") 
     CHECK_FALSE(verdict.is_at_rest);
     CHECK_FALSE(verdict.is_done);
   }
-  // The values at the begin of the scale count, not those of the sweep.
+  // The values at the beginning of the scale count, not those of the sweep.
   ScaleRule rule;
   rule.add(moving(0.5));
   Sweep later = moving(0.4);
@@ -97,7 +97,7 @@ TEST_CASE("a topology that changes within a late scale is told from one that cha
   CHECK(is_late(1, {2, 5}));
   CHECK_FALSE(is_late(1.4142, {1, 5}));
   CHECK_FALSE(is_late(2, {1, 6}));
-  // From scale to scale it may change.
+  // The topology may change between scales.
   ScaleRule rule;
   Sweep first = with_topology(moving(0.3), {1, 5});
   first.scale_step.scale = 1;

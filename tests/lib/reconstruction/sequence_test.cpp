@@ -18,7 +18,7 @@ namespace {
 
 const std::vector<TimeStep> movie{{"first/8", "8"}, {"second/9", "9"}, {"third/10", "10"}};
 
-/// A ball that moves on, and then is somewhere else.
+/// A ball that moves, and then jumps to another place.
 std::vector<View> views_of(const TimeStep& step) {
   const double x = step.text == "first/8" ? 0 : step.text == "second/9" ? 0.06 : -0.9;
   return test::photographed(test::moved(test::scaled(test::icosphere(4), 0.4), Vec3(x, 0, 0.1)));
@@ -49,7 +49,7 @@ SequenceResult run_of(const SequenceOptions& options, const RecordOptions& kept)
   return reconstruct_sequence(document, movie, views_of, options, record);
 }
 
-/// The first four columns of each row.
+/// Returns the first four columns of each row.
 std::vector<std::string> starts_in(const std::string& csv) {
   std::istringstream lines(csv);
   std::vector<std::string> starts;
@@ -86,7 +86,7 @@ TEST_CASE("surfaces follow movement, jumps are found from the hull, and a run co
   CHECK(messages[1].find("time step 2 of 3, 9, from before: ") == 0);
   CHECK_FALSE(std::filesystem::exists(whole / "out/.state"));
 
-  // Ended after each sweep and each time step.
+  // The run is interrupted after each sweep and each time step.
   const TemporaryFolder parts;
   options = options_in(parts);
   const auto power_fails = [](const std::string&) { throw CancelledError("the power fails"); };
@@ -118,7 +118,7 @@ TEST_CASE("an interrupted time step is thrown away where the sequence is begun a
   CHECK(std::filesystem::exists(folder / "out/.state/hull/mesh.ply"));
   CHECK_THROWS_AS(run_of(options, kept_in(folder)), UsageError);
 
-  // Other options; what is left of the first sweep would not go with them.
+  // Other options: the unfinished first sweep must not be continued with them.
   RecordOptions kept = kept_in(folder);
   kept.restart = true;
   options.reconstruction.on_sweep = {};

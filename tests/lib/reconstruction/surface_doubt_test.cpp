@@ -20,7 +20,8 @@ const PhotoScene& scene() {
 
 SurfaceDoubt doubt_of(const Mesh& mesh) { return surface_doubt(mesh, scene(), least_cosine); }
 
-/// A flat ellipsoid that hovers before the ball, along the axis of the ring.
+/// Adds a flat ellipsoid in front of the ball, perpendicular to the z axis. The axis of the ring of
+/// cameras is y.
 Mesh with_plate(Mesh mesh, double half_thickness) {
   Mesh plate = icosphere(3);
   for (Vec3& p : plate.positions) p = Vec3(0.3 * p.x(), 0.3 * p.y(), 1.25 + half_thickness * p.z());
@@ -43,7 +44,7 @@ TEST_CASE("only parts of the true surface that no two views observe are doubtful
   const Column& column = *mesh.vertex_columns.find("doubt");
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     CHECK((column.values[v] == 1 || column.values[v] < 0.5));
-    // The ring looks at the equator.
+    // The cameras of the ring point at the equator.
     if (std::abs(mesh.positions[v].y()) < 0.3) CHECK(column.values[v] < 0.3);
   }
 }

@@ -9,7 +9,7 @@ TEST_CASE("a tracked surface is measured by the last one that was made anew") {
   CHECK(tracking_faults({0.259, 0.721, 0.921}, reference).empty());
   CHECK(tracking_faults({0.27, 0.8, 0.95}, reference) == "dissimilarity");
   CHECK(tracking_faults({0.2, 0.71, 0.91}, reference) == "coverage+silhouettes");
-  // One that was lost altogether has all faults.
+  // A surface that was lost completely has all faults.
   CHECK(tracking_faults({}, reference) == "dissimilarity+coverage+silhouettes");
 }
 

@@ -24,7 +24,7 @@ RemeshOptions within(double error) {
   return options;
 }
 
-/// The largest value at corners, middles of edges and centroids.
+/// Returns the largest value at corners, midpoints of edges and centers of faces.
 double largest(const Mesh& mesh, const Field& distance) {
   double result = 0;
   for (const Face& face : mesh.faces) {
@@ -39,7 +39,7 @@ double largest(const Mesh& mesh, const Field& distance) {
   return result;
 }
 
-/// Edges over what the closed form allows at their middles.
+/// Edge lengths divided by the closed form of the allowed length at their midpoints.
 struct EdgeShares {
   double least = 1e300;
   double longest = 0;
@@ -121,7 +121,7 @@ TEST_CASE("on an ellipsoid edges are short where the curvature is large") {
     return p.x() * p.x() + p.y() * p.y() + p.z() * p.z() / 4;
   };
   const auto half_gradient = [](const Vec3& p) { return Vec3(p.x(), p.y(), p.z() / 4).norm(); };
-  // first order, which the error is small enough for
+  // distance to first order, which suffices for this error
   CHECK(largest(mesh, [&](const Vec3& p) { return (implicit(p) - 1) / 2 / half_gradient(p); }) <
         error);
 
@@ -138,7 +138,7 @@ TEST_CASE("on an ellipsoid edges are short where the curvature is large") {
 TEST_CASE("lengths stay within the bounds") {
   Mesh mesh = icosphere(4);
   RemeshOptions options = within(0.05);
-  options.max_edge = 0.2;  // of 0.54 that the error allows
+  options.max_edge = 0.2;  // the error would allow 0.54
   SUBCASE("from above") {
     remesh(mesh, options);
     CHECK(edge_lengths(mesh).maximum < 0.21);
@@ -154,7 +154,7 @@ TEST_CASE("lengths stay within the bounds") {
 }
 
 TEST_CASE("projected vertices lie on the input") {
-  // whose faces lie below the sphere by no more than this
+  // faces of `before` are at most `depth` below the sphere
   const Mesh before = icosphere(5);
   const double depth = 1 - std::sqrt(1 - std::pow(edge_lengths(before).maximum, 2) / 3);
   RemeshOptions options;
@@ -173,5 +173,5 @@ TEST_CASE("projected vertices lie on the input") {
     return result;
   };
   CHECK(farthest_out(true) < 1e-12);
-  CHECK(farthest_out(false) > 1e-3);  // the volume stays instead
+  CHECK(farthest_out(false) > 1e-3);  // without projection the volume is kept instead
 }

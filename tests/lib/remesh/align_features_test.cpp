@@ -20,8 +20,8 @@ using doctest::Approx;
 
 namespace {
 
-/// A target with edges of about that length, its sharp edges cut off by smoothing, as a morph
-/// leaves them.
+/// A target with edges of about `edge`, whose sharp edges are cut off by smoothing, as after a
+/// morph.
 Mesh rounded(Mesh mesh, double edge) {
   RemeshOptions options;
   options.min_edge = 0.7 * edge;
@@ -54,7 +54,8 @@ double distance_from_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (a + t * (b - a) - p).norm();
 }
 
-/// The farthest that points along a segment are from the edges of the mesh, by brute force.
+/// Returns the largest distance of points along a segment from the edges of the mesh, by brute
+/// force.
 double distance_from_edges(const Mesh& mesh, const Vec3& from, const Vec3& to) {
   double farthest = 0;
   for (int i = 0; i <= 20; ++i) {
@@ -75,7 +76,7 @@ void check_is_sound(const Mesh& mesh, double least_angle) {
   CHECK(angles(mesh).minimum_deg > least_angle);
 }
 
-/// A prism over a polygon with so many corners, of radius and height 1.
+/// A prism over a regular polygon with `n` corners, with radius and height 1.
 Mesh prism(Index n) {
   Mesh mesh;
   for (const double z : {0.0, 1.0})
@@ -143,7 +144,7 @@ TEST_CASE("curved edges are followed, and smooth parts beside them stay smooth")
   check_is_sound(mesh, 15);
   CHECK(before > 0.03);
   CHECK(compare(mesh, target).hausdorff < 0.01);
-  // Edges that turn by 90 degrees are those of the rims, and all along them.
+  // Edges between vertices on the rims cover both circles.
   double length = 0;
   for (Index f = 0; f < mesh.faces.size(); ++f)
     for (Index i = 0; i < 3; ++i) {

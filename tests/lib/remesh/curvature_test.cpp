@@ -13,7 +13,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// The extremes of curvature times `radius` over the vertices.
+/// The extreme values of curvature times `radius` over the vertices.
 struct Extremes {
   double least = 1e300;
   double largest = 0;
@@ -33,7 +33,7 @@ TEST_CASE("a sphere has the curvature of its radius") {
   CHECK(regular.least == doctest::Approx(1).epsilon(0.03));
   CHECK(regular.largest == doctest::Approx(1).epsilon(0.03));
 
-  // whatever its triangles
+  // the result does not depend on the triangles
   Mesh irregular = icosphere(4);
   Random random(1);
   for (Vec3& point : irregular.positions) point = (point + random.point(-0.02, 0.02)).normalized();
@@ -48,15 +48,15 @@ TEST_CASE("inwards or outwards is the same curvature") {
 }
 
 TEST_CASE("the largest curvature of a torus is that of its tube") {
-  // 1 / minor everywhere but where the larger circle bends more, which it does not here
+  // The largest curvature is 1 / minor, because the large circle bends less everywhere.
   const Extremes tube(torus(1, 0.25, 160, 48), 0.25);
   CHECK(tube.least == doctest::Approx(1).epsilon(0.03));
   CHECK(tube.largest == doctest::Approx(1).epsilon(0.03));
 }
 
 TEST_CASE("the curvature of an ellipsoid agrees with the closed form") {
-  // of x^2 + y^2 + z^2 / 4 = 1: along a meridian 2 / (sin^2 + 4 cos^2)^(3/2) in the angle of the
-  // parameter from the pole's end of the axis, and 2 / sqrt of the same along a parallel, halved
+  // On x^2 + y^2 + z^2 / 4 = 1, let s be cos^2 + 4 sin^2 of the parameter's angle from the pole.
+  // The normal curvature is 2 / s^(3/2) along a meridian, and 2 / sqrt(s) along a parallel.
   Mesh mesh = icosphere(5);
   for (Vec3& point : mesh.positions) point.z() *= 2;
   const std::vector<double> curvatures = largest_curvatures(EditableMesh(mesh));

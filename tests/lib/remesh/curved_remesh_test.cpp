@@ -1,4 +1,5 @@
-// Remeshing of surfaces that a flow carries: what it moves, and what it loses of the shape.
+// Remeshing of surfaces that a flow carries: which vertices it moves, and how much of the shape it
+// loses.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -32,8 +33,8 @@ using Places = std::set<Vec3, ByCoordinates>;
 Places places_of(const Mesh& mesh) { return {mesh.positions.begin(), mesh.positions.end()}; }
 
 /// The deformation test of Enright, Fedkiw, Ferziger & Mitchell, "A hybrid particle level set
-/// method for improved interface capturing", Journal of Computational Physics 2002: it goes back in
-/// time.
+/// method for improved interface capturing", Journal of Computational Physics 2002. The flow
+/// reverses after half of the time.
 Vec3 vortex(const Vec3& p, double time) {
   const auto square = [](double x) { return std::sin(pi * x) * std::sin(pi * x); };
   const auto sine = [](double x) { return std::sin(2 * pi * x); };
@@ -50,7 +51,7 @@ Vec3 carried(const Vec3& p, double time, double span) {
   return p + span / 6 * (a + 2 * b + 2 * c + d);
 }
 
-/// Share of the volume that a sphere has lost or won there and back.
+/// Returns the fraction of its volume that a sphere has lost or gained at the end.
 double lost_in_vortex(const RemeshOptions& options) {
   constexpr int steps = 40;
   Mesh mesh = icosphere(3);

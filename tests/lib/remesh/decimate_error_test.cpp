@@ -30,7 +30,7 @@ Mesh stretched(Mesh mesh, const Vec3& factors) {
   return mesh;
 }
 
-/// A sheet with a border, in waves.
+/// A wavy sheet with a border.
 Mesh waves(int steps, double height) {
   Mesh mesh = test::grid(steps);
   for (Vec3& p : mesh.positions) p.z() = height * std::sin(9 * p.x()) * std::cos(7 * p.y());
@@ -56,7 +56,7 @@ std::vector<Mesh> shapes(test::Random& random) {
           stretched(waves(20, 0.3), {5, 0.05, 1})};
 }
 
-/// Turned about a random axis, and moved.
+/// Rotates the mesh about a random axis, and moves it.
 Mesh placed(Mesh mesh, test::Random& random) {
   const Eigen::AngleAxisd turn(random.uniform(0, 3), random.point(-1, 1).normalized());
   const Vec3 place = random.point(-3, 3);
@@ -69,7 +69,7 @@ double hausdorff(const Mesh& first, const Mesh& second) {
                   test::sampled_distance(second, first, sample_steps));
 }
 
-/// Returns the sampled distance as a share of the error.
+/// Returns the sampled distance as a fraction of the error.
 double check_within(const Mesh& input, double error) {
   Mesh mesh = input;
   DecimateOptions options;
@@ -105,7 +105,7 @@ TEST_CASE("the error of decimation is not exceeded: 10 meshes, TM_ROUNDS=30 for 
       largest = std::max(largest, check_within(mesh, 0.3 * std::pow(10, random.uniform(-3, 0))));
     }
   }
-  // The bound is used, or the judge would not notice if it were exceeded.
+  // The error is nearly reached; otherwise the test would not notice if it were exceeded.
   CHECK(largest > 0.9);
 }
 

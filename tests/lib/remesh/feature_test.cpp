@@ -22,8 +22,8 @@ RemeshOptions with_features(double min_edge, double max_edge) {
   return options;
 }
 
-/// The length of the edges that are sharper than an angle, and how many of their ends they leave
-/// where other than two of them meet.
+/// The length of the edges that are sharper than an angle, and the number of vertices at which
+/// other than two of them end.
 struct SharpEdges {
   double length = 0;
   std::map<Index, int> at;
@@ -51,7 +51,8 @@ struct SharpEdges {
   }
 };
 
-/// How many coordinates of a point lie on the planes of a box, and the farthest it is outside.
+/// The number of coordinates of a point that lie on the planes of a box, and its largest distance
+/// outside of the box.
 struct OnBox {
   int planes = 0;
   double outside = 0;
@@ -80,13 +81,14 @@ void check_box(const Mesh& mesh, const Eigen::Matrix3d& back) {
     ++on[static_cast<std::size_t>(place.planes)];
   }
   CHECK(on[0] == 0);  // every vertex on a side
-  CHECK(on[3] == 8);  // and all corners there
+  CHECK(on[3] == 8);  // vertices at all corners
   const SharpEdges sharp(mesh, 40);
   CHECK(sharp.length == doctest::Approx(24).epsilon(1e-12));
   CHECK(sharp.corners() == 8);
 }
 
-/// A prism of n sides that stands for a cylinder of radius 1 and height 2, its caps umbrellas.
+/// A prism of n sides that approximates a cylinder of radius 1 and height 2. Each cap is an
+/// umbrella around a vertex in its center.
 Mesh cylinder(Index n) {
   Mesh mesh;
   for (Index i = 0; i < n; ++i) {
@@ -129,7 +131,7 @@ TEST_CASE("a box stays a box: straight edges, corners, volume") {
     RemeshOptions options = with_features(0.1, 0.5);
     options.adaptive_error = 0.01;
     remesh(mesh, options);
-    CHECK(edge_lengths(mesh).mean > 0.3);  // edges that are kept call for no short ones
+    CHECK(edge_lengths(mesh).mean > 0.3);  // kept edges do not cause short edges
   }
   check_box(mesh, Eigen::Matrix3d::Identity());
   CHECK(angles(mesh).minimum_deg > 18);
@@ -164,7 +166,7 @@ TEST_CASE("a cylinder keeps its rims and flat caps") {
   CHECK(std::abs(volume(mesh) / before - 1) < 2e-3);
   CHECK(angles(mesh).minimum_deg > 15);
 
-  // two closed lines, which lie in the caps' planes, near the circles
+  // two closed lines near the circles, in the planes of the caps
   const SharpEdges sharp(mesh, 40);
   CHECK(sharp.corners() == 0);
   CHECK(sharp.length == doctest::Approx(4 * std::numbers::pi).epsilon(5e-3));

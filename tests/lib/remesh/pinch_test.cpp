@@ -1,4 +1,4 @@
-// Necks and handles that part. CGAL counts self-intersections.
+// Necks and handles that separate. CGAL counts self-intersections.
 #include "remesh/pinch.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-/// What every result of an operation has to be, found without the library's own connectivity.
+/// Properties of every result of an operation, checked without the library's connectivity.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -12,10 +12,12 @@
 
 namespace transformesh::test {
 
-/// Every directed edge once, and the faces at every vertex one umbrella: an oriented manifold.
+/// Checks for an oriented manifold: every directed edge occurs once, and the faces at every vertex
+/// form one umbrella.
 inline bool is_oriented_manifold(const Mesh& mesh) {
   std::set<std::pair<Index, Index>> directed;
-  std::vector<std::map<Index, Index>> links(mesh.positions.size());  // from each corner to the next
+  // maps each corner to the next one
+  std::vector<std::map<Index, Index>> links(mesh.positions.size());
   for (const Face& face : mesh.faces) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index a = face[i];
@@ -45,7 +47,7 @@ inline bool is_oriented_manifold(const Mesh& mesh) {
   return true;
 }
 
-/// Undirected edges with their number of faces.
+/// Returns the undirected edges with their numbers of faces.
 inline std::map<std::pair<Index, Index>, int> edge_faces(const Mesh& mesh) {
   std::map<std::pair<Index, Index>, int> edges;
   for (const Face& face : mesh.faces) {

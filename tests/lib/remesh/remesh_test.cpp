@@ -27,7 +27,7 @@ RemeshOptions around(const Mesh& mesh, int iterations = 1) {
   return options;
 }
 
-/// A sphere with points at random, and so with all kinds of bad triangles.
+/// A sphere with random vertices, and so with badly shaped triangles of all kinds.
 Mesh bad_sphere(std::uint64_t seed, double jitter = 0.06) {
   Mesh mesh = icosphere(3);
   Random random(seed);
@@ -70,7 +70,7 @@ TEST_CASE("a bad mesh becomes a good one") {
 }
 
 TEST_CASE("three quarters of the vertices of bad meshes come to have six neighbors") {
-  // the last digits of one mesh decide over a few hundredths
+  // the last digits of a single mesh change the result by a few hundredths
   constexpr int count = 20;
   double sum = 0;
   for (int seed = 1; seed <= count; ++seed) {
@@ -94,7 +94,7 @@ TEST_CASE("edge lengths are brought into the interval") {
 }
 
 TEST_CASE("edges become eight times as long in one iteration") {
-  // in stages: sheets near each other stay apart in all of them
+  // sheets near each other stay apart at all stages
   Mesh mesh = joined(icosphere(5), scaled(reversed(icosphere(5)), 0.9));
   const Mesh before = mesh;
   RemeshOptions options = around(mesh, 1);
@@ -113,7 +113,7 @@ TEST_CASE("if edges become eight times as long, few stay short") {
   RemeshOptions options = around(mesh, 1);
   options.min_edge *= 8;
   options.max_edge *= 8;
-  // turned spheres have other last digits, which decide over the shortest edge
+  // rotated spheres have other last digits, which change the shortest edge
   constexpr int count = 8;
   double sum = 0;
   Random random(1);
@@ -218,7 +218,7 @@ TEST_CASE("survivors keep their order") {
   options.max_edge = 10;  // no new vertices
   remesh(mesh, options);
   const std::vector<double>& ids = mesh.vertex_columns.find("id")->values;
-  // a merged vertex keeps its slot, whichever end's number it carries
+  // a merged vertex keeps its index, whichever end gave its `id`
   std::size_t descents = 0;
   for (std::size_t v = 1; v < ids.size(); ++v) descents += ids[v] < ids[v - 1];
   CHECK(ids.size() < 642);
@@ -310,7 +310,7 @@ TEST_CASE("what is removed is reported with its faces, area and volume") {
 
 TEST_CASE("triangles without area go") {
   Mesh mesh = icosphere(2);
-  // a cap: a vertex put on the middle of an edge of its neighbor's face
+  // a cap: the apex of face 10 lies in the middle of the opposite edge
   const Face face = mesh.faces[10];
   const Index apex = face[0];
   mesh.positions[apex] = 0.5 * (mesh.positions[face[1]] + mesh.positions[face[2]]);
@@ -405,7 +405,7 @@ TEST_CASE("options that make no sense are refused with numbers") {
   CHECK(message_of<UsageError>(sphere, options).find("between -0.45 and 0.05") !=
         std::string::npos);
   CHECK(message_of<InputError>(Mesh{}, around(sphere)).find("no faces") != std::string::npos);
-  // Whose number no double holds.
+  // A double cannot represent the number of faces.
   options = around(sphere);
   options.min_edge = 1e-300;
   options.max_edge = 1e-200;

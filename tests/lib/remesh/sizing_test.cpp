@@ -15,7 +15,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// Small at one pole, large at the other, and of slope 0.2.
+/// Sizes that are small at one pole and large at the other, with slope 0.2.
 double wanted_size(const Vec3& point) { return 0.12 + 0.1 * point.z(); }
 
 Mesh with_sizes(Mesh mesh) {
@@ -55,7 +55,7 @@ TEST_CASE("edges follow the sizes of a column") {
   CHECK(find_intersections(mesh).empty());
   CHECK(angles(mesh).minimum_deg > 20);
 
-  // sizes at the places where the vertices have come to lie
+  // sizes at the final positions of the vertices
   double least = 10;
   double longest = 0;
   double sum = 0;
@@ -96,7 +96,7 @@ TEST_CASE("a column of equal sizes equals that length") {
 }
 
 TEST_CASE("small components are judged by their own sizes") {
-  // a speck that is well sampled for what it is, and one that is not
+  // the small ball is kept if its own sizes are small, and removed otherwise
   Mesh mesh = joined(icosphere(3), moved(scaled(icosphere(2), 0.05), {3, 0, 0}));
   Column& column = mesh.vertex_columns.get("wanted", Scalar::float64, mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -133,7 +133,7 @@ TEST_CASE("graded sizes are the largest that grow slowly enough") {
   std::vector<double> graded = given;
   grade_sizes(editable, graded);
 
-  std::vector<double> bound = given;  // the least of what the neighbors allow
+  std::vector<double> bound = given;  // the smallest of the limits that the neighbors set
   for (const auto& [edge, faces] : edge_faces(mesh)) {
     const auto [a, b] = edge;
     const double length = (mesh.positions[a] - mesh.positions[b]).norm();

@@ -25,8 +25,8 @@ RemeshResult::RemovedComponents removed_from(const Mesh& mesh, double edge,
 }  // namespace
 
 TEST_CASE("a cube is removed if its edges, its volume and its sides are small") {
-  // The diagonals of its sides are edges of length 1.41; along its principal axes, which are any, a
-  // side is at most its diagonal of 1.73.
+  // The diagonals of a cube's sides are edges of length 1.41. Its principal axes are arbitrary, so
+  // an extent along them is at most its diagonal of 1.73.
   CHECK(removed_from(box({1, 1, 1}), 1.41).count == 0);
   const auto removed = removed_from(box({1, 1, 1}), 1.74);
   CHECK(removed.count == 1);
@@ -61,7 +61,7 @@ TEST_CASE("components with a border stay if borders are kept") {
 }
 
 TEST_CASE("sizes of the mesh multiply the edge") {
-  // The cube goes between edges of 1.41 and 1.74, which are ten times these.
+  // The limit for the cube is between 1.41 and 1.74. Sizes of 10 multiply edges of a tenth.
   for (const auto& [edge, count] : {std::pair(0.141, 0U), std::pair(0.174, 1U)}) {
     EditableMesh editable(box({1, 1, 1}));
     editable.set_sizes(std::vector<double>(8, 10));

@@ -1,5 +1,5 @@
-// Remeshing of bodies as CAD programs make them, after they were cleaned: rotated boxes that share
-// planes leave slivers thinner than a spacing. CGAL counts self-intersections.
+// Remeshing of CAD-like bodies after cleaning. Rotated boxes with common planes leave slivers
+// thinner than a spacing. CGAL counts self-intersections.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
@@ -78,7 +78,7 @@ TEST_CASE("random boxes that touch in planes are remeshed without self-intersect
 }
 
 TEST_CASE("a triangle thinner than rounding is split without faces that have no area") {
-  // The apex lies half a spacing beside the middle of a side that is split many times.
+  // The apex lies half a spacing off the middle of a side that is split many times.
   const Vec3 a(0.1, 0.2, 0.3), b(17.3, 11.9, 7.7);
   const Vec3 middle = 0.5 * a + 0.5 * b;
   Mesh mesh;

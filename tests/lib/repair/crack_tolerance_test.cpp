@@ -1,4 +1,4 @@
-/// Cracks of known widths, and borders that are no cracks.
+/// Cracks of known widths, and borders that are not cracks.
 #include "repair/crack_tolerance.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-/// Records of steps against the numbers of the operations.
+/// Records of steps, compared with the counts of the operations.
 #include "repair/repair_steps.h"
 
 #include <doctest/doctest.h>
@@ -71,7 +71,7 @@ TEST_CASE("a sheet that cleaning drops is a loss with its share of the area and 
   steps.clean();
   const std::vector<RepairStep> all = steps.take_steps();
   REQUIRE(all.size() == 2);
-  // The sheet has two sides by then.
+  // At that step the sheet has two sides.
   CHECK(all[1].lost_share == doctest::Approx(2.0 / (6 + 2)));
   CHECK((all[1].lost_place - Vec3(5.5, 5.5, 5)).norm() < 1);
 }
@@ -83,7 +83,7 @@ TEST_CASE("small components are dropped, and counted") {
   CHECK(connected_components(steps.mesh()).components.size() == 1);
   const std::vector<RepairStep> all = steps.take_steps();
   REQUIRE(all.size() == 1);
-  CHECK(all[0].findings == std::vector<std::string>{"1 component dropped as shards"});
+  CHECK(all[0].findings == std::vector<std::string>{"1 component dropped as small components"});
   CHECK(all[0].area_change == doctest::Approx(-surface_area(small)));
 }
 

@@ -1,4 +1,5 @@
-/// Damaged solids against the solids: topology is counted, intersections are found by CGAL.
+/// Damaged solids after repair, compared with the originals. Topology is counted, and CGAL finds
+/// intersections.
 #include "transformesh/repair.h"
 
 #include <doctest/doctest.h>

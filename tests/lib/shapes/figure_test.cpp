@@ -14,7 +14,7 @@ namespace {
 
 using Genera = std::vector<long>;
 
-// One of 40 frames.
+// Returns one of 40 frames.
 Mesh frame(int number, std::size_t faces) {
   return make_shape(shape("figure", faces, {std::to_string(number / 39.0)}));
 }
@@ -68,7 +68,7 @@ TEST_CASE("consecutive frames of 40 are close, also when arms join and separate"
 }
 
 TEST_CASE("the left arm crosses before the right one") {
-  // Where the crossed forearms end, beyond the middle.
+  // The ends of the crossed forearms, beyond the middle.
   const Mesh mesh = make_shape(shape("figure", 4000, {"0.5"}));
   const auto foremost = [&](double side) {
     double z = 0;

@@ -40,7 +40,7 @@ TEST_CASE("Newton steps lead to the foot on a sphere, and stay on the ray") {
   const Vec3 foot = shapes::projected(ball(1), 1.1 * direction, 6);
   CHECK((foot - direction).norm() < 1e-12);
   CHECK(shapes::projected(ball(1), direction, 6) == direction);
-  // The gradient of an ellipsoid's quotient has other lengths, but the root is the same.
+  // The gradient of an ellipsoid's quotient has another length, but the root is the same.
   ImplicitSolid flat;
   flat.function = [](const Vec3& p) { return 0.5 * (p.cwiseQuotient(Vec3(1, 1, 0.5)).norm() - 1); };
   CHECK(std::abs(flat.function(shapes::projected(flat, {0.6, 0.5, 0.3}, 8))) < 1e-12);

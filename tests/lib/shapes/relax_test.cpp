@@ -17,7 +17,7 @@ namespace {
 
 Vec3 onto_sphere(const Vec3& point) { return point.normalized(); }
 
-/// A sphere whose vertices have been shaken along it by up to a third of an edge.
+/// A sphere whose vertices were moved at random along it by up to a third of an edge.
 Mesh shaken_sphere() {
   Mesh mesh = icosphere(3);
   Random random(7);
@@ -45,7 +45,7 @@ TEST_CASE("valences of a torus come back to six, but for a few where angles gain
     const Vec3 ring = Vec3(p.x(), p.y(), 0).normalized();
     return ring + 0.4 * (p - ring).normalized();
   };
-  // A grid with its rows cut along the other diagonal in places.
+  // A grid in which some squares are split along the other diagonal.
   Mesh mesh = torus(1, 0.4, 40, 16);
   for (std::size_t f = 10; f + 1 < mesh.faces.size(); f += 38) {
     const auto [a, b, c] = mesh.faces[f];

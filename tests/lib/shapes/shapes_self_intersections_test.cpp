@@ -1,4 +1,4 @@
-/// Which shapes intersect themselves, how, and which do not.
+/// Shapes that intersect themselves, in which way, and shapes that do not.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -95,7 +95,7 @@ TEST_CASE("boxes are integer, and share planes, edges and whole faces") {
       return result;
     };
     CHECK(most(corners) > 1);  // boxes that meet in a corner
-    CHECK(most(edges) > 2);    // in an edge
+    CHECK(most(edges) > 2);    // boxes that meet in an edge
     std::size_t coplanar = 0;
     for (const auto& [plane, boxes] : planes) coplanar = std::max(coplanar, boxes.size());
     CHECK(coplanar > 5);

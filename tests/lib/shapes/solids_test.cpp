@@ -30,7 +30,7 @@ TEST_CASE("a plate lies in its plane with its holes around the middle, 2.4 wide"
     CHECK(widest == doctest::Approx(1.2).epsilon(0.01));
     CHECK(thickest < 0.5);
   }
-  // One hole leaves a round plate, whose middle is free.
+  // A single hole leaves a round plate, whose middle is free.
   CHECK(winding_number(shapes::genus(1, 6000, {}), {0, 0, 0}) == doctest::Approx(0).epsilon(1e-9));
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("the balls of a dumbbell have their radius, its neck is there or turne
   CHECK(widest_at(plain, -0.7) == doctest::Approx(0.5).epsilon(0.002));
   CHECK(widest_at(plain, 0) == doctest::Approx(0.15).epsilon(0.02));
   CHECK(winding_number(plain, {0, 0, 0}) == doctest::Approx(1));
-  // The balls are those of the plain one.
+  // The balls are those of the plain shape.
   const Mesh inverted = shapes::dumbbell(-0.15, 6000, {});
   CHECK(inverted.faces == plain.faces);
   CHECK(winding_number(inverted, {0, 0, 0}) == doctest::Approx(-1));

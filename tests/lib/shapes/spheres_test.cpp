@@ -31,13 +31,13 @@ TEST_CASE("a geodesic sphere has 20 n^2 faces, twelve vertices of valence five a
 TEST_CASE("the frequency is the one whose number of faces is closest") {
   CHECK(shapes::geodesic_frequency(0) == 1);
   CHECK(shapes::geodesic_frequency(20) == 1);
-  CHECK(shapes::geodesic_frequency(49) == 1);  // 20 and 80 are 29 and 31 away
+  CHECK(shapes::geodesic_frequency(49) == 1);  // 20 and 80 differ by 29 and 31 from 49
   CHECK(shapes::geodesic_frequency(51) == 2);
   CHECK(shapes::geodesic_frequency(20 * 37 * 37) == 37);
 }
 
 TEST_CASE("the inner radius is that of the icosahedron, and approaches one") {
-  // Inscribed over circumscribed radius of the icosahedron.
+  // Ratio of the inscribed and the circumscribed radius of the icosahedron.
   const double phi = std::numbers::phi;
   const double inner = phi * phi / (2 * std::sqrt(3)) / (std::sqrt(phi * phi + 1) / 2);
   CHECK(shapes::geodesic_inner_radius(1) == doctest::Approx(inner).epsilon(1e-14));

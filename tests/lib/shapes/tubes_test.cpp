@@ -30,8 +30,8 @@ TEST_CASE("a phase moves the grid along the torus, a whole step onto itself") {
 }
 
 TEST_CASE("linked tori are as far apart as asked for") {
-  // Each tube has the points within 0.27 of its center circle; where the circles come closest, on
-  // the line through both centers, 0.62 lies between them.
+  // Each tube consists of the points within 0.27 of its center circle. The circles come closest, at
+  // distance 0.62, on the line through both centers.
   const Mesh mesh = shapes::tori(0.08, 20000);
   const std::size_t half = mesh.positions.size() / 2;
   double least = 1e9;
@@ -65,6 +65,7 @@ TEST_CASE(
   CHECK(shapes::torus_knot_thickness(2, 3, 2) == doctest::Approx(2 * thickness).epsilon(1e-12));
   CHECK(crossings(shapes::torus_knot(2, 3, 1, 0.95 * thickness, 1500)).pairs == 0);
   CHECK(crossings(shapes::torus_knot(2, 3, 1, 1.3 * thickness, 1500)).pairs > 0);
-  // A curve that winds once and never intersects itself is held back by its own bend alone.
+  // The thickness of a curve that winds once and does not intersect itself is limited by its own
+  // curvature alone.
   CHECK(shapes::torus_knot_thickness(1, 1, 1) > thickness);
 }

@@ -24,14 +24,15 @@ Vec3 random_direction(Random& random) {
   return v.normalized();
 }
 
-/// Sum of twelve uniform numbers: a bell curve with standard deviation 1.
+/// Returns the sum of twelve uniform numbers, which is nearly normal with standard deviation 1.
 double bell(Random& random) {
   double sum = -6;
   for (int i = 0; i < 12; ++i) sum += random.uniform(0, 1);
   return sum;
 }
 
-/// The faces whose first corner is among the lowest `share` of the vertices along a direction.
+/// Returns the faces whose first corner is among the lowest `share` of the vertices along a
+/// direction.
 Mesh lowest_part(const Mesh& mesh, const Vec3& direction, double share) {
   std::vector<double> heights;
   for (const Vec3& p : mesh.positions) heights.push_back(direction.dot(p));
@@ -48,7 +49,7 @@ void add_noise(Mesh& mesh, double amplitude, Random& random) {
   for (Vec3& p : mesh.positions) p += amplitude * Vec3(bell(random), bell(random), bell(random));
 }
 
-/// Single triangles around the surface: a tenth as many as it has faces.
+/// Adds single triangles around the surface, a tenth as many as it has faces.
 void add_outliers(Mesh& mesh, double reach, Random& random) {
   const std::size_t count = mesh.faces.size();
   for (std::size_t f = 0; f < count; f += 10) {
@@ -65,7 +66,7 @@ struct Scans {
   Matrix4 misplacement;
 };
 
-/// Two scans that lack a quarter of the shape each, at opposite ends, 20 degrees and a tenth of the
+/// Two scans that each lack a quarter of the shape, at opposite ends, 20 degrees and a tenth of the
 /// diagonal apart.
 Scans scans_of(const Mesh& whole, double noise, std::uint64_t seed) {
   Random random(seed);
@@ -82,7 +83,7 @@ Scans scans_of(const Mesh& whole, double noise, std::uint64_t seed) {
   return scans;
 }
 
-/// Largest movement of a vertex from its true place, in diagonals.
+/// Returns the largest distance of a vertex from its true position, in diagonals.
 double error_of(const Scans& scans, const RegistrationResult& result) {
   const Matrix4 rest = result.motion * scans.misplacement;
   double largest = 0;

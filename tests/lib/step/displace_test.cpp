@@ -69,7 +69,7 @@ TEST_CASE("each vertex has its own clamp") {
   CHECK(mesh.positions[0].z() == Approx(0.5));
   CHECK(mesh.positions[1].z() == Approx(0.5 * (1 + 2 * std::sqrt(2.0)) / 3));
 
-  // Half of the clamp of the first vertex, nothing elsewhere.
+  // Half of the clamp at the first vertex, zero elsewhere.
   Mesh other = test::tetrahedron();
   const DisplaceResult result =
       displace(other, std::vector<Vec3>{{0.25, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {1, 0.5});

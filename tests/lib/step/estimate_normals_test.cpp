@@ -13,7 +13,7 @@ using namespace transformesh;
 
 namespace {
 
-/// In another order, so that neighbors are not neighbors by index.
+/// Changes the order, so that neighbors in space do not have neighboring indices.
 std::vector<Index> shuffled(std::size_t count) {
   test::Random random(11);
   std::vector<Index> order(count);
@@ -22,7 +22,7 @@ std::vector<Index> shuffled(std::size_t count) {
   return order;
 }
 
-/// The smallest cosine between the estimate and the true normals of a mesh's vertices.
+/// Returns the smallest cosine between the estimate and the true normals of a mesh's vertices.
 double least_cosine(const Mesh& mesh) {
   const std::vector<Vec3> truth = vertex_normals(mesh);
   const std::vector<Index> order = shuffled(truth.size());

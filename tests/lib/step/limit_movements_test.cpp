@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "geometry/keep_out.h"
 #include "helpers/mesh_distance.h"
@@ -37,7 +38,7 @@ TEST_CASE("a ball that grows stops at the gap from the shell around it") {
     CHECK(distance_of_meshes(ball, shell) >= 0.05 * (1 - 1e-12));
   }
   CHECK(held > 100);
-  // It came near, inside: the shell's flat faces are .05 nearer than its corners.
+  // The ball came near the inside of the shell, whose flat faces are .05 nearer than its corners.
   CHECK(volume(ball) > 1.4 * before);
   CHECK(distance_of_meshes(ball, shell) < 0.08);
 }
@@ -51,7 +52,7 @@ TEST_CASE("movement away and along is free, however near") {
   CHECK(result.near_keep_out == 0);
   const std::vector<Vec3> away(plate.positions.size(), Vec3(0, 0, -0.3));
   CHECK(displace(plate, away, far_steps(ceiling, 0.01)).held_back == 0);
-  // In a gap that is larger than they are apart, too.
+  // Movement away is free even if the gap is larger than the distance.
   const std::vector<Vec3> back(plate.positions.size(), Vec3(0, 0, 0.295));
   CHECK(displace(plate, back, far_steps(ceiling, 1e-3)).held_back == 0);
   result = displace(plate, away, far_steps(ceiling, 0.1));
@@ -68,10 +69,24 @@ TEST_CASE("no step jumps over a body, and what is far from it goes its whole way
   CHECK(result.held_back < 40);
   CHECK(distance_of_meshes(plate, pebble) >= 0.01 * (1 - 1e-12));
   CHECK(plate.positions[0].z() == 0.4);
-  // Above the pebble nothing is: its middle is not under the plate.
+  // The vertices over the pebble have not passed its middle.
   for (std::size_t v = 0; v < plate.positions.size(); ++v)
     if ((plate.positions[v].head<2>() - Eigen::Vector2d(0.52, 0.47)).norm() < 0.07)
       CHECK(plate.positions[v].z() < 0.2);
+}
+
+TEST_CASE("movements are halved until they are smaller than the gap") {
+  const Mesh plate = test::grid(10);
+  const Mesh ceiling = test::moved(test::grid(3), Vec3(0, 0, 0.001));
+  // Ten halvings of .512 give .0005. If the gap is .0009, .0001 is free, and .0005 is the first
+  // movement below the gap.
+  for (const auto& [gap, way] : {std::pair(1e-6, 0.0005), std::pair(0.0009, 0.0)}) {
+    std::vector<Vec3> movements(plate.positions.size(), Vec3(0, 0, 0.512));
+    const LimitedMovements limited =
+        limit_movements(plate, {&ceiling, gap}, Scalar::float64, movements);
+    CHECK(limited.held_back == movements.size());
+    for (const Vec3& movement : movements) CHECK(movement == Vec3(0, 0, way));
+  }
 }
 
 TEST_CASE("floats keep the gap as they are written") {

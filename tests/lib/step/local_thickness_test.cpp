@@ -51,8 +51,9 @@ Mesh shell(double thickness) {
   return mesh;
 }
 
-/// The diameter of the ball that touches the left ball at `point` from outside and the right one:
-/// its center lies at (1 + r) point, and 1 + r from the center of the right one.
+/// Returns the diameter of the ball that touches the left ball at `point` from outside, and the
+/// right one. Its center lies at (1 + r) point, at the distance 1 + r from the center of the right
+/// one.
 double width_between_balls(const Vec3& point, double gap) {
   const double apart = 2 + gap;
   double low = 0;
@@ -65,8 +66,8 @@ double width_between_balls(const Vec3& point, double gap) {
   return 2 * low;
 }
 
-/// The plate [-10, 10]^2 x [0, 2] with a window of that width in its middle: all of its vertices
-/// are on sharp edges, vertices 8 to 15 at the window.
+/// The plate [-10, 10]^2 x [0, 2] with a window of width `width` in its middle. All of its vertices
+/// are on sharp edges; vertices 8 to 15 are at the window.
 Mesh plate_with_window(double width) {
   Mesh mesh;
   for (const double half : {10.0, width / 2})
@@ -84,9 +85,9 @@ Mesh plate_with_window(double width) {
   return mesh;
 }
 
-/// The diameter of the smallest ball that touches the mesh at the point with its center along
-/// `direction` and meets a face whose normal is more than 120 degrees from `normal`: by bisection
-/// over all faces.
+/// Returns the diameter of the smallest ball that touches the mesh at the point and also a face
+/// whose normal is more than 120 degrees from `normal`. Its center lies along `direction`. Found by
+/// bisection over all faces.
 double width_by_search(const Mesh& mesh, const Vec3& point, const Vec3& normal,
                        const Vec3& direction, double reach) {
   const auto meets = [&](double radius) {
@@ -115,7 +116,8 @@ TEST_CASE("the gap between two balls has the width of the balls that fit in") {
   std::size_t narrow = 0;
   for (std::size_t v = 0; v < mesh.positions.size() / 2; ++v) {
     const double expected = width_between_balls(mesh.positions[v], gap);
-    // The normals at both contacts are mirror images: 120 degrees apart 30 degrees off the axis.
+    // The normals at both contacts are mirror images: they are 120 degrees apart at 30 degrees off
+    // the axis.
     const double off_axis = std::acos(mesh.positions[v].x()) * 180 / std::numbers::pi;
     if (expected > 1.1 * reach || off_axis > 32) {
       CHECK(widths[v] == wide);
@@ -174,7 +176,8 @@ TEST_CASE("thickness at vertices agrees with a search over all faces") {
             std::min(least, width_by_search(mesh, mesh.positions[v], normal, side * normal, reach));
     };
     offer(normals[v]);
-    // A face that turns by less than 20 degrees from another need not be asked.
+    // local_thickness() skips a face whose normal differs by less than 20 degrees from a normal
+    // already tested. Thus the search over all faces gives only a lower bound.
     const double by_vertex = least;
     for (const Face& f : mesh.faces)
       if (std::find(f.begin(), f.end(), v) != f.end())
@@ -201,7 +204,7 @@ TEST_CASE("a blade is as thin at its edge as faces beside it show, and not nothi
 }
 
 TEST_CASE("a gap between large faces is found although no vertex is near") {
-  // Two bars that cross 0.2 apart, far from all of their corners.
+  // Two crossed bars 0.2 apart, far from all of their corners.
   const Mesh bars =
       test::joined(test::cuboid({-5, -1, 0}, {5, 1, 2}), test::cuboid({-1, -5, 2.2}, {1, 5, 4.2}));
   const Target target = make_target(bars);

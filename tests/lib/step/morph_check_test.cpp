@@ -10,14 +10,14 @@ using namespace transformesh;
 
 namespace {
 
-// As it would be read: make_target() refuses some of what is checked here.
+// Makes a target without the checks of make_target(), which refuses some of these meshes.
 Target target_of(Mesh mesh) {
   Target target;
   target.mesh = std::move(mesh);
   return target;
 }
 
-// Each face with three vertices of its own, as in STL.
+// Gives each face three vertices of its own, as in STL.
 Mesh soup_of(const Mesh& mesh) {
   Mesh soup;
   for (const Face& face : mesh.faces) {

@@ -20,13 +20,13 @@ using doctest::Approx;
 
 namespace {
 
-/// The signed distance to a box, in closed form.
+/// Returns the signed distance to a box, in closed form.
 double box_distance(const Vec3& p, const Vec3& low, const Vec3& high) {
   const Vec3 beyond = (low - p).cwiseMax(p - high);
   return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
 }
 
-/// Closed, and of all directions and sizes: no two vertices alike.
+/// A closed mesh with edges of all directions and lengths; no two vertices are alike.
 Mesh jittered_sphere(double radius, int subdivisions = 3) {
   test::Random random(3);
   Mesh mesh = test::scaled(test::icosphere(subdivisions), radius);
@@ -54,8 +54,8 @@ Target points_with_normals(const Mesh& mesh) {
 }  // namespace
 
 TEST_CASE("between concentric spheres the velocity is the difference of the radii") {
-  // The same directions on both: the nearest vertex is the one straight above or below. Seen from
-  // inside, faces are nearer than vertices, by at most their sagitta.
+  // Both spheres have the same directions, so the nearest vertex is straight above or below. Seen
+  // from inside, faces are nearer than vertices, by at most their sagitta.
   const Mesh sphere = test::icosphere(3);
   const std::vector<Vec3> normals = vertex_normals(sphere);
   for (const double radius : {0.5, 0.9, 1.25, 2.0}) {
@@ -88,7 +88,7 @@ TEST_CASE("what is outside the target shrinks, what is inside grows") {
 }
 
 TEST_CASE("the surface distance to a coarse box is that of the box") {
-  // Twelve faces with edges far longer than the source's; sharp edges all around.
+  // Twelve faces with edges far longer than the source's, and sharp edges everywhere.
   const Vec3 low(-0.6, -0.8, -1.1);
   const Vec3 high(0.7, 0.5, 0.9);
   const Target target = make_target(test::cuboid(low, high));
@@ -154,7 +154,7 @@ TEST_CASE("with noisy normals, several planes decide the side better than one") 
   const Vec3 axes(0.1, 0.1, 1);
   Mesh cloud;
   std::vector<Vec3> normals;
-  test::Random random(4);  // normals of scans are inexact
+  test::Random random(4);  // estimated normals of scans are inexact
   for (const Vec3& p : test::icosphere(2).positions) {
     cloud.positions.push_back(p.cwiseProduct(axes));
     normals.push_back((p.cwiseQuotient(axes).normalized() + random.point(-1, 1)).normalized());
@@ -162,7 +162,7 @@ TEST_CASE("with noisy normals, several planes decide the side better than one") 
   set_normal_columns(cloud, normals);
   const Target target = make_target(cloud);
   const auto count_inside = [&](MorphDistance distance, const Mesh& mesh) {
-    // A velocity along the normal means inside.
+    // A velocity along the normal means that the vertex is inside.
     const std::vector<Vec3> outwards = vertex_normals(mesh);
     const MorphVelocities morph = morph_velocities(mesh, target, {distance});
     std::size_t count = 0;
@@ -207,7 +207,8 @@ TEST_CASE("far away the distance is estimated, and clamped steps stay the same")
     const double difference = (fast.velocities[v] - exact.velocities[v]).norm();
     const double distance = exact.velocities[v].norm();
     estimated += difference > 0;
-    // Of a quarter of the searched distance, once each way, what remains of it is the rest.
+    // Each of both directions may be wrong by a quarter of the searched distance, of which at least
+    // three quarters remain.
     CHECK(difference <= (distance > bound ? 2 * 0.25 / 0.75 * distance : 0));
     CHECK((fast.velocities[v].norm() > bound) == (distance > bound));
     CHECK(fast.velocities[v].dot(exact.velocities[v]) > 0);

@@ -22,7 +22,7 @@ TEST_CASE("a mesh as target reads back as it was") {
                             target.mesh.faces.begin()));
   CHECK(!target.has_spatial_order);
   CHECK(again.has_spatial_order);
-  // As a target it is the same.
+  // Both targets give the same closest points.
   const ClosestPointQuery before(target.mesh,
                                  target.has_spatial_order ? FaceOrder::spatial : FaceOrder::any);
   const ClosestPointQuery after(again.mesh,

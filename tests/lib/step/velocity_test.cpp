@@ -48,7 +48,7 @@ TEST_CASE("planes, borders and slivers are stable under curvature flow") {
   plane.faces = {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4},
                  {3, 4, 6}, {4, 7, 6}, {4, 5, 7}, {5, 8, 7}};
   for (const Vec3& velocity : curvature_velocities(plane, 1)) CHECK(velocity.norm() < 1e-12);
-  // A sphere whose vertices lie in pairs: slivers all over.
+  // A sphere with many pairs of nearly coincident vertices, which make slivers everywhere.
   Mesh slivers = test::icosphere(3);
   for (std::size_t v = 1; v < slivers.positions.size(); v += 7)
     slivers.positions[v] = slivers.positions[slivers.faces[v][0]] * (1 + 1e-9);

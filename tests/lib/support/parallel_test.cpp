@@ -17,7 +17,7 @@ using namespace transformesh;
 
 namespace {
 
-/// Each thread waits for the others, so that none does the work of one that is late.
+/// Each thread waits for the others, so that none takes over the work of a late thread.
 std::size_t threads_used(std::size_t limit) {
   const ThreadLimit alive(static_cast<int>(limit));
   std::mutex mutex;
@@ -75,7 +75,8 @@ TEST_CASE("of several exceptions that of the lowest range reaches the caller") {
 
 TEST_CASE("two halves run at the same time where two threads are allowed") {
   if (std::thread::hardware_concurrency() < 2) return;
-  // Each waits for the other to begin; one after the other would wait in vain.
+  // Each function waits up to 20 s for the other to start. If they ran one after the other, the
+  // first would wait in vain.
   std::atomic<int> begun{0};
   const auto half = [&] {
     ++begun;

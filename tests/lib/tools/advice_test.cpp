@@ -58,10 +58,11 @@ TEST_CASE("programs offer no options that they do not have") {
 TEST_CASE("the remedy follows the sentence, and contains data of the problem") {
   const Program program = program_with({"reference-edge"});
   CHECK(with_advice({ErrorKind::not_closed, "the mesh is open"}, program) ==
-        "the mesh is open; tm-fill closes holes");
+        "the mesh is open; close holes with tm-fill");
   CHECK(with_advice({ErrorKind::other, "the mesh is odd"}, program) == "the mesh is odd");
   CHECK(advice(ErrorKind::not_a_run, {}, {.name = "folder"}).ends_with("--run folder"));
-  // The longest edges are 1.5 times as long as the reference edge, of which half is offered.
+  // The longest edges are 1.5 times as long as the reference edge, and half of the reference edge
+  // is offered.
   CHECK(advice(ErrorKind::edges_too_long, {"reference-edge"}, {.lengths = {0.01, 0.3}}) ==
         "shorten edges with --reference-edge 0.1");
 }

@@ -10,7 +10,7 @@ using namespace transformesh::tool;
 
 namespace {
 
-// What follows the name and the version.
+// Returns the provenance without the name and the version.
 std::string options_of(const Program& program) {
   const std::string line = provenance(program);
   return line.substr(std::min(line.size(), line.find(' ', line.find(' ') + 1)));

@@ -9,7 +9,7 @@
 
 namespace transformesh::tool {
 
-// wasm/command_words.cpp under another name.
+// the function of wasm/command_words.cpp under another name
 std::vector<CommandWord> split_command_of_wasm(const std::vector<std::string>& arguments,
                                                const OptionSet& options);
 
@@ -41,8 +41,8 @@ struct Fixture {
     options.text("format", &format, "WORD", "");
   }
 
-  /// One word each: `name=text` of a known option, `?text` of an unknown one, `text` of another
-  /// word; or the message of an error.
+  /// Returns one word for each argument: `name=text` for a known option, `?text` for an unknown
+  /// one, `text` for another word; or the error message.
   Texts outcome(const Texts& arguments, auto splitter) const {
     Texts texts;
     try {
@@ -57,7 +57,7 @@ struct Fixture {
     return texts;
   }
 
-  /// The outcome of native programs, after a check that WebAssembly has the same.
+  /// Returns the outcome of native programs, after a check that WebAssembly has the same outcome.
   Texts split(const Texts& arguments) const {
     Texts native = outcome(arguments, split_command);
     CAPTURE(in_brackets(arguments));
@@ -66,7 +66,7 @@ struct Fixture {
   }
 };
 
-/// Words that an option, a value or a mistake may be.
+/// Words that may be an option, a value or a mistake.
 constexpr std::array words = {
     "--quiet",  "--quiet=",  "--quiet=yes", "--output",  "--output=",  "--output=a", "--output=a=b",
     "--format", "--format=", "--format=-3", "--out",     "--outp=a",   "--o",        "--o=a",

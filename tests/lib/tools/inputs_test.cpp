@@ -1,4 +1,4 @@
-// Inputs alone: no process, no terminal, no other part of a run.
+// Tests inputs alone, without a process, a terminal or other parts of a run.
 #include "frame/inputs.h"
 
 #include <doctest/doctest.h>

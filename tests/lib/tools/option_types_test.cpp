@@ -44,7 +44,7 @@ struct Sample {
   Program program{"tm-x", "", ""};
 };
 
-// The message with which these arguments are refused.
+// Returns the message with which these arguments are refused.
 std::string refusal(const std::vector<std::string>& arguments) {
   try {
     Sample().parse(arguments);
@@ -100,8 +100,8 @@ TEST_CASE("an unknown option names the nearest") {
   CHECK(refusal({"--numbr", "1"}) == "unknown option '--numbr'; did you mean '--number'?");
   CHECK(refusal({"--lenght=2"}) == "unknown option '--lenght=2'; did you mean '--length'?");
   CHECK(refusal({"--num", "1"}) == "unknown option '--num'; did you mean '--number'?");
-  CHECK(refusal({"--foo"}) == "unknown option '--foo'; --help lists those that there are");
-  CHECK(refusal({"-x"}) == "unknown option '-x'; --help lists those that there are");
+  CHECK(refusal({"--foo"}) == "unknown option '--foo'; list all options with --help");
+  CHECK(refusal({"-x"}) == "unknown option '-x'; list all options with --help");
 }
 
 TEST_CASE("the first of several errors is reported") {
@@ -118,7 +118,7 @@ TEST_CASE("a bad value names the option, the value and what is allowed") {
   CHECK(refusal({"--integer", "2.5"}) == "--integer: '2.5' is not a whole number");
   CHECK(refusal({"--integer", "99999999999999999999"}).find("not a whole number") !=
         std::string::npos);
-  CHECK(refusal({"--length", "-1"}) == "--length: '-1' is too small: a length of at least 0");
+  CHECK(refusal({"--length", "-1"}) == "--length: '-1' is too small: a length must be at least 0");
   CHECK(refusal({"--length", "2m"}).starts_with("--length: '2m' is not a length"));
   CHECK(refusal({"--kind", "angel"}) ==
         "--kind: 'angel' is not known; did you mean 'angle'? (valence, angle)");

@@ -1,4 +1,4 @@
-// Outputs alone: files appear together and complete, or not at all.
+// Tests outputs alone: files appear together and complete, or not at all.
 #include "frame/outputs.h"
 
 #include <doctest/doctest.h>

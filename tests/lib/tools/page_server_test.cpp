@@ -19,10 +19,10 @@
 namespace transformesh::tool {
 namespace {
 
-/// A server in a process of its own, whose CPU time can be measured.
+/// A server in its own process, whose CPU time can be measured.
 class ServerProcess {
  public:
-  /// The server has file descriptors for `connections` and no more.
+  /// The server has file descriptors for `connections` connections and no more.
   explicit ServerProcess(int connections = 256) : server_(0), process_(fork()) {
     if (process_ != 0) return;
     const int first_free = dup(STDERR_FILENO);
@@ -83,8 +83,8 @@ std::string answer_on(int connection, const std::string& request) {
   return answer;
 }
 
-/// The server's CPU time of a second in which these connections are silent. The last one is
-/// answered once the first one has ended.
+/// Checks the server's CPU time during a second in which these connections are silent. The last
+/// connection is answered after the first one has ended.
 void check_idle(const ServerProcess& server, int count) {
   std::vector<int> connections;
   for (int i = 0; i < count; ++i) connections.push_back(connection_to(server));

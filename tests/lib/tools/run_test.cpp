@@ -24,7 +24,8 @@ constexpr const char* triangle =
     "property float y\nproperty float z\nelement face 1\n"
     "property list uchar int vertex_indices\nend_header\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n";
 
-// A folder with t.ply, in which programs run: each in a process of its own, as they end theirs.
+// A folder with t.ply, in which programs run. Each has its own process, because it ends the
+// process.
 class Place {
  public:
   Place() { make_file(folder_ / "t.ply", triangle); }
@@ -32,7 +33,8 @@ class Place {
   int run(Reads reads, Writes writes, std::vector<std::string> arguments,
           const std::function<void(Run&)>& body,
           const std::function<void(Program&)>& declare = {}) {
-    std::fflush(nullptr);  // or the child writes what the tests have said as well
+    // without a flush, the child would also write the buffered output of the tests
+    std::fflush(nullptr);
     const pid_t child = fork();
     if (child == 0) {
       if (chdir((folder_ / ".").c_str()) != 0) _exit(99);

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-// What these calls write to stderr.
+// Returns the output of these calls on stderr.
 std::string printed(const std::function<void(Terminal&)>& calls) {
   std::FILE* file = std::tmpfile();
   REQUIRE(file != nullptr);

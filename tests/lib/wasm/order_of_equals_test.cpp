@@ -9,11 +9,11 @@ namespace {
 
 struct Element {
   unsigned key;
-  unsigned place;  ///< tells equal elements apart
+  unsigned place;  ///< identifies equal elements
   bool operator==(const Element&) const = default;
 };
 
-/// `count` elements with keys below `keys`, in the order of these if sorted.
+/// `count` elements with keys below `keys`, sorted by key if `is_sorted`.
 std::vector<Element> elements(unsigned count, unsigned keys, bool is_sorted, std::mt19937& random) {
   std::vector<Element> result;
   for (unsigned i = 0; i < count; ++i)
@@ -23,7 +23,7 @@ std::vector<Element> elements(unsigned count, unsigned keys, bool is_sorted, std
 
 }  // namespace
 
-// The standard library of the native build is the one to follow.
+// The order must be that of the standard library of the native build.
 TEST_CASE("selection for WebAssembly leaves equal elements where libstdc++ leaves them") {
   std::mt19937 random(1);
   const auto is_less = [](const Element& a, const Element& b) { return a.key < b.key; };

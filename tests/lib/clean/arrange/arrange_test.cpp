@@ -1,5 +1,5 @@
-/// Arrangements of random triangles on a lattice, where faces touch, cross in points, overlap in
-/// planes and coincide, against vertices and incidences found by brute force in rationals.
+/// Arrangements of random triangles on a lattice, which touch, intersect in points, overlap in
+/// planes and coincide. The oracle finds vertices and incidences by brute force in rationals.
 #include "clean/arrange/arrange.h"
 
 #include <doctest/doctest.h>
@@ -48,8 +48,8 @@ Arrangement arrange_mesh(const Mesh& mesh) {
   return arrange(welded, find_meetings(*welded, Progress()), Progress());
 }
 
-/// The corners, the points in which edges cross faces and other edges, and those in which three
-/// faces intersect.
+/// Returns all corners, intersections of edges with faces and other edges, and intersections of
+/// three faces.
 std::set<RationalPoint> expected_points(const Mesh& mesh) {
   std::vector<RationalTriangle> t;
   for (Index f = 0; f < mesh.faces.size(); ++f) t.push_back(test::exact_triangle(mesh, f));
@@ -76,7 +76,8 @@ std::set<RationalPoint> expected_points(const Mesh& mesh) {
   return points;
 }
 
-/// The rational point of each arrangement point, by its position. Faces may cross in no more.
+/// Returns the element of `points` at the position of each point of the arrangement. The
+/// arrangement must not have points that are missing in `points`.
 std::vector<RationalPoint> match_points(const Arrangement& arrangement,
                                         const std::set<RationalPoint>& points) {
   std::vector<RationalPoint> matched;
@@ -96,7 +97,7 @@ std::vector<RationalPoint> match_points(const Arrangement& arrangement,
   return matched;
 }
 
-/// No point lies on a piece but at its corners: so pieces meet in equal corners and equal edges.
+/// Points touch pieces only at corners, so adjacent pieces have equal corners and edges.
 void check_conforming(const Arrangement& arrangement, const std::vector<RationalPoint>& points) {
   for (const Piece& piece : arrangement.pieces) {
     const auto& [a, b, c] = piece.corners;
@@ -108,7 +109,8 @@ void check_conforming(const Arrangement& arrangement, const std::vector<Rational
   }
 }
 
-/// The pieces of every face have its area vector, and each has the multiplicity of its sources.
+/// The area vectors of the pieces of a face add up to that of the face, and the multiplicity of
+/// each piece is that of its sources.
 void check_sources(const Mesh& mesh, const Arrangement& arrangement,
                    const std::vector<RationalPoint>& points) {
   std::vector<RationalPoint> sums(mesh.faces.size(), RationalPoint{0, 0, 0});
@@ -179,7 +181,7 @@ TEST_CASE("a wall and its reverse cancel out where they overlap") {
   CHECK(both.pieces.size() == 2);
   for (const Piece& piece : both.pieces) CHECK(piece.multiplicity == 0);
 
-  // Half of each wall is common.
+  // Half of each wall coincides with the other.
   Mesh moved = test::moved(test::reversed(wall), {0.5, 0, 0});
   const Arrangement half = arrange_mesh(test::joined(wall, moved));
   std::array<double, 2> area{};

@@ -1,5 +1,5 @@
-/// Pieces of one plane, by closed forms: lines in general position part a face into a number of
-/// points and triangles that Euler's formula tells.
+/// Pieces of one plane, against closed forms. Lines in general position divide a face into numbers
+/// of points and triangles that Euler's formula gives.
 #include "clean/arrange/cut_plane.h"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ namespace transformesh {
 namespace {
 
 /// A triangle around the origin in the plane z = 0, and vertical blades through it along tangents
-/// of a circle, in general position: every two cross within the triangle.
+/// of a circle. The blades are in general position, and every two intersect within the triangle.
 Mesh blades(int count) {
   Mesh mesh;
   mesh.positions = {{-50, -40, 0}, {60, -30, 0}, {-3, 70, 0}};
@@ -34,7 +34,7 @@ Mesh blades(int count) {
   return mesh;
 }
 
-/// The cut of the first face and of the faces that are coplanar with it.
+/// Returns the cut of the first face and of the faces that are coplanar with it.
 PlaneCut cut_first(const WeldedMesh& welded, const std::vector<Index>& faces) {
   const std::vector<Meeting> meetings = find_meetings(welded, Progress());
   std::vector<const Meeting*> across;
@@ -94,8 +94,8 @@ TEST_CASE("no facet crosses a line") {
 }
 
 TEST_CASE("coplanar faces share pieces where they overlap, with the orientation of each") {
-  // The square of the first two faces and one of the same size, reversed, that covers a quarter of
-  // it.
+  // The square of the first two faces, and a reversed square of the same size that covers a quarter
+  // of it.
   const Mesh square = test::grid(1);
   const Mesh other = test::reversed(test::moved(square, {0.5, 0.5, 0}));
   const WeldedMesh welded = weld(test::joined(square, other));

@@ -1,5 +1,5 @@
-/// Random segments on a lattice, where points coincide, line up and lie on segments often, against
-/// crossings and incidences counted in rationals.
+/// Random segments on a lattice, where points often coincide, are collinear or lie on segments.
+/// The oracle counts intersections and incidences in rational arithmetic.
 #include "clean/arrange/planar_triangulation.h"
 
 #include <doctest/doctest.h>
@@ -38,7 +38,7 @@ Drawing random_drawing(std::uint64_t seed, std::size_t segments) {
   return drawing;
 }
 
-/// All ends of segments and their crossings, in rationals.
+/// Returns all ends and intersections of segments as rationals.
 std::set<test::RationalPoint> expected_points(const Drawing& drawing) {
   std::set<test::RationalPoint> points;
   for (const Vec3& p : drawing.points) points.insert(test::exact(p));
@@ -76,7 +76,7 @@ class Triangulated {
   const PlanarTriangulation& operator*() const { return triangulation_; }
   void improve() { triangulation_.improve(); }
   Vec3 position(Index i) const { return geometry_.position(triangulation_.point(i)); }
-  std::vector<Index> ids;  ///< of the ends of all segments
+  std::vector<Index> ids;  ///< numbers of the points at the ends of all segments
 
  private:
   const Drawing drawing_;
@@ -90,7 +90,7 @@ double twice_area(const Triangulated& triangulated, const Face& v) {
   return b.x() * c.y() - b.y() * c.x();
 }
 
-/// The lines on an edge, each with the way it runs, from the latest on.
+/// Returns the lines on an edge with their directions, latest first.
 std::vector<std::pair<Index, int>> lines_on(const PlanarTriangulation& triangulation, Index facet,
                                             Index i, int sign) {
   std::vector<std::pair<Index, int>> lines;
@@ -100,7 +100,7 @@ std::vector<std::pair<Index, int>> lines_on(const PlanarTriangulation& triangula
   return lines;
 }
 
-/// Facets that cover the scaffold once and know their neighbors.
+/// Checks that facets cover the scaffold once and refer to their neighbors.
 void check_facets(const Triangulated& triangulated) {
   const auto& facets = (*triangulated).facets();
   CHECK(facets.size() == 2 * ((*triangulated).point_count() - scaffold_points) + 1);
@@ -124,7 +124,7 @@ void check_facets(const Triangulated& triangulated) {
   CHECK(sum == doctest::Approx(twice_area(triangulated, {0, 1, 2})));
 }
 
-/// Every segment is a chain of constrained edges through all points that lie on it.
+/// Checks that every segment is a chain of constrained edges through all points on it.
 void check_chains(const Triangulated& triangulated, const Drawing& drawing,
                   const std::set<test::RationalPoint>& points) {
   for (std::size_t s = 0; s < drawing.segments.size(); ++s) {
@@ -185,7 +185,7 @@ TEST_CASE("without constraints improving makes it Delaunay") {
   const auto at = [&](Index i) { return triangulation.point(i).center; };
   int tested = 0;
   for (const PlanarTriangulation::Facet& facet : triangulation.facets()) {
-    // Twice the center of the circumcircle relative to a, by its perpendicular bisectors.
+    // The perpendicular bisectors of b and c meet in the center of the circumcircle.
     const Vec3 a = at(facet.v[0]), b = at(facet.v[1]) - a, c = at(facet.v[2]) - a;
     const double area = b.x() * c.y() - b.y() * c.x();
     const Vec3 center = a + Vec3(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),

@@ -1,4 +1,4 @@
-/// Planes of shapes whose coplanar faces are known.
+/// Planes of shapes with known coplanar faces.
 #include "clean/arrange/planes.h"
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 namespace transformesh {
 
 TEST_CASE("coplanar faces that meet share a plane, others do not, and whole faces have none") {
-  // Two cubes of which the second stands on the first, moved by a half along x.
+  // Two cubes; the second stands on the first, shifted by 0.5 along x.
   const Mesh cube = test::cube();
   const WeldedMesh welded = weld(test::joined(cube, test::moved(cube, {0.5, 0, 1})));
   const std::vector<Meeting> meetings = find_meetings(welded, Progress());
@@ -31,7 +31,7 @@ TEST_CASE("coplanar faces that meet share a plane, others do not, and whole face
   }
   for (Index f = 0; f < welded.faces.size(); ++f) whole += planes.is_whole(f) ? 1 : 0;
   CHECK(listed + whole == welded.faces.size());
-  CHECK(coplanar >= 1);  // the top of the first with the bottom of the second
+  CHECK(coplanar >= 1);  // the top of the first cube and the bottom of the second are coplanar
   CHECK(whole > 0);
 }
 

@@ -1,4 +1,4 @@
-/// Meshes split along their intersections: areas, volumes and columns stay.
+/// Meshes split along their intersections keep areas, volumes and columns.
 #include "clean/arrange/refine.h"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ TEST_CASE("refining splits what crosses and keeps volume, area and columns") {
     CAPTURE(kind);
     const Mesh mesh = test::workload(kind, 1500);
     const Mesh refined = refine(mesh);
-    // Rounding may make slivers cross where hundreds of faces meet in one point.
+    // Rounding may make slivers intersect if hundreds of faces meet in one point.
     if (kind != std::string("pinch")) CHECK(find_intersections(refined).empty());
     CHECK(volume(refined) == doctest::Approx(volume(mesh)).epsilon(1e-12));
     CHECK(surface_area(refined) == doctest::Approx(surface_area(mesh)).epsilon(1e-12));

@@ -1,4 +1,4 @@
-/// Points that are equal by different definitions.
+/// Points that are equal although their definitions differ.
 #include "clean/arrange/unify_points.h"
 
 #include <doctest/doctest.h>
@@ -13,8 +13,8 @@
 namespace transformesh {
 
 TEST_CASE("equal points of all planes have one number, and different ones have two") {
-  // Cubes whose edges cross in points of a lattice: each is made by several pairs of edges and
-  // faces.
+  // Cubes whose edges intersect in points of a lattice. Several pairs of edges and faces define
+  // each point.
   const Mesh cube = test::scaled(test::cube(), 2);
   Mesh mesh = test::joined(cube, test::moved(cube, {1, 1, 0}));
   mesh = test::joined(mesh, test::moved(cube, {1, 0, 1}));

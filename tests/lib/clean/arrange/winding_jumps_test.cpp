@@ -1,4 +1,4 @@
-/// Steps of the winding number across a face, by a wall and a floor whose sides are known.
+/// Changes of the winding number across a segment, for a wall and a floor with known orientation.
 #include "clean/arrange/winding_jumps.h"
 
 #include <doctest/doctest.h>
@@ -9,8 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// A floor with its front up, and a wall through it along the y axis whose front is at larger x.
-/// The wall reaches from `low` to `high`.
+/// A floor that faces up, and a wall through it along the y axis that faces larger x. The wall
+/// extends from `low` to `high`.
 Mesh floor_and_wall(double low, double high) {
   Mesh mesh;
   mesh.positions = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}, {0, -1, low}, {0, 1, low}, {0, 0, high}};
@@ -18,7 +18,8 @@ Mesh floor_and_wall(double low, double high) {
   return mesh;
 }
 
-/// From left to right of the segment, which runs towards larger y, so towards larger x.
+/// Returns the change of the winding number from the left to the right side of a segment. The
+/// segment points to larger y, so its right side is at larger x.
 int step_over_wall(const Mesh& mesh, bool reversed) {
   const WeldedMesh welded = weld(mesh);
   const std::vector<Meeting> meetings = find_meetings(welded, Progress());
@@ -44,7 +45,7 @@ TEST_CASE("the winding number decreases towards the front of a face that rises a
   CHECK(step_over_wall(with_wall_reversed(floor_and_wall(-1, 2)), false) == 1);
   CHECK(step_over_wall(floor_and_wall(0, 2), false) == -1);
   CHECK(step_over_wall(floor_and_wall(0, -2), false) == 0);
-  // From below left and right change places, and so do the walls that count.
+  // Seen from below, left and right are exchanged, and the part of the wall below the floor counts.
   CHECK(step_over_wall(floor_and_wall(-1, 2), true) == 1);
   CHECK(step_over_wall(floor_and_wall(0, 2), true) == 0);
 }
@@ -58,8 +59,8 @@ TEST_CASE("copies of a face count, and reversed ones cancel out") {
 }
 
 TEST_CASE("at an edge of a face in the plane those faces count that rise from it") {
-  // A floor with a fin on its first edge, a fin below it, and another floor beyond it; and a spike
-  // through the floor, or there would be nothing to cut.
+  // A floor with a fin on its first edge, a fin below the edge, and another floor beyond it. A
+  // spike through the floor causes a cut.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 1}, {0.5, 0, -1}, {0.5, -1, 0}};
   mesh.faces = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {1, 0, 5}, {6, 7, 8}};
@@ -72,7 +73,7 @@ TEST_CASE("at an edge of a face in the plane those faces count that rise from it
   jumps.over_edge(0, 0, 0, over);
   REQUIRE(over.size() == 1);
   CHECK(over[0].face == 1);
-  // The fin runs along the edge, so its front is on the right.
+  // The fin traverses the edge forward, so its front is on the right.
   CHECK(over[0].jump == -1);
 }
 

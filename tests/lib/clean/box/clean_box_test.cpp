@@ -1,5 +1,5 @@
-/// Boxes against the whole: together they are the triangles of clean(), and one alone leaves all
-/// else as it was.
+/// Cleaning in boxes, compared with cleaning as a whole. Together, boxes give the triangles of
+/// clean(); a single box leaves everything outside unchanged.
 #include "clean/box/clean_box.h"
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ namespace {
 
 using Corners = std::array<std::array<double, 3>, 3>;
 
-/// All triangles, each from its least corner on, sorted.
+/// Returns all triangles, sorted, each beginning with its smallest corner.
 std::vector<Corners> sorted_triangles(const Mesh& mesh) {
   std::vector<Corners> result;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -40,7 +40,7 @@ std::vector<Corners> sorted_triangles(const Mesh& mesh) {
   return result;
 }
 
-/// Eight boxes that cover a mesh, from a corner somewhere inside of it.
+/// Returns eight boxes that cover a mesh and share a corner inside of it.
 std::vector<Box> octants(const Mesh& mesh, const Vec3& share) {
   const Box all = bounding_box(mesh);
   const Vec3 low = all.min().array() - 1, high = all.max().array() + 1;
@@ -58,7 +58,8 @@ std::vector<Box> octants(const Mesh& mesh, const Vec3& share) {
   return boxes;
 }
 
-/// The faces of all boxes, each cleaned alone; counts how many had to clean the whole mesh.
+/// Returns the faces of all boxes, each cleaned alone. `whole` counts boxes for which the whole
+/// mesh was cleaned.
 Mesh clean_in_boxes(const Mesh& mesh, CleanOptions options, std::size_t& whole) {
   Mesh all;
   std::size_t faces = 0;
@@ -130,7 +131,7 @@ TEST_CASE("eight boxes also agree for soups, coincident faces and coplanar faces
 }
 
 TEST_CASE("if rounding breaks faces, boxes are taken from the cleaned whole mesh") {
-  // Boxes with sides in one plane but for rounding.
+  // Boxes with sides that are coplanar up to rounding.
   Mesh turned = test::workload("boxes", 2000, 2);
   const Eigen::AngleAxisd turn(.3, Vec3(1, 2, 3).normalized());
   for (Vec3& p : turned.positions) p = turn * p;
@@ -160,7 +161,7 @@ TEST_CASE("a box around one self-intersection leaves others unchanged") {
   const Mesh& mesh = result.mesh;
   CHECK(check_manifold(mesh).is_closed());
   CHECK(check_manifold(mesh).is_manifold());
-  // The first pair is that of clean() alone, the second one is the input.
+  // The first pair of balls equals the result of clean(), and the second pair equals the input.
   std::vector<bool> is_second(mesh.faces.size());
   const Column& kept = *mesh.face_columns.find("number");
   for (std::size_t f = 0; f < is_second.size(); ++f)
@@ -184,7 +185,7 @@ TEST_CASE("a box without self-intersections changes no face") {
   CHECK(!result.changed);
   CHECK(result.mesh.positions == input.positions);
   CHECK(result.mesh.faces == input.faces);
-  // Half a crossing: what is outside keeps its name and place.
+  // The box covers half of the intersection; faces outside of the box stay.
   options.box = octants(input, {.5, .5, .5})[0];
   options.box->max().x() = 100;
   const Mesh half = clean(input, options).mesh;
@@ -211,7 +212,7 @@ TEST_CASE("what a box cannot do is said") {
   CHECK_THROWS_AS(clean(input, options), GoalError);
   options.box->max().x() = -9;
   CHECK_THROWS_AS(clean(input, options), UsageError);
-  // A box beside the mesh.
+  // A box that contains no part of the mesh.
   options.box = {Vec3::Constant(50), Vec3::Constant(60)};
   options.only = true;
   CHECK(clean(input, options).mesh.faces.empty());
@@ -231,7 +232,7 @@ TEST_CASE("a tile that is the whole mesh has the pieces of its box") {
   CHECK(sorted_triangles(result.mesh) == sorted_triangles(expected.mesh));
   CHECK(result.box_faces == expected.box_faces);
 
-  // If the reference point has a wrong winding number, the result differs.
+  // The result differs if the reference point has a wrong winding number.
   Tile wrong = tile;
   wrong.reference.winding = 1;
   CHECK(sorted_triangles(clean_tile(input, wrong, {}, Progress()).mesh) !=

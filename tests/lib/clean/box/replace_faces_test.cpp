@@ -8,7 +8,7 @@ namespace transformesh {
 
 TEST_CASE("pieces of a cut face are appended and share its columns") {
   const Mesh input = test::tetrahedron();
-  // Face 1 has corners 0, 1, 3; it is cut from corner 0 to the middle of the edge across.
+  // Face 1 has corners 0, 1, 3. It is split from corner 0 to the middle of the opposite edge.
   CleanedFaces cleaned;
   cleaned.mesh.positions = {
       input.positions[3], {.5, 0, .5}, input.positions[0], input.positions[1]};

@@ -1,5 +1,5 @@
-/// Which faces of a result are new and which are gone, and the uncut regions of a mesh, against
-/// searches over all pairs.
+/// New and vanished faces of a result, and the uncut regions of a mesh, compared with searches over
+/// all pairs.
 #include "clean/certify/certify_faces.h"
 
 #include <doctest/doctest.h>
@@ -23,7 +23,7 @@ Mesh two_balls() {
 
 TEST_CASE("faces are equal if their corners are, in the same cyclic order") {
   const Mesh mesh = test::icosphere(1);
-  Mesh other = test::soup_of(mesh);  // other indices
+  Mesh other = test::soup_of(mesh);  // vertex indices differ
   std::reverse(other.faces.begin(), other.faces.end());
   for (Face& face : other.faces) std::rotate(face.begin(), face.begin() + 1, face.end());
   const FaceMatch same = match_faces(mesh, other);
@@ -56,7 +56,7 @@ TEST_CASE("uncut patches are connected across edges without cut faces") {
   for (const auto& [f, g] : find_intersections(mesh)) is_cut[f] = is_cut[g] = 1;
   CHECK(patches.is_cut == is_cut);
 
-  // Two faces are neighbors where they have two vertices in common.
+  // Two faces are neighbors if they have two common vertices.
   std::vector<Index> root(mesh.faces.size());
   std::iota(root.begin(), root.end(), 0);
   for (bool changed = true; changed;) {

@@ -22,7 +22,7 @@ Mesh two_balls() { return joined(icosphere(2), moved(icosphere(2), {0.9, 0.33, 0
 
 Mesh inner_ball() { return moved(scaled(icosphere(1), 0.4), {0.1, 0.05, -0.1}); }
 
-/// The face that was not in the input, if there is one.
+/// Returns a face of the output that is not in the input; there must be one.
 Index new_face(const Mesh& input, const Mesh& output) {
   const auto faces = marked_faces(match_faces(input, output).output_is_new, 1);
   REQUIRE(!faces.empty());
@@ -185,7 +185,7 @@ TEST_CASE("tiny and huge coordinates are judged alike") {
 }
 
 TEST_CASE("too many undecided samples are a problem of their own") {
-  // A plate so thin that no double lies well inside.
+  // The plate is so thin that no double lies clearly inside.
   const Mesh plate = cuboid({1, 1, 1}, {2, 2, std::nextafter(1.0, 2.0)});
   const Certificate certificate = certify(plate, plate);
   CHECK(certificate.wrong == 0);
@@ -242,8 +242,8 @@ TEST_CASE("a piece of an open mesh that rounding can reverse has any orientation
   CHECK(certify(sheet, turned_sliver(1e-9)).wrong == 1);
 }
 
-// The sliver is 2e-30 wide where numbers are 3e-26 apart: in exact arithmetic its orientation is
-// the face's, rounded to either neighbor it may be the other one.
+// The sliver is 2e-30 wide, but numbers there are 3e-26 apart. Its exact orientation is that of the
+// face; rounding to a neighboring number may reverse it.
 TEST_CASE("a piece of an open mesh of many magnitudes may turn by rounding") {
   constexpr double tiny = 0x1p-32;
   Mesh mesh;
@@ -258,7 +258,7 @@ TEST_CASE("a piece of an open mesh of many magnitudes may turn by rounding") {
 TEST_CASE("patches are bounded by the faces that meet others") {
   const Mesh balls = two_balls();
   const UncutPatches patches = find_uncut_patches(balls, Progress());
-  // Outer and inner part of either ball.
+  // The outer and the inner part of each ball.
   CHECK(patches.faces.size() == 4);
   std::size_t cut = 0;
   for (const char is_cut : patches.is_cut) cut += is_cut != 0 ? 1U : 0U;

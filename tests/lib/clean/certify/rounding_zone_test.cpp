@@ -1,4 +1,4 @@
-/// Whether boxes of rounding meet triangles, against points spread over the triangles.
+/// Contact of rounding boxes with triangles, compared with points sampled on the triangles.
 #include "clean/certify/rounding_zone.h"
 
 #include <doctest/doctest.h>
@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// How many margins the point is from the closest of many points of the triangle, along the axis
-/// where it is farthest.
+/// Returns the least distance of the point from sampled points of the triangle. The distance is the
+/// largest difference along an axis, in multiples of the margin of that axis.
 double sampled_distance(const Vec3& margins, const Vec3& point, const Triangle& t, int steps) {
   double least = 1e300;
   for (int i = 0; i <= steps; ++i)
@@ -54,7 +54,7 @@ TEST_CASE("margins reach along each axis by themselves, not around the corner") 
   CHECK(!is_within(margins, Vec3(2, 2, 0.012), t));
   CHECK(is_within(margins, Vec3(-0.9, -0.9, 0), t));
   CHECK(!is_within(margins, Vec3(-1.1, 3, 0), t));
-  CHECK(!is_within(margins, Vec3(6.1, 6.1, 0), t));  // across the longest edge
+  CHECK(!is_within(margins, Vec3(6.1, 6.1, 0), t));  // beyond the longest edge
   CHECK(is_within(margins, Vec3(5.9, 5.9, 0), t));
 }
 

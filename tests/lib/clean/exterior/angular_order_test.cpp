@@ -1,5 +1,5 @@
-/// The order of faces around an edge, against angles in doubles and against directions on a
-/// lattice, of which many are equal or opposite.
+/// The order of faces around an edge, compared with angles in doubles, and with directions on a
+/// lattice, many of which are equal or opposite.
 #include "clean/exterior/angular_order.h"
 
 #include <doctest/doctest.h>
@@ -15,8 +15,8 @@
 namespace transformesh {
 namespace {
 
-/// Faces around the edge from vertex 0 to vertex 1, each to a vertex of its own. Forward ones run
-/// from 0 to 1.
+/// Faces around the edge from vertex 0 to vertex 1, each with its own third vertex. Forward faces
+/// traverse the edge from 0 to 1.
 struct Book {
   Mesh mesh;
   std::vector<Index> halfedges;
@@ -45,8 +45,8 @@ Book random_book(test::Random& random, int pages) {
   return book;
 }
 
-/// The angle of each page about the edge, counter-clockwise seen against it, from the first page
-/// on.
+/// Returns the angle of each page about the edge, counterclockwise as seen against its direction,
+/// starting at the first page.
 std::vector<double> angles_of(const Book& book) {
   const auto& p = book.mesh.positions;
   const Vec3 axis = (p[1] - p[0]).normalized();
@@ -59,7 +59,7 @@ std::vector<double> angles_of(const Book& book) {
   return angles;
 }
 
-/// The halfedges of a book by the order of its pages.
+/// Returns the halfedges of a book, sorted by `before`, which compares page numbers.
 template <class Before>
 std::vector<Index> halfedges_by(const Book& book, const Before& before) {
   std::vector<Index> order(book.halfedges.size());

@@ -1,4 +1,4 @@
-/// Parts of random curves in a triangle, against winding numbers counted at points beside them.
+/// Parts of random curves in a triangle, compared with winding numbers at points beside them.
 #include "clean/exterior/bounding_subsegments.h"
 
 #include <doctest/doctest.h>
@@ -12,9 +12,9 @@ namespace transformesh {
 namespace {
 
 constexpr double size = 10;
-constexpr int in_corner = 2;  ///< w in front of the face at its first corner
+constexpr int in_corner = 2;  ///< winding number in front of the face at its first corner
 
-/// Curves in the triangle of (0, 0), (10, 0) and (0, 10).
+/// Curves in the triangle with corners (0, 0), (10, 0) and (0, 10).
 class Curves {
  public:
   explicit Curves(std::uint64_t seed) : random_(seed) {
@@ -30,14 +30,14 @@ class Curves {
     }
     for (Index i = 0; i < static_cast<Index>(corners); ++i) {
       const Index from = first + i, to = first + (i + 1) % static_cast<Index>(corners);
-      // Some run backwards, as segments may.
+      // Segments may have either direction.
       if (random_.below(2) == 0)
         add_segment(from, to, jump);
       else
         add_segment(to, from, -jump);
     }
   }
-  /// From the first edge to the last.
+  /// The curve leads from the first edge to the last.
   void add_chord(double x, double y, int jump) {
     const auto first = static_cast<Index>(in.points.size());
     add_point({x, 0, 0}, 0);
@@ -45,7 +45,8 @@ class Curves {
     add_segment(first, first + 1, jump);
   }
 
-  /// w in front of a point, by the crossings of the way there from the corner.
+  /// Returns the winding number in front of a point, by counting intersections with the curves on
+  /// the way from the corner.
   int winding(const Vec3& p) const {
     const auto turn = [](const Vec3& a, const Vec3& b, const Vec3& c) {
       return (b - a).cross(c - a).z();
@@ -81,7 +82,8 @@ class Curves {
   test::Random random_;
 };
 
-/// Where a segment is crossed by another, as a share of its length; its ends for no_index.
+/// Returns the parameter of the intersection with another segment along this one; `end` for
+/// no_index.
 double share(const SegmentsInFace& in, Index s, Index other, double end) {
   if (other == no_index) return end;
   const Vec3 &a = in.points[in.segments[s].from].center, &b = in.points[in.segments[s].to].center;
@@ -91,7 +93,7 @@ double share(const SegmentsInFace& in, Index s, Index other, double end) {
   return from / (from - to);
 }
 
-/// Returns how many parts there are.
+/// Compares all parts, and returns their number.
 std::size_t compare(const Curves& curves, int winding_level) {
   const auto parts = curves.parts(winding_level);
   REQUIRE(parts.has_value());
@@ -141,8 +143,8 @@ TEST_CASE("touching segments, and three through one point, are left undecided") 
     return curves.parts(1).has_value();
   };
   CHECK(chords({{2, 4}, {4, 2}}));
-  CHECK_FALSE(chords({{2, 4}, {2, 5}}));  // from the same place on an edge, by different names
-  // A polygon's edge without the next one.
+  CHECK_FALSE(chords({{2, 4}, {2, 5}}));  // two points at one position on an edge
+  // One edge of a polygon without the next edge.
   Curves curves(2);
   curves.add_polygon({3, 3, 0}, 1, 5, 1);
   curves.in.segments.pop_back();
@@ -155,7 +157,8 @@ TEST_CASE("without a known or consistent winding number nothing is decided") {
   const std::vector<Vec3> positions{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
   const std::vector<Face> faces{{0, 1, 2}};
   CHECK_FALSE(find_bounding_subsegments({positions, faces}, curves.in, {}, 1).has_value());
-  curves.in.segments[2].jump *= -1;  // w differs on one side of the polygon only
+  // The jump across one side of the polygon contradicts the jumps across its other sides.
+  curves.in.segments[2].jump *= -1;
   CHECK_FALSE(curves.parts(1).has_value());
 }
 

@@ -1,5 +1,5 @@
-/// The exterior pieces that are found without the others, against those of the whole arrangement
-/// whose winding numbers are counted by rays, one for each.
+/// Exterior pieces found alone, compared with those of the whole arrangement, whose winding numbers
+/// are counted by a ray for each piece.
 #include "clean/exterior/exterior_arrangement.h"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@
 namespace transformesh {
 namespace {
 
-/// A triangle in space, beginning with its smallest corner, and how often it is covered.
+/// A triangle, beginning with its smallest corner, and how often it is covered.
 using Facet = std::pair<std::array<std::array<double, 3>, 3>, int>;
 
 Facet facet_of(const Arrangement& arrangement, const Piece& piece) {
@@ -53,7 +53,7 @@ std::vector<Facet> found(const ExteriorArrangement& exterior) {
   return facets;
 }
 
-/// Returns how many facets there are.
+/// Compares all facets, and returns their number.
 std::size_t compare(const Mesh& mesh) {
   const Arrangement whole = test::arranged(mesh);
   std::size_t count = 0;
@@ -74,7 +74,7 @@ Vec3 lattice_point(test::Random& random, std::uint64_t size) {
   return {x, y, static_cast<double>(random.below(size))};
 }
 
-/// Boxes on a lattice: faces lie upon each other, in one plane, or copies of each other.
+/// Boxes on a lattice: faces overlap, are coplanar, or are copies of each other.
 Mesh lattice_boxes(std::uint64_t seed, int count, std::uint64_t size) {
   test::Random random(seed);
   Mesh mesh;
@@ -86,7 +86,7 @@ Mesh lattice_boxes(std::uint64_t seed, int count, std::uint64_t size) {
   return mesh;
 }
 
-/// Tetrahedra on a lattice: edges cross, touch and run along others, and corners lie on faces.
+/// Tetrahedra on a lattice: edges intersect, touch or overlap others, and corners lie on faces.
 Mesh lattice_tetrahedra(std::uint64_t seed, std::size_t count, std::uint64_t size) {
   test::Random random(seed);
   Mesh mesh;
@@ -135,7 +135,7 @@ TEST_CASE("shapes that share vertices and edges, and copies, are distinguished")
   compare(test::joined(ball, test::reversed(ball)));
   compare(test::joined(test::joined(ball, ball), test::reversed(ball)));
   compare(test::joined(ball, test::scaled(ball, 0.5)));
-  // Cubes that share an edge, a corner, a part of a face, and half an edge.
+  // Cubes that share an edge, a corner, a part of a face, or half an edge.
   const Mesh cube = test::cube();
   for (const Vec3& by : {Vec3(1, 1, 0), Vec3(1, 1, 1), Vec3(1, 0.5, 0.5), Vec3(1, 1, 0.5),
                          Vec3(1, 0, 0), Vec3(0.5, 0, 0)})

@@ -1,5 +1,5 @@
-/// Which faces are cut along what bounds their exterior; that the result is right is tested with
-/// the exterior arrangement, against rays.
+/// The faces that are cut along the boundary of their exterior. exterior_arrangement_test.cpp
+/// compares the results with rays.
 #include "clean/exterior/exterior_cut.h"
 
 #include <doctest/doctest.h>
@@ -13,8 +13,8 @@ namespace transformesh {
 namespace {
 
 struct Count {
-  std::size_t cut = 0;      ///< planes cut along what bounds their exterior
-  std::size_t in_full = 0;  ///< number of faces that have to be cut in full
+  std::size_t cut = 0;      ///< planes cut along the boundary of their exterior
+  std::size_t in_full = 0;  ///< planes that have to be cut along all intersections
   std::size_t facets = 0;
 };
 
@@ -48,7 +48,7 @@ TEST_CASE("properly intersected faces are cut along the boundary of their exteri
 }
 
 TEST_CASE("a face that lies inside has no facets") {
-  // Two crossing balls within a third.
+  // Two intersecting balls inside a third one.
   const Mesh ball = test::icosphere(1);
   const Mesh mesh = test::joined(test::joined(ball, test::moved(ball, {0.5, 0.1, 0.2})),
                                  test::scaled(test::icosphere(1), 5));

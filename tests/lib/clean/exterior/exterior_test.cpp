@@ -1,5 +1,5 @@
-/// Which pieces are kept, against winding numbers summed up from solid angles on both sides of
-/// them.
+/// The pieces that are kept, compared with winding numbers from solid angles on both of their
+/// sides.
 #include "clean/exterior/exterior.h"
 
 #include <doctest/doctest.h>
@@ -46,7 +46,7 @@ TEST_CASE("the ray method keeps pieces at which the winding number passes the le
 
 TEST_CASE("the reason why nothing is kept depends on level, surface and borders") {
   WeldedMesh welded = weld(test::cube());
-  CHECK(nothing_kept(welded, true, 2).sentence.starts_with("no winding number reaches 2"));
+  CHECK(nothing_kept(welded, true, 2).sentence.starts_with("no point has a winding number >= 2"));
   CHECK(nothing_kept(welded, true, 1).kind == ErrorKind::no_positive_winding);
   CHECK(nothing_kept(welded, false, 1).kind == ErrorKind::canceling_faces);
   CHECK(nothing_kept(weld(Mesh()), false, 1).kind == ErrorKind::no_area);
@@ -62,7 +62,7 @@ TEST_CASE("the outermost surface has no cavities and no components inside them")
   CHECK(volume(mesh) == doctest::Approx(volume(ball(3)) + volume(ball(1))));
   CHECK(drop_enclosed_components(mesh) == 0);
 
-  // The ball within the cavity has a cavity of its own, with a ball in it.
+  // The ball within the cavity has a cavity of its own, which contains a ball.
   Mesh nested;
   for (int i = 0; i < 5; ++i) {
     const Mesh layer = ball(5 - i);

@@ -1,4 +1,5 @@
-/// Winding numbers at points that are found by ways through cells, against sums of solid angles.
+/// Winding numbers at points that are reached along paths through cells, compared with sums of
+/// solid angles.
 #include "clean/exterior/local_references.h"
 
 #include <doctest/doctest.h>
@@ -13,7 +14,7 @@
 namespace transformesh {
 namespace {
 
-/// All faces of a mesh.
+/// Returns a function that visits the faces of a mesh near a box.
 LocalReferences::VisitFaces all_of(const Mesh& mesh) {
   return [&mesh](const Vec3& low, const Vec3& high, const LocalReferences::Visit& visit) {
     const std::vector<bool> near = faces_near(mesh, {low, high});

@@ -1,4 +1,4 @@
-/// Patches: by counts of closed form and by solid angles.
+/// Patches, checked by closed-form counts and by solid angles.
 #include "clean/exterior/patches.h"
 
 #include <doctest/doctest.h>
@@ -21,7 +21,7 @@ TEST_CASE("every circle in which surfaces cross makes two more patches") {
   CHECK(patch_count(ball({0, 0, 0})) == 1);
   CHECK(patch_count(test::joined(ball({0, 0, 0}), ball({3, 0, 0}))) == 2);
   CHECK(patch_count(test::joined(ball({0, 0, 0}), ball({1.1, 0.02, 0.03}))) == 4);
-  // A torus crosses both sides of a plate in two circles each, and is parted into four bands.
+  // A torus intersects both sides of a plate in two circles each, which divide it into four bands.
   const Mesh plate = test::cuboid({-4, -4, -0.1}, {4, 4, 0.103});
   CHECK(patch_count(test::joined(test::torus(2, 0.5, 24, 12), plate)) == 4 + 1 + 4);
 }
@@ -64,14 +64,14 @@ TEST_CASE("w in front is constant on a patch") {
 
 TEST_CASE("pieces that cancel out separate no patches") {
   const Mesh second = test::cuboid({1, 0, 0}, {2, 1, 1});
-  // Of two cubes side by side the wall between them cancels out, and the rest is one surface.
+  // The wall between two adjacent cubes cancels out, and the rest is one surface.
   const Arrangement united = test::arranged(test::joined(test::cube(), second));
   const Patches patches(united);
   CHECK(patches.size() == 1);
   CHECK(std::count(patches.patch_of.begin(), patches.patch_of.end(), no_index) ==
         static_cast<std::ptrdiff_t>(united.pieces.size() - patches.pieces[0].size()));
   CHECK(united.pieces.size() > patches.pieces[0].size());
-  // Where the second is inside out, the wall has multiplicity 2, and is a patch of its own.
+  // If the second cube is inside out, the wall has multiplicity 2 and is a patch of its own.
   CHECK(patch_count(test::joined(test::cube(), test::reversed(second))) == 3);
 }
 

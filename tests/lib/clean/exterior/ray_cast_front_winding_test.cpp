@@ -1,4 +1,5 @@
-/// Winding numbers by rays, against sums of solid angles, and by closed forms where rays graze.
+/// Winding numbers by rays, compared with sums of solid angles, and with closed forms for rays that
+/// graze edges.
 #include "clean/exterior/ray_cast_front_winding.h"
 
 #include <doctest/doctest.h>
@@ -49,7 +50,7 @@ TEST_CASE("winding numbers in front of pieces agree with solid angles, with and 
 }
 
 TEST_CASE("rays through corners of a lattice count correctly") {
-  // In front of the k-th cube from outside there are k others.
+  // The front of the k-th cube from outside lies inside of k other cubes.
   Mesh mesh;
   std::vector<int> expected;
   for (const int n : {5, 3, 1}) {

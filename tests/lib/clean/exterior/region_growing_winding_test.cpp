@@ -1,4 +1,4 @@
-/// Winding numbers in front of the corners of faces, against sums of solid angles.
+/// Winding numbers in front of the corners of faces, compared with sums of solid angles.
 #include "clean/exterior/region_growing_winding.h"
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// In front of a point of a face.
+/// Returns the winding number in front of a point of a face.
 int winding_in_front(const Mesh& mesh, const Triangle& t, const Vec3& p) {
   const Vec3 normal = normal_of(t[0], t[1], t[2]).normalized();
   const double w = test::winding_number(mesh, p + 1e-9 * normal);
@@ -75,8 +75,8 @@ TEST_CASE("a hidden face has no exterior part, and most interior faces are found
   CHECK(hidden > 300);
 }
 
-TEST_CASE("corners on other faces are left undecided, and so are meshes without a whole face") {
-  // The second tetrahedron has a corner on a face of the first, the third crosses all of them.
+TEST_CASE("corners on other faces are left undecided") {
+  // The second tetrahedron has a corner on a face of the first one.
   const Mesh first = test::tetrahedron();
   const Mesh mesh = test::joined(first, test::moved(first, {0.25, 0.25, 0}));
   const Grown grown(mesh);

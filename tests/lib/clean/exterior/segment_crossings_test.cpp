@@ -1,4 +1,4 @@
-// Crossings of random segments in a triangle, against a comparison of all with all.
+// Intersections of random segments in a triangle, compared with a test of all pairs.
 #include "clean/exterior/segment_crossings.h"
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// Segments in the triangle of (0, 0), (10, 0) and (0, 10).
+/// Segments in the triangle with corners (0, 0), (10, 0) and (0, 10).
 struct Segments {
   std::vector<Vec3> positions{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}};
   std::vector<Face> faces{{0, 1, 2}};
@@ -40,7 +40,7 @@ bool do_cross(const Segments& all, Index s, Index t) {
          turn(all.from(t), all.to(t), all.from(s)) * turn(all.from(t), all.to(t), all.to(s)) < 0;
 }
 
-/// The place at which t crosses s, as a share of the length of s.
+/// Returns the parameter along s of its intersection with t.
 double share(const Segments& all, Index s, Index t) {
   const double from = turn(all.from(t), all.to(t), all.from(s));
   const double to = turn(all.from(t), all.to(t), all.to(s));

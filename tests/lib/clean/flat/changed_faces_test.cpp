@@ -1,4 +1,4 @@
-/// Faces with a corner where the input lost a face have changed.
+/// A face has changed if one of its corners is at a corner of a removed input face.
 #include "clean/flat/changed_faces.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@ namespace transformesh {
 
 TEST_CASE("faces at the corners of a lost face have changed, by position and not by index") {
   const Mesh result = test::moved(test::icosphere(2), {2, 0, 0});
-  // The input has one more face, with corners of its own at the places of the first face.
+  // The input has an additional face, with its own vertices at the positions of the first face.
   Mesh input = result;
   for (const Index v : result.faces[0]) input.positions.push_back(result.positions[v]);
   const auto first = static_cast<Index>(result.positions.size());

@@ -1,4 +1,5 @@
-/// Vertices go inside of regions and on straight edges, and stay at corners, borders and contacts.
+/// Vertices are removed inside of regions and on straight edges, and stay at corners, borders and
+/// contacts.
 #include "clean/flat/flat_outlines.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +13,7 @@
 namespace transformesh {
 namespace {
 
-/// A mesh with its regions, and the outlines of these.
+/// A mesh, its regions and their outlines.
 struct Outlined {
   explicit Outlined(Mesh of) : mesh(std::move(of)) { find(std::vector<char>(size(), 0)); }
   Outlined(Mesh of, const std::vector<char>& copies) : mesh(std::move(of)) { find(copies); }

@@ -1,4 +1,4 @@
-/// Regions hold what lies in one plane, is connected and has equal properties.
+/// Regions consist of coplanar, connected faces with equal properties.
 #include "clean/flat/flat_regions.h"
 
 #include <doctest/doctest.h>
@@ -37,7 +37,7 @@ TEST_CASE("a curved surface has no region") {
 }
 
 TEST_CASE("a region grows by its fitted plane, beyond the plane of its first face") {
-  // Rows of vertices that leave the plane of the first triangle by a little more each.
+  // Rows of vertices that deviate increasingly from the plane of the first triangle.
   Mesh mesh = test::grid(40);
   const double spacing = spacing_around(Vec3::Ones(), Scalar::float64);
   for (Vec3& point : mesh.positions) point.z() = 1 + std::round(150 * point.x()) * 2 * spacing;

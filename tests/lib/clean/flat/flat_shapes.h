@@ -11,7 +11,8 @@ namespace transformesh::test {
 
 using Cell = std::array<int, 3>;
 
-/// The boundary of unit cells; each of their sides is a grid of n x n squares of two triangles.
+/// The boundary of unit cells. Each of their sides is a grid of n x n squares of two
+/// triangles.
 class CellSurface {
  public:
   CellSurface(const std::set<Cell>& cells, int n) : n_(n) {
@@ -55,7 +56,7 @@ class CellSurface {
 
 inline Mesh grid_cube(int n) { return CellSurface({{0, 0, 0}}, n).mesh; }
 
-/// Three by three cells without the middle one: a ring of genus 1 with a square hole.
+/// Returns three by three cells without the middle one: a ring of genus 1 with a square hole.
 inline Mesh grid_frame(int n) {
   std::set<Cell> cells;
   for (int x = 0; x < 3; ++x)

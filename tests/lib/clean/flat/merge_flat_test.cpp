@@ -30,7 +30,7 @@ void check_surface(const Mesh& mesh, const std::vector<long>& genera) {
   CHECK(find_intersections(mesh).empty());
 }
 
-/// Moves each coordinate by up to so many spacings of numbers at 1.
+/// Moves each coordinate by up to `spacings` times the spacing of numbers at 1.
 Mesh shaken(Mesh mesh, double spacings, std::uint64_t seed) {
   test::Random random(seed);
   const double spacing = spacing_around(Vec3::Ones(), Scalar::float64);
@@ -39,7 +39,7 @@ Mesh shaken(Mesh mesh, double spacings, std::uint64_t seed) {
   return mesh;
 }
 
-/// Unit cubes whose corners are multiples of `step`, all of them one mesh.
+/// Returns a mesh of unit cubes whose corners are multiples of `step`.
 Mesh random_cubes(int count, int places, double step, std::uint64_t seed) {
   test::Random random(seed);
   Mesh mesh;
@@ -73,7 +73,7 @@ TEST_CASE("the sides of a cube get two triangles each, without movement") {
 TEST_CASE("a side with a hole keeps it") {
   Mesh mesh = test::grid_frame(4);
   merge_all(mesh);
-  // Two sides of 4 + 4 corners and a hole have 8 triangles each, 8 sides have 2 each.
+  // Two sides with 4 + 4 corners and a hole have 8 triangles each; the other 8 sides have 2 each.
   CHECK(mesh.faces.size() == 32);
   CHECK(mesh.positions.size() == 16);
   CHECK(test::signed_volume(mesh) == doctest::Approx(8));
@@ -90,7 +90,7 @@ TEST_CASE("sides bent by rounding are merged, and the movement is bounded") {
     CHECK(result.displacement > 0);
     CHECK(result.displacement < 200 * spacing_around(Vec3::Ones(), Scalar::float64));
     check_surface(mesh, {0});
-    // Every vertex that was there lies within the displacement of a side of the result.
+    // Every input vertex is at most `displacement` from the plane of a face of the result.
     for (const Vec3& point : before.positions) {
       double nearest = 1;
       for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -110,7 +110,8 @@ TEST_CASE("vertices farther from a plane than the tolerance stay") {
   for (Vec3& point : mesh.positions)
     if (point == Vec3(.5, .5, 1)) point.z() += 1e-9;
   merge_all(mesh);
-  // The top has its middle left and the vertices around it: the faces there are not flat.
+  // The top keeps its raised middle vertex and the vertices around it, because faces there are not
+  // flat.
   CHECK(mesh.faces.size() > 12);
   CHECK(std::count(mesh.positions.begin(), mesh.positions.end(), Vec3(.5, .5, 1 + 1e-9)) == 1);
   check_surface(mesh, {0});
@@ -126,7 +127,7 @@ TEST_CASE("borders between properties of faces stay") {
   };
   for (Index f = 0; f < mesh.faces.size(); ++f) material[f] = is_left(f) ? 1 : 2;
   merge_all(mesh);
-  // Four sides are halved, and two are not.
+  // Four sides have faces of both materials and are divided; the other two are not.
   CHECK(mesh.faces.size() == 20);
   CHECK(mesh.positions.size() == 12);
   for (Index f = 0; f < mesh.faces.size(); ++f)
@@ -143,7 +144,7 @@ TEST_CASE("regions without a selected face keep their faces") {
   for (Index f = 0; f < mesh.faces.size(); ++f)
     wanted[f] = mesh.positions[mesh.faces[f][0]].z() == 1 && face_normal(mesh, f).z() > 0;
   merge_flat(mesh, wanted, 64, Scalar::float64, Progress());
-  // The top has the 16 vertices of its outline left.
+  // The top keeps the 16 vertices of its outline.
   CHECK(mesh.faces.size() == before - 32 + 14);
   check_surface(mesh, {0});
 }
@@ -152,7 +153,7 @@ TEST_CASE("where sheets touch, vertices stay") {
   const Mesh cube = test::grid_cube(4);
   Mesh mesh = test::joined(cube, test::moved(cube, {1, 1, 0}));
   merge_all(mesh);
-  // Each body has its 8 corners, and three vertices on the edge along which they touch.
+  // Each body keeps its 8 corners, and three vertices on the edge along which the bodies touch.
   CHECK(mesh.positions.size() == 22);
   check_surface(mesh, {0, 0});
 }

@@ -19,7 +19,7 @@ TEST_CASE("the early search agrees with the full search") {
   }
 }
 
-// One face crosses another, far from most samples; or all faces lie in one place.
+// One face intersects another, far from most samples; or all faces are in the same place.
 TEST_CASE("a single crossing of a large mesh is found") {
   Mesh mesh = test::workload("torus", 30000);
   REQUIRE(!has_intersections(mesh));

@@ -4,6 +4,7 @@
 #include <CGAL/intersections.h>
 #include <doctest/doctest.h>
 
+#include "helpers/cgal_versions.h"
 #include "helpers/random.h"
 
 // The oracle is CGAL's exact construction of the intersection of two triangles.
@@ -30,14 +31,14 @@ struct Answer {
   bool coplanar_overlap;
 };
 
-// Meeting in a shared corner or along a shared edge is no intersection.
+// A shared corner or edge alone is not an intersection.
 Answer by_cgal(const WeldedMesh& welded, Index f, Index g) {
   const int shared = count_shared(welded.faces[f], welded.faces[g]);
   const auto result =
       CGAL::intersection(triangle(welded.triangle(f)), triangle(welded.triangle(g)));
   if (!result) return {false, false};
-  if (boost::get<Point>(&*result)) return {shared == 0, false};
-  if (const auto* segment = boost::get<Kernel::Segment_3>(&*result)) {
+  if (test::alternative<Point>(*result)) return {shared == 0, false};
+  if (const auto* segment = test::alternative<Kernel::Segment_3>(*result)) {
     if (shared < 2) return {true, false};
     const auto is_corner = [&](const Point& p) {
       for (const Index v : welded.faces[f]) {
@@ -114,7 +115,7 @@ TEST_CASE("the point of a contact lies on both faces, and is CGAL's end of their
     }
     const auto common =
         CGAL::intersection(triangle(welded.triangle(0)), triangle(welded.triangle(1)));
-    const auto* segment = boost::get<Kernel::Segment_3>(&*common);
+    const auto* segment = test::alternative<Kernel::Segment_3>(*common);
     if (segment == nullptr) continue;
     REQUIRE(ends.size() == 2);
     const auto is_at = [](const Vec3& p, const Point& q) {

@@ -14,7 +14,7 @@
 namespace transformesh {
 namespace {
 
-/// How many stars are marked; in none of them two faces meet.
+/// Returns the number of marked stars. Checks that no two faces of a marked star intersect.
 std::size_t count_embedded(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   const std::vector<char> is_embedded = find_embedded_stars(welded);
@@ -31,8 +31,8 @@ std::size_t count_embedded(const Mesh& mesh) {
   return static_cast<std::size_t>(std::count(is_embedded.begin(), is_embedded.end(), 1));
 }
 
-/// A closed star about the origin, whose outer corners go round `turns` times at random heights,
-/// closed by another below.
+/// A closed star around the origin. Its outer corners go around the axis `turns` times at random
+/// heights; another star below closes it.
 Mesh star(Index corners, int turns, std::uint64_t seed) {
   test::Random random(seed);
   Mesh mesh{{Vec3::Zero(), Vec3(0, 0, -5)}, {}, {}, {}};

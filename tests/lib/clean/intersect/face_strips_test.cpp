@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Long thin faces from one plane to another one, side by side, turned by a matrix and moved.
+/// Long thin faces side by side, along y and near the plane z = 0, then rotated and shifted.
 Mesh needles(std::size_t count, double width, double height, double scale, const Vec3& move) {
   test::Random random(43);
   const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
@@ -35,7 +35,7 @@ struct Counts {
   std::size_t apart = 0, meet = 0, neither = 0;
 };
 
-/// Compares what strips show with the exact test, for all pairs.
+/// Compares the answers of strips with the exact test, for all pairs.
 Counts compare_all(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   std::vector<Index> faces(welded.faces.size());
@@ -73,7 +73,7 @@ TEST_CASE("faces of extreme size have no strips") {
     CHECK(compare_all(needles(150, 1e-3, 1e-6, scale, Vec3(1, 2, 3))).apart == 0);
 }
 
-// Points of the lattice, so that many faces touch in a point or an edge, or lie in one plane.
+// Corners are lattice points, so that many faces touch in a point or an edge, or are coplanar.
 TEST_CASE("thin faces that touch are not shown to be apart") {
   test::Random random(7);
   Mesh mesh;

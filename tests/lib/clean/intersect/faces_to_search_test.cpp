@@ -14,7 +14,7 @@
 namespace transformesh {
 namespace {
 
-/// How many faces need be searched; what is left out meets nothing.
+/// Returns the number of faces to search. Checks that all other faces have no intersection.
 std::size_t count_to_search(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   const std::vector<Index> faces =

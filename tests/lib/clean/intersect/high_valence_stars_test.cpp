@@ -1,4 +1,4 @@
-/// Faces near vertices of high valence, against a test of all pairs of faces.
+/// Faces near vertices of high valence, compared with a test of all pairs of faces.
 #include "clean/intersect/high_valence_stars.h"
 
 #include <doctest/doctest.h>
@@ -19,7 +19,8 @@ double uniform(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/// A double cone over a rim of random places, some of them in line with the apexes.
+/// A double cone. `noise` is the largest random change of radius and height at its rim; `lean`
+/// shifts the lower apex along x.
 Mesh double_cone(std::mt19937& random, Index rim, double noise, double lean) {
   Mesh mesh;
   mesh.positions = {{0, 0, 1}, {lean, 0, -1}};
@@ -37,7 +38,8 @@ Mesh double_cone(std::mt19937& random, Index rim, double noise, double lean) {
   return mesh;
 }
 
-/// Faces of any size and direction with corners on a coarse grid, where many touch axes and edges.
+/// Adds faces of any size and direction. About half of their corners are on a coarse grid, so that
+/// many faces touch axes and edges.
 void add_random_faces(Mesh& mesh, std::mt19937& random, int count) {
   for (int i = 0; i < count; ++i) {
     const auto first = static_cast<Index>(mesh.positions.size());
@@ -85,7 +87,7 @@ TEST_CASE("a face may span all faces of a star, from the first to the last one")
   };
   for (int trial = 0; trial < 40; ++trial) {
     CAPTURE(trial);
-    // The first face takes 15 degrees, the last one 172, and the others the rest.
+    // The first face covers 15 degrees, the last one 172, and the others the rest.
     constexpr Index rim = 40;
     Mesh mesh = double_cone(random, rim, 0, 0);
     for (Index i = 1; i < rim; ++i)

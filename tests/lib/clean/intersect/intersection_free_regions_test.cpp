@@ -14,7 +14,8 @@
 namespace transformesh {
 namespace {
 
-/// How many faces have a region; in none of them two faces meet, and inside no point is a seam.
+/// Returns the number of faces in regions. Checks that no two faces of a region intersect, and that
+/// all faces at a point are in one region unless the point is on a seam.
 std::size_t count_in_regions(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   const IntersectionFreeRegions regions = find_intersection_free_regions(welded);
@@ -37,7 +38,8 @@ std::size_t count_in_regions(const Mesh& mesh) {
   return count;
 }
 
-/// A strip of two triangles a step that climbs around the axis, with a border on both sides.
+/// A strip that spirals upwards around the axis, two triangles per step, with a border on both
+/// sides.
 Mesh stairs(int turns, double rise) {
   constexpr Index steps = 24;
   Mesh mesh;

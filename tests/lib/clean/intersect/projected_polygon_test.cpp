@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Of a closed polygon, seen along z and along both other axes.
+/// Returns whether a closed polygon is simple, seen along z. Checks that views along x and y of the
+/// rotated polygon give the same answer.
 bool is_simple(const std::vector<Vec3>& corners) {
   std::array<bool, 3> answers{};
   for (int turn = 0; turn < 3; ++turn) {

@@ -37,7 +37,7 @@ TEST_CASE("only new intersections count") {
 }
 
 TEST_CASE("rounding to floats is tested if their spacing is close to edge lengths") {
-  // At 2^22 floats are multiples of 1/2: the tip at 1/8 is put onto the face.
+  // At 2^22 floats are multiples of 1/2, so the tip at 1/8 is rounded onto the face.
   const Mesh mesh = test::moved(tip_above(.125), {0, 0, 1 << 22});
   CHECK(count_rounding_intersections(mesh, Scalar::float32) == 1);
   CHECK(count_rounding_intersections(mesh, Scalar::float64) == 0);

@@ -25,14 +25,15 @@ std::string refusal(const Mesh& mesh) {
   return "";
 }
 
-/// A square in the plane of two sides, from the first corner.
+/// Adds a parallelogram with sides u and v at the first corner.
 void add_square(Mesh& mesh, const Vec3& corner, const Vec3& u, const Vec3& v) {
   const auto base = static_cast<Index>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), {corner, corner + u, corner + u + v, corner + v});
   mesh.faces.insert(mesh.faces.end(), {{base, base + 1, base + 2}, {base, base + 2, base + 3}});
 }
 
-/// Three half planes' worth of faces on the edge from vertex 0 to vertex 1.
+/// Three faces around the edge from vertex 0 to vertex 1, of which two traverse it forward and one
+/// backward.
 Mesh fan_of_three() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 2, 0}, {-1, -2, 0}};
@@ -68,7 +69,7 @@ TEST_CASE("the border of an open mesh is a loop along its faces") {
   REQUIRE(borders.loops.size() == 1);
   const std::vector<Index>& loop = borders.loops[0];
   REQUIRE(loop.size() == 20);
-  // Counter-clockwise, so the area that it encloses is positive: one, by the shoelace formula.
+  // Counterclockwise, so the shoelace formula gives a positive area: one.
   double area = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Vec3 &a = welded.points[loop[i]], &b = welded.points[loop[(i + 1) % loop.size()]];
@@ -111,7 +112,7 @@ TEST_CASE("refused: a reversed face; the error names two faces and the remedy") 
   unsigned first = 0, second = 0, from = 0, to = 0;
   double x = 0, y = 0, z = 0;
   REQUIRE(std::sscanf(message.c_str(),
-                      "faces %u and %u run the same way along the edge from vertex %u at (%lf, "
+                      "faces %u and %u traverse the edge from vertex %u at (%lf, "
                       "%lf, %lf) to vertex %u at (",
                       &first, &second, &from, &x, &y, &z, &to) == 7);
   for (const unsigned f : {first, second}) {
@@ -133,18 +134,18 @@ TEST_CASE("refused: an edge with more than one face left over") {
   CHECK(refusal(mesh).empty());
   std::swap(mesh.faces[2][0], mesh.faces[2][1]);
   mesh.positions.push_back(mesh.positions[1]);
-  mesh.faces.push_back({0, 1, 5});  // has no area, and is not to blame
+  mesh.faces.push_back({0, 1, 5});  // has no area, and is not named
   CHECK(refusal(mesh) ==
-        "faces 0, 1 and 2 run the same way along the edge from vertex 0 at (0, 0, 0) to vertex 1 "
-        "at (0, 0, 1): the mesh is not oriented");
+        "faces 0, 1 and 2 traverse the edge from vertex 0 at (0, 0, 0) to vertex 1 "
+        "at (0, 0, 1) in the same direction: the mesh is not oriented");
 }
 
 TEST_CASE("refused: a non-orientable mesh has its own kind of error") {
   Mesh strip = test::moebius_strip(12);
-  CHECK(refusal(strip).ends_with(
-      ", however faces are turned: the surface has one side only, like a Moebius strip"));
+  CHECK(refusal(strip).ends_with(": the surface has only one side, like a Moebius strip"));
 
-  // A solid with an edge on the strip: now four faces meet there, and three always run alike.
+  // A solid with an edge on the strip: four faces now meet there, and three of them always traverse
+  // the edge in the same direction.
   const Vec3 a = strip.positions[0], b = strip.positions[1];
   const auto base = static_cast<Index>(strip.positions.size());
   strip.positions.insert(strip.positions.end(), {a, b, a + Vec3(3, 0, 0), a + Vec3(3, 1, 1)});
@@ -154,8 +155,9 @@ TEST_CASE("refused: a non-orientable mesh has its own kind of error") {
   const std::string message = refusal(strip);
   CAPTURE(message);
   CHECK(message.starts_with("faces "));
-  CHECK(message.find(" run the same way along the edge from vertex ") != std::string::npos);
-  CHECK(message.ends_with(", and only 1 the other way, and turning sheets cannot change that"));
+  CHECK(message.find(" traverse the edge from vertex ") != std::string::npos);
+  CHECK(message.ends_with(
+      ", and only 1 in the opposite direction, and reversing sheets cannot change that"));
   StitchOptions options;
   options.orient = true;
   Mesh apart = strip;

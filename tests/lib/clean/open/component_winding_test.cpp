@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-/// A box without its top face, which is two triangles.
+/// A box without its top, which is two triangles.
 Mesh open_box(const Vec3& low, const Vec3& high) {
   Mesh mesh = test::cuboid(low, high);
   mesh.faces.erase(mesh.faces.begin() + 2, mesh.faces.begin() + 4);
@@ -40,7 +40,7 @@ TEST_CASE("a ball with a small hole has a number near 1/2 on itself, and is a bo
 }
 
 TEST_CASE("the median at pieces of another component is the solid angle there") {
-  // A small open box in the middle of a large one: the open side takes a sixth of all directions.
+  // A small open box in the middle of a large one: the open side covers a sixth of all directions.
   const Mesh small = open_box(Vec3::Constant(-.01), Vec3::Constant(.01));
   const Mesh large = open_box(Vec3::Constant(-1), Vec3::Constant(1));
   std::vector<Index> components(large.faces.size() + small.faces.size(), 0);

@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-/// A box from x = 0 to x = 2, and a wall at `x` across it that is given once.
+/// A box from x = 0 to x = 2, and a wall of single faces across it at `x`.
 Mesh box_with_wall(double x, bool is_reversed = false) {
   Mesh mesh = test::cuboid({0, 0, 0}, {2, 1, 1});
   const auto base = static_cast<Index>(mesh.positions.size());

@@ -1,4 +1,4 @@
-/// The closed part of a mesh: sums along edges, counted by hand.
+/// The closed part of a mesh, checked by sums along edges that are counted by hand.
 #include "clean/open/open_components.h"
 
 #include <doctest/doctest.h>
@@ -45,7 +45,7 @@ Mesh wall(double x) {
   return mesh;
 }
 
-/// A box of two by one by one whose faces have an edge at x = 1.
+/// A box of 2 x 1 x 1 whose faces have an edge at x = 1.
 Mesh two_cells() {
   Mesh mesh = test::joined(test::cube(), test::moved(test::cube(), {1, 0, 0}));
   std::erase_if(mesh.faces, [&](const Face& f) {
@@ -86,7 +86,8 @@ TEST_CASE("a fin at an edge of a body is open") {
 }
 
 TEST_CASE("a dome whose border lies on a body with vertices of its own is open") {
-  // The body is closed by its indices, though the dome encloses more area than what it covers.
+  // The body is closed by its indices, although the dome has more area than the face that it
+  // covers.
   const Mesh body = test::cuboid({0, 0, -1}, {1, 1, 0});
   Mesh dome;
   dome.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 2}};

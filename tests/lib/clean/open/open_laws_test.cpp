@@ -1,5 +1,5 @@
 /// The laws of docs/design/open-meshes.md on random meshes. Surfaces are compared as sets of
-/// triangles in space.
+/// triangles.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 using Corners = std::array<double, 9>;
 
-/// The triangles of a mesh, each beginning with its smallest corner, sorted.
+/// Returns the triangles of a mesh, sorted, each beginning with its smallest corner.
 std::vector<Corners> triangles(const Mesh& mesh) {
   std::vector<Corners> result;
   for (const Face& face : mesh.faces) {
@@ -68,7 +68,7 @@ Mesh ball(test::Random& random) {
                      random.point(-1, 1));
 }
 
-/// A closed part that may intersect itself, and open components of the kind.
+/// A closed part that may intersect itself, and open components of a kind of random_case().
 struct Case {
   Mesh closed, open;
   bool has_bodies = false;  ///< open components can be bodies with holes
@@ -90,7 +90,7 @@ Case random_case(std::uint64_t kind, test::Random& random) {
   return result;
 }
 
-/// The cleaned mesh, or nothing if it is refused.
+/// Returns the cleaned mesh, or nothing if it is refused.
 std::optional<Mesh> cleaned(const Mesh& mesh) {
   try {
     return clean(mesh).mesh;
@@ -141,7 +141,7 @@ TEST_CASE("law 1: the result turns and grows with the mesh") {
 
 TEST_CASE("law 1: the result moves with the mesh") {
   for_each_case([](const Case& c, test::Random&) {
-    // On a grid on which the translation is exact.
+    // Coordinates are on a grid, so that the translation is exact.
     const auto moved = [](Mesh mesh, double distance) {
       for (Vec3& p : mesh.positions)
         for (double& x : p) x = std::round(std::ldexp(x, 20)) / std::ldexp(1, 20) + distance;
@@ -196,11 +196,11 @@ TEST_CASE("law 5: a body with a hole is united as if the hole were filled") {
   for (int round = 0; round < rounds(); ++round) {
     CAPTURE(round);
     const Mesh a = ball(random), b = ball(random);
-    // A ball that merely surrounds the other does not act on it any more: law 2.
+    // A ball that only encloses the other one has no effect on it, by law 2.
     if (find_intersections(test::joined(a, b)).empty()) continue;
     const auto whole = cleaned(test::joined(a, b));
     if (!whole) continue;
-    // The hole is a face that is exterior and that no other one meets.
+    // The hole is an exterior face that does not intersect others.
     const std::vector<Corners> exterior = triangles(*whole);
     const auto hole = std::find_if(a.faces.begin(), a.faces.end(), [&](const Face& f) {
       const Mesh one{a.positions, {f}, {}, {}};

@@ -1,4 +1,4 @@
-// Patches of open sheets against a closed body and against each other.
+// Patches of open sheets relative to a closed body and to each other.
 #include "clean/open/open_patches.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ Mesh sheet(double half, double height) {
   return test::moved(test::scaled(unit, 2 * half), {0, 0, height});
 }
 
-/// The area of kept pieces of the plane z = height.
+/// Returns the area of the kept pieces in the plane z = height.
 double kept_area(const Arrangement& arrangement, const OpenPatches& patches, double height) {
   double area = 0;
   for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
@@ -62,7 +62,7 @@ TEST_CASE("of two intersecting sheets the half in front of the other stays") {
   for (const bool is_reversed : {false, true}) {
     CAPTURE(is_reversed);
     Mesh upright = test::reversed(sheet(1, 0));
-    for (Vec3& p : upright.positions) p = {p.z(), p.y(), p.x()};  // looks to +x
+    for (Vec3& p : upright.positions) p = {p.z(), p.y(), p.x()};  // faces +x
     if (is_reversed) upright = test::reversed(upright);
     const Arrangement arrangement =
         test::arranged_open(test::joined(sheet(1, 0), upright), {0, 0, 1, 1});

@@ -1,5 +1,5 @@
-/// Open meshes (paper 4.6): what remains of sheets, bowls and scans with holes, by closed forms of
-/// area and by counts that share no code with the cleaning.
+/// Open meshes (paper 4.6): the remaining parts of sheets, bowls and scans with holes, checked by
+/// closed-form areas and by counts that share no code with the cleaning.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 using Map = std::function<Vec3(double, double)>;
 
-// The square from -1 to 1, 20 x 20 cells, taken to where the map says.
+// The square from -1 to 1 with 20 x 20 cells, mapped by a function.
 Mesh sheet(const Map& map) {
   Mesh mesh = test::grid(20);
   for (Vec3& p : mesh.positions) p = map(2 * p[0] - 1, 2 * p[1] - 1);
@@ -34,7 +34,7 @@ Vec3 flat(double x, double y) { return {x, y, 0}; }
 Vec3 tilted(double x, double y) { return {x, 0.3 * y + 0.013, y + 0.1}; }
 Vec3 wavy(double x, double y) { return {x, y, 0.2 * std::sin(5 * x) * std::cos(4 * y)}; }
 
-// Without the faces that reach above the height.
+// Returns the mesh without the faces that extend above the height.
 Mesh without_top(Mesh mesh, double height) {
   std::vector<bool> keep;
   for (const Face& f : mesh.faces) {
@@ -44,7 +44,7 @@ Mesh without_top(Mesh mesh, double height) {
   return select_faces(mesh, keep);
 }
 
-// Waisted about z = -0.1 so much that it passes through itself.
+// A surface with a waist at z = -0.1 so narrow that it passes through itself.
 Mesh squeezed(Mesh mesh) {
   for (Vec3& p : mesh.positions) {
     const double height = (p[2] + 0.1) / 0.25;
@@ -69,7 +69,7 @@ void check_unchanged(const Mesh& mesh) {
   CHECK(result.mesh.faces == mesh.faces);
 }
 
-// What every cleaned open mesh must be, whatever it was.
+// Checks the properties of every cleaned open mesh.
 Mesh cleaned(const Mesh& mesh) {
   Mesh result = clean(mesh).mesh;
   CHECK(check_manifold(result).is_manifold());
@@ -101,7 +101,8 @@ TEST_CASE("a sheet that meets nothing stays, in either orientation") {
 }
 
 TEST_CASE("of two intersecting sheets the parts in front of both stay") {
-  // The flat one from y = -0.017 on, the tilted one from y = -0.1 on.
+  // The sheets intersect at y = -0.017. The flat one stays below this y; the tilted one stays where
+  // its parameter y is above -0.1.
   const double steep = 2 * std::sqrt(1 + 0.3 * 0.3);
   const Mesh down = cleaned(test::joined(sheet(flat), sheet(tilted)));
   CHECK(area(down) == doctest::Approx(2 * (1 - 0.017) + steep * 1.1).epsilon(1e-9));

@@ -1,4 +1,5 @@
-/// Winding numbers in cells of space, against solid angles, and by hand where walls are given once.
+/// Winding numbers in cells of space, compared with solid angles, and listed by hand for walls of
+/// single faces.
 #include "clean/open/space_cells.h"
 
 #include <doctest/doctest.h>
@@ -13,7 +14,7 @@ namespace {
 
 std::vector<char> none(const Patches& patches) { return std::vector<char>(patches.size(), 0); }
 
-/// Two rooms side by side: the walls around both, and one between them that is given once.
+/// Two adjacent rooms: the walls around both, and one wall of single faces between them.
 Mesh two_rooms() {
   Mesh mesh = test::cuboid({0, 0, 0}, {2, 1, 1});
   const auto base = static_cast<Index>(mesh.positions.size());
@@ -22,7 +23,7 @@ Mesh two_rooms() {
   return mesh;
 }
 
-/// The patch on which a piece lies with all corners at x = 1.
+/// Returns the patch of the piece in the plane x = 1.
 Index wall_of(const Arrangement& arrangement, const Patches& patches) {
   for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
     const Triangle t = test::corners_of(arrangement, arrangement.pieces[p]);
@@ -49,7 +50,8 @@ TEST_CASE("cells of intersecting closed surfaces have the winding numbers of sol
     CAPTURE(seed);
     const Mesh mesh = test::random_balls(seed, 4);
     const Arrangement arrangement = test::arranged(mesh);
-    // A connected set of patches does not know of the others.
+    // The test needs a connected arrangement, because each connected set of patches has winding
+    // numbers of its own.
     if (!is_connected(arrangement)) continue;
     ++connected;
     const Patches patches(arrangement);

@@ -1,5 +1,5 @@
-/// Walls within bodies, given once: the skin around them is what is left, by counted voxels and
-/// closed forms. Sheets elsewhere stay.
+/// Walls of single faces within bodies: only the skin around them is left, checked by counted
+/// voxels and closed forms. Other sheets stay.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -17,9 +17,10 @@ namespace transformesh {
 namespace {
 
 using Cell = std::array<int, 3>;
-/// Rooms: the number of each cell that is in one. Walls are between cells of different rooms.
+/// The number of the room of each cell that is in one. Walls separate cells of different rooms.
 using Rooms = std::map<Cell, int>;
-/// How often the wall from a cell to the next along an axis is there, looking to that next one.
+/// The copies of the wall from a cell to the next along an axis: true for each copy that faces the
+/// next cell, false for each that faces the cell.
 using Walls = std::function<std::vector<bool>(const Cell&, int axis)>;
 
 class Builder {
@@ -47,7 +48,7 @@ Index Builder::vertex(const Cell& corner) {
   return entry->second;
 }
 
-/// The upper side of the cell along the axis.
+/// Adds the upper side of the cell along the axis.
 void Builder::add_square(const Cell& cell, int axis, bool looks_up) {
   std::array<Index, 4> corners{};
   for (int i = 0; i < 4; ++i) {
@@ -164,7 +165,7 @@ TEST_CASE("walls given once or twice in rooms at random leave the voxels of the 
     Rooms rooms;
     for (int i = 0; i < 27; ++i)
       if (random.below(6) > 0) rooms[{i % 3, i / 3 % 3, i / 9}] = static_cast<int>(random.below(4));
-    // A room looks at those of smaller numbers, so none can be a cavity amid others.
+    // Walls face rooms of smaller numbers, so no room can become a cavity among others.
     const Mesh mesh = build(rooms, [&](const Cell& cell, int axis) -> std::vector<bool> {
       Cell next = cell;
       ++next[axis];
@@ -175,13 +176,13 @@ TEST_CASE("walls given once or twice in rooms at random leave the voxels of the 
     try {
       check_body(mesh, static_cast<double>(rooms.size()));
       ++cleaned;
-    } catch (const InputError&) {  // two walls at one edge that look the same way
+    } catch (const InputError&) {  // two walls traverse an edge in the same direction
     }
   }
 }
 
 TEST_CASE("sheets that are not walls inside a body stay") {
-  // A cavity whose skin is in two parts because a wall ends on it.
+  // A cavity whose skin is in two parts, because a wall ends on it.
   Rooms shell;
   for (int i = 0; i < 27; ++i)
     if (i != 13) shell[{i % 3, i / 3 % 3, i / 9}] = i / 9 == 0 ? 0 : 1;

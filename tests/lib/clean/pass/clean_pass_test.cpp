@@ -1,4 +1,4 @@
-/// What one pass counts, by brute force and by closed forms.
+/// The counts of one clean pass, checked by brute force and by closed forms.
 #include "clean/pass/clean_pass.h"
 
 #include <doctest/doctest.h>
@@ -29,7 +29,7 @@ TEST_CASE("pairs, cut faces and removed faces are those of the input") {
   const std::vector<FacePair> pairs = find_intersections(mesh);
   std::set<Index> cut;
   for (const auto& [f, g] : pairs) cut.insert({f, g});
-  // A face that is not cut goes exactly where it lies in the other ball.
+  // An uncut face is removed exactly if it lies in the other ball.
   const Mesh first = test::icosphere(3), second = test::moved(first, {0.9, 0.2, 0.1});
   std::size_t inside = 0;
   for (Index f = 0; f < mesh.faces.size(); ++f) {

@@ -1,4 +1,5 @@
-/// What rounding breaks is found, and what collapsed goes without opening the surface.
+/// Faces that rounding breaks are found, and collapsed faces are removed without opening the
+/// surface.
 #include "clean/rounding/broken_faces.h"
 
 #include <doctest/doctest.h>
@@ -23,7 +24,7 @@ TEST_CASE("intersecting faces are broken where one of them is new, and faces wit
   assembly.face_is_new[all.front()] = 1;
   const auto [some, some_pairs] = find_broken_faces(assembly);
   CHECK(std::find(some.begin(), some.end(), all.front()) != some.end());
-  // All pairs are those of the one new face.
+  // All pairs contain the one new face.
   CHECK(some_pairs == some.size() - 1);
   CHECK(some_pairs > 0);
 

@@ -1,4 +1,5 @@
-/// Vertices go where the surface is flat, and stay at corners, at creases and in crowds.
+/// Vertices are removed where the surface is flat, and stay at corners, at creases and at crowded
+/// places.
 #include "clean/rounding/flat_vertices.h"
 
 #include <doctest/doctest.h>
@@ -16,7 +17,7 @@
 namespace transformesh {
 namespace {
 
-/// A cube with a vertex in the face z = 0, which is `height` above it.
+/// A cube with a vertex `height` above its face z = 0.
 Assembly cube_with_vertex(double height) {
   Assembly assembly;
   Mesh& mesh = assembly.mesh;
@@ -36,7 +37,7 @@ Assembly cube_with_vertex(double height) {
   return assembly;
 }
 
-/// A cube with a spike on its first face, four times as high as it is wide.
+/// A cube with a spike on its first face, four times as high as wide.
 Assembly cube_with_spike(double width) {
   Assembly assembly;
   Mesh& mesh = assembly.mesh;
@@ -65,7 +66,7 @@ Assembly cube_with_spike(double width) {
   return assembly;
 }
 
-/// A cube with a tower on its first face, of so many storeys with three corners each.
+/// A cube with a tower of `storeys` storeys, with three corners each, on its first face.
 Assembly cube_with_tower(double width, double storey, Index storeys) {
   Assembly assembly = cube_with_spike(width);
   Mesh& mesh = assembly.mesh;
@@ -122,7 +123,7 @@ TEST_CASE("a vertex higher than the tolerance stays") {
 }
 
 TEST_CASE("a spike with edges shorter than half the tolerance is removed") {
-  const double steps = 0x1p20, step = 0x1p-55;  // the step is up to four times that
+  const double steps = 0x1p20, step = 0x1p-55;  // the spacing is up to four times `step`
   Assembly assembly = cube_with_spike(steps * step / 16);
   Displacement moved;
   CHECK(remove_all(assembly, false, moved, steps));
@@ -143,7 +144,8 @@ TEST_CASE("displacements of consecutive collapses add up") {
   const Vec3 up = face_normal(test::cube(), 0).normalized();
   for (const Vec3& p : assembly.mesh.positions)
     height = std::max(height, up.dot(p - test::cube().positions[test::cube().faces[0][0]]));
-  // Each storey moved the top face up, so that the body has its full height and few faces.
+  // The removal of each storey moves the top face up, so the body keeps its full height with few
+  // faces.
   CHECK(assembly.mesh.faces.size() == 14);
   CHECK(height == doctest::Approx(storeys * storey));
   CHECK(moved.length >= height);

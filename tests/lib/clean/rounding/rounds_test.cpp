@@ -1,5 +1,5 @@
-// An evolution in the small: displace, clean, again and again on one mesh, with velocities that
-// nobody would choose. TM_ROUNDS=200 runs the long version (CONTRIBUTING.md).
+// A small evolution: a mesh is displaced and cleaned again and again, with extreme velocities.
+// TM_ROUNDS=200 runs the long version (CONTRIBUTING.md).
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -21,7 +21,7 @@
 namespace transformesh {
 namespace {
 
-/// A few waves through space: neighbors move alike.
+/// The velocity is a sum of a few waves in space, so that neighbors move alike.
 std::vector<Vec3> smooth_velocities(const Mesh& mesh, test::Random random, double speed) {
   std::vector<Vec3> velocities(mesh.positions.size(), Vec3::Zero());
   for (int wave = 0; wave < 4; ++wave) {
@@ -35,7 +35,7 @@ std::vector<Vec3> smooth_velocities(const Mesh& mesh, test::Random random, doubl
   return velocities;
 }
 
-/// Every vertex for itself.
+/// Every vertex gets an independent velocity.
 std::vector<Vec3> rough_velocities(const Mesh& mesh, test::Random& random, double speed) {
   std::vector<Vec3> velocities;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -79,8 +79,9 @@ class Evolution {
     ++starts_;
   }
 
-  // The wind turns every ten rounds, so that it carries the mesh far enough to merge and split;
-  // every fifth round or so shakes it instead.
+  // The smooth velocities change every ten rounds, so that the mesh moves far enough to merge and
+  // split.
+  // About every fifth round moves vertices independently instead.
   void move(int round) {
     if (round % 10 == 0) wind_ = test::Random(random_.bits());
     const double speed = test::mean_edge(mesh_) / 2;
@@ -93,7 +94,7 @@ class Evolution {
     round_positions(mesh_, coordinate_);
   }
 
-  // False where nothing is left, which random motion may well lead to.
+  // Returns false if nothing is left, which random motion may cause.
   bool clean_and_check() {
     CleanOptions options;
     options.coordinate = coordinate_;
@@ -119,7 +120,7 @@ class Evolution {
     return true;
   }
 
-  // Without this slivers beget slivers: their number grows by a factor in every round.
+  // Without remeshing, the number of slivers grows by a constant factor in every round.
   void keep_small() {
     RemeshOptions options;
     options.min_edge = 0.7 * edge_;

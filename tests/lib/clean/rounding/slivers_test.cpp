@@ -1,4 +1,4 @@
-/// Slivers are flipped away, the surface stays closed, and nothing else changes.
+/// Slivers are removed by flips, the surface stays closed, and nothing else changes.
 #include "clean/rounding/slivers.h"
 
 #include <doctest/doctest.h>
@@ -11,13 +11,12 @@
 namespace transformesh {
 namespace {
 
-/// A cube of which one edge has a point beside it, `height` inside of a face: so that face has a
-/// sliver.
+/// A cube with a point in one face, `height` away from an edge, so that the face contains a sliver.
 Assembly cube_with_sliver(double height) {
   Assembly assembly;
   Mesh& mesh = assembly.mesh;
   mesh = test::cube();
-  const Face split = mesh.faces[0];  // 0 2 1 at the bottom: split at a point near its edge 0 2
+  const Face split = mesh.faces[0];  // face 0 2 1 at the bottom, split at a point near its edge 0 2
   const auto apex = static_cast<Index>(mesh.positions.size());
   mesh.positions.emplace_back(height, 0.4, 0);
   mesh.faces[0] = {split[0], split[1], apex};

@@ -1,5 +1,5 @@
-/// Results as they are stored, where rounding hurts most: lattice boxes rotated so that coplanar
-/// faces are coplanar but for rounding, shapes far from the origin, tiny and huge ones.
+/// Results as stored, in cases that are difficult to round. Coplanar faces of rotated lattice boxes
+/// are coplanar only up to rounding; other shapes are tiny, huge or far from the origin.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
@@ -38,7 +38,7 @@ Mesh in_singles(Mesh mesh) {
   return mesh;
 }
 
-// Closed, manifold, nothing intersects, no face without area.
+// Checks that the result is closed and manifold, without intersections or faces of no area.
 Mesh check_clean(const Mesh& mesh, Scalar coordinate) {
   CleanOptions options;
   options.coordinate = coordinate;
@@ -96,7 +96,7 @@ TEST_CASE("scaling changes nothing, up to where products overflow or vanish") {
     CHECK(result.faces == expected.faces);
     CHECK(test::scaled(result, 1 / scale).positions == expected.positions);
   }
-  // Beyond, how a face is cut into triangles may differ, but nothing else.
+  // At scales beyond these, only the triangulation of faces may differ.
   for (const int exponent : {-300, 300}) {
     const Mesh result =
         check_clean(test::scaled(straight, std::ldexp(1.0, exponent)), Scalar::float64);

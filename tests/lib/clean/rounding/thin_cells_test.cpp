@@ -1,5 +1,5 @@
-/// Thin cells go to the side that leaves less surface: gaps close, thin sheets vanish, and what is
-/// thicker stays as it is.
+/// Thin cells become inside or outside, whichever leaves less surface: gaps close, thin sheets
+/// vanish, and thicker parts stay as they are.
 #include "clean/rounding/thin_cells.h"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ namespace {
 using test::cuboid;
 using test::joined;
 
-/// The arrangement of a mesh and what it keeps, before and after thin cells are given away.
+/// The arrangement of a mesh and its kept pieces, before and after thin cells are given away.
 struct Cells {
   explicit Cells(const Mesh& mesh) {
     const auto welded = std::make_shared<const WeldedMesh>(weld(mesh));
@@ -47,9 +47,9 @@ struct Cells {
   std::vector<char> kept;
 };
 
-constexpr double spacing = 0x1p-23;  // of floats from 1 to 2
+constexpr double spacing = 0x1p-23;  // spacing of floats from 1 to 2
 
-/// A box with a slit through it, that is as wide as said.
+/// A box with a closed slit of this width inside.
 Mesh slit_box(double width) {
   return joined(cuboid({1, 1, 1}, {1.9, 1.9, 1.9}),
                 test::reversed(cuboid({1.2, 1.2, 1.4}, {1.7, 1.7, 1.4 + width})));
@@ -58,7 +58,7 @@ Mesh slit_box(double width) {
 }  // namespace
 
 TEST_CASE("a gap between bodies that touch all around it is closed") {
-  // Two boxes, one with a hollow of a few spacings in the face in which they touch.
+  // Two touching boxes; one of them has a hollow of a few spacings in the common face.
   const double width = 4 * spacing;
   const Mesh boxes =
       joined(cuboid({1, 1, 1}, {1.9, 1.9, 1.4}), cuboid({1, 1, 1.4}, {1.9, 1.9, 1.9}));

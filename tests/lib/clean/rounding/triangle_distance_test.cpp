@@ -1,4 +1,5 @@
-/// Distances beside corners so far away that differences with them lose everything near the origin.
+/// Distances near the origin, from triangles with corners so far away that coordinate differences
+/// lose all digits there.
 #include "clean/rounding/triangle_distance.h"
 
 #include <doctest/doctest.h>

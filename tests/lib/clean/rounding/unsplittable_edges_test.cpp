@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double spacing = 0x1p-52;  ///< the spacing of doubles from 1 to 2
+constexpr double spacing = 0x1p-52;  ///< spacing of doubles from 1 to 2
 
 /// Four boxes: two touch along a vertical edge, one is below and one above its middle. The gap
 /// between the last two leaves two slits that meet along an edge of that length.
@@ -22,7 +22,7 @@ Mesh crossing_slits(double gap) {
   return test::joined(mesh, test::cuboid({0.5, 0.5, 1 + gap}, {1.5, 1.5, 2}));
 }
 
-/// Two tetrahedra with one edge in common, of which each vertex may be new.
+/// Two tetrahedra with a common edge. Both ends of the edge may be new vertices.
 Assembly two_at_an_edge(double length, bool first_is_new, bool second_is_new) {
   Assembly assembly;
   assembly.mesh.positions = {{1, 1, 1}, {1, 1, 1 + length}, {2, 1, 1},

@@ -1,4 +1,4 @@
-/// Grids are coarsened at broken faces only, and vertices move to them there.
+/// Grids are coarsened only at broken faces, and vertices move to grid points there.
 #include "clean/rounding/vertex_grids.h"
 
 #include <doctest/doctest.h>
@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Two faces without a common vertex, all vertices new.
+/// Two faces without a common vertex; all vertices are new.
 Assembly two_faces(const Vec3& first) {
   Assembly assembly;
   assembly.mesh.positions = {first, {1, 0, 0}, {0, 1, 0}, {3, 0, 0}, {4, 1e-17, 0}, {3, 1, 0}};

@@ -1,5 +1,5 @@
-/// The kept pieces as a mesh: what is a vertex or a face of the input and what is new, by
-/// positions.
+/// The kept pieces as a mesh. Positions decide which vertices and faces are those of the input and
+/// which are new.
 #include "clean/stitch/assemble.h"
 
 #include <doctest/doctest.h>
@@ -86,7 +86,7 @@ TEST_CASE("touching cubes are separated: one copy for a vertex, two for an edge"
     Vec3 shift;
     std::size_t copies;
   };
-  // The cubes share indices where they touch, so that nothing but copies takes them apart.
+  // The cubes share vertices where they touch, so only copies can separate them.
   for (const auto& [shift, copies] : {Case{{1, 1, 1}, 1}, Case{{1, 1, 0}, 2}, Case{{3, 0, 0}, 0}}) {
     CAPTURE(copies);
     Mesh mesh = test::joined(test::cube(), test::moved(test::cube(), shift));

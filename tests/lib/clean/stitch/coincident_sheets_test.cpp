@@ -13,7 +13,7 @@ std::vector<Index> layers_of(const Mesh& mesh) {
   return neighbors_in_layers(mesh, Edges(mesh.faces, mesh.positions.size()));
 }
 
-/// Faces of `mesh` again, on the same vertices.
+/// Appends faces of `mesh` a second time, on the same vertices.
 Mesh with_copy(Mesh mesh, bool is_reversed) {
   const std::vector<Face> faces = mesh.faces;
   for (const auto& [a, b, c] : faces)

@@ -1,4 +1,4 @@
-/// Double-sided shapes against the shapes that they were made of.
+/// Double-sided shapes, compared with the shapes from which they were made.
 #include "clean/stitch/double_sided.h"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@
 namespace transformesh {
 namespace {
 
-/// Every face and its reverse, one after the other, in any order of the two, with no common vertex.
+/// Every face followed or preceded by its reverse, without common vertices.
 Mesh double_sided(const Mesh& mesh, std::uint64_t seed) {
   test::Random random(seed);
   Mesh both;
@@ -52,7 +52,7 @@ TEST_CASE("a surface with one side only stays") {
   Mesh mesh = test::joined(test::icosphere(1), test::moved(test::icosphere(1), {3, 0, 0}));
   CHECK(count_double_sided(mesh) == 0);
   CHECK(drop_reverses(mesh) == 0);
-  // Copies are no reverses.
+  // Copies are not reverses.
   Mesh twice = test::joined(test::cube(), test::cube());
   CHECK(count_double_sided(twice) == 0);
   CHECK(turn_outwards(mesh) == 0);
@@ -66,8 +66,9 @@ TEST_CASE("cleaning says that a model is double-sided") {
   } catch (const GoalError& error) {
     CHECK(error.kind() == ErrorKind::double_sided);
     CHECK(error.data().counts == std::vector<std::size_t>{160, 160});
-    CHECK(std::string(error.what()).find("160 of 160 lie upon their reverses") !=
-          std::string::npos);
+    CHECK(
+        std::string(error.what()).find("160 of 160 coincide with a face of opposite orientation") !=
+        std::string::npos);
   }
 }
 

@@ -1,4 +1,5 @@
-/// Orientation of shuffled faces, by volumes and sums along edges that are known.
+/// Orientation of faces that were reversed at random, checked by known volumes and sums along
+/// edges.
 #include "clean/stitch/orient.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +13,7 @@
 namespace transformesh {
 namespace {
 
-/// With every face reversed or not, by a throw of the dice.
+/// Reverses each face at random.
 Mesh shuffled(Mesh mesh, std::uint64_t seed) {
   test::Random random(seed);
   for (Face& face : mesh.faces) {
@@ -21,7 +22,7 @@ Mesh shuffled(Mesh mesh, std::uint64_t seed) {
   return mesh;
 }
 
-/// How many faces of two meshes with the same faces are oriented differently.
+/// Returns the number of faces whose orientation differs between two meshes with the same faces.
 std::size_t differences(const Mesh& first, const Mesh& second) {
   std::size_t count = 0;
   for (std::size_t f = 0; f < first.faces.size(); ++f) {
@@ -33,7 +34,7 @@ std::size_t differences(const Mesh& first, const Mesh& second) {
   return count;
 }
 
-/// Equal positions are one vertex, the first.
+/// Merges vertices with equal positions into the first one.
 Mesh welded(Mesh mesh) {
   for (Face& face : mesh.faces)
     for (Index& v : face)
@@ -42,7 +43,8 @@ Mesh welded(Mesh mesh) {
   return mesh;
 }
 
-/// A row of cubes along the x axis, each with all its faces: neighbors share two of them.
+/// A row of cubes along the x axis, each with all its faces; neighbors have two coincident faces
+/// each.
 Mesh row_of_cubes(int count) {
   Mesh row = test::cube();
   for (int i = 1; i < count; ++i)
@@ -70,7 +72,7 @@ TEST_CASE("closed parts are oriented outwards again, and reversed faces are coun
 TEST_CASE("a consistent part stays unchanged, even if it is inside out") {
   Mesh inside_out = test::reversed(test::icosphere(1));
   CHECK(orient_faces(inside_out) == 0);
-  // Beside one that does not agree.
+  // The inside-out ball lies beside a cube with inconsistent faces.
   Mesh mesh = test::joined(inside_out, shuffled(test::moved(test::cube(), {5, 0, 0}), 3));
   orient_faces(mesh);
   CHECK(test::signed_volume(mesh) ==
@@ -126,7 +128,7 @@ TEST_CASE("bodies that share faces, edges or corners, and their copies, are orie
       test::joined(test::joined(ring, ring), ring), row_of_cubes(4),
       test::joined(row_of_cubes(3), row_of_cubes(3)),
       test::joined(cube, test::moved(cube, {1, 1, 0})), test::joined(apart, apart),
-      // One inside the other, with a corner in common, and both of that twice.
+      // A cube inside another with a common corner, and two copies of both.
       test::joined(cube, test::scaled(cube, 0.5)),
       test::joined(test::joined(cube, test::scaled(cube, 0.5)),
                    test::joined(cube, test::scaled(cube, 0.5)))};
@@ -151,7 +153,7 @@ TEST_CASE("a copy is not reversed against its original because of one wrong face
       for (const bool is_open : {false, true}) {
         Mesh mesh = twice;
         std::swap(mesh.faces[count + wrong][0], mesh.faces[count + wrong][1]);
-        // A hole beside it in the copy.
+        // The copy has a hole beside the wrong face.
         if (is_open) mesh.faces.erase(mesh.faces.begin() + count + (wrong + 1) % count);
         orient_faces(mesh);
         Mesh truth = twice;
@@ -168,7 +170,8 @@ TEST_CASE("a surface with one side is refused with its place") {
     orient_faces(strip);
     FAIL("a strip with one side is oriented");
   } catch (const InputError& error) {
-    CHECK(std::string(error.what()).find("cannot agree at the edge from vertex") !=
+    CHECK(std::string(error.what())
+              .find("cannot have consistent orientations at the edge from vertex") !=
           std::string::npos);
     CHECK(error.kind() == ErrorKind::one_sided);
     CHECK(error.data().faces.size() == 2);

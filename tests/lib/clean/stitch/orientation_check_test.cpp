@@ -1,4 +1,4 @@
-/// Sums along edges and misoriented edges, on books of faces whose sums are known.
+/// Sums along edges and misoriented edges, for books of faces with known sums.
 #include "clean/stitch/orientation_check.h"
 
 #include <doctest/doctest.h>
@@ -9,7 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Faces along the edge from vertex 0 to vertex 1: so many that run forward, and so many backward.
+/// Faces along the edge from vertex 0 to vertex 1; `forward` and `backward` count those that
+/// traverse it in either direction.
 Mesh book(int forward, int backward) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 1}};
@@ -38,13 +39,13 @@ TEST_CASE("the sum at an edge is the number of forward faces minus that of the o
 
 TEST_CASE("a misoriented edge is reported with its faces and the number of such edges") {
   CHECK(describe_misorientation(book(2, 0)) ==
-        "faces 0 and 1 run the same way along the edge from vertex 0 at (0, 0, 0) to vertex 1 at "
-        "(0, 0, 1)");
+        "faces 0 and 1 traverse the edge from vertex 0 at (0, 0, 0) to vertex 1 at "
+        "(0, 0, 1) in the same direction");
   CHECK(describe_misorientation(book(1, 3)) ==
-        "faces 1, 2 and 3 run the same way along the edge from vertex 1 at (0, 0, 1) to vertex 0 "
-        "at (0, 0, 0), and only 1 the other way");
+        "faces 1, 2 and 3 traverse the edge from vertex 1 at (0, 0, 1) to vertex 0 "
+        "at (0, 0, 0) in the same direction, and only 1 in the opposite direction");
   CHECK(describe_misorientation(book(8, 0))
-            .starts_with("faces 0, 1, 2, 3, 4 and 3 more run the same way"));
+            .starts_with("faces 0, 1, 2, 3, 4 and 3 more traverse the edge"));
   Mesh ball = test::icosphere(1);
   std::swap(ball.faces[5][0], ball.faces[5][1]);
   CHECK(describe_misorientation(ball).ends_with(" (the first of 3 such edges)"));

@@ -1,4 +1,4 @@
-/// Nested shells of known directions.
+/// Nested shells of known orientation.
 #include "clean/stitch/outward_bodies.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ namespace {
 
 Mesh ball(double radius) { return test::scaled(test::icosphere(1), radius); }
 
-/// A ball with a cavity in which a smaller ball floats.
+/// A ball with a cavity that contains a smaller ball.
 Mesh nested() { return test::joined(test::joined(ball(3), test::reversed(ball(2))), ball(1)); }
 
 double volume_of(const Mesh& mesh) { return test::signed_volume(mesh); }
@@ -65,7 +65,7 @@ TEST_CASE("with outwards, a shuffled cavity takes the orientation of most faces"
   Mesh alone = mesh;
   stitch(mesh, {.orient = true, .outwards = true});
   CHECK(volume_of(mesh) == doctest::Approx(volume_of(nested())));
-  // Without, all components that needed it look outwards.
+  // Without `outwards`, every component with inconsistent faces is oriented outwards.
   stitch(alone, {.orient = true});
   CHECK(volume_of(alone) ==
         doctest::Approx(volume_of(ball(3)) + volume_of(ball(2)) + volume_of(ball(1))));

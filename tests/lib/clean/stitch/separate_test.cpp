@@ -32,8 +32,9 @@ double area_around(const Mesh& mesh, Index vertex) {
   return area;
 }
 
-/// How much the volume can change when the vertices move one after another: a third of the step
-/// times the area around it. Areas grow by the steps of their corners, hence the factor.
+/// Returns a bound on the change of volume when vertices move one after another: a third of each
+/// step times the surrounding area. Steps of the corners enlarge these areas, which the factor
+/// covers.
 double volume_bound(const Mesh& before, const Mesh& after) {
   double bound = 0;
   for (Index v = 0; v < before.positions.size(); ++v) {
@@ -115,7 +116,7 @@ TEST_CASE("cubes that share a corner are moved apart by the distance") {
     }
   }
   CHECK(least == doctest::Approx(0.1));
-  // Each loses a corner pyramid, three faces of two triangles at most.
+  // Each cube loses at most a corner pyramid: three faces of two triangles.
   CHECK(test::signed_volume(apart) < 2);
   CHECK(test::signed_volume(apart) > 2 - 0.1);
 }
@@ -141,7 +142,8 @@ TEST_CASE("a cavity that touches its wall and the wall move away from each other
   CHECK(test::winding_number(apart, {.5, .5, .98}) == doctest::Approx(1));
   CHECK(test::winding_number(apart, {.5, .5, .8}) == doctest::Approx(0));
 
-  // A body in the cavity that touches both: the cavity, in the middle, stays.
+  // A body in the cavity that touches both surfaces; the vertex of the cavity, in the middle, does
+  // not move.
   touching = clean(test::joined(test::joined(test::cube(), test::reversed(hanging(0.5, 0.3))),
                                 hanging(0.4, 0.1)))
                  .mesh;

@@ -1,4 +1,4 @@
-/// Groups and agreements of random sheets, against the definitions over all pairs of sheets.
+/// Groups and agreements of random sheets, compared with the definitions over all pairs of sheets.
 #include "clean/stitch/sheet_alignment.h"
 
 #include <doctest/doctest.h>
@@ -10,9 +10,9 @@
 namespace transformesh {
 namespace {
 
-using Sums = std::map<Index, int>;  ///< of the sheets at an edge
+using Sums = std::map<Index, int>;  ///< sum of each sheet at one edge
 
-/// Few different sums, so that many sheets are of one kind.
+/// There are few different sums, so that many sheets are alike.
 std::vector<Sums> random_edges(std::mt19937& random, Index sheets) {
   std::vector<Sums> edges(1 + random() % 5);
   for (Index sheet = 0; sheet < sheets; ++sheet) {
@@ -32,13 +32,14 @@ class AllPairs {
           if (a != b && sum != 0 && other != 0) agreement_[a][b] -= sum * other;
   }
 
-  /// Always follows the strongest link from a sheet of the group to one that is not in it.
+  /// Repeatedly follows the strongest link from a sheet of the group to one outside of it.
   std::vector<Index> align(Index first, std::vector<char>& is_reversed) const {
     std::vector<Index> group{first};
     std::set<Index> members{first};
     is_reversed[first] = 0;
     for (;;) {
-      std::tuple<int, Index, char> best{0, no_index, 0};  // weaker links, later sheets are larger
+      // weaker links and later sheets are larger
+      std::tuple<int, Index, char> best{0, no_index, 0};
       for (const Index a : group)
         for (const auto& [b, sum] : agreement_[a])
           if (!members.contains(b)) {

@@ -1,4 +1,4 @@
-/// T-junctions against the mesh without them.
+/// Meshes with T-junctions, compared with the meshes without them.
 #include "clean/stitch/split_border_edges.h"
 
 #include <doctest/doctest.h>
@@ -11,7 +11,7 @@
 namespace transformesh {
 
 TEST_CASE("a triangle is cut at vertices upon all of its edges, and keeps its area") {
-  // Smaller triangles beyond each edge of the first one have further vertices on these edges.
+  // Smaller triangles beyond each edge of the first triangle have further vertices on these edges.
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0},  {2, 0, 0}, {4, 0, 0},
                     {5, 3, 0}, {0, 6, 0}, {3, -3, 0}, {7, 7, 0}, {-3, 3, 0}};

@@ -1,4 +1,4 @@
-/// Singular edges that copies of their ends do not take apart, in solids of unit cells.
+/// Singular edges that copies of their ends do not separate, in solids of unit cells.
 #include "clean/stitch/split_singular_edges.h"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int side = 4;
 
-/// The boundary of filled cells, with one vertex for each corner; faces look out of the cells.
+/// Returns the boundary of filled cells, with one vertex per corner; faces are oriented outwards.
 Mesh boundary_of(const std::vector<char>& filled) {
   const auto at = [&](const std::array<int, 3>& c) {
     for (const int x : c)
@@ -56,7 +56,7 @@ Mesh boundary_of(const std::vector<char>& filled) {
   return mesh;
 }
 
-/// With a vertex for each umbrella, as stitching leaves it before edges are split.
+/// The boundary with a vertex for each umbrella, as stitching leaves it before edges are split.
 struct Parted {
   Mesh mesh;
   std::vector<Index> opposite;

@@ -22,14 +22,14 @@ std::vector<double> volumes(const Mesh& mesh) {
   return result;
 }
 
-// By counting, with nothing of what stitching uses.
+// Checks the result by counting, without functions of stitching.
 bool is_closed_manifold(const Mesh& mesh) {
   const test::Count count = test::count(mesh);
   return count.is_closed_and_oriented && count.is_manifold;
 }
 
-/// Whether the faces around every vertex are one umbrella, by walking them; where they are oriented
-/// no halfedge comes twice.
+/// Returns whether the faces around every vertex form one umbrella, by walking around it. In an
+/// oriented mesh, no halfedge occurs twice.
 bool is_manifold_with_border(const Mesh& mesh, bool is_oriented) {
   std::map<std::pair<Index, Index>, int> halfedges;
   std::map<std::pair<Index, Index>, int> edges;
@@ -58,7 +58,7 @@ bool is_manifold_with_border(const Mesh& mesh, bool is_oriented) {
   });
 }
 
-/// Every face reversed or not by a throw of the dice.
+/// Reverses each face at random.
 Mesh shuffled(Mesh mesh, std::uint64_t seed) {
   test::Random random(seed);
   for (Face& face : mesh.faces) {
@@ -73,7 +73,7 @@ StitchResult orient(Mesh& mesh) {
   return stitch(mesh, options);
 }
 
-/// Unit cells of a 3 x 3 x 3 block, as a soup of the faces between what is filled and what is not.
+/// Unit cells of a 3 x 3 x 3 block, as a soup of the faces between filled and empty cells.
 class Cells {
  public:
   static constexpr int side = 3;
@@ -102,7 +102,7 @@ class Cells {
   std::uint64_t filled_;
 };
 
-// The faces of each cell towards smaller coordinates; looking out of the filled one.
+// Returns the faces of all cells towards smaller coordinates, oriented out of the filled cell.
 Mesh Cells::boundary(bool with_walls) const {
   Mesh mesh;
   each([&](int x, int y, int z) {
@@ -121,7 +121,7 @@ Mesh Cells::boundary(bool with_walls) const {
   return mesh;
 }
 
-// Whether some empty cell is cut off from the outside.
+// Returns whether an empty cell is not connected to the outside.
 bool Cells::has_cavity() const {
   constexpr int n = side + 2;
   const auto cell = [](int x, int y, int z) { return (x + 1) + n * ((y + 1) + n * (z + 1)); };
@@ -227,7 +227,7 @@ TEST_CASE("random voxel solids are restored from shuffled soups") {
     });
     CHECK(fits);
   }
-  CHECK(singular > 100);  // else nothing hard was tested
+  CHECK(singular > 100);  // otherwise no difficult case was tested
 }
 
 TEST_CASE("solids that share an edge, a vertex or a face come out whole from a shuffled soup") {
@@ -301,7 +301,7 @@ TEST_CASE("faces at an edge are paired, except one if their number is odd") {
 }
 
 TEST_CASE("an edge that copies of its ends cannot take apart is split in the middle") {
-  // Around both ends of the edge from (1,1,1) to (1,1,2) all faces hang together.
+  // At both ends of the edge from (1,1,1) to (1,1,2), all faces are connected.
   Mesh mesh;
   std::uint64_t filled = 0;
   for (const auto& [x, y, z] : {std::array{0, 0, 0},
@@ -359,7 +359,7 @@ TEST_CASE("solids that overlap at a common edge are paired without remainder") {
 
 TEST_CASE("a strip with one side is refused, naming the place in the input") {
   Mesh strip = test::moebius_strip(12);
-  // A face that collapses comes first: faces are named as they were given.
+  // A face that collapses comes first: messages use the numbers of the faces as given.
   strip.faces.insert(strip.faces.begin(), {0, 0, 1});
   std::string message;
   try {
@@ -367,15 +367,17 @@ TEST_CASE("a strip with one side is refused, naming the place in the input") {
   } catch (const InputError& error) {
     message = error.what();
   }
-  CHECK(message.starts_with("faces 13 and 14 cannot agree at the edge from vertex 13 at (-1, "));
-  CHECK(message.find("one side only, like a Moebius strip") != std::string::npos);
+  CHECK(message.starts_with(
+      "faces 13 and 14 cannot have consistent orientations at the edge from vertex 13 at (-1, "));
+  CHECK(message.find("only one side, like a Moebius strip") != std::string::npos);
 }
 
 TEST_CASE("any soup becomes a manifold, misoriented edges aside") {
   test::Random random(3);
   std::size_t split = 0, copied = 0;
   for (int round = 0; round < 5000; ++round) {
-    // Few points in few places: many faces on an edge, coplanar, coincident, without area.
+    // Few points at few positions: many faces share an edge, are coplanar, coincide, or have no
+    // area.
     Mesh mesh;
     for (int i = 0; i < 7; ++i) {
       mesh.positions.emplace_back(random.below(2), random.below(2), random.below(3));

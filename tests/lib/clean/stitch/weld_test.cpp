@@ -1,4 +1,4 @@
-/// Joining and snapping of positions, against brute force over all pairs.
+/// Merging and snapping of positions, compared with brute force over all pairs.
 #include "clean/stitch/weld.h"
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// Points in clumps, some of them equal.
+/// Points in clusters, some of them equal.
 std::vector<Vec3> clumps(std::uint64_t seed, double size) {
   test::Random random(seed);
   std::vector<Vec3> positions;
@@ -23,7 +23,7 @@ std::vector<Vec3> clumps(std::uint64_t seed, double size) {
   return positions;
 }
 
-/// The smallest index that steps of at most the tolerance lead to.
+/// Returns the smallest index that can be reached by steps of at most the tolerance.
 std::vector<Index> welded_by_steps(const std::vector<Vec3>& positions, double tolerance) {
   std::vector<Index> root(positions.size());
   std::iota(root.begin(), root.end(), 0);
@@ -58,8 +58,8 @@ TEST_CASE("positions are welded transitively over short distances") {
 TEST_CASE("clusters of points within the tolerance are welded as the definition says") {
   for (const double tolerance : {0.01, 0.05, 0.1, 0.25}) {
     test::Random random(static_cast<std::uint64_t>(1000 * tolerance));
-    std::vector<Vec3> plate;  // many are in one place along x
-    std::vector<Vec3> heaps;  // nearly as far apart as the tolerance
+    std::vector<Vec3> plate;  // flat: all x differ by less than 1e-3
+    std::vector<Vec3> heaps;  // three heaps about the tolerance apart
     std::vector<Vec3> lattice;
     for (int i = 0; i < 700; ++i) {
       plate.push_back(random.point(0, 1).cwiseProduct(Vec3(1e-3, 1, 1)));

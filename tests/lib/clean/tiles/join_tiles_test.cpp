@@ -1,4 +1,4 @@
-/// Tiles, cleaned alone and joined, against the whole mesh cleaned at once.
+/// Tiles, cleaned alone and joined, compared with the whole mesh cleaned at once.
 #include "clean/tiles/join_tiles.h"
 
 #include <doctest/doctest.h>
@@ -86,7 +86,7 @@ TEST_CASE("the joined tiles have the triangles and the vertices of one process")
     }
   for (const Mesh* mesh : std::array<const Mesh*, 3>{&folded, &twice, &blocks}) {
     for (const int level : {1, 2}) {
-      if (mesh == &blocks && level == 2) continue;  // nothing is covered twice
+      if (mesh == &blocks && level == 2) continue;  // no point is in two boxes
       CleanOptions options;
       options.winding_level = level;
       const Mesh expected = clean(*mesh, options).mesh;
@@ -117,7 +117,7 @@ TEST_CASE("missing, foreign and unequal tiles are named, and nothing is written"
   clean_all(3, 1, folder);
   CHECK(message_of(folder).empty());
   std::filesystem::remove(folder / "out.ply");
-  // If one tile has another level, seams stay open.
+  // If one tile is cleaned with another level, seams stay open.
   clean_file(folder / "tile-1.ply", folder / "clean-1.ply", 2);
   CHECK(message_of(folder).find("open") != std::string::npos);
   clean_file(folder / "tile-0.ply", folder / "clean-1.ply", 1);
@@ -128,7 +128,7 @@ TEST_CASE("missing, foreign and unequal tiles are named, and nothing is written"
   split(test::moved(mesh, {1, 0, 0}), 3, other);
   clean_all(3, 1, other);
   std::filesystem::copy(other / "clean-1.ply", folder / "clean-1.ply");
-  CHECK(message_of(folder).find("of the mesh that the others are of") != std::string::npos);
+  CHECK(message_of(folder).find("of the same mesh as the other tiles") != std::string::npos);
   CHECK(!std::filesystem::exists(folder / "out.ply"));
 }
 

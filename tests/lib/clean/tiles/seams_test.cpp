@@ -1,4 +1,4 @@
-/// Meshes cut into parts and joined again, against the mesh before.
+/// Meshes that are cut into parts and joined again, compared with the original.
 #include "clean/tiles/seams.h"
 
 #include <doctest/doctest.h>
@@ -15,10 +15,11 @@ namespace {
 
 struct Parts {
   std::vector<Mesh> meshes;
-  std::vector<std::vector<Index>> faces;  ///< per part: faces of the whole
+  // for each part, its faces by their numbers in the whole mesh
+  std::vector<std::vector<Index>> faces;
 };
 
-/// Each part has vertices of its own.
+/// Each part has its own vertices.
 Parts cut(const Mesh& mesh, const std::vector<int>& part_of, int count) {
   Parts parts;
   for (int p = 0; p < count; ++p) {
@@ -43,7 +44,7 @@ Parts cut(const Mesh& mesh, const std::vector<int>& part_of, int count) {
   return parts;
 }
 
-/// Joins the parts, with faces in the order of the whole.
+/// Joins the parts, with faces in the order of the whole mesh.
 Mesh joined(const Mesh& mesh, const Parts& parts, std::size_t& left) {
   Seams seams;
   for (const Mesh& part : parts.meshes)
@@ -67,7 +68,7 @@ Mesh joined(const Mesh& mesh, const Parts& parts, std::size_t& left) {
   return result;
 }
 
-/// True if vertices of one mesh correspond to those of the other.
+/// Returns true if the vertices of both meshes correspond one to one.
 bool are_same(const Mesh& a, const Mesh& b) {
   std::map<Index, Index> to, from;
   for (std::size_t f = 0; f < a.faces.size(); ++f)

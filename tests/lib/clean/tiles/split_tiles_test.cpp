@@ -1,4 +1,4 @@
-/// Tiles against the mesh that they are split from.
+/// Tiles, compared with the mesh from which they are split.
 #include "clean/tiles/split_tiles.h"
 
 #include <doctest/doctest.h>
@@ -26,7 +26,7 @@ SplitResult split(const std::string& path, std::size_t count, const std::string&
   return result;
 }
 
-/// A mesh that covers points up to three times, with the number of each face and a loose vertex.
+/// A mesh that covers points up to three times, with a column of face numbers and an unused vertex.
 Mesh numbered_mesh() {
   const Mesh once = test::workload("folded", 3000, 1);
   Mesh mesh = test::joined(test::joined(once, once), test::workload("many-spheres", 2000, 4));
@@ -38,7 +38,7 @@ Mesh numbered_mesh() {
   return mesh;
 }
 
-/// Faces, and those that are connected with them by so many common places.
+/// Returns the faces and `rings` rings of faces around them, connected by common positions.
 std::vector<bool> with_rings(const Mesh& mesh, std::vector<bool> faces, int rings) {
   const auto key = [](const Vec3& p) { return std::array{p.x(), p.y(), p.z()}; };
   for (int ring = 0; ring < rings; ++ring) {

@@ -1,4 +1,4 @@
-/// Winding numbers that are counted in a stream, against sums of solid angles.
+/// Winding numbers counted in a stream, compared with sums of solid angles.
 #include "clean/tiles/tile_windings.h"
 
 #include <doctest/doctest.h>

@@ -75,7 +75,7 @@ TEST_CASE("connectivity is returned only if nothing changes") {
   CHECK(!clean(test::joined(ball, inside)).connectivity);
   CHECK(!clean(test::soup_of(ball)).connectivity);
 
-  // A cavity stays, unless it is to be dropped.
+  // A cavity stays unless `outermost` drops it.
   const Mesh hollow = test::joined(ball, test::reversed(inside));
   const CleanResult kept = clean(hollow);
   REQUIRE(kept.connectivity);
@@ -128,7 +128,7 @@ TEST_CASE("untouched faces keep their place and columns; new ones inherit and in
     REQUIRE(std::abs(mesh_x.values[v] - mesh.positions[v][0]) < 1e-9);
   }
 
-  // Every face lies in the plane of the face whose id it inherited; whole ones equal it.
+  // Every face lies in the plane of the face whose id it inherited; uncut faces equal it.
   const Column& mesh_id = *mesh.face_columns.find("id");
   std::size_t whole = 0;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -200,7 +200,7 @@ TEST_CASE("soups and singular vertices are stitched") {
   CHECK(joined.positions.size() == 8);
   CHECK(test::count(joined).is_closed_and_oriented);
 
-  // Two tetrahedra upon one vertex, by one index.
+  // Two tetrahedra that share one vertex by index.
   Mesh hourglass = test::tetrahedron();
   const Mesh other = test::reversed(test::scaled(test::tetrahedron(), -1));
   for (std::size_t v = 1; v < 4; ++v) hourglass.positions.push_back(other.positions[v]);

@@ -100,6 +100,34 @@ TEST_CASE("an iteration pinches as remesh() does, and refuses lengths that are n
   }
 }
 
+TEST_CASE("on curves, threads that cleaning leaves are cut and removed") {
+  // Two balls of edges of .15, joined by two square bars of circumference .04: genus 1.
+  const auto bar = [](double y) { return test::cuboid({0.5, y, 0}, {2, y + 0.01, 0.01}); };
+  Document joined = two_balls(0.5, Scalar::float64);
+  joined.mesh = test::joined(joined.mesh, test::joined(bar(0.2), bar(-0.2)));
+  const Step still = [](Mesh&, const Progress&) { return DisplaceResult(); };
+  const double volume_of_balls = 2 * volume(test::icosphere(3));
+  IterationOptions options;
+  options.reference_edge = edge_lengths(test::icosphere(3)).mean;
+  const auto iterated = [&](bool curved, bool cleans_before, int threads) {
+    const ThreadLimit limit(threads);
+    options.remesh = curved ? curved_remeshing() : RemeshOptions();
+    Document document = joined;
+    if (cleans_before) document.mesh = clean(document.mesh).mesh;
+    const IterationResult result = iterate(document, still, options);
+    CHECK(result.was_cleaned == !cleans_before);
+    if (curved && !cleans_before)
+      CHECK(volume(document.mesh) == doctest::Approx(volume_of_balls).epsilon(0.001));
+    return result.topology;
+  };
+  for (const int threads : {1, 2}) {
+    CHECK(iterated(true, false, threads) == Topology{2, 0});
+    // Without a change by cleaning, or without curves, the bars stay.
+    CHECK(iterated(true, true, threads) == Topology{1, 1});
+    CHECK(iterated(false, false, threads) == Topology{1, 1});
+  }
+}
+
 TEST_CASE("whether remeshing begins beside cleaning or after it, the result is the same") {
   for (const double apart : {0.05, 0.5}) {
     const Document before = two_balls(apart, Scalar::float64);

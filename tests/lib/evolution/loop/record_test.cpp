@@ -81,7 +81,7 @@ TEST_CASE("the state of an interrupted run is neither continued nor thrown away 
   Record second(restart);
   CHECK_FALSE(second.resumed());
   run_to(second, document, 2);
-  // One that reached its limit of iterations may be begun anew.
+  // A run that reached its limit of iterations may be begun again without `restart`.
   second.pause(document, {});
   CHECK_NOTHROW(Record{options_in(folder)});
 }

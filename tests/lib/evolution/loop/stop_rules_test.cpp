@@ -17,11 +17,11 @@ MorphStepResult step_of(double rms, double maximum, double max_clamp_share, std:
   return step;
 }
 
-/// A mesh that is far from its target and moves as fast as it may.
+/// A step of a mesh that is far from its target and moves as fast as the clamp allows.
 const MorphStepResult far_away = step_of(10, 20, 1, 500);
 const MorphStepResult near_target = step_of(0.1, 0.3, 0.4, 0);
 
-/// Iterations until something else than going on comes out, at most 99.
+/// Returns the number of iterations until the verdict is not go_on, at most 99.
 std::size_t iterations_until_verdict(MorphRule& rule, const MorphStepResult& step,
                                      MorphVerdict& verdict) {
   for (std::size_t i = 1; i < 100; ++i) {
@@ -46,7 +46,7 @@ TEST_CASE("a value that gets no better by a hundredth in twenty iterations has s
   StalledRule rule;
   double value = 1;
   for (int i = 0; i < 100; ++i) CHECK_FALSE(rule.add(value *= 0.98));
-  // Less than a hundredth below the best, each time.
+  // Each value is less than one percent below the best.
   for (int i = 1; i < 20; ++i) CHECK_FALSE(rule.add(value * 0.991));
   CHECK(rule.add(value * 0.991));
 }
@@ -113,7 +113,7 @@ TEST_CASE("a slow morph is judged only by distances from the target") {
   MorphStepResult step = step_of(10, 20, 0.4, 500);
   MorphVerdict verdict = MorphVerdict::go_on;
   std::size_t i = 0;
-  // Distances to the target fall, those from it do not.
+  // Distances to the target decrease, distances from the target do not.
   for (; verdict == MorphVerdict::go_on && i < 99; ++i) {
     step.to_target.rms *= 0.9;
     verdict = rule.add(step, vertices);
@@ -130,7 +130,7 @@ TEST_CASE(
   CHECK(settled.scale() == 2);
   CHECK(add() == MorphVerdict::refine);
   CHECK(settled.scale() == 1);
-  // A finer scale begins anew.
+  // A finer scale restarts the count.
   CHECK(add() == MorphVerdict::go_on);
   CHECK(add() == MorphVerdict::refine);
   CHECK(settled.scale() == 0);

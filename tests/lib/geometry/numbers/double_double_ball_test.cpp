@@ -1,4 +1,4 @@
-/// Signs by balls of doubles, against rationals.
+/// Signs by balls of doubles, compared with rationals.
 #include "geometry/numbers/double_double_ball.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using Rational = boost::multiprecision::cpp_rational;
 
 int sign_of(const Rational& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 
-/// A number with a random exponent, now and then a short one.
+/// Returns a number with a random exponent; some numbers have few digits.
 double some_number(test::Random& random, int exponents) {
   const double mantissa =
       random.below(4) == 0 ? static_cast<double>(random.below(5)) - 2 : random.uniform(-1, 1);

@@ -1,4 +1,4 @@
-/// Exact numbers of builds without GMP, against Boost's rationals and the quotients of GMP.
+/// Exact numbers of builds without GMP, compared with Boost's rationals and the quotients of GMP.
 #include "geometry/numbers/dyadic_number.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using test::Rational;
 
-/// A number from denormal to huge, with few or many digits.
+/// Returns a number from denormal to huge, with few or many digits.
 double some_double(test::Random& random) {
   const auto digits = static_cast<double>(random.below(std::uint64_t{1} << (1 + random.below(53))));
   const double size = std::ldexp(digits, static_cast<int>(random.below(1000)) - 560);
@@ -23,7 +23,7 @@ double some_double(test::Random& random) {
 
 int sign_of(const Rational& number) { return number > 0 ? 1 : number < 0 ? -1 : 0; }
 
-/// A sum of products, in numbers of any kind.
+/// Returns a sum of products, for any number type.
 template <class Number>
 Number determinant(double a, double b, double c, double d) {
   return Number(a) * Number(b) - Number(c) * Number(d) + Number(a) * Number(c) * Number(d);
@@ -53,7 +53,7 @@ TEST_CASE("quotients are those of GMP to the last bit") {
                                           DyadicNumber(size) * DyadicNumber(3.0));
     const double of_gmp =
         quotient(determinant<ExactNumber>(a, b, c, size), ExactNumber(size) * ExactNumber(3.0));
-    // GMP leaves open what becomes of quotients beyond the largest double.
+    // GMP does not define quotients beyond the largest double.
     if (std::isfinite(own) && std::isfinite(of_gmp)) CHECK(own == of_gmp);
   }
 }

@@ -44,7 +44,7 @@ RationalPoint solve_line_plane(const Vec3& u, const Vec3& v, const Plane& plane)
   return {a[0] + t * step[0], a[1] + t * step[1], a[2] + t * step[2]};
 }
 
-// Gaussian elimination on the three plane equations.
+// Solves the three plane equations by Gaussian elimination.
 RationalPoint solve_planes(const std::array<Plane, 3>& planes) {
   std::array<std::array<Rational, 4>, 3> rows;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -65,8 +65,8 @@ RationalPoint solve_planes(const std::array<Plane, 3>& planes) {
 
 int sign(const Rational& x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); }
 
-// Three faces through a common region and lines through them, on a lattice so that points
-// coincide and line up often; far from the origin where doubles are coarse.
+// Three faces through a common region and lines through them, on a lattice, so that points often
+// coincide or are collinear. Coordinates may be far from the origin, where doubles are coarse.
 struct Scene {
   std::vector<Vec3> positions;
   std::vector<Face> faces;
@@ -150,7 +150,7 @@ TEST_CASE("orientation and order of defined points agree with rationals") {
   int equal = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     Scene scene = random_scene(seed, seed % 3 == 0 ? 1e7 : 0.1);
-    // Of magnitudes whose products leave the range of doubles.
+    // Scales the coordinates so that their products leave the range of doubles.
     if (seed > 60)
       for (Vec3& p : scene.positions) p = Vec3(1e-140, 1e130, 1e145).cwiseProduct(p);
     add_points(scene);
@@ -194,7 +194,7 @@ TEST_CASE("intersections of edges and weighted means agree with rationals") {
   CHECK(geometry.compare(crossing, middle) == 0);
   CHECK(geometry.compare(geometry.point(PointDefinition::line_line(3, 2, 1, 0)), middle) == 0);
 
-  // (2 a + 3 b + 5 c) / 10 of given points and of a crossing.
+  // The point (2 a + 3 b + 5 c) / 10 of given points and of an intersection point.
   const ExactPoint mean = geometry.mean(geometry.given(4), crossing, geometry.given(3), {2, 3, 5});
   const RationalPoint truth{(2 * Rational(1e6) + 3 * Rational(1.5) + 5 * 3) / 10,
                             (2 + Rational(1.5)) / 10, Rational(14 + 3) / 10};

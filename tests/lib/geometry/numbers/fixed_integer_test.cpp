@@ -1,4 +1,5 @@
-/// Integers of a fixed length, and coordinates as such, against Boost's integers and rationals.
+/// Integers of fixed length, and coordinates as such integers, compared with Boost's integers and
+/// rationals.
 #include "geometry/numbers/fixed_integer.h"
 
 #include <doctest/doctest.h>
@@ -24,7 +25,7 @@ Integer value(const FixedInteger<length>& number) {
 
 int sign_of(const Integer& number) { return number > 0 ? 1 : number < 0 ? -1 : 0; }
 
-/// Of up to 120 bits, now and then one with long runs of zeros or ones.
+/// Returns an integer of up to 120 bits; some have long runs of zeros or ones.
 FixedInteger<2> some_integer(test::Random& random) {
   const auto word = [&]() -> std::uint64_t {
     switch (random.below(4)) {
@@ -73,7 +74,7 @@ TEST_CASE("doubles become multiples of one power of two, or nothing where they a
     if (scale.bits() > two_word_bits) continue;
     const auto integers = two_word_multiples(scale);
     ++scaled;
-    // All ratios are kept, and signs.
+    // All ratios and signs are preserved.
     for (std::size_t i = 0; i < 4; ++i) {
       const Integer first = value(integers[i]), next = value(integers[(i + 1) % 4]);
       REQUIRE(Rational(first) * Rational(numbers[(i + 1) % 4]) ==
@@ -116,7 +117,7 @@ TEST_CASE("signs of determinants of words are those of integers without bounds")
     std::array<std::array<std::int64_t, 3>, 3> rows{};
     for (auto& row : rows)
       for (std::int64_t& x : row) x = word();
-    // Every other one is singular, or nearly so.
+    // Every second matrix is singular or nearly singular.
     const std::size_t i = random.below(3);
     if (round % 2 == 0)
       for (std::size_t k = 0; k < 3; ++k)

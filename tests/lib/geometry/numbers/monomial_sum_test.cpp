@@ -1,4 +1,4 @@
-/// Signs of sums of products of doubles of any magnitudes, against Boost's rationals.
+/// Signs of sums of products of doubles of any magnitude, compared with Boost's rationals.
 #include "geometry/numbers/monomial_sum.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using test::Rational;
 
-/// A sum, and the same in rationals.
+/// A sum of products, and the same sum in rationals.
 class BothSums {
  public:
   void add(double a, double b, double c, bool is_added) {
@@ -51,8 +51,8 @@ TEST_CASE("a sum of products has the sign of rational arithmetic, for all magnit
   }
 }
 
-// The large terms cancel, in another order and other factors: what is left lies hundreds of powers
-// of two below, or is nothing at all.
+// The large terms cancel, in another order and with other factors. The rest is hundreds of powers
+// of two smaller, or zero.
 TEST_CASE("canceling terms leave the sign of much smaller ones, or zero") {
   test::Random random(22);
   int zeros = 0;
@@ -74,7 +74,8 @@ TEST_CASE("canceling terms leave the sign of much smaller ones, or zero") {
   CHECK(zeros > 900);
 }
 
-// Terms that differ by one unit in the last place, which each window hands on to the next.
+// Factors differ by one unit in the last place, so that products nearly cancel and each window
+// passes a carry on to the next.
 TEST_CASE("carries of nearly canceling terms propagate through the windows") {
   test::Random random(23);
   for (int round = 0; round < 2000; ++round) {

@@ -1,5 +1,5 @@
-/// Balls of many digits around results of random formulas, whose exact values are rationals; and
-/// the points and planes that are made of them.
+/// Balls of many digits around results of random formulas with rational exact values, and points
+/// and planes constructed with them.
 #include "geometry/numbers/multiprecision_ball.h"
 
 #include <doctest/doctest.h>
@@ -77,7 +77,7 @@ TEST_CASE("a sum that cancels below the last digit has no sign, above it has one
   CHECK((one - nearer).sign() == 0);
   CHECK((one - one).sign() == 0);
   CHECK((almost * almost - one - MultiprecisionBall(tiny)).sign() == 1);
-  // A borrow that runs through all digits.
+  // A borrow that propagates through all digits.
   CHECK((one - MultiprecisionBall(0x1p-500) - one).sign() == -1);
   CHECK((MultiprecisionBall(-1) + MultiprecisionBall(0x1p-500)).sign() == -1);
 }
@@ -107,7 +107,8 @@ TEST_CASE("homogeneous points lie on their planes and lines, by rationals") {
     for (Vec3& point : p) point = any_point(random, exponents);
     const Triangle f{p[0], p[1], p[2]}, g{p[3], p[4], p[5]}, h{p[6], p[7], p[8]};
 
-    // Exactly: the points satisfy the planes, and the line's point is on the line.
+    // Checks in exact arithmetic that points satisfy the planes, and that the point of the line is
+    // on the line.
     const auto line = homogeneous_point(p[9], p[10], homogeneous_plane<Rational>(f));
     const auto corner =
         homogeneous_point(homogeneous_plane<Rational>(f), homogeneous_plane<Rational>(g),
@@ -122,7 +123,7 @@ TEST_CASE("homogeneous points lie on their planes and lines, by rationals") {
       for (std::size_t i = 0; i < 3; ++i) REQUIRE(turned[i] == 0);
     }
 
-    // In balls: signs are right, and mostly told.
+    // Checks in balls that signs are correct, and mostly decided.
     const Rational truth = height_over(g, line);
     const auto in_balls = homogeneous_point(p[9], p[10], homogeneous_plane<MultiprecisionBall>(f));
     const int sign = height_over(g, in_balls).sign();

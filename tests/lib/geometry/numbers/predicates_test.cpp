@@ -8,8 +8,8 @@
 #include "helpers/rational.h"
 #include "helpers/shapes.h"
 
-// The oracle is integer arithmetic: points on small lattices are often coplanar, collinear or
-// equal, and a shift or a power of two changes no sign.
+// The oracle is integer arithmetic. Points on small lattices are often coplanar, collinear or
+// equal, and a shift or a scaling by a power of two does not change signs.
 namespace transformesh {
 namespace {
 
@@ -141,7 +141,7 @@ TEST_CASE("faces without area are found exactly") {
   mesh.faces = {{0, 1, 2}, {0, 1, 4}, {0, 2, 3}, {0, 2, 4}, {1, 1, 4}, {2, 3, 3}};
   CHECK(degenerate_faces(mesh) == std::vector<Index>{0, 2, 4, 5});
 
-  // Areas far below what doubles can hold are areas still.
+  // Areas far below the smallest double are not zero.
   mesh.positions = {{0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}};
   mesh.faces = {{0, 1, 2}};
   CHECK(degenerate_faces(mesh).empty());

@@ -1,4 +1,4 @@
-/// Balls around results of random formulas, whose exact values are rationals.
+/// Balls around results of random formulas with rational exact values.
 #include "geometry/numbers/wide_exponent_ball.h"
 
 #include <doctest/doctest.h>
@@ -21,7 +21,7 @@ double any_number(test::Random& random, int exponents) {
   return std::ldexp(random.uniform(-1, 1), exponent);
 }
 
-/// A sum of products of differences, as determinants are.
+/// Returns a sum of products of differences, like a determinant.
 Both random_formula(test::Random& random, int exponents) {
   Both sum{WideExponentBall(0), Rational(0)};
   for (int term = 0; term < 4; ++term) {
@@ -79,7 +79,7 @@ TEST_CASE("infinite values, and zeros with an error, have no sign") {
   CHECK((WideExponentBall(1e-300) * WideExponentBall(1e-300) - WideExponentBall(1e-320)).sign() ==
         -1);
   CHECK((WideExponentBall(1e300) * WideExponentBall(1e300) + WideExponentBall(-1e308)).sign() == 1);
-  // The largest numbers, and those below the normal ones.
+  // The largest numbers, and subnormal numbers.
   CHECK(
       (WideExponentBall(1.5e308) - WideExponentBall(0.8e308) - WideExponentBall(0.6e308)).sign() ==
       1);

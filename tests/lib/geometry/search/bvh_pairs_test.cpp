@@ -1,4 +1,4 @@
-// Pairs of boxes against a comparison of all with all.
+// Pairs of overlapping boxes, compared with a test of all pairs.
 #include <doctest/doctest.h>
 
 #include <atomic>
@@ -21,7 +21,7 @@ std::vector<FloatBox> random_boxes(std::uint64_t seed, std::size_t count, double
   return boxes;
 }
 
-/// Overlap along each axis, written out.
+/// Tests for overlap along each axis.
 bool overlap(const FloatBox& a, const FloatBox& b) {
   for (int axis = 0; axis < 3; ++axis)
     if (a.max()[axis] < b.min()[axis] || b.max()[axis] < a.min()[axis]) return false;

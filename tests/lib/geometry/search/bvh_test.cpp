@@ -49,7 +49,7 @@ std::vector<FloatBox> random_boxes(std::uint64_t seed, std::size_t count, double
   return boxes;
 }
 
-/// Small integer coordinates: boxes that touch, coincide, and have no extent.
+/// Small integer coordinates: boxes that touch, coincide, or have no extent.
 std::vector<FloatBox> lattice_boxes(std::uint64_t seed, std::size_t count) {
   test::Random random(seed);
   std::vector<FloatBox> boxes(count);

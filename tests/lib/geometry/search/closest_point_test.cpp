@@ -17,13 +17,15 @@ using doctest::Approx;
 
 namespace {
 
-/// The closest point of a convex set is where no corner lies ahead in the direction of the query.
+/// Checks that the point is closest in its triangle: no corner is farther ahead in the direction of
+/// the query.
 void check_closest(const Vec3& query, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 point = closest_point_of_triangle(query, a, b, c).point;
   const double size = (b - a).norm() + (c - a).norm() + (query - a).norm();
   for (const Vec3& corner : {a, b, c})
     CHECK((query - point).dot(corner - point) <= 1e-13 * size * size);
-  // And it lies in the triangle: no farther along any direction than the farthest corner.
+  // Checks that the point lies in the triangle: it is in no direction farther than the farthest
+  // corner.
   test::Random random(5);
   for (int i = 0; i < 20; ++i) {
     const Vec3 direction = random.point(-1, 1);
@@ -32,13 +34,14 @@ void check_closest(const Vec3& query, const Vec3& a, const Vec3& b, const Vec3& 
   }
 }
 
-/// Distance to the box [-1, 1]^3, negative inside.
+/// Returns the distance to the box [-1, 1]^3, negative inside.
 double cube_distance(const Vec3& query) {
   const Vec3 beyond = query.cwiseAbs() - Vec3::Ones();
   return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
 }
 
-/// By solid angles (Van Oosterom & Strackee 1983): 1 inside, 0 outside.
+/// Returns the winding number, 1 inside and 0 outside, by solid angles (Van Oosterom & Strackee
+/// 1983).
 double winding_number(const Mesh& mesh, const Vec3& query) {
   double sum = 0;
   for (const Face& face : mesh.faces) {
@@ -52,7 +55,7 @@ double winding_number(const Mesh& mesh, const Vec3& query) {
   return sum / (4 * std::numbers::pi);
 }
 
-/// Spikes in and out: many acute edges and corners.
+/// A surface with spikes in and out: many acute edges and corners.
 Mesh spiky_sphere() {
   Mesh mesh = test::icosphere(3);
   test::Random random(6);
@@ -236,7 +239,8 @@ TEST_CASE("a face at a right angle does not face the point, for any rounding") {
   test::Random random(41);
   const Vec3 place(0.25, 0.375, 0);
   for (int trial = 0; trial < 200; ++trial) {
-    // The second face stands on the first; its edge goes through the place.
+    // Face 0 is perpendicular to face 1; its edge from vertex 3 to 4 lies in face 1 and passes
+    // through `place`.
     Mesh mesh{{Vec3(-1, -1, 0), Vec3(2, -1, 0), Vec3(-1, 2, 0), place - Vec3(0.5, 0.25, 0),
                place + Vec3(0.5, 0.25, 0), place + Vec3(0, 0, 1)},
               {{3, 4, 5}, {0, 1, 2}},

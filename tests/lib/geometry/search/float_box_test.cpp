@@ -97,7 +97,7 @@ TEST_CASE("magnitudes that floats do not hold are distinguished, and keep their 
       }
     }
   }
-  // Boxes of rays reach to the largest numbers.
+  // Boxes of rays extend to the largest numbers.
   constexpr double farthest = std::numeric_limits<double>::max();
   const FloatBox all = frame.box(Vec3::Constant(-farthest), Vec3::Constant(farthest));
   for (const Vec3& p : points)

@@ -23,7 +23,7 @@ TEST_CASE("a grid finds near points, by brute force, also around 0 and far out")
       const Vec3 p = i == 0 ? Vec3(far, -0.0, 0) : place();
       std::vector<int> visits(points.size(), 0);
       const bool ends = grid.find_around(p, [&](Index other) { return ++visits[other] > 1; });
-      CHECK(!ends);  // none is visited twice
+      CHECK(!ends);  // no entry is visited twice
       bool finds_all = true;
       for (std::size_t k = 0; k < points.size(); ++k)
         if ((points[k] - p).cwiseAbs().maxCoeff() <= 1 && visits[k] != 1) finds_all = false;

@@ -43,7 +43,8 @@ TEST_CASE("the curve passes every cell once and never jumps") {
 }
 
 TEST_CASE("boxes come in the order of their centers along the curve") {
-  // Centers on the corners and the middle of the cells' range keep their exact cell.
+  // Two boxes at opposite corners of the range of cells give every center with integer coordinates
+  // exactly the cell of these coordinates.
   constexpr float last = (1U << hilbert_bits) - 1;
   test::Random random(2);
   std::vector<FloatBox> boxes{box_at(0, 0, 0), box_at(last, last, last)};

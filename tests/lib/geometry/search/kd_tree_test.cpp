@@ -12,7 +12,7 @@ using namespace transformesh;
 
 namespace {
 
-/// All points in order of (squared distance, index).
+/// Returns all points in order of (squared distance, index).
 std::vector<Index> nearest_by_search(const std::vector<Vec3>& points, const Vec3& query) {
   std::vector<std::pair<double, Index>> order;
   for (Index i = 0; i < points.size(); ++i) {
@@ -46,7 +46,7 @@ void check_odd_within(const std::vector<Vec3>& points, const Vec3& query, double
   CHECK(KdTree(points).nearest_within(query, distance, is_odd) == expected);
 }
 
-/// Few places for many points: every query has ties.
+/// Many points at few positions: every query has ties.
 std::vector<Vec3> lattice_points(std::uint64_t seed, std::size_t count) {
   test::Random random(seed);
   std::vector<Vec3> points(count);

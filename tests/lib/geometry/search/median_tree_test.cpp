@@ -35,7 +35,8 @@ double squared_distance(const Vec3& query, const FloatBox& box) {
   return MedianTree::squared_length(way.x(), way.y(), way.z());
 }
 
-/// The box nearest to the query, the lowest of equally near ones; and how many were looked at.
+/// The box nearest to the query, with the lowest index of equally near ones, and the number of
+/// boxes visited.
 struct Nearest {
   Index box = no_index;
   std::size_t visited = 0;

@@ -8,13 +8,14 @@
 #include "clean/intersect/contacts.h"
 #include "helpers/random.h"
 
-// The oracle is the exact test of two faces, which knows no links.
+// The oracle is the exact test of two faces, which does not use links.
 namespace transformesh {
 namespace {
 
 constexpr Index many = 60;
 
-/// Corner 0 with faces around it, of random lengths and directions or on a few of them.
+/// Corner 0 with faces around it. The other corners are random, or random nodes of a lattice of
+/// 3 x 3 x 3, so that edges often coincide.
 Mesh fan(std::uint64_t seed, double size, bool on_lattice) {
   test::Random random(seed);
   Mesh mesh{{size * random.point(-1, 1)}, {}, {}, {}};
@@ -31,7 +32,7 @@ Mesh fan(std::uint64_t seed, double size, bool on_lattice) {
   return mesh;
 }
 
-/// Corners 0 and 1 with faces at their edge, and faces that close them to tetrahedra.
+/// Corners 0 and 1 with faces at their edge, and further faces that close them to tetrahedra.
 Mesh book(std::uint64_t seed, double size) {
   test::Random random(seed);
   Mesh mesh{{size * random.point(-1, 1), size * random.point(-1, 1)}, {}, {}, {}};
@@ -44,7 +45,7 @@ Mesh book(std::uint64_t seed, double size) {
   return mesh;
 }
 
-/// Faces in one plane, twice around their corner.
+/// Coplanar faces that go twice around their common corner.
 Mesh flat_fan() {
   Mesh mesh{{Vec3(0.1, 0.2, 0.3)}, {}, {}, {}};
   for (Index i = 0; i < many; ++i) {
@@ -55,7 +56,7 @@ Mesh flat_fan() {
   return mesh;
 }
 
-/// How many pairs are apart; none of them may meet.
+/// Returns the number of pairs that are apart. Checks that none of them intersects.
 std::size_t count_apart(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   const SimplexLinks links = find_simplex_links(welded.points, welded.faces);

@@ -26,14 +26,16 @@ std::string refusal(const std::string& bytes, const std::string& name = "-") {
   return "";
 }
 
-/// The bytes of a binary STL that says and holds so many facets, with a header that begins as told.
+/// Returns a binary STL file that announces `says` facets and holds `holds`. Its header begins with
+/// `header`.
 std::string binary_stl(std::size_t says, std::size_t holds, std::string header = "") {
   header.resize(80, ' ');
   for (int i = 0; i < 4; ++i) header += static_cast<char>(says >> 8 * i & 255);
   return header + std::string(50 * holds, '\0');
 }
 
-/// A triangle with the comment, which goes on until the file has that size if it is shorter.
+/// Returns a file with a triangle and the comment. Letters are appended to the comment if the file
+/// is otherwise shorter than `size` bytes.
 std::string file_of_size(const std::string& comment, Format format, std::size_t size) {
   Document document;
   document.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -70,7 +72,8 @@ TEST_CASE("binary STL is detected by its size, also where the header says solid"
 }
 
 TEST_CASE("a written file is detected as its format, for any comment") {
-  // Behind marks of any length, the count of a binary STL of exactly so many bytes.
+  // After headers of any length, the count of a binary STL with exactly as many bytes as it
+  // announces.
   std::vector<std::pair<std::string, std::size_t>> comments{
       {"OFF OFF\xb6", 0}, {"ply", 0}, {"solid", 0}, {"v 0 0 0", 0}, {"\rOFF 0 0 0", 0}};
   for (std::size_t padding = 60; padding < 80; ++padding) {
@@ -139,7 +142,7 @@ TEST_CASE("text in UTF-16 and binary OFF are named") {
   }
   for (const std::string& bytes :
        {std::string("OFF BINARY\n\0\0\0\4", 15), std::string("COFF BINARY \n\0", 14)}) {
-    CHECK_THROWS_WITH_AS(read_mesh(bytes, "a.off"), doctest::Contains("binary OFF is not read"),
-                         InputError);
+    CHECK_THROWS_WITH_AS(read_mesh(bytes, "a.off"),
+                         doctest::Contains("binary OFF is not supported"), InputError);
   }
 }

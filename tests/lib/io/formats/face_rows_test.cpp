@@ -56,8 +56,8 @@ TEST_CASE("notes count triangulated, folded and dropped polygons") {
   Read result = read(rows, 1);
   result.notes.pop_back();
   CHECK(result.notes ==
-        std::vector<std::string>{
-            "off: 2 polygons cut into 4 triangles",
-            "off: 1 polygon cut with folds, as the outline intersects itself; the first is face 3",
-            "off: 1 face with fewer than three corners dropped"});
+        std::vector<std::string>{"off: 2 polygons cut into 4 triangles",
+                                 "off: 1 polygon cut into triangles that fold over, because the "
+                                 "outline intersects itself; the first is face 3",
+                                 "off: 1 face with fewer than three corners dropped"});
 }

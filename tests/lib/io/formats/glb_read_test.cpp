@@ -41,7 +41,7 @@ TEST_CASE("glb: texture coordinates of corners survive with the manifold") {
   CHECK(again.mesh.positions == document.mesh.positions);
   CHECK(again.mesh.faces == document.mesh.faces);
   CHECK(column(again.mesh.face_columns, "texcoord").values == lists.values);
-  // Without the fourth face no manifold is claimed, and copies stay copies.
+  // Without the fourth face, EXT_mesh_manifold is not written, and copies of vertices stay.
   document.mesh.faces.pop_back();
   lists.list_offsets.pop_back();
   lists.values.resize(18);

@@ -9,7 +9,8 @@ using namespace transformesh::testing;
 
 namespace {
 
-/// Reads as the standard says: a header, a chunk of JSON and one of bytes, in which accessors are.
+/// Reads a file by the standard: a header, a chunk of JSON, and a chunk of bytes to which accessors
+/// refer.
 struct Glb {
   explicit Glb(const std::string& file) {
     REQUIRE(file.substr(0, 4) == "glTF");
@@ -30,8 +31,9 @@ struct Glb {
     return load<std::uint32_t>(from, at);
   }
 
+  // The test assumes a little-endian machine.
   template <class T>
-  static T load(const std::string& from, std::size_t at) {  // of a little-endian machine
+  static T load(const std::string& from, std::size_t at) {
     T value;
     std::memcpy(&value, from.substr(at, sizeof(T)).data(), sizeof(T));
     return value;
@@ -133,7 +135,8 @@ TEST_CASE(
   Column& lists = document.mesh.face_columns.get("texcoord", Scalar::float32, 0);
   lists.list_count_type = Scalar::uint8;
   lists.list_offsets = {0, 6, 12, 18, 18};
-  // Vertex 1 of the third face is elsewhere than in the second one; the fourth has no places.
+  // Vertex 1 has another texture coordinate in the third face than in the second. The fourth face
+  // has none.
   lists.values = {0, 0, 0.5, 0, 0.25, 0.5, 0, 0, 0.25, 0.5, 1, 1, 0.75, 0.5, 0.5, 0, 1, 1};
   document.texture = "the bytes of a PNG";
   const WriteResult result = write_mesh(document);
@@ -189,7 +192,7 @@ TEST_CASE("glb: data that the standard cannot hold is noted") {
   set_columns({"red", "green", "blue"}, Scalar::float64, {0, 0.1, 0.5, 2}, document);
   const WriteResult result = write_mesh(document);
   const Glb glb(result.bytes);
-  // Neither are zeros normals, nor is what exceeds 1 a color: they are numbers with a name.
+  // Zeros are not normals, and values above 1 are not colors: they are written as named numbers.
   CHECK_FALSE(glb.primitive()["attributes"].contains("NORMAL"));
   CHECK_FALSE(glb.primitive()["attributes"].contains("COLOR_0"));
   CHECK(glb.attribute("_NX") == std::vector<double>{0, 1, 1, 1});

@@ -7,7 +7,7 @@ using namespace transformesh::testing;
 
 namespace {
 
-/// Numbers of an accessor in a file of its own.
+/// Returns the numbers of an accessor in a file that contains only this accessor.
 GltfNumbers numbers_of(const Json& json, std::size_t accessor) {
   const std::string text = json.dump();
   return gltf_numbers(GltfFile({text, "input"}, ""), accessor, 1000);

@@ -56,7 +56,7 @@ TEST_CASE("gltf: attributes become columns") {
   CHECK(columns.find("alpha") == nullptr);  // all are opaque
   CHECK(column(columns, "quality").values == std::vector<double>{0, 0.5, 1, 1.5});
   CHECK(column(columns, "t").values == std::vector<double>{1, 0, -1, -2});
-  CHECK(has_note(result.notes, "glb: 1 vertex attribute that is no column left out"));
+  CHECK(has_note(result.notes, "glb: 1 vertex attribute of an unsupported type left out"));
   attributes["_QUALITY"] = 1;
   CHECK(contains(read_error(json.dump()), "accessor 1 has 12 elements, too many"));
 }
@@ -93,6 +93,7 @@ TEST_CASE("gltf: EXT_mesh_manifold makes copies of a vertex one again") {
   json["meshes"][0]["extensions"]["EXT_mesh_manifold"]["manifoldPrimitive"]["indices"] = 1;
   const ReadResult unfit = read(json);
   CHECK(unfit.document.mesh.positions.size() == 4);
-  CHECK(
-      has_note(unfit.notes, "glb: 1 mesh extension EXT_mesh_manifold that does not fit left out"));
+  CHECK(has_note(
+      unfit.notes,
+      "glb: 1 mesh extension EXT_mesh_manifold that does not match its triangles left out"));
 }

@@ -29,7 +29,7 @@ TEST_CASE("obj: groups, objects and materials") {
   CHECK(written.bytes == text);
   CHECK(written.notes.empty());
 
-  // By way of PLY too; numbers that no comment names are names themselves.
+  // Names survive a conversion to PLY and back. Numbers without a comment are names themselves.
   Document other = read_document(written.bytes);
   other.style.format = Format::ply_little;
   other = read_document(write_mesh(other).bytes);
@@ -67,7 +67,7 @@ TEST_CASE("obj: labels count for the rows behind them, and names get numbers tha
   reader.set(6, "behind the last row");
   Document document;
   reader.move_into(obj_label_kinds[1], 6, document);
-  // 1 is taken by its name. Beyond 32 bits a number is a name.
+  // The name "1" takes the label 1. A number beyond 32 bits is a name.
   CHECK(column(document.mesh.face_columns, "group").values ==
         std::vector<double>{0, 2, 2, 1, 4, -7});
   CHECK(document.style.comments ==

@@ -48,7 +48,7 @@ TEST_CASE("obj: polygons are cut, small faces dropped, the rest is named once") 
                                  "obj: 1 face with fewer than three corners dropped",
                                  "obj: 1 line 'l' left out", "obj: 1 line 's' left out",
                                  "obj: 2 lines 'vn' left out", "obj: 1 line 'vt' left out",
-                                 "obj: 1 comment behind data left out"});
+                                 "obj: 1 comment after data left out"});
 }
 
 TEST_CASE("obj: weights are left out, and said") {
@@ -73,7 +73,7 @@ TEST_CASE("obj: errors name the place") {
         "vertex 1 has 2 numbers; 3 are needed, 4 with a weight or 6 with a color (input line 1)");
   CHECK(read_error("v 0,5 0 0\n") ==
         "a coordinate of vertex 1 is not a number: '0,5' (input line 1)");
-  // Without any vertex it is no OBJ.
+  // A file without vertices is not OBJ.
   CHECK(read_error("f 1 2 3\n\nquux 1\nquuz 1\n") ==
         "an OBJ file has no lines that start with 'quux' (input line 3)");
 }

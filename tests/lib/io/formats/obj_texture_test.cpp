@@ -23,7 +23,8 @@ TEST_CASE("obj: texture coordinates of corners") {
   CHECK(write_mesh(document).bytes == text);
   CHECK(write_mesh(document).notes.empty());
 
-  // Doubles where floats would lose digits; a polygon is cut together with its coordinates.
+  // Coordinates are doubles if floats would lose digits. A polygon is triangulated together with
+  // its coordinates.
   const Document polygon =
       read_document(points + "vt 0.123456789 0\nvt 1\nvt 1 1 0\nvt 0 1\nf 4/-4/7 1/-3 2/3 3/4//\n");
   const Column& fan = column(polygon.mesh.face_columns, "texcoord");
@@ -47,7 +48,8 @@ TEST_CASE("obj: missing texture coordinates are refused") {
   CHECK(result.document.mesh.face_columns.columns.empty());
   CHECK(result.document.mesh.faces.size() == 3);
   CHECK(has_note(result.notes,
-                 "obj: 3 faces with texture coordinates that are not there left without"));
+                 "obj: 3 faces with texture coordinate indices out of range left without texture "
+                 "coordinates"));
   CHECK(has_note(result.notes, "obj: third numbers of 1 texture coordinate left out"));
   CHECK(read_error("v 0 0 0\nvt a 0\n") ==
         "a texture coordinate is not a number: 'a' (input line 2)");
@@ -55,7 +57,7 @@ TEST_CASE("obj: missing texture coordinates are refused") {
 }
 
 TEST_CASE("obj: numbers of texture points count back from those read so far") {
-  // The second face is read when two more points are there.
+  // Two more texture coordinates precede the second face.
   const Document document = read_document(points +
                                           "vt 0 0\nvt 1 0\nvt 0 1\nf 1/-3 2/-2 3/-1\n"
                                           "vt 4 4\nvt 5 5\nf 1/-5 2/-2 4/-1\n");
@@ -72,6 +74,7 @@ TEST_CASE("obj: numbers of texture points as large as they get name no point") {
     const Column& lists = column(result.document.mesh.face_columns, "texcoord");
     CHECK(lists.list_offsets == std::vector<std::size_t>{0, 6, 6});
     CHECK(has_note(result.notes,
-                   "obj: 1 face with texture coordinates that are not there left without"));
+                   "obj: 1 face with texture coordinate indices out of range left without texture "
+                   "coordinates"));
   }
 }

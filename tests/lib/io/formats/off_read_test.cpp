@@ -34,7 +34,7 @@ TEST_CASE("off: counts, comments and blank lines at unusual places") {
   }
   CHECK(read_mesh("4 1 0\n" + points + "3 0 1 2\n", "a.off").document.mesh.faces.size() == 1);
   CHECK(has_note(read_mesh("OFF 1 0 0 # x\n0 0 0\n", "input").notes,
-                 "off: 1 comment behind data dropped"));
+                 "off: 1 comment after data dropped"));
 }
 
 TEST_CASE("off: normals, colors and texture coordinates of vertices") {
@@ -137,7 +137,7 @@ TEST_CASE("off: errors name the place") {
         "the count of vertices is not a whole number of 0 or more: 'x' (input line 2)");
   CHECK(read_error("OFF\n") ==
         "the data ends before the counts of vertices and faces (input line 2)");
-  CHECK(contains(read_error("OFF BINARY\n\1\2\3"), "binary OFF is not read"));
+  CHECK(contains(read_error("OFF BINARY\n\1\2\3"), "binary OFF is not supported"));
   CHECK(contains(read_error("OFF\n9223372036854775808 1 0\n0 0 0\n"),
                  "the header announces 9223372036854775808 vertices"));
   CHECK(read_error("OFF\n1 9223372036854775808 0\n0 0 0\n") ==
@@ -154,5 +154,5 @@ TEST_CASE("off: a file that is cut at any byte, or lies about its counts, is ref
         "a corner of face 0 is missing (input line 7)");
   CHECK(read_error("OFF\n4 1 0\n" + points + "3 0 1 1.5\n") != "read");
   CHECK(has_note(read_mesh("OFF\n4 1 0\n" + points + "3 0 1 2\n3 0 1 3\n", "input").notes,
-                 "off: what follows the last face is ignored"));
+                 "off: data after the last face ignored"));
 }

@@ -66,12 +66,13 @@ TEST_CASE("pcd: headers that make no sense") {
   CHECK(contains(read_error("VERSION 0.7\nFIELDS x y\n"), "ends before the line DATA"));
   CHECK(contains(read_error("VERSION 0.7\nFIELDS x y\nDATA ascii\n"), "no field z"));
   CHECK(contains(read_error("VERSION 0.7\nFIELDS x y z\nSIZE 3 4 4\nDATA ascii\n"),
-                 "field 'x' has a type that is not read"));
+                 "field 'x' has a type that is not supported"));
   CHECK(contains(read_error("VERSION 0.7\nFIELDS x y z\nWIDTH 4000000\nDATA ascii\n1 2 3\n"),
                  "4000000 points, but only 6 bytes follow"));
   CHECK(contains(read_error("VERSION 0.7\nFIELDS x y z\nPOINTS 2\nDATA ascii\n1 2 3\n"),
                  "the data ends before point 1 of 2"));
-  CHECK(contains(read_error(fields + "POINTS 1\nDATA zip\n"), "the encoding 'zip' is not read"));
+  CHECK(
+      contains(read_error(fields + "POINTS 1\nDATA zip\n"), "the encoding 'zip' is not supported"));
 }
 
 TEST_CASE("pcd: text with numbers that the type of their field does not hold") {

@@ -1,4 +1,4 @@
-// Rows of binary PLY written by hand, cut short at every byte, and with counts that lie.
+// Rows of binary PLY written by hand, truncated at every byte, and with wrong counts.
 #include "lib/io/bytes.h"
 #include "lib/io/ply_text.h"
 
@@ -15,7 +15,7 @@ std::string head(bool is_big, const std::string& rest) {
 const std::string three_vertices =
     "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 
-/// A triangle with a list of shorts and an 8-byte number at its face.
+/// A triangle whose face has a list of shorts and an 8-byte number.
 std::string triangle(bool is_big) {
   Bytes file(is_big);
   file.text(head(is_big, three_vertices +
@@ -97,7 +97,7 @@ TEST_CASE("binary ply: errors name the face, its value and the byte") {
     CHECK(read_error(face_row(list, row)) == what + " (input byte " + std::to_string(place) + ")");
   };
   const std::string index = "face 0 has vertex index ", count = ", but there are 3 vertices";
-  // Rows of the common layout and rows with shorts are read by different loops.
+  // Different loops read rows of the common layout and rows with shorts.
   check("uchar int", Bytes().u8(3).u32(0).u32(1).u32(3), index + "3" + count, 13);
   check("uchar int", Bytes().u8(3).u32(0).u32(0xffffffff).u32(1), index + "-1" + count, 9);
   check("uchar short", Bytes().u8(3).u16(0).u16(1).u16(0xffff), index + "-1" + count, 7);

@@ -62,8 +62,8 @@ TEST_CASE("ply: malformed headers are refused with their line") {
                           "vertex_indices\nend_header\n"),
                  "the count of a list must have an integer type"));
   CHECK(contains(error_of("format ascii 1.0\nelement a 1\nelement a 1\nend_header\n"),
-                 "the element 'a' comes twice"));
-  // Behind an element it may describe data.
+                 "the element 'a' is listed twice"));
+  // An unknown line after an element may describe data, so it is not taken for a comment.
   CHECK(contains(error_of("format ascii 1.0\nelement vertex 1\nproprety float x\nend_header\n"),
                  "unknown word in the PLY header: 'proprety'"));
 }
@@ -89,7 +89,7 @@ TEST_CASE("ply: headers without a mesh are refused") {
   CHECK(read_error(header("ascii", "element vertex 1\nproperty float x\n") + "1\n") ==
         "the vertices need the properties x, y and z (input)");
   CHECK(read_error(header("ascii", "element vertex 1\n" + vertex_header + "property float x\n") +
-                   "1 2 3 4\n") == "vertex property 'x' comes twice (input)");
+                   "1 2 3 4\n") == "vertex property 'x' is listed twice (input)");
   CHECK(read_error(header("ascii", "element vertex 0\n" + vertex_header +
                                        "element face 1\nproperty int label\n") +
                    "1\n") == "the faces need a property list vertex_indices (input)");
@@ -111,7 +111,7 @@ TEST_CASE("ply: counts beyond the bytes present are refused before memory is tak
       CHECK(contains(error, std::string("announces ") + count + " rows of element 'vertex'"));
     }
   }
-  // A list that claims four thousand million entries.
+  // A list that announces four thousand million entries.
   Bytes file;
   file.text(header("binary_little_endian",
                    "element vertex 1\n" + vertex_header + "property list uint uchar data\n"));

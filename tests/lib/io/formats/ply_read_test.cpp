@@ -7,7 +7,7 @@ using namespace transformesh::testing;
 
 namespace {
 
-/// The mesh of the test of values that are not finite.
+/// A binary mesh with values that are not finite.
 std::string binary_with_bad_values(bool is_big) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
@@ -108,7 +108,7 @@ TEST_CASE("ply: a column of every scalar type keeps its extremes, in both spelli
     }
     CHECK(write_mesh(document).bytes == file.str());
 
-    // The same through text and the other byte order.
+    // The same mesh as text and in the other byte order.
     for (const Format format : {Format::ply_ascii, Format::ply_big}) {
       document.style.format = format;
       Document back = read_document(write_mesh(document).bytes);
@@ -162,7 +162,8 @@ TEST_CASE("ply: polygons become fans with their columns; small faces are dropped
 }
 
 TEST_CASE("ply: the fast path and the general one read the same") {
-  // Faces with a property before and after the corners; one in the middle is a quad.
+  // Faces have a property before and one after the corners. If `has_quad`, a face in the middle is
+  // a quad.
   for (const bool has_quad : {false, true}) {
     std::vector<std::string> results;
     for (const std::string count_type : {"uchar", "int"}) {
@@ -202,7 +203,9 @@ TEST_CASE("ply: coordinates of any type and in any order") {
   CHECK(result.document.mesh.positions == std::vector<Vec3>{{70000, -7, -300}});
   CHECK(result.document.style.coordinate == Scalar::float64);
   CHECK(has_note(result.notes, "ply: integer coordinates become double"));
-  CHECK(has_note(result.notes, "ply: the vertex properties x y z are put together in this order"));
+  CHECK(
+      has_note(result.notes,
+               "ply: the vertex properties x, y and z will be written side by side in this order"));
 }
 
 TEST_CASE("ply: what is not a number may be an attribute but not a coordinate") {
@@ -235,7 +238,8 @@ TEST_CASE(
       "nan nan nan 0 0 1 0 0 0\n0 0 1 0 0 1 0 0 0\n";
   for (const Format format : {Format::ply_ascii, Format::ply_little, Format::ply_big}) {
     std::string bytes = text;
-    if (format != Format::ply_ascii) {  // by hand, as such values are not written
+    // written by hand, because the library does not write such values
+    if (format != Format::ply_ascii) {
       bytes = binary_with_bad_values(format == Format::ply_big);
     }
     const ReadResult result = read_mesh(bytes, "input");
@@ -268,7 +272,7 @@ TEST_CASE("ply: bytes after the data are noted") {
   const std::string text = ascii_triangle("3 0 1 2");
   CHECK(read_mesh(text + "\n\n", "input").notes.empty());
   CHECK(has_note(read_mesh(text + "junk", "input").notes,
-                 "ply: what follows the last element is ignored"));
+                 "ply: data after the last element ignored"));
   Document document = read_document(text);
   document.style.format = Format::ply_little;
   CHECK(has_note(read_mesh(write_mesh(document).bytes + "junk", "input").notes,
@@ -323,12 +327,12 @@ TEST_CASE("ply: triangle strips are read as faces") {
   CHECK(result.notes ==
         std::vector<std::string>{"ply: 1 row of triangle strips cut into 8 triangles"});
   CHECK(read_document(write_mesh(result.document).bytes).mesh.faces.size() == 8);
-  // A vertex that is named twice moves the strip on.
+  // A vertex that is named twice changes the parity of the strip.
   CHECK(read_document(header("ascii", start) + vertices + "6 0 1 2 2 3 4\n").mesh.faces ==
         std::vector<Face>{{0, 1, 2}, {3, 2, 4}});
   CHECK(contains(read_error(header("ascii", start) + vertices + "3 0 1 6\n"), "vertex index 6"));
   CHECK(contains(read_error(header("ascii", start) + vertices + "3 0 1 -2\n"), "vertex index -2"));
-  // Faces count where there are some.
+  // If there are faces, strips are ignored.
   const ReadResult both = read_mesh(
       header("ascii", start + "element face 1\n" + face_header) + vertices + strip + "3 0 1 2\n",
       "input");

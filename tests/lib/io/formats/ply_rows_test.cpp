@@ -1,4 +1,4 @@
-/// Rows of PLY files, against the reader of whole files.
+/// Rows of PLY files, compared with the reader of whole files.
 #include "io/formats/ply_rows.h"
 
 #include <doctest/doctest.h>
@@ -106,7 +106,7 @@ TEST_CASE("files that cannot be read row by row are refused, with the place") {
   CHECK(contains(message(bytes.substr(0, 40)), "end_header"));
   CHECK(contains(message("OFF\n"), "only binary PLY"));
   CHECK(contains(message(replaced(bytes, "element face 320", "element face 99999999999")),
-                 "not there"));
+                 "ends before them"));
   CHECK(contains(message(replaced(bytes, "property double y", "property double w")), "x, y and z"));
   CHECK(contains(message(replaced(bytes, "element face", "element edge")), "'edge'"));
   Document other = document;

@@ -58,7 +58,8 @@ TEST_CASE("stl: errors name the place") {
         "the data ends within facet 0, before 'endsolid' (input line 8)");
   CHECK(changed("vertex 0 0 0", "vertex 0 0") ==
         "a coordinate of facet 0 is missing (input line 4)");
-  CHECK(changed("outer", "inner") == "'outer' is needed in facet 0, not 'inner' (input line 3)");
+  CHECK(changed("outer", "inner") ==
+        "'outer' is missing in facet 0, which has 'inner' (input line 3)");
 }
 
 TEST_CASE("stl: facets that are not finite are dropped with a count") {
@@ -124,7 +125,7 @@ TEST_CASE("stl: facets beyond the bytes are refused before memory is taken") {
   CHECK(read_error(file.str(), "a.stl") ==
         "the header announces 4294967295 facets, but only 1 follow: the file is cut off or not STL "
         "(a.stl byte 80)");
-  // Fewer are announced than follow.
+  // The header announces fewer facets than follow.
   add_facet(file, 1, 0);
   std::string bytes = file.str();
   bytes.replace(80, 4, std::string("\1\0\0\0", 4));

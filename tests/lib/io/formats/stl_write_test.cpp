@@ -12,7 +12,7 @@ TEST_CASE("stl: attributes, headers that say solid, bytes behind the end") {
   CHECK(column(result.document.mesh.face_columns, "attribute").values ==
         std::vector<double>{0, 65534});
   CHECK(has_note(result.notes, "stl: 4 bytes after the last facet ignored"));
-  // Written without `solid`, by which others would take it for text.
+  // The header does not begin with `solid`, which other programs would take for text.
   CHECK(write_mesh(result.document).bytes.substr(0, 11) == std::string("but binary\0", 11));
 }
 
@@ -27,7 +27,7 @@ TEST_CASE("stl: a name is written as it will be read") {
     CHECK(again.style.comments ==
           (*name ? std::vector<std::string>{name} : std::vector<std::string>{}));
   }
-  // Bytes beyond ASCII are no name on any machine, whether its characters have a sign or not.
+  // Bytes beyond ASCII are not a name, whether `char` is signed or not.
   Bytes file = binary_start("COLOR=\xff\xff", 0);
   CHECK(read_document(file.str()).style.comments.empty());
 }

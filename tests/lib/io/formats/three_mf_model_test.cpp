@@ -36,7 +36,7 @@ TEST_CASE("3mf model: vertices, triangles and components with transforms") {
   CHECK(model.unit == "inch");
   CHECK(model.objects.at("7").positions[1] == Vec3(1, 0, 3));
   CHECK(model.objects.at("7").faces == std::vector<Face>{{0, 1, 2}});
-  // Rows are where the axes go: x to y, y to -x.
+  // The rows are the images of the axes: x goes to y, and y to -x.
   CHECK(model.objects.at("8").components.at(0).to_parent * Vec3(1, 2, 0) == Vec3(8, 21, 30));
   CHECK(model.items.at(0).part == "/3D/other.model");
 }
@@ -65,7 +65,7 @@ TEST_CASE("3mf model: what is malformed is named") {
   CHECK(contains(error_of("<model>"), "XML is not well-formed"));
   CHECK(contains(error_of("<other/>"), "'3dmodel.model' has no element 'model'"));
   CHECK(contains(error_of(object("<mesh><vertices><vertex x=\"1\" y=\"2\"/></vertices></mesh>")),
-                 "z='' in vertex 0 of object '1', no finite number"));
+                 "z='' in vertex 0 of object '1', which is not a finite number"));
   CHECK(contains(error_of(object("<mesh><vertices/><triangles><triangle v1=\"0\" v2=\"1\" "
                                  "v3=\"2\"/></triangles></mesh>")),
                  "'0' as v1 of triangle 0 of object '1', but there are 0 elements"));

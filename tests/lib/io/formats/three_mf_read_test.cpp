@@ -24,7 +24,8 @@ TEST_CASE("3mf: items and components are joined where their transforms put them"
   const Mesh& mesh = result.document.mesh;
   REQUIRE(mesh.positions.size() == 6);
   CHECK(mesh.positions[4] == Vec3(-1, 0, 7));
-  CHECK(mesh.faces == std::vector<Face>{{0, 1, 2}, {3, 5, 4}});  // the mirror image is turned
+  // faces of the mirror image are reversed
+  CHECK(mesh.faces == std::vector<Face>{{0, 1, 2}, {3, 5, 4}});
   CHECK(result.document.style.comments == std::vector<std::string>{"tm:unit inch"});
   CHECK(has_note(result.notes, "3mf: 2 objects read as one mesh"));
 }
@@ -77,7 +78,7 @@ TEST_CASE("3mf: circles, missing objects and repetitions without end are refused
     return text + "</components></object>";
   };
   CHECK(contains(error_of(holder(1, 2, 1) + holder(2, 1, 1)), "object '1' contains itself"));
-  CHECK(contains(error_of(""), "object '1' is used, but not in '3D/3dmodel.model'"));
+  CHECK(contains(error_of(""), "object '1' is used, but missing in '3D/3dmodel.model'"));
   std::string deep, wide;
   for (int id = 1; id <= 300; ++id) deep += holder(id, id + 1, 1);
   CHECK(contains(error_of(deep), "nested more than 256 deep"));
@@ -85,6 +86,6 @@ TEST_CASE("3mf: circles, missing objects and repetitions without end are refused
   CHECK(
       contains(error_of(wide + "<object id=\"41\"/>"), "repeated parts expand to more than 64 MB"));
   CHECK(contains(read_error(stored_zip({{"word/document.xml", ""}, {"_rels/.rels", "<R/>"}})),
-                 "is no 3MF file"));
+                 "is not a 3MF file"));
   CHECK(contains(read_error(stored_zip({{"a.txt", ""}})), "no part '3D/3dmodel.model'"));
 }

@@ -7,7 +7,7 @@ using namespace transformesh::testing;
 
 namespace {
 
-/// Four points, a quadrilateral and a strip of two triangles behind one cell of another kind.
+/// Four points, a quadrilateral and a strip of two triangles, after one cell of another type.
 VtkPiece piece() {
   VtkPiece piece;
   piece.points.values = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};

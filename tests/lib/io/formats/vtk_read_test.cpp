@@ -32,7 +32,7 @@ TEST_CASE("vtk: polygons and strips with the data of points and cells") {
   CHECK(column(mesh.vertex_columns, "red").values[0] == 255);
   CHECK(column(mesh.vertex_columns, "blue").values[0] == 51);
   CHECK(column(mesh.vertex_columns, "t").values[3] == 1);
-  CHECK(has_note(result.notes, "vtk: 1 cell that are no polygons left out"));
+  CHECK(has_note(result.notes, "vtk: 1 cell other than polygons left out"));
   CHECK(result.document.style.comments == std::vector<std::string>{"a title"});
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("vtk: polygons of unstructured grids, without their volumes") {
   const ReadResult result = read_mesh(grid, "input");
   CHECK(result.document.mesh.faces == std::vector<Face>{{0, 1, 2}, {0, 2, 3}});
   CHECK(column(result.document.mesh.face_columns, "m").values == std::vector<double>{2, 3});
-  CHECK(has_note(result.notes, "vtk: 1 cell that are no polygons left out"));
+  CHECK(has_note(result.notes, "vtk: 1 cell other than polygons left out"));
 }
 
 TEST_CASE("vtk: what is wrong is named") {
@@ -69,14 +69,14 @@ TEST_CASE("vtk: what is wrong is named") {
   CHECK(contains(error_with(square + "POLYGONS 1 4 3 0 1 4\n"), "cell 0 has point index 4"));
   CHECK(contains(error_with(square + "POLYGONS 1 4 9 0 1 2\n"), "reaches beyond the list"));
   CHECK(contains(error_with(square + "POLYGONS 2 4 3 0 1 2\n"), "2 cells are announced"));
-  CHECK(contains(error_with(square + "POLYGONS 1 4 3 0 1 -2\n"), "no whole number"));
+  CHECK(contains(error_with(square + "POLYGONS 1 4 3 0 1 -2\n"), "not a whole number"));
   CHECK(contains(error_with("POINTS 99999999999 float\n"), "elements are announced"));
   CHECK(contains(error_with("POINTS 50 float\n1 2 3"), "150 numbers of 'points' are announced"));
   CHECK(contains(error_with("POINTS 1 float\n1 2 x"), "number 2 of 'points' is 'x'"));
-  CHECK(contains(error_with("POINTS 1 bit\n1 2 3"), "the type 'bit' are not read"));
+  CHECK(contains(error_with("POINTS 1 bit\n1 2 3"), "the type 'bit' are not supported"));
   CHECK(contains(error_with("WORD\n"), "the unknown word 'word'"));
   CHECK(contains(error_with(square + "POINT_DATA 3\nSCALARS a int\n1 2 3\n"),
                  "the array 'a' has 3 numbers, but there are 4 points of 1 component"));
   CHECK(contains(read_error("# vtk DataFile Version 3.0\n\nASCII\nDATASET STRUCTURED_GRID\n"),
-                 "'structured_grid' is no surface"));
+                 "'structured_grid' is not supported as a surface"));
 }

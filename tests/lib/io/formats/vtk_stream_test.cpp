@@ -21,7 +21,7 @@ TEST_CASE("vtk stream: words, lines and numbers in turn") {
   CHECK(array.values[1] == 2.5);
   CHECK(std::isnan(array.values[2]));
   CHECK_THROWS_WITH_AS(stream.indices("int", 1, "the corners"),
-                       doctest::Contains("the corners has an index that is no whole number"),
+                       doctest::Contains("the corners has an index that is not a whole number"),
                        InputError);
   CHECK(stream.word() == "end");
   CHECK(stream.word().empty());
@@ -40,6 +40,6 @@ TEST_CASE("vtk stream: bytes are big-endian and start in the next line") {
   CHECK(stream.word() == "next");
   CHECK_THROWS_WITH_AS(stream.numbers("float", 1, array), doctest::Contains("the data ends within"),
                        InputError);
-  CHECK_THROWS_WITH_AS(stream.numbers("bit", 1, array), doctest::Contains("'bit' are not read"),
-                       InputError);
+  CHECK_THROWS_WITH_AS(stream.numbers("bit", 1, array),
+                       doctest::Contains("'bit' are not supported"), InputError);
 }

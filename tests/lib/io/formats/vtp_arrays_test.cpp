@@ -8,7 +8,7 @@ using namespace transformesh::testing;
 
 namespace {
 
-/// Reads the array that an element is.
+/// Returns the array that an XML element contains.
 VtkArray array_of(const std::string& element, const VtpEncoding& encoding = {}) {
   pugi::xml_document document;
   REQUIRE(document.load_string(element.c_str()));

@@ -102,14 +102,15 @@ TEST_CASE("vtp: blocks compressed by zlib") {
 }
 
 TEST_CASE("vtp: what is wrong is named") {
-  CHECK(contains(read_error("<VTKFile type=\"ImageData\"/>"), "'ImageData' is no surface"));
+  CHECK(contains(read_error("<VTKFile type=\"ImageData\"/>"),
+                 "'ImageData' is not supported as a surface"));
   CHECK(contains(read_error("<VTKFile type=\"PolyData\">"), "not well-formed"));
   const auto error_with = [](const std::string& points) {
     return read_error(vtp("", "<Piece><Points>" + points + "</Points>" + cells + "</Piece>"));
   };
   CHECK(
       contains(error_with(array("Float32", "p", 3, "0 0 x")), "number 2 of the array 'p' is 'x'"));
-  CHECK(contains(error_with(array("Float32", "p", 3, "0 0")), "no multiple of 3"));
+  CHECK(contains(error_with(array("Float32", "p", 3, "0 0")), "not a multiple of 3"));
   CHECK(contains(error_with(array("String", "p", 3, "")), "the type 'String'"));
   CHECK(contains(error_with(array("Float32", "p", 3, "", "hex")), "the unknown format 'hex'"));
   CHECK(contains(error_with(array("Float32", "p", 3, "?", "binary")), "no base64"));

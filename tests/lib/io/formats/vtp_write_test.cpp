@@ -29,7 +29,7 @@ std::string from_base64(const std::string& text) {
   return bytes;
 }
 
-/// An array as VTK's file formats have it: the number of bytes, then the values.
+/// An array in the layout of VTK's file formats: the number of bytes, then the values.
 struct Array {
   std::string type;
   std::size_t components = 0;

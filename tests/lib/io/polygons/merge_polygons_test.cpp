@@ -1,4 +1,4 @@
-/// Polygons that were cut into triangles and merged again, against the corners that were read.
+/// Polygons that were triangulated and merged again, compared with the corners that were read.
 #include "io/polygons/merge_polygons.h"
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ std::string off_without_comments(Document document) {
   return write_mesh(document).bytes;
 }
 
-/// A house of a triangle, a square, a concave hexagon and a pentagon.
+/// A house of a square and a triangle. Beside it, a concave pentagon and a quadrilateral.
 const std::string house =
     "OFF\n12 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 2 0\n3 0 0\n4 0 0\n4 2 0\n3.5 0.5 0\n3 2 0\n"
     "2 1 0\n2.5 0 0\n"
@@ -43,7 +43,7 @@ TEST_CASE("dropped faces are removed from their polygon") {
   select(document.mesh, options);
   const MergedPolygons merged = merge_polygons(document);
   REQUIRE(merged.document.mesh.faces.size() == 4);
-  const FaceOutlines outlines(merged.document.mesh);
+  const FaceOutlines outlines(merged.document.mesh, &merged.outlines);
   CHECK(outlines.size(0) == 3);
   CHECK(outlines.size(2) == 5);
   CHECK(merged.unmerged == 0);
@@ -51,7 +51,7 @@ TEST_CASE("dropped faces are removed from their polygon") {
 }
 
 TEST_CASE("a polygon around a hole has no outline, and stays in triangles") {
-  // A bridge runs to the hole and back: its two sides cancel out.
+  // A bridge leads to the hole and back; its two sides cancel out.
   const Document document = read_off(
       "OFF\n8 1 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n1 2 0\n2 2 0\n2 1 0\n"
       "10 0 1 2 3 0 4 5 6 7 4\n");
@@ -73,6 +73,48 @@ TEST_CASE("columns follow the first triangle, and texture the corners") {
   const Document document = read_mesh(ply, "test", {.keep_polygons = true}).document;
   CHECK(document.mesh.faces.size() == 3);
   CHECK(write_mesh(document).bytes == ply);
+}
+
+TEST_CASE("OBJ keeps the texture coordinates of polygons") {
+  const std::string obj =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+      "f 1/1 2/2 3/3 4/4\nf 2/1 5/2 3/3\n";
+  const WriteResult written = write_mesh(read_mesh(obj, "test", {.keep_polygons = true}).document);
+  CHECK(written.bytes == obj);
+  CHECK(written.notes.empty());
+}
+
+TEST_CASE("a polygon that runs back along itself is dropped, and a note says so") {
+  const std::string spike = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n4 0 1 2 1\n";
+  for (const bool keeps : {false, true}) {
+    const ReadResult result = read_mesh(spike, "test", {.keep_polygons = keeps});
+    CHECK(result.document.mesh.faces.size() == 2);
+    REQUIRE(result.notes.size() == (keeps ? 1 : 2));
+    CHECK(result.notes.back() == "off: 1 polygon dropped, as the outline runs back along itself");
+    if (!keeps) CHECK(result.notes.front() == "off: 1 polygon cut into 2 triangles");
+  }
+}
+
+TEST_CASE("columns of a file are never taken for outlines or numbers of polygons") {
+  for (const std::string property :
+       {"int tm:outline", "list uchar int tm:outline", "list uchar int tm:polygon"}) {
+    CAPTURE(property);
+    const std::string value = property.starts_with("int") ? " 7" : " 2 99 -5";
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nproperty " +
+        property + "\nend_header\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2" + value + '\n';
+    for (const bool keeps : {false, true})
+      CHECK(write_mesh(read_mesh(ply, "test", {.keep_polygons = keeps}).document).bytes == ply);
+  }
+}
+
+TEST_CASE("XYZ drops faces, and does not say that it writes them as triangles") {
+  Document document = read_off(house);
+  document.style.format = Format::xyz;
+  const WriteResult written = write_mesh(document);
+  REQUIRE(written.notes.size() == 1);
+  CHECK(written.notes[0] == "xyz: 8 faces cannot be stored in XYZ, dropped");
 }
 
 TEST_CASE("other formats say that polygons become triangles") {

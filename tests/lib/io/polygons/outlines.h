@@ -1,5 +1,5 @@
-/// Generated outlines of polygons in the plane z = 0, and exact facts about their triangulations
-/// that share nothing with the library.
+/// Generated outlines of polygons in the plane z = 0, and exact facts about their triangulations,
+/// computed without the library.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace transformesh::testing {
 
-/// `corners` are indices of `points`; a point that is visited twice comes twice.
+/// `corners` are indices of `points`. A point that the outline visits twice occurs twice.
 struct TestPolygon {
   std::vector<Vec3> points;
   std::vector<Index> corners;
@@ -30,7 +30,7 @@ struct TestPolygon {
   }
 };
 
-/// Star-shaped, with corners at random distances from its center.
+/// Returns a star-shaped polygon with corners at random distances from its center.
 inline TestPolygon random_star(std::size_t size, test::Random& random) {
   TestPolygon polygon;
   for (std::size_t i = 0; i < size; ++i) {
@@ -41,7 +41,7 @@ inline TestPolygon random_star(std::size_t size, test::Random& random) {
   return polygon;
 }
 
-/// A bar with square teeth.
+/// Returns a bar with rectangular teeth.
 inline TestPolygon comb(int teeth) {
   TestPolygon polygon;
   for (int i = 0; i < teeth; ++i) {
@@ -66,7 +66,8 @@ inline TestPolygon spiral(int size, int turns) {
   return polygon;
 }
 
-/// A bar with a row of holes, each reached by a bridge from below whose two sides coincide.
+/// Returns a bar with a row of holes, each connected from below by a bridge with two coincident
+/// sides.
 inline TestPolygon plate_with_holes(int holes, test::Random& random) {
   TestPolygon polygon;
   const auto add_hole = [&](double x, double y, int size) {
@@ -110,7 +111,7 @@ inline TestPolygon with_middles(const TestPolygon& polygon, test::Random& random
   return result;
 }
 
-/// How often more an edge is run forth than back.
+/// Counts for each edge how often it is traversed forward, minus how often backward.
 using Boundary = std::map<std::pair<Index, Index>, int>;
 
 inline void add_edge(Boundary& boundary, Index from, Index to) {
@@ -145,7 +146,7 @@ inline int turn(const RationalPlanePoint& a, const RationalPlanePoint& b,
 
 using PlaneTriangle = std::array<RationalPlanePoint, 3>;
 
-/// The triangles in the projection along an axis, turned so that the polygon's area is positive.
+/// Returns the triangles projected along an axis, oriented so that the polygon's area is positive.
 inline std::vector<PlaneTriangle> in_projection(const std::vector<CornerTriangle>& triangles,
                                                 const std::vector<Vec3>& positions, int axis,
                                                 int sign) {
@@ -161,7 +162,7 @@ inline std::vector<PlaneTriangle> in_projection(const std::vector<CornerTriangle
   return result;
 }
 
-/// Returns whether an edge of the first triangle separates the two. Both turn counter-clockwise.
+/// Returns whether an edge of the first triangle separates the two. Both are counterclockwise.
 inline bool separates(const PlaneTriangle& first, const PlaneTriangle& second) {
   for (std::size_t i = 0; i < 3; ++i) {
     bool is_outside = true;
@@ -172,8 +173,8 @@ inline bool separates(const PlaneTriangle& first, const PlaneTriangle& second) {
   return false;
 }
 
-/// How many triangles turn clockwise, or less than `least` (1: have no area), and how many pairs
-/// overlap.
+/// Counts the triangles whose orientation, the sign of their area, is below `least` (0: clockwise;
+/// 1: also without area), and the pairs that overlap.
 inline std::size_t count_faults(const std::vector<PlaneTriangle>& triangles, int least = 1) {
   std::size_t faults = 0;
   for (const PlaneTriangle& triangle : triangles)
@@ -185,7 +186,7 @@ inline std::size_t count_faults(const std::vector<PlaneTriangle>& triangles, int
   return faults;
 }
 
-/// Newell's normal in doubles.
+/// Returns Newell's normal in doubles.
 inline Vec3 normal_of(const std::vector<Vec3>& positions) {
   Vec3 normal = Vec3::Zero();
   for (std::size_t i = 0; i < positions.size(); ++i)

@@ -29,7 +29,7 @@ double signed_area(const Points& points, const std::vector<CornerTriangle>& tria
   return area;
 }
 
-/// A star with n tips: every second corner is nearer to the middle.
+/// A star with n tips: every second corner is nearer to the center.
 Points star(int n) {
   Points points;
   for (int i = 0; i < 2 * n; ++i) {

@@ -55,7 +55,7 @@ TEST_CASE("a spike whose ends have one point is cut off") {
 }
 
 TEST_CASE("the end of an edge with the smaller triangle is cut off") {
-  // Corner 1 lies close to the line from 0 to 2, corner 2 far from that from 1 to 3.
+  // Corner 1 lies close to the line from 0 to 2, corner 2 far from the line from 1 to 3.
   const Polygon polygon({{0, 0}, {1, -0.1}, {2, 0}, {2, 2}, {0, 2}});
   RemainingCorners corners = polygon.corners();
   corners.cut_edge(1, 1);
@@ -97,7 +97,7 @@ TEST_CASE("triangles without area in the projection count if they have one in sp
   corners.remove_coincident();
   CHECK(corners.size() == 4);
   CHECK(corners.upright == 1);
-  corners.add_flat({0, 2, 3});  // on a line in space, too
+  corners.add_flat({0, 2, 3});  // collinear in space, too
   CHECK(corners.upright == 1);
   CHECK(corners.folds == 0);
 }

@@ -24,7 +24,7 @@ PolygonTriangles cut(const std::vector<Vec3>& positions) {
   return triangulate_polygon(positions, vertices);
 }
 
-/// A random rotation, so that the polygon is not exactly flat any more.
+/// Returns a random rotation. Rounding makes a rotated polygon slightly non-planar.
 Eigen::Matrix3d random_rotation(test::Random& random) {
   Eigen::Quaterniond turn(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
                           random.uniform(-1, 1));
@@ -38,8 +38,8 @@ double area_of(const Triangles& triangles, const std::vector<Vec3>& positions) {
   return area;
 }
 
-/// In the projections along the axes that the normal is near to: of nearly equal ones, rounding
-/// decides which is the nearest.
+/// Returns the least number of faults among projections along the axes close to the normal. If two
+/// axes are nearly equally close, rounding decides which one the library uses.
 std::size_t fewest_faults(const Triangles& triangles, const std::vector<Vec3>& positions,
                           const Vec3& normal, int least) {
   std::size_t fewest = triangles.size();
@@ -63,7 +63,7 @@ void check_unfolded(const TestPolygon& polygon, int least = 1) {
   CHECK(area_of(result.triangles, positions) == doctest::Approx(normal.norm() / 2).epsilon(1e-10));
 }
 
-/// Checks it flat at several heights, reversed, begun at another corner, and turned.
+/// Checks the polygon at several heights, reversed, starting at another corner, and rotated.
 void check_everywhere(TestPolygon polygon, test::Random& random) {
   for (const double height : {0.0, 0.1, 1.0, 9.0, 1e6}) {
     for (Vec3& point : polygon.points) point[2] = height;
@@ -77,7 +77,8 @@ void check_everywhere(TestPolygon polygon, test::Random& random) {
     for (Vec3& point : turned.points) point = rotation * point;
     const auto first = static_cast<std::ptrdiff_t>(random.below(turned.corners.size()));
     std::rotate(turned.corners.begin(), turned.corners.begin() + first, turned.corners.end());
-    // Three corners of one line may be anywhere beside it now, and as seen along an axis on it.
+    // After rounding, three collinear corners may lie on either side of their line, and in a
+    // projection exactly on it.
     check_unfolded(turned, 0);
   }
 }
@@ -91,10 +92,10 @@ TestPolygon crossed_square() {
 TEST_CASE("a polygon without folds from its first corner stays a fan") {
   CHECK(cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).triangles ==
         Triangles{{0, 1, 2}, {0, 2, 3}});
-  // Star-shaped as seen from its first corner, with a reflex corner there.
+  // A polygon that is star-shaped as seen from its first corner, which is a reflex corner.
   CHECK(cut({{0, 0, 5}, {2, -1, 5}, {0, 2, 5}, {-2, -1, 5}}).triangles ==
         Triangles{{0, 1, 2}, {0, 2, 3}});
-  // Not flat: a fold over a diagonal, as seen from above.
+  // A non-planar polygon with a fold over a diagonal, as seen from above.
   CHECK(cut({{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}}).triangles ==
         Triangles{{0, 1, 2}, {0, 2, 3}});
 }
@@ -176,9 +177,9 @@ TEST_CASE("repeated corners and spikes go") {
 TEST_CASE("an outline that intersects itself has folds, and the boundary of its polygon") {
   CHECK(cut(crossed_square()).folds == 1);
   CHECK(cut(crossed_square()).triangles.size() == 2);
-  // Seen from above it intersects itself, from the front it does not.
+  // The projection from above intersects itself; the one from the front does not.
   CHECK(cut({{0, 0, 0}, {1, 1, 1}, {1, 0, 3}, {0, 1, 2}}).folds == 0);
-  // Two loops that meet in a corner and turn in opposite directions.
+  // Two loops that meet in a corner and have opposite orientations.
   const TestPolygon eight{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, -2, 0}, {-1, 0, 0}},
                           {0, 1, 2, 0, 4, 3}};
   CHECK(cut(eight).triangles == Triangles{{0, 1, 2}, {3, 4, 5}});
@@ -218,7 +219,7 @@ TEST_CASE("100,000 corners do not take quadratic time") {
   };
   check_size(comb(25000));
   check_size(spiral(50000, 200));
-  // Whatever crosses or lies upon itself ends, too.
+  // Outlines that intersect or overlap themselves do not take quadratic time, either.
   test::Random random(3);
   TestPolygon crossing, line;
   for (int i = 0; i < 50000; ++i) {

@@ -9,7 +9,7 @@ using namespace transformesh::testing;
 
 namespace {
 
-/// A member of gzip or, with a window of 15, a stream of zlib.
+/// Returns a member of gzip or, with a window of 15, a stream of zlib.
 std::string compressed(const std::string& text, int window = 31) {
   z_stream stream{};
   REQUIRE(deflateInit2(&stream, 9, Z_DEFLATED, window, 9, Z_DEFAULT_STRATEGY) == Z_OK);
@@ -50,7 +50,7 @@ TEST_CASE("gzip: damage, a missing end and a bomb") {
   for (std::size_t size = 2; size < bytes.size(); ++size)
     CHECK(contains(read_error(bytes.substr(0, size)), "the compressed data is "));
   std::string damaged = bytes;
-  damaged[bytes.size() - 6] ^= 1;  // in the sum of all bytes
+  damaged[bytes.size() - 6] ^= 1;  // in the checksum
   CHECK(contains(read_error(damaged), "damaged"));
   const std::string bomb = compressed(std::string(std::size_t{65} << 20U, '\n'));
   CHECK(contains(read_error(bomb), "expands to more than 64 MB"));

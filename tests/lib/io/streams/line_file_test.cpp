@@ -27,7 +27,7 @@ TEST_CASE("a FIFO stays open between lines") {
   const LineFile file(folder / "pipe", "a\n");
   std::string bytes(2, ' ');
   CHECK(read(reader, bytes.data(), 2) == 2);
-  // The end of the file would be 0.
+  // At the end of the file, read() would return 0.
   CHECK(read(reader, bytes.data(), 2) == -1);
   file.append("b");
   CHECK(read(reader, bytes.data(), 2) == 2);

@@ -32,7 +32,7 @@ TEST_CASE("links are followed to their end, which need not be there, or to a des
 TEST_CASE("names beside a path have 255 bytes at most, whole characters, and differ") {
   CHECK(name_beside("a/b", ".", ".tmp") == "a/.b.tmp");
   CHECK(name_beside("b", "", ".x") == "b.x");
-  std::string accents = "a";  // so that the cut falls into the middle of one
+  std::string accents = "a";  // shifts the limit into the middle of a character
   for (int i = 0; i < 126; ++i) accents += "\xc3\xa9";
   for (const std::string& name : {std::string(255, 'x'), accents, "a" + accents}) {
     const std::string beside = name_beside("folder/" + name, ".", ".123-0.tmp").substr(7);

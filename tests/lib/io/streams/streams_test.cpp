@@ -19,7 +19,7 @@ using test::TemporaryFolder;
 
 namespace {
 
-/// No period that a block could hide.
+/// Returns bytes without a period that could hide an exchange of blocks.
 std::string many_bytes(std::size_t size) {
   std::string bytes(size, '\0');
   std::uint32_t state = 1;

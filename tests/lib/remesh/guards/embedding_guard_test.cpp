@@ -11,7 +11,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// The star of a vertex as it would be with the vertex elsewhere.
+/// Returns the faces around a vertex if it were at another position.
 Patch star_moved_to(const EditableMesh& mesh, Index vertex, const Vec3& position) {
   VertexStar star;
   star.gather(mesh, vertex);
@@ -32,7 +32,7 @@ Patch star_moved_to(const EditableMesh& mesh, Index vertex, const Vec3& position
   return patch;
 }
 
-/// A ball below the middle of a face of a tetrahedron with edges fifty times as long, and the
+/// A ball of radius 1 below the middle of a face of a tetrahedron that is scaled by 50, and the
 /// ball's highest vertex.
 struct BallUnderFace {
   Mesh mesh;

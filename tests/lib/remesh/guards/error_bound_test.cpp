@@ -1,4 +1,4 @@
-/// Patches within a distance of the input, judged by dense samples against all faces
+/// Patches within a distance of the input, checked by dense samples against all faces
 /// (sampled_distance.h).
 #include "remesh/guards/error_bound.h"
 
@@ -16,7 +16,8 @@ namespace {
 
 constexpr double longest = 10;
 
-/// Collapses random edges within the error, and judges the surface again and again.
+/// Collapses random edges within the error, and checks the surface after every 100 tries and at the
+/// end.
 struct Collapses {
   Collapses(const Mesh& mesh, double error)
       : input(mesh), edited(mesh), bound(edited, input, error), allowed(error) {}
@@ -76,7 +77,7 @@ TEST_CASE("a border may not move away either") {
 }
 
 TEST_CASE("faces in one plane are certified at a distance of rounding size") {
-  // Inside of a square, merged vertices stay in the plane.
+  // In the interior of a square, merged vertices stay in the plane.
   Collapses collapses(test::grid(10), 1e-9);
   CHECK(collapses.run(400, false) > 30);
   CHECK(collapses.bound.certified() <= 1e-9);

@@ -1,4 +1,4 @@
-/// Triangles over waves, judged by dense samples against all faces (sampled_distance.h).
+/// Triangles over waves, checked by dense samples against all faces (sampled_distance.h).
 #include "remesh/guards/projected_faces.h"
 
 #include <doctest/doctest.h>
@@ -56,7 +56,7 @@ TEST_CASE("a triangle that goes beyond a border, or over a hole, is not certifie
   CHECK_FALSE(covers(plane, beyond, 0.5));
   const Triangle inside{Vec3(0.1, 0.2, 0), Vec3(0.91, 0.3, 0), Vec3(0.4, 0.7, 0)};
   CHECK(covers(plane, inside, 1e-12));
-  plane.faces.erase(plane.faces.begin() + 88);  // of the square in the middle
+  plane.faces.erase(plane.faces.begin() + 88);  // a face of a square in the middle
   CHECK_FALSE(covers(plane, inside, 0.5));
 }
 

@@ -13,7 +13,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// The exact answer, from the search of tm-intersect.
+/// Returns the exact answer, from the search of tm-intersect.
 bool do_meet(const Triangle& first, const Triangle& second) {
   Mesh mesh;
   mesh.positions.insert(mesh.positions.end(), first.begin(), first.end());
@@ -29,10 +29,10 @@ bool has_area(const Triangle& triangle) {
 struct Counts {
   int apart = 0;
   int certainly_apart = 0;
-  int missed = 0;  ///< contacts taken for none
+  int missed = 0;  ///< contacts that were not found
 };
 
-/// Random pairs with `common` common corners; on a lattice where `cells` is not 0.
+/// Random pairs with `common` common corners, on a lattice unless `cells` is 0.
 Counts compare(std::size_t common, std::uint64_t cells, int rounds) {
   Random random(common + 10 * cells);
   const auto point = [&] {

@@ -1,4 +1,4 @@
-/// Triangles near a few faces, of which the answer follows by hand.
+/// Triangles near a few faces, for which the answer can be derived by hand.
 #include "remesh/guards/triangle_cover.h"
 
 #include <doctest/doctest.h>

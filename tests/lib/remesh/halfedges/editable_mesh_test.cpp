@@ -12,7 +12,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// The message with which a mesh is refused.
+/// Returns the message with which a mesh is refused.
 std::string refusal(const Mesh& mesh) {
   try {
     EditableMesh editable(mesh);
@@ -29,7 +29,8 @@ Index some_edge(const EditableMesh& mesh, Random& random) {
   }
 }
 
-/// Positions do not matter to connectivity: any legal operation, in any order.
+/// Applies legal operations in random order. Connectivity does not depend on positions, so these
+/// are random, too.
 void edit_at_random(EditableMesh& mesh, Random& random, int steps) {
   for (int step = 0; step < steps; ++step) {
     const Index h = some_edge(mesh, random);
@@ -102,7 +103,7 @@ TEST_CASE("a tetrahedron cannot lose an edge, nor flip one") {
 }
 
 TEST_CASE("a torus with three vertices around does not lose its hole") {
-  // every edge around the hole has a common neighbor that no face spans
+  // the ends of every edge around the hole have a common neighbor that forms no face with them
   const EditableMesh mesh(torus(2, 1, 3, 3));
   for (Index h = 0; h < mesh.halfedge_slots(); ++h) CHECK_FALSE(mesh.can_collapse(h));
 }
@@ -142,7 +143,7 @@ TEST_CASE("columns follow splits, collapses and faces") {
   Mesh split = editable.to_mesh();
   CHECK(split.vertex_columns.find("value")->values.back() == 5.5);
   CHECK(split.face_columns.find("label")->values[20] == 0);
-  editable.collapse(0, Vec3(0, 1, 0), 0.25);  // vertex 0 into the new one
+  editable.collapse(0, Vec3(0, 1, 0), 0.25);  // vertex 0 is merged into the new one
   split = editable.to_mesh();
   CHECK(split.positions.size() == 12);
   CHECK(split.vertex_columns.find("value")->values.back() == doctest::Approx(0.75 * 5.5));

@@ -13,7 +13,7 @@ using namespace transformesh;
 
 namespace {
 
-/// A bowl of very many faces around one vertex, in any order.
+/// A bowl of very many faces around one vertex, in random order.
 Mesh wheel(Index spokes) {
   Mesh mesh;
   mesh.positions.assign(spokes + 1, Vec3::Zero());
@@ -44,5 +44,5 @@ TEST_CASE("misoriented faces, and third faces at an edge, are refused with their
   third.faces.push_back(
       {third.faces[5][0], third.faces[5][1], static_cast<Index>(third.positions.size() - 1)});
   CHECK_THROWS_WITH_AS(manifold_opposites(third),
-                       doctest::Contains("faces 5 and 80 run the same way"), InputError);
+                       doctest::Contains("faces 5 and 80 traverse the edge"), InputError);
 }

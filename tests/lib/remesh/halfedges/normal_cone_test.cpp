@@ -10,8 +10,8 @@ using namespace transformesh::test;
 
 namespace {
 
-/// The directions to the sides, edges and corners of a cube whose cosine to the normal exceeds
-/// this.
+/// Counts the directions to the sides, edges and corners of a cube that have a cosine above
+/// `cosine` to the normal.
 int count_within(const Vec3& normal, double cosine) {
   int count = 0;
   for (int x = -1; x <= 1; ++x)
@@ -102,7 +102,8 @@ TEST_CASE("the nearest direction of a cone is found") {
     CHECK((cone_of(nearest.unit) & nearest.bit) != 0);
     CHECK(nearest.unit.norm() == doctest::Approx(1));
 
-    // No other of the cone has a larger cosine: asked as a cone of one, each tells what it is.
+    // No other direction of the cone has a larger cosine. A cone with one direction gives that
+    // direction.
     for (NormalCone rest = cone; rest != 0; rest &= rest - 1) {
       const Direction other = nearest_direction(rest & -rest, vector);
       CHECK(other.bit == (rest & -rest));

@@ -52,7 +52,7 @@ Mesh shape(const std::string& kind, std::size_t faces, std::vector<std::string> 
   return make_shape(options);
 }
 
-/// Every vertex moved by up to so many mean edges along each axis.
+/// Moves every vertex by up to `edges` mean edges along each axis.
 Mesh noisy(Mesh mesh, double edges) {
   test::Random random(1);
   const double most = edges * edge_lengths(mesh).mean;
@@ -62,15 +62,15 @@ Mesh noisy(Mesh mesh, double edges) {
 
 bool is_sharp(const Mesh& mesh) { return has_sharp_edges(EditableMesh(mesh)); }
 
-/// Turned, so that coordinates are rounded.
+/// Rotates a mesh, so that coordinates are rounded.
 Mesh turned(Mesh mesh) {
   const Eigen::AngleAxisd turn(0.3, Vec3(1, 2, 3).normalized());
   for (Vec3& position : mesh.positions) position = turn * position;
   return mesh;
 }
 
-/// The cube, with a vertex next to the middle of an edge of every face, `height` inside of it, and
-/// so with faces too thin to have a normal.
+/// Splits every face at a point `height` inside of the middle of its first edge. The face at this
+/// edge is too thin to have a normal.
 Mesh with_slivers(Mesh mesh, double height) {
   const std::size_t faces = mesh.faces.size();
   for (std::size_t f = 0; f < faces; ++f) {
@@ -120,7 +120,7 @@ TEST_CASE("faces too thin to have a normal take that of the face beyond their lo
     const Mesh mesh = turned(with_slivers(test::cube(), height));
     CHECK(is_sharp(mesh));
     const std::vector<Vec3> normals = steady_normals(EditableMesh(mesh));
-    // Along an axis of the turned cube.
+    // Every normal is along an axis of the rotated cube.
     const Eigen::AngleAxisd back(-0.3, Vec3(1, 2, 3).normalized());
     for (const Vec3& normal : normals)
       CHECK((back * normal).cwiseAbs().maxCoeff() == doctest::Approx(1));

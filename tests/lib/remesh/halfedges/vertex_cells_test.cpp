@@ -20,7 +20,7 @@ std::set<Index> vertices_found(const VertexCells& cells, const Vec3& low, const 
   return found;
 }
 
-/// No vertex in a random box may be missed, and none farther than a cell may be found.
+/// Every vertex in a random box must be found, and no vertex farther than a cell away.
 void check_boxes(const EditableMesh& mesh, const VertexCells& cells, Random& random) {
   for (int i = 0; i < 50; ++i) {
     const Vec3 corner = random.point(-1.5, 1.5);

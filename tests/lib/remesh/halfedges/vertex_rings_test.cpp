@@ -10,7 +10,7 @@ using namespace transformesh;
 
 namespace {
 
-/// Whether each two neighbors that follow each other are corners of a face at the vertex, in this
+/// Returns whether every two consecutive neighbors are corners of a face at the vertex, in this
 /// order, and whether these are all of its faces.
 bool goes_around(const Mesh& mesh, Index vertex, std::span<const Index> ring) {
   std::size_t faces = 0;

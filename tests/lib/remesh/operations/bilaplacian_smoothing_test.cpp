@@ -20,7 +20,7 @@ Mesh evened(const Mesh& mesh) {
   return editable.to_mesh();
 }
 
-/// How far radii are from 1: root of the mean square.
+/// Returns the root mean square deviation of radii from 1.
 double roughness(const Mesh& mesh) {
   double sum = 0;
   for (const Vec3& p : mesh.positions) sum += (p.norm() - 1) * (p.norm() - 1);
@@ -31,7 +31,7 @@ double roughness(const Mesh& mesh) {
 
 TEST_CASE("vertices a little off a sphere come nearer to it, and it does not shrink") {
   const Mesh sphere = icosphere(4);
-  CHECK(roughness(evened(sphere)) < 2e-5);  // a chord of its edges is 5e-4 off
+  CHECK(roughness(evened(sphere)) < 2e-5);  // chords of its edges are 5e-4 inside
   Mesh rough = sphere;
   Random random(7);
   for (Vec3& point : rough.positions) point *= random.uniform(0.998, 1.002);

@@ -88,7 +88,7 @@ TEST_CASE("borders keep their shape, or stay to the bit") {
   CHECK(on_border == 4 * 8);
   CHECK(surface_area(mesh) == doctest::Approx(1));
   const Mesh free = collapsed(grid(8), {1.1 * cell, 4 * cell}).mesh;
-  CHECK(surface_area(free) == doctest::Approx(1));  // borders of straight lines move along them
+  CHECK(surface_area(free) == doctest::Approx(1));  // vertices of straight borders move along them
 }
 
 TEST_CASE("a vertex that a split has added to a regular torus goes for the valences") {

@@ -1,4 +1,4 @@
-// Points between the vertices of a mesh, against the surfaces on which the vertices lie.
+// Points between the vertices of a mesh, compared with the surfaces on which the vertices lie.
 #include "remesh/operations/curved_edge.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ struct Distances {
   double curve = 0;
 };
 
-using Surface = std::function<double(const Vec3&)>;  // distance of a point
+using Surface = std::function<double(const Vec3&)>;  // distance of a point from the surface
 
 Distances distances_of(const EditableMesh& mesh, const Surface& distance) {
   Distances result;
@@ -36,7 +36,7 @@ Distances distances_of(const EditableMesh& mesh, const Surface& distance) {
 
 double from_unit_sphere(const Vec3& p) { return p.norm() - 1; }
 
-/// A grid whose inner vertices are moved at random in the plane, lifted onto z(x, y).
+/// A grid whose inner vertices are moved at random in the plane, then lifted onto z(x, y).
 Mesh lifted_grid(int n, const std::function<double(double, double)>& z) {
   Random random(7);
   Mesh mesh = grid(n);
@@ -100,7 +100,7 @@ TEST_CASE("midpoints of a cylinder's crease lie on its circle, and those of its 
     const double radius = std::sqrt(middle.x() * middle.x() + middle.y() * middle.y());
     const bool is_upright = source / 2 == target / 2;
     const bool is_level = source % 2 == target % 2;
-    // Two rings of vertices do not tell how a diagonal bends, only that it does.
+    // Two rings of vertices do not determine how much a diagonal bends, only that it does.
     CHECK(std::abs(radius - 1) < (is_upright ? 1e-12 : (is_level ? 0.05 : 0.5) * sagitta));
     const double z = edited.position(source).z() + edited.position(target).z();
     CHECK(middle.z() == doctest::Approx(z / 2).epsilon(1e-9));

@@ -12,7 +12,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// A mesh ready for the collapse of single edges, of which none becomes longer than `max_edge`.
+/// A mesh in which single edges can be collapsed if no edge becomes longer than `max_edge`.
 struct Scene {
   EditableMesh mesh;
   EmbeddingGuard guard;
@@ -37,7 +37,7 @@ struct Scene {
   }
 };
 
-/// Where the grid of n x n cells has its vertex i, j.
+/// Returns the index of vertex (i, j) of the grid of n x n cells.
 Index vertex_of_grid(Index n, Index i, Index j) { return i * (n + 1) + j; }
 
 }  // namespace
@@ -109,8 +109,8 @@ TEST_CASE("a collapse that would make too long an edge is refused") {
   const Mesh mesh = grid(6);
   const Index from = vertex_of_grid(6, 2, 3);
   const Index to = vertex_of_grid(6, 3, 3);
-  // The merged vertex has neighbors half a cell off in one direction and a cell in the other, or
-  // farther: the longest new edge goes to the corner (1.5, 1) cells away.
+  // Neighbors of the merged vertex are half a cell off in one direction and a cell in the other, or
+  // farther. The longest new edge leads to the corner (1.5, 1) cells away.
   const double longest = std::hypot(1.5, 1) / 6;
   Scene tight(mesh, 0.99 * longest);
   CHECK(tight.collapser.collapse(tight.halfedge(from, to)) == no_index);

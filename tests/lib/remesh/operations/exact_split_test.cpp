@@ -13,8 +13,8 @@
 namespace transformesh::test {
 namespace {
 
-/// Two tetrahedra on either side of an edge that both have, each its own copy. The edge is such
-/// that its midpoint is rounded.
+/// Two tetrahedra on either side of an edge, each with its own copy of the edge. The midpoint of
+/// the edge is not representable.
 Mesh tetrahedra_at_an_edge() {
   const Vec3 a(0.1, 0.2, 0.3), b(0.7, 1.1, 1.3);
   Mesh first;

@@ -22,7 +22,7 @@ Mesh kite(double depth = 0) {
   return mesh;
 }
 
-/// A tetrahedron about a hundredth wide that reaches from z = low to z = high on the z axis.
+/// A tetrahedron about a hundredth wide that extends from z = low to z = high along the z axis.
 Mesh needle(double low, double high) {
   Mesh mesh;
   mesh.positions = {{0.01, 0, low}, {-0.01, 0.01, low}, {-0.01, -0.01, low}, {0, 0, high}};
@@ -85,7 +85,7 @@ TEST_CASE("in a torus with one flipped edge, only this flip is undone") {
 }
 
 TEST_CASE("no flip makes an edge longer than allowed") {
-  // In a sheared grid the diagonals that make valences of six are the longer ones, of 1.72 cells.
+  // In a sheared grid, the diagonals that give valences of six are the longer ones, of 1.72 cells.
   Mesh sheared = grid(8);
   for (Vec3& p : sheared.positions) p = 8 * Vec3(p.x() + 0.4 * p.y(), p.y(), 0);
   const auto flips_back = [&](double longest) {
@@ -104,7 +104,7 @@ TEST_CASE("no flip makes an edge longer than allowed") {
 }
 
 TEST_CASE("no flip bends the surface, and none takes a border or a sharp edge") {
-  // The two faces of a cube's side lie in a plane, those at its edges at right angles.
+  // The two faces of a cube's side are coplanar; those at its edges are at right angles.
   const Mesh box = cube();
   CHECK(flips(box, 2, 1));
   CHECK_FALSE(flips(box, 0, 1));

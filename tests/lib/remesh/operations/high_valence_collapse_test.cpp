@@ -1,4 +1,4 @@
-/// Stars of thousands of faces, thinned: a disk above and below a rim.
+/// Collapses in stars of thousands of faces, on a double cone: one star above a rim and one below.
 #include "remesh/operations/high_valence_collapse.h"
 
 #include <doctest/doctest.h>
@@ -31,7 +31,7 @@ Mesh double_cone() {
   return mesh;
 }
 
-/// Tetrahedra inside that reach nearer to the rim than the chords of a thinned rim.
+/// Tetrahedra inside that are nearer to the rim than the chords of a rim with fewer vertices.
 Mesh with_splinters(Mesh mesh) {
   for (int i = 0; i < 7; ++i) {
     const Vec3 out(std::cos(i), std::sin(i), 0), side(-std::sin(i), std::cos(i), 0);

@@ -11,8 +11,8 @@
 namespace transformesh::test {
 namespace {
 
-/// A square of two triangles whose diagonal has a vertex beside its middle: a cap of that height on
-/// the first triangle.
+/// A square of two triangles with a vertex near the middle of its diagonal, moved by `height` along
+/// x and y. The first triangle is a cap.
 Mesh square_with_cap(double height) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5 + height, 0.5 - height, 0}};
@@ -61,7 +61,7 @@ TEST_CASE("a thin face is a sliver if it is far thinner than edges are long") {
 }
 
 TEST_CASE("a needle loses its short edge") {
-  // A sphere one of whose vertices is doubled, a spacing apart.
+  // A sphere with one vertex doubled, a spacing apart.
   Mesh sphere = icosphere(2);
   EditableMesh mesh(sphere);
   const Index halfedge = mesh.outgoing(20);

@@ -17,7 +17,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// A square of triangles at random within a plane that is oblique to all axes.
+/// A square of random triangles within a plane that is oblique to all axes.
 Mesh oblique_sheet(int n, double height, Random& random) {
   Mesh mesh = grid(n);
   for (Vec3& p : mesh.positions) {
@@ -58,7 +58,7 @@ TEST_CASE("beside border edges that stay and are far too long, splits end") {
       const Mesh mesh = editable.to_mesh();
       CHECK(is_oriented_manifold(mesh));
 
-      // The longest edge of each face.
+      // Maps each edge to the length of the longest edge of the faces beside it.
       std::map<std::pair<Index, Index>, double> beside;
       for (const Face& face : mesh.faces) {
         const double longest = std::max({side(mesh, face[0], face[1]), side(mesh, face[1], face[2]),
@@ -84,7 +84,7 @@ TEST_CASE("beside border edges that stay and are far too long, splits end") {
 }
 
 TEST_CASE("sheets of floats one rounding apart do not cross where edges are split") {
-  // without settle_midpoints() every tenth pair does
+  // without settle_midpoints() a tenth of the pairs intersect
   std::size_t tried = 0;
   std::size_t crossed = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {

@@ -93,7 +93,7 @@ TEST_CASE("a vertex goes all the way, or half of it, or not at all") {
   CHECK(scene.move(0, {0.5, 0, 0}));
   CHECK(scene.mesh.position(0) == Vec3(0.5, 0, 0));
 
-  // Beyond the rim triangles turn over; half the way leaves triangles of roundness 0.62.
+  // Beyond the rim triangles turn over; half of the way leaves triangles of roundness 0.62.
   Scene half(hexagon());
   CHECK(half.move(0, {1.2, 0, 0}));
   CHECK(half.mesh.position(0) == Vec3(0.6, 0, 0));

@@ -13,7 +13,7 @@ using namespace transformesh;
 
 namespace {
 
-/// With digits for the largest doubles.
+/// Reduces angles with enough digits for the largest doubles.
 class ExactReduction {
  public:
   ExactReduction() {
@@ -25,7 +25,7 @@ class ExactReduction {
   ExactReduction& operator=(const ExactReduction&) = delete;
   ~ExactReduction() { mpfr_clears(quarter_, rest_, quarters_, nullptr); }
 
-  /// How far the angle put together again is off, of its rest.
+  /// Returns the error of the angle computed from the quadrant and the rest, relative to the rest.
   double relative_error(double x, const elementary::ReducedAngle& angle) {
     mpfr_set_d(quarters_, x, MPFR_RNDN);
     mpfr_div(quarters_, quarters_, quarter_, MPFR_RNDN);
@@ -63,7 +63,7 @@ TEST_CASE("an angle is quarter turns and a rest, to 60 bits of the rest") {
   for (int i = 0; i < 20000; ++i) reduce(test::any_number(random, 0, 22));
   for (int i = 1; i < 5000; ++i)
     for (const double x : test::neighborhood(i * (std::numbers::pi / 2), 1)) reduce(x);
-  // The double nearest to a multiple of pi/2, and where another method takes over.
+  // The double nearest to a multiple of pi/2, and the numbers at which another method is used.
   reduce(0x1.6ac5b262ca1ffp+849);
   for (const double x : test::neighborhood(0x1p20, 3)) reduce(x);
   CHECK(error <= 0x1p-60);

@@ -17,10 +17,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallest_normal = std::numeric_limits<double>::min();
 
-/// Of a result: one unit where it is subnormal.
+/// Returns the allowed error of a result; one unit if it is subnormal.
 double most_units_off(double result) { return std::abs(result) < smallest_normal ? 1 : 0.56; }
 
-/// How far an arctangent is off, of what is allowed.
+/// Returns the error of an arctangent as a fraction of the allowed error.
 double share_of_allowed(double x) {
   const double angle = elementary::atan(x);
   return test::units_off(angle, mpfr_atan, x) / most_units_off(angle);
@@ -31,7 +31,7 @@ double share_of_allowed(double y, double x) {
   return test::units_off(angle, mpfr_atan2, y, x) / most_units_off(angle);
 }
 
-/// Tangents at entries of the table and between them, and where the axes change.
+/// Tangents at entries of the table and between them, and those at which the axes are exchanged.
 std::vector<double> seams() {
   std::vector<double> all;
   for (int i = 1; i <= 128; ++i) all.insert(all.end(), {i / 128.0, 128.0 / i});

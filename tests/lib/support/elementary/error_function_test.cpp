@@ -12,7 +12,7 @@ using namespace transformesh;
 
 namespace {
 
-/// How far a value is off, of what is allowed.
+/// Returns the error of a value as a fraction of the allowed error.
 double share_of_allowed(double x) {
   const double allowed = std::abs(x) < 0x1p-400 ? 1 : 0.53;
   return test::units_off(elementary::erf(x), mpfr_erf, x) / allowed;

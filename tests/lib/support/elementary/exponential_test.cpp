@@ -16,10 +16,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallest_normal = std::numeric_limits<double>::min();
 
-/// Of a result: one unit where it is subnormal.
+/// Returns the allowed error of a result; one unit if it is subnormal.
 double most_units_off(double result) { return std::abs(result) < smallest_normal ? 1 : 0.52; }
 
-/// How far a function is off, of what is allowed.
+/// Returns the error of a function as a fraction of the allowed error.
 double share_of_allowed(double (*function)(double), test::ExactFunction exact, double x) {
   const double result = function(x);
   return test::units_off(result, exact, x) / most_units_off(result);
@@ -79,7 +79,7 @@ TEST_CASE("errors of powers and cube roots are within the stated bounds") {
   }
   for (int i = 0; i < 30000; ++i)
     worst = std::max(worst, share_of_power(random.uniform(0.01, 100), random.uniform(-5, 5)));
-  // Bases near 1 and large results are the hard ones.
+  // Bases near 1 and large results are the most difficult cases.
   for (int i = 0; i < 40000; ++i) {
     const double base = 1 + test::any_number(random, -45, -2);
     worst = std::max(worst, share_of_power(base, random.uniform(-745, 710) / std::log(base)));

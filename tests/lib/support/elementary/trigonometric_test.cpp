@@ -17,7 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_units_off = 0.55;
 
-/// Any numbers, those of a few turns, and what is nearest to multiples of pi/4.
+/// Random numbers, numbers within a few turns, and numbers nearest to multiples of pi/4.
 std::vector<double> angles() {
   test::Random random(1);
   std::vector<double> all;
@@ -26,7 +26,7 @@ std::vector<double> angles() {
   for (int i = 0; i < 2000; ++i)
     for (const double x : test::neighborhood(i * (std::numbers::pi / 4), 2)) all.push_back(x);
   for (int i = -1074; i < 1024; ++i) all.push_back(std::ldexp(1, i));
-  // The double nearest to a multiple of pi/2, of all, and the largest.
+  // The double that is nearest to a multiple of pi/2, and the largest double.
   all.insert(all.end(), {0x1.6ac5b262ca1ffp+849, std::numeric_limits<double>::max()});
   return all;
 }
@@ -37,7 +37,7 @@ double worst(double (*function)(double), test::ExactFunction exact) {
   return units;
 }
 
-/// Where another entry of the table takes over, and between them.
+/// Numbers at which another entry of the table is used, and numbers between them.
 std::vector<double> seams() {
   std::vector<double> all = {std::numbers::pi / 4};
   for (int i = 1; i < 52; ++i) all.push_back(i / 64.0);

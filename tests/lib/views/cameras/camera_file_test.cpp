@@ -48,7 +48,7 @@ TEST_CASE("Bundler: looks along -z with y up, around the image's center") {
   CHECK_FALSE(list.names_images);
   list.cameras[0].set_size(641, 481, "a.png");
 
-  // As Bundler's manual has it: P = R X + t, p = -P / P.z, pixel f r(p) p from the center, y
+  // The formula of Bundler's manual: P = R X + t, p = -P / P.z, pixel f r(p) p from the center, y
   // upwards, where r(p) = 1 + k1 |p|^2 + k2 |p|^4.
   const Vec3 point(0.5, 0.1, 0.3);
   const Vec3 in_camera = r * point + t;

@@ -14,7 +14,7 @@ using test::random_cameras;
 
 namespace {
 
-// The largest difference between the pixels of some points.
+// Returns the largest difference between the pixels of some points.
 double pixel_difference(const PinholeCamera& first, const PinholeCamera& second) {
   test::Random random(7);
   double largest = 0;

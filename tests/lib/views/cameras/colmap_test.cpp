@@ -45,7 +45,7 @@ TEST_CASE("COLMAP: every mistake is refused with its line") {
   CHECK(is_refused("1 FOV 320 240 300 310 160 120 0 0 0 0\n" + image, "'FOV'", 1));
   CHECK(is_refused("1 RADIAL_FISHEYE 320 240 300 160 120 0 0\n" + image, "undistort", 1));
   CHECK(is_refused("1 RADIAL 320 240 300 160 120 0\n" + image, "k2 of camera '1'", 1));
-  CHECK(is_refused(colmap_lens + colmap_lens + image, "camera '1' is there twice", 4));
+  CHECK(is_refused(colmap_lens + colmap_lens + image, "camera '1' is listed twice", 4));
   CHECK(is_refused("1 PINHOLE 0 240 300 310 160 120\n" + image, "width", 1));
   CHECK(is_refused("1 PINHOLE 320 240 300 310 160\n" + image, "cy of camera '1'", 1));
   CHECK(is_refused("1 PINHOLE 320 240 300 nan 160 120\n" + image, "second focal length", 1));

@@ -44,7 +44,7 @@ TEST_CASE("cameras without an image, and images without a camera, are left out w
   CHECK(views_from(sources).size() == 5);
   CHECK(says(notes, "1 image in "));
   CHECK(says(notes, "f.pgm"));
-  // Names shifted by one are not left out.
+  // Names that are shifted by one are not left out.
   std::filesystem::remove(folder.at("images/a.pgm"));
   CHECK(says(refusal(sources), "a.png"));
 }

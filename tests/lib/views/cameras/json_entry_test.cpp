@@ -38,26 +38,26 @@ TEST_CASE("entries of JSON: numbers may be text, and every mistake names its pat
     CHECK(file.number("missing", 7) == 7);
     file.at("a").at(1).at("b").number();
   });
-  CHECK(message == "a[1].b is no finite number (a.json)");
+  CHECK(message == "a[1].b is not a finite number (a.json)");
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("x"); }) == "the file has no x (a.json)");
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("n").at("x"); }) ==
-        "n is no object (a.json)");
+        "n is not an object (a.json)");
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("a").at(2); }) ==
         "a has no element 2 (a.json)");
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("n").elements(); }) ==
-        "n is no list (a.json)");
+        "n is not a list (a.json)");
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("a").numbers(3); }) ==
         "a has 2 elements instead of 3 (a.json)");
   CHECK(refusal(text, [](const JsonEntry& file) { file.at("t").text(); }) ==
-        "t is no text (a.json)");
+        "t is not a string (a.json)");
   CHECK(refusal(R"({"w":1.5})", [](const JsonEntry& file) { file.at("w").side(); }) ==
-        "w is no whole number of 1 or more (a.json)");
+        "w is not a whole number of 1 or more (a.json)");
 }
 
 TEST_CASE("JSON: what is malformed is refused with its byte, and points are skipped") {
   CHECK(refusal("{\"a\":}", ignore) == "the JSON is malformed (a.json byte 5)");
   CHECK(refusal("{\"a\":1", ignore).find("ends too early") != std::string::npos);
-  CHECK(refusal("[1]", ignore) == "the JSON is no object (a.json)");
+  CHECK(refusal("[1]", ignore) == "the JSON is not an object (a.json)");
   CHECK(refusal(std::string(1000000, '['), ignore).find("a.json") != std::string::npos);
   refusal(R"({"structure":[1,2],"views":{"structure":1}})", [](const JsonEntry& file) {
     CHECK_FALSE(file.has("structure"));

@@ -33,7 +33,7 @@ TEST_CASE("Metashape: pixels are those of its manual's formulas") {
   CHECK(record.name == "a & b");
   CHECK(list.names_images);
   CHECK(record.width == 640);
-  // A point before the camera, and where it is in the image whose first pixel begins at 0, 0.
+  // A point in front of the camera, and its pixel in an image whose first pixel begins at 0, 0.
   const Vec3 local(0.3, -0.2, 2);
   Eigen::Matrix3d to_chunk;
   to_chunk << 0, -1, 0, 1, 0, 0, 0, 0, 1;
@@ -65,7 +65,7 @@ TEST_CASE("Metashape: invalid cameras are refused") {
   CHECK(says(file("<f>0</f>", pose), "positive"));
   CHECK(says(file("<f>5x</f>", pose), "'5x'"));
   CHECK(says(file("<f>1 2</f>", pose), "not one number"));
-  CHECK(says(file(calibration, "1 0 0"), "no 16 numbers"));
+  CHECK(says(file(calibration, "1 0 0"), "does not have 16 numbers"));
   CHECK(says(file(calibration, "1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1"), "no rotation"));
   CHECK(says(file(calibration + "<p3>1</p3>", pose), "p3"));
   const std::string whole = file(calibration, pose);

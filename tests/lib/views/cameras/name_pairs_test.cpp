@@ -19,7 +19,7 @@ Partners pair(const std::vector<std::string>& first, const std::vector<std::stri
                       names_must_agree);
 }
 
-/// The message that refuses to pair them.
+/// Returns the message with which pairing is refused.
 std::string refusal(const std::vector<std::string>& first, const std::vector<std::string>& second,
                     bool names_must_agree = false) {
   try {
@@ -35,7 +35,7 @@ std::string refusal(const std::vector<std::string>& first, const std::vector<std
 TEST_CASE("equal stems are partners in any order, whatever folders and extensions") {
   CHECK(pair({"x/a.jpg", "x/b.jpg", "x/c.jpg"}, {"y/c.png", "y/a.pgm", "y/b.png"}) ==
         Partners{1, 2, 0});
-  // A permutation of many names is found again.
+  // A permutation of many names is found.
   test::Random random(5);
   std::vector<std::string> names;
   for (int i = 0; i < 50; ++i) names.push_back("view" + std::to_string(7 * i));
@@ -48,7 +48,7 @@ TEST_CASE("equal stems are partners in any order, whatever folders and extension
 TEST_CASE("a suffix that a side shares is left out where no name has a partner with it") {
   CHECK(pair({"a1.png", "a2.png"}, {"a2-mask.png", "a1-mask.png"}) == Partners{1, 0});
   CHECK(pair({"a1_P.txt", "a2_P.txt"}, {"a1-mask.png", "a2-mask.png"}) == Partners{0, 1});
-  // With it all of these have partners, without it they would be two of the same name.
+  // All names have partners because of the suffix; without it, two names would be equal.
   CHECK(pair({"a-left.png", "a-right.png"}, {"a-right.png", "a-left.png"}) == Partners{1, 0});
   // A suffix with a digit is a number, not a suffix.
   CHECK(pair({"a.png", "b.png"}, {"x-1.png", "x-2.png"}) == Partners{0, 1});
@@ -56,15 +56,15 @@ TEST_CASE("a suffix that a side shares is left out where no name has a partner w
 
 TEST_CASE("without a common name the order decides, unless names must agree") {
   CHECK(pair({"a.png", "b.png"}, {"y.png", "z.png"}) == Partners{0, 1});
-  CHECK(refusal({"a.png", "b.png"}, {"y.png", "z.png"}, true) ==
-        "a.png: there is no silhouette of this name in masks: names have to agree, or to have "
-        "nothing in common");
+  CHECK(
+      refusal({"a.png", "b.png"}, {"y.png", "z.png"}, true) ==
+      "a.png: there is no silhouette of this name in masks: either all names must agree, or none");
   CHECK(refusal({"a.png", "b.png"}, {"x.png", "y.png", "z.png"}) ==
         "there are 2 images, but 3 silhouettes (photos, masks)");
 }
 
 TEST_CASE("names of which only some have a partner are refused, from either side") {
-  // Numbered from 0 on one side and from 1 on the other: pairs would be shifted.
+  // Numbered from 0 on one side and from 1 on the other, all pairs would be shifted.
   CHECK(
       refusal({"v0.png", "v1.png"}, {"v1.png", "v2.png"}).find("v0.png: there is no silhouette") ==
       0);

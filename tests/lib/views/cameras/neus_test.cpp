@@ -47,7 +47,7 @@ TEST_CASE("NeuS: what is no camera is refused with its entry") {
   other.add("poses.npy", test::npy("<f8", "(4, 4)", test::bytes_of<double>(matrix())));
   CHECK(refuses(other.finish(), "no world_mat_0"));
   CHECK(refuses(file({test::npy("<f8", "(2, 2)", test::bytes_of<double>({1, 2, 3, 4}))}),
-                "world_mat_0 has not 4x4 numbers"));
+                "world_mat_0 does not have 4x4 numbers"));
   CHECK(refuses(file({test::npy("<f8", "(4, 4)", std::string(128, '\0'))}), "singular"));
   CHECK(refuses(file({"x"}), "world_mat_0"));
   test::check_damaged(file({test::npy("<f8", "(4, 4)", test::bytes_of<double>(matrix()))}));

@@ -47,7 +47,7 @@ TEST_CASE("OpenCV: rows of rotation vectors and translations are a camera each")
 TEST_CASE("OpenCV: invalid cameras are refused") {
   CHECK(refusal(yaml(pose)).empty());
   CHECK(says(yaml(""), "no R"));
-  CHECK(says(yaml("R: [ 1, 0, 0, 0, 1, 0, 0, 0, -1 ]\nT: [ 1, 2, 3 ]\n"), "no rotation"));
+  CHECK(says(yaml("R: [ 1, 0, 0, 0, 1, 0, 0, 0, -1 ]\nT: [ 1, 2, 3 ]\n"), "not a rotation"));
   CHECK(says(yaml("R: [ 1, 0, 0 ]\nT: [ 1, 2 ]\n"), "must have 9"));
   CHECK(says(yaml("R: [ 1, 0, .Nan ]\nT: [ 1, 2, 3 ]\n"), "'.Nan'"));
   CHECK(says(yaml("extrinsic_parameters: [ 1, 2, 3 ]\n"), "rows of 6"));

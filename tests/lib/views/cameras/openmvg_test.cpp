@@ -61,7 +61,7 @@ TEST_CASE("OpenMVG: what is no camera is refused with its entry") {
   CHECK(refuses(file(R"({"width":4,"height":4})"), "focal_length"));
   CHECK(refuses(file("{" + pinhole + R"(,"fisheye":[0,0,0,0]})"), "data.fisheye"));
   CHECK(refuses(file("{" + pinhole + R"(,"disto_k3":[0,0]})"), "disto_k3 has 2 elements"));
-  CHECK(refuses(file("5"), "intrinsics[0].value.ptr_wrapper.data is no object"));
+  CHECK(refuses(file("5"), "intrinsics[0].value.ptr_wrapper.data is not an object"));
   CHECK(refuses(R"({"sfm_data_version":"0.3","views":[],"intrinsics":[],"extrinsics":[]})",
                 "no view"));
   CHECK(refuses(R"({"sfm_data_version":"0.3","views":{}})", "has no intrinsics"));

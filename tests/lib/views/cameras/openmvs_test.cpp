@@ -32,7 +32,7 @@ struct SceneParts {
   std::uint32_t pose = 0;
 };
 
-/// A camera that is turned and moved on its platform, and an image without a pose.
+/// A camera that is rotated and moved on its platform, and an image without a pose.
 std::string file(const SceneParts& parts) {
   const test::TruePose pose;
   const Eigen::Matrix3d on_platform = Eigen::AngleAxisd(0.3, Vec3(2, -1, 2) / 3).toRotationMatrix();

@@ -1,4 +1,4 @@
-// Cameras from projection matrices: their parts multiply to the matrix again, up to a factor.
+// Cameras from projection matrices: the product of their parts is the matrix, up to a factor.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>

@@ -40,7 +40,8 @@ TEST_CASE("RealityCapture: without angles a camera points down; angles rotate it
   CHECK(down.intrinsics(1, 1) == 400);
   CHECK(down.intrinsics(0, 2) == doctest::Approx(199.5 + 4));
   CHECK(down.intrinsics(1, 2) == doctest::Approx(149.5 - 8));
-  // Pitched up to the horizon it looks north, with heading 90 east, and rolled right it leans.
+  // Pitched up to the horizon the camera looks north; a heading of 90 degrees is east, and a roll
+  // leans it to the right.
   CHECK(is_near(camera_at("0,90,0").rotation.row(2).transpose(), Vec3::UnitY()));
   const PinholeCamera east = camera_at("90,90,0");
   CHECK(is_near(east.rotation.row(2).transpose(), Vec3::UnitX()));

@@ -47,7 +47,7 @@ TEST_CASE("transforms.json: pixels are those of OpenCV's model, counted from the
     return Eigen::Vector2d(500 * u + 322 - 0.5, 510 * v + 235 - 0.5);
   };
   test::check_pixels(read(lens), expected);
-  // The same numbers in the frame take precedence over others of the file.
+  // Numbers of a frame take precedence over those of the file.
   test::check_pixels(read(R"("fl_x":1,"cx":7,"k1":9,)", lens), expected);
   CHECK(read(lens).width == 640);
 }
@@ -58,7 +58,7 @@ TEST_CASE("transforms.json: an angle of view is that of the image's width") {
     return Eigen::Vector2d(focal * x + 319.5, focal * y + 239.5);
   };
   test::check_pixels(read(R"("camera_angle_x":0.8,"w":640,"h":480,)"), expected);
-  // NeRF's files leave the size to the images.
+  // NeRF's files do not state the size of the images.
   CameraRecord record = read(R"("camera_angle_x":0.8,)");
   record.set_size(640, 480, "a.png");
   test::check_pixels(record, expected);
@@ -70,7 +70,7 @@ TEST_CASE("transforms.json: an angle of view is that of the image's width") {
 TEST_CASE("transforms.json: what is no camera is refused with its entry") {
   const std::string lens = R"("w":640,"h":480,"fl_x":500,)";
   CHECK(refuses(file("", ""), "frames[0] has neither fl_x nor camera_angle_x"));
-  CHECK(refuses(file(R"("fl_x":"a",)", ""), "fl_x is no finite number"));
+  CHECK(refuses(file(R"("fl_x":"a",)", ""), "fl_x is not a finite number"));
   CHECK(refuses(file(R"("fl_x":-5,)", ""), "positive"));
   CHECK(refuses(file(R"("fl_x":1e999,)", ""), "malformed"));
   CHECK(refuses(file(R"("fl_x":NaN,)", ""), "malformed"));
@@ -81,7 +81,7 @@ TEST_CASE("transforms.json: what is no camera is refused with its entry") {
   CHECK(refuses(file(lens, R"("k4":1,)"), "frames[0].k4"));
   CHECK(refuses(file(lens, R"("w":1e12,)"), "frames[0].w"));
   CHECK(refuses(R"({"fl_x":5,"frames":[]})", "no frame"));
-  CHECK(refuses(R"({"fl_x":5,"frames":5})", "frames is no list"));
+  CHECK(refuses(R"({"fl_x":5,"frames":5})", "frames is not a list"));
   CHECK(refuses(R"({"fl_x":5,"frames":[{"file_path":"a","transform_matrix":[[1,2,3]]}]})",
                 "3 or 4 rows"));
   CHECK(refuses(R"({"fl_x":5,"frames":[{"file_path":"a","transform_matrix":

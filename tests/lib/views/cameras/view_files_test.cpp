@@ -134,7 +134,7 @@ TEST_CASE("names of which only some agree are refused") {
   CHECK(says(
       refusal({folder.at("par.txt"), folder.at("images/v[123].pgm"), folder.at("masks/v[012]*")}),
       "v3.pgm"));
-  // The names of images that a camera file has are not just a hint.
+  // The names of images in a camera file must match the files.
   folder.write("other/a.pgm", image(4, 4, 9));
   folder.write("other/b.pgm", image(4, 4, 9));
   folder.write("other/c.pgm", image(4, 4, 9));
@@ -153,7 +153,7 @@ TEST_CASE("different counts are refused, and missing files named") {
   CHECK(says(refusal({folder.at("cameras"), one, ""}), "2 cameras, but 1 image"));
   folder.write("images/v2.pgm", image(4, 4, 9));
   folder.write("images/v3.pgm", image(4, 4, 9));
-  // An image without a camera is left out, unless all are needed.
+  // An image without a camera is left out, unless all images are required.
   ViewSources sources{folder.at("par.txt"), folder.at("images"), ""};
   std::string notes;
   sources.on_note = [&](const std::string& note) { notes += note; };

@@ -21,7 +21,7 @@ TEST_CASE("a mask of another size and the same shape is scaled to its photograph
   std::string notes;
   ViewSources sources{folder.at("par.txt"), folder.at("images"), folder.at("masks")};
   sources.on_note = [&](const std::string& note) { notes += note + "\n"; };
-  // The left half of the object, at half and at twice the size.
+  // The left half of each mask is the object. The masks have half and twice the photograph's size.
   for (const int width : {4, 16}) {
     std::string mask = image(width, width * 3 / 4, 0);
     const std::size_t first = mask.size() - static_cast<std::size_t>(width * width * 3 / 4);

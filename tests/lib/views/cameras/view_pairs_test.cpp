@@ -26,7 +26,7 @@ std::vector<PinholeCamera> ring(double step_deg, const Vec3& middle) {
   return cameras;
 }
 
-// The steps around the ring to the partners of view i, sorted.
+// Returns the steps around the ring to the partners of view i, sorted.
 std::vector<long> steps(const std::vector<ViewPair>& pairs, std::size_t i, std::size_t count) {
   std::vector<long> found;
   for (const ViewPair& pair : pairs) {

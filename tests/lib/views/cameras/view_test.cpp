@@ -26,7 +26,7 @@ GrayImage wave(int width, int height, double length) {
 }  // namespace
 
 TEST_CASE("every pixel of a linear image is where the smaller camera says") {
-  // Blurs and means keep linear functions, but for borders.
+  // Blurs and means preserve linear functions, except at borders.
   for (const double scale : {1.0, std::sqrt(2.0), 2.0, 3.7}) {
     View view{"", {}, GrayImage(90, 70), {}};
     view.camera.intrinsics << 80, 0, 44, 0, 90, 36, 0, 0, 1;
@@ -41,7 +41,7 @@ TEST_CASE("every pixel of a linear image is where the smaller camera says") {
       for (int x = border; x < small.image.width - border; ++x) {
         const Vec3 q = view.camera.projection() * Vec3(small.camera.ray(x, y)).homogeneous();
         const double expected = 20 + 1.5 * q.x() / q.z() + 0.5 * q.y() / q.z();
-        // The Gaussian ends at three deviations.
+        // The Gaussian is truncated at three standard deviations.
         CHECK(std::abs(small.image.at(x, y) - expected) < 1e-2);
       }
     }

@@ -43,7 +43,7 @@ double value(const Mesh& mesh, const char* name, std::size_t vertex) {
 
 TEST_CASE("vertices take the color of the photograph that faces them") {
   Mesh mesh = test::icosphere(4);
-  // Equal brightness, so that exposures have nothing to even out.
+  // All photographs are equally bright, so exposure compensation has no effect.
   color_vertices(mesh, two_views({100, 100, 100}, {100, 100, 100}));
   for (const char* name : {"red", "green", "blue"}) {
     CHECK(mesh.vertex_columns.find(name)->type == Scalar::uint8);

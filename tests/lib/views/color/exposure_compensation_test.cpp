@@ -13,7 +13,8 @@ std::array<std::uint8_t, 3> intensities(double gray) {
   return {intensity, intensity, intensity};
 }
 
-/// Each place is seen by two neighbors of a ring of views, which show it brighter by a factor.
+/// Each place is visible in two neighboring views of a ring. Each view shows it brighter by the
+/// view's factor.
 std::vector<BestViewColors> places(std::span<const double> factors, double highlights) {
   std::mt19937 random(3);
   std::vector<BestViewColors> seen(4000);

@@ -11,7 +11,7 @@ namespace {
 
 const view_maker::Frame frame;
 const Vec3 eye(6, 0, 0);
-/// The length of a pixel at the surface in front.
+/// Length of a pixel at the surface in front of the camera.
 const double pixel = 5 / frame.focal_length;
 
 /// Red grows to the right, green downwards.

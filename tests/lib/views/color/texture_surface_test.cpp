@@ -20,7 +20,7 @@ using namespace transformesh::test;
 
 namespace {
 
-/// A knot hides much of itself.
+/// A knot, which hides much of itself.
 const Mesh& knot() {
   static const Mesh mesh = make_shape(shape("torus-knot", 6000));
   return mesh;
@@ -56,7 +56,7 @@ std::vector<PictureView> photographed(const Mesh& mesh, int count = 12, double n
   return views;
 }
 
-/// Bilinear, as viewers do it: v upwards, texels' centers at halves.
+/// Returns the bilinear color as viewers compute it: v upwards, centers of texels at halves.
 Eigen::Array3d texture_at(const Image& picture, double u, double v) {
   const double x = u * picture.width - 0.5;
   const double y = (1 - v) * picture.height - 0.5;
@@ -73,7 +73,7 @@ Eigen::Array3d texture_at(const Image& picture, double u, double v) {
   return sum;
 }
 
-/// Whether a pixel shows one part of the surface only.
+/// Returns whether a pixel shows only one part of the surface.
 bool is_inner(const FaceBuffer& faces, int x, int y, double step) {
   if (x < 1 || y < 1 || x + 1 >= faces.width || y + 1 >= faces.height) return false;
   for (int j = -1; j <= 1; ++j)
@@ -90,7 +90,7 @@ struct Comparison {
   std::size_t pixels = 0;
 };
 
-/// Of photographs with what `color` says of a pixel.
+/// Compares the photographs with the color that `color` returns for each pixel.
 template <class Color>
 Comparison compare(const Mesh& mesh, const std::vector<PictureView>& views, const Color& color) {
   Comparison result;
@@ -162,7 +162,7 @@ TEST_CASE("vertex colors agree with the photographs, up to the edge length") {
 }
 
 TEST_CASE("an occluder does not color the surface behind it") {
-  // A small black ball hides a part of a white one in each view, but another part in each.
+  // In each view, a small black ball hides another part of a white ball.
   Mesh mesh = make_sphere(Vec3::Zero(), 1, 3000);
   const std::size_t white = mesh.positions.size();
   const Mesh small = make_sphere(Vec3(0, 0, 1.5), 0.2, 500);
@@ -270,7 +270,7 @@ TEST_CASE("photographs of other exposures and white balances give the same color
   CHECK(even.largest_gain < 1.02);
   CHECK(uneven.largest_gain > 1.15);
   CHECK(uneven.disagreement < even.disagreement + 0.5);
-  // But for one factor of each channel.
+  // Colors agree up to one factor per channel.
   const auto found = intensities_of(mesh);
   for (std::size_t i = 0; i < 3; ++i) {
     const double by = std::accumulate(found[i].begin(), found[i].end(), 0.0) /

@@ -32,8 +32,8 @@ double signed_gap(const Vec3& low, const Vec3& high, const Vec3& point) {
   return (low - point).cwiseMax(point - high).maxCoeff();
 }
 
-/// Nodes that are open where the block is solid, or solid where it is not, farther than `slack`
-/// from its surface.
+/// Counts nodes farther than `slack` from the surface of the block that are open although the block
+/// is solid there, or the reverse.
 std::size_t wrong_nodes(const ValueGrid& grid, double slack) {
   std::size_t count = 0;
   for (std::size_t z = 0; z < grid.nodes[2]; ++z) {
@@ -71,7 +71,7 @@ TEST_CASE("without depths the hull stays as it is, and a few wrong ones open not
   std::vector<DepthMap> maps;
   const auto wrong_at = [&](std::size_t every, double prior) {
     maps = true_maps();
-    for (DepthMap& map : maps)  // sees through
+    for (DepthMap& map : maps)  // these rays pass through the surface
       for (std::size_t i = 0; i < map.depth.pixels.size(); i += every)
         if (map.depth.pixels[i] > 0) map.depth.pixels[i] += 0.6F;
     return wrong_nodes(fuse_depths(hull, scene().views, maps, {.prior = prior}), 0.15);
@@ -95,7 +95,7 @@ TEST_CASE("a surface is continued smoothly in a gap that no view shows") {
         if (is_deep && point.z() > 0) depth.at(x, y) = 0;
       }
   }
-  // Rays that end in the lower third of the pocket say nothing.
+  // Rays that end in the lower third of the pocket give no evidence.
   const std::size_t solid =
       wrong_nodes(fuse_depths(hull, scene().views, maps, {.rounds = 0}), 0.05);
   const std::size_t smooth = wrong_nodes(fuse_depths(hull, scene().views, maps), 0.05);
@@ -120,7 +120,7 @@ TEST_CASE("photographs of other places open nothing") {
   for (std::size_t v = 0; v < views.size(); ++v)
     views[v].image = scene().views[(v * 7 + 3) % views.size()].image;
   CHECK_FALSE(opened_hull(views));
-  // It is the silhouettes that say so.
+  // The opened hull is refused because of the silhouettes.
   OpenedHullOptions options;
   options.most_agreement_lost = 1;
   CHECK(opened_hull(views, options));

@@ -36,7 +36,7 @@ const std::vector<DepthMap>& agreed_maps() {
   return maps;
 }
 
-/// With the photographs of others.
+/// Returns the views of the scene, each with the photograph of another view.
 std::vector<View> views_of_other_places() {
   std::vector<View> views = scene().views;
   for (std::size_t v = 0; v < views.size(); ++v)
@@ -45,8 +45,9 @@ std::vector<View> views_of_other_places() {
 }
 
 struct Known {
-  double share = 0;  ///< of the pixels that see the block
-  double right = 0;  ///< of these, to within a pixel in the nearest neighbor, 0.06
+  double share = 0;  ///< fraction of the pixels that show the block
+  // fraction of these that are correct to within one pixel in the nearest neighbor, 0.06
+  double right = 0;
 };
 
 template <typename Chosen>
@@ -74,7 +75,7 @@ TEST_CASE("one view's depths are those of the block, down to the floor of its po
   const Known all = known_of(map.depth, truth, [&](int x, int y) { return truth.at(x, y) > 0; });
   CHECK(all.share > 0.9);
   CHECK(all.right > 0.8);
-  // The hull is 0.6 and more before the floor.
+  // The hull is at least 0.6 in front of the floor.
   const auto is_floor = [&](int x, int y) {
     if (truth.at(x, y) == 0) return false;
     const Vec3 point = camera.center() + truth.at(x, y) * camera.ray(x, y);

@@ -10,7 +10,7 @@ using namespace transformesh;
 
 namespace {
 
-using Path = std::vector<std::vector<float>>;  ///< the costs of its pixels
+using Path = std::vector<std::vector<float>>;  ///< costs of the pixels
 
 MatchingCosts random_costs(int columns, int rows, int planes, unsigned seed) {
   MatchingCosts costs{columns, rows, planes};
@@ -20,7 +20,7 @@ MatchingCosts random_costs(int columns, int rows, int planes, unsigned seed) {
   return costs;
 }
 
-/// The least cost of all choices of planes that end with this one, tried one by one.
+/// Returns the least cost of all sequences of planes that end with this plane, by trying all.
 float least_by_trying(const Path& path, std::size_t last, std::size_t plane,
                       const SemiglobalOptions& options) {
   const float here = path[last][plane];
@@ -34,7 +34,7 @@ float least_by_trying(const Path& path, std::size_t last, std::size_t plane,
   return here + least;
 }
 
-/// Over the paths to a pixel that begin at the border, or behind what shows nothing.
+/// Sums over the paths to a pixel that begin at the border, or after a pixel without data.
 std::vector<float> sums_by_trying(const MatchingCosts& costs, int x, int y,
                                   const SemiglobalOptions& options) {
   std::vector<float> sums(static_cast<std::size_t>(costs.planes), 0);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double radius = 60;
 
-/// How far along a ray from `eye` the ball begins; negative where the ray misses it.
+/// Returns the distance along a ray from `eye` to the ball; negative if the ray misses it.
 double hit(const Vec3& eye, const Vec3& ray) {
   const double along = -eye.dot(ray);
   const double inside = radius * radius - (eye + along * ray).squaredNorm();

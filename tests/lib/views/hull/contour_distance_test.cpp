@@ -26,11 +26,12 @@ TEST_CASE("a disc of two intensities: within half a pixel") {
   const GrayImage distances = signed_distance(binary_silhouette(soft_mask(disc)));
   const double worst = worst_error(distances, disc);
   CHECK(worst < 0.5);
-  CHECK(worst > 0.05);  // the stairs are there
+  CHECK(worst > 0.05);  // the contour is a staircase here
 }
 
 TEST_CASE("a straight contour, as far as it stays in the image") {
-  // Beyond its ends the nearest point of the line is outside the image: the distance is larger.
+  // Beyond the ends of the contour, the nearest point of the line is outside of the image, so the
+  // distance is larger.
   const GrayImage distances = signed_distance(soft_mask(half_plane));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -45,7 +46,7 @@ TEST_CASE("a straight contour, as far as it stays in the image") {
 }
 
 TEST_CASE("every distance is that of the nearest contour point, by brute force") {
-  // Two discs, a frame and a thin line, so that contours compete.
+  // Two discs, a frame and a thin line, so that every pixel has several contours nearby.
   GrayImage mask(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
@@ -55,7 +56,8 @@ TEST_CASE("every distance is that of the nearest contour point, by brute force")
   const GrayImage distances = signed_distance(mask);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      // Crossings of the grid lines: the contour joins neighbors, at most 1 apart.
+      // Intersections with the grid lines; the contour connects neighbors, which are at most 1
+      // apart.
       double nearest = 1e9;
       for (int v = 0; v < height; ++v)
         for (int u = 0; u < width; ++u) {

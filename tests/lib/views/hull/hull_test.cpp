@@ -32,7 +32,7 @@ void check_surface(const Mesh& mesh) {
   CHECK(find_intersections(mesh).empty());
 }
 
-/// How far outside of a cone around a ball a point is, in the world.
+/// Returns how far a point lies outside of a cone around a ball, in units of the world.
 double beyond_cone(const Vec3& eye, const Vec3& center, double radius, const Vec3& point) {
   const Vec3 ray = point - eye;
   return ball_contour(eye, center, radius)(ray.normalized()) * ray.norm();
@@ -52,7 +52,7 @@ TEST_CASE("every vertex of a ball's hull lies on a cone, and within all others")
     double farthest = -1e9;
     for (const Vec3& eye : eyes)
       farthest = std::max(farthest, beyond_cone(eye, center, 60, position));
-    // A cell is 2 long, a pixel 0.8: cells cut the edges between cones off.
+    // A cell is 2 long, a pixel 0.8; cells cut off the edges between cones.
     CHECK(farthest < 0.3);
     CHECK(farthest > -2);
     close += std::abs(farthest) < 0.15 ? 1 : 0;
@@ -77,7 +77,7 @@ TEST_CASE("three far away cameras see the solid of three cylinders") {
   const HullResult result =
       visual_hull(views_of_ball(eyes, Vec3::Zero(), 40, frame), {.resolution = 80});
   check_surface(result.mesh);
-  const double exact = 8 * (2 - std::sqrt(2.0)) * 40 * 40 * 40;  // Steinmetz
+  const double exact = 8 * (2 - std::sqrt(2.0)) * 40 * 40 * 40;  // volume of Steinmetz's solid
   CHECK(volume(result.mesh) == doctest::Approx(exact).epsilon(0.01));
 }
 
@@ -107,7 +107,8 @@ TEST_CASE("a box seen along its axes is its own hull") {
 }
 
 TEST_CASE("space outside of an image is not carved") {
-  // The ball leaves the images of two cameras: the third still bounds it, the hull goes on.
+  // The ball leaves the images of two cameras: the third one still bounds it, and the hull extends
+  // beyond the two images.
   const std::vector<Vec3> eyes = ring_of_eyes(8, 400, 20);
   std::vector<View> views = views_of_ball(eyes, Vec3::Zero(), 50);
   const double volume_seen = volume(visual_hull(views, {.resolution = 50}).mesh);
@@ -119,7 +120,7 @@ TEST_CASE("space outside of an image is not carved") {
   CHECK(volume(partly.mesh) > 0.99 * volume_seen);
   CHECK(volume(partly.mesh) < 1.2 * volume_seen);
 
-  // Without a bound of its own, the box is one.
+  // A single view does not bound the hull, so the box does.
   const std::vector<View> single = {views[0]};
   const Box box{Vec3::Constant(-70), Vec3::Constant(70)};
   const HullResult cut = visual_hull(single, {.box = box, .edge = 4});
@@ -128,7 +129,7 @@ TEST_CASE("space outside of an image is not carved") {
 }
 
 TEST_CASE("skipping blocks of cells changes nothing: cells of any size agree about a far point") {
-  // Two balls of very different size: the small one is less than a block.
+  // Two balls of very different size: the small one is smaller than a block.
   const std::vector<Vec3> eyes = ring_of_eyes(8, 500, 25);
   std::vector<View> views = views_of_ball(eyes, {-30, 0, 0}, 30);
   for (std::size_t i = 0; i < eyes.size(); ++i) {

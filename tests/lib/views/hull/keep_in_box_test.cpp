@@ -57,7 +57,7 @@ TEST_CASE("a box that a view does not show, or without an inside, is refused") {
   std::vector<View> views{bright_view(false)};
   CHECK_THROWS_WITH_AS(
       keep_in_box(views, {Vec3(50, 0, 0), Vec3(51, 1, 1)}),
-      "bright: nothing of the box is in this view; are its units those of the cameras?",
+      "bright: the box is outside this view; check that its units are those of the cameras",
       InputError);
   CHECK_THROWS_AS(keep_in_box(views, {Vec3(0, 0, 0), Vec3(1, 0, 1)}), UsageError);
   CHECK_THROWS_AS(keep_in_box(views, {Vec3(1, 1, 1), Vec3(0, 0, 0)}), UsageError);

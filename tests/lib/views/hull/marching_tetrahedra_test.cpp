@@ -71,7 +71,7 @@ TEST_CASE("zeros at nodes and huge values do not collapse faces") {
   });
   const Mesh mesh = march_tetrahedra(grid);
   check_surface(mesh);
-  // A cube that reaches nearly to the zeros, where edges of the grid lead there.
+  // A cube that extends nearly to the zeros, where edges of the grid lead there.
   CHECK(volume(mesh) < std::pow(2 * (0.5 + 0.95 * 0.25), 3));
   CHECK(volume(mesh) > std::pow(2 * (0.5 + 0.8 * 0.25), 3));
 }

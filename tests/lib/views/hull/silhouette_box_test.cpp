@@ -65,7 +65,7 @@ TEST_CASE("the box tightly bounds the space that projects into all rectangles") 
   std::vector<Rectangle> rectangles;
   for (const View& view : views) rectangles.push_back(rectangle_of(view.silhouette));
 
-  // Points of a fine grid that project into every rectangle.
+  // Points of a fine grid that project into all rectangles.
   Box reached{Vec3::Constant(1e9), Vec3::Constant(-1e9)};
   constexpr int steps = 60;
   for (int i = 0; i < steps * steps * steps; ++i) {
@@ -89,7 +89,7 @@ TEST_CASE("unbounded objects are refused") {
   CHECK_THROWS_WITH_AS(silhouette_box(views_of_ball(front, Vec3::Zero(), 40)),
                        doctest::Contains("name its box"), InputError);
 
-  // A silhouette that touches the border bounds nothing there; other views may.
+  // A silhouette at the border does not bound the object there; other views may.
   std::vector<View> views =
       views_of_ball({{600, 0, 0}, {0, 600, 0}, {0, 0, 600}}, Vec3::Zero(), 40);
   views[0] = ball_view({600, 0, 0}, Vec3::Zero(), 20);

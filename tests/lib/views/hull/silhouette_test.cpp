@@ -14,8 +14,7 @@ using namespace transformesh;
 using namespace transformesh::test;
 
 TEST_CASE("a threshold finds the contour between pixels") {
-  // A bright disc with an edge as soft as a camera's: it crosses intensity 60 at a radius that is
-  // known.
+  // A bright disc with a contour as soft as a camera's. Its intensity is 60 at a known radius.
   GrayImage photograph(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
@@ -48,7 +47,7 @@ TEST_CASE("without an intensity, that between dark and bright pixels is found") 
 TEST_CASE("the dividing intensity leaves the largest variance between dark and bright") {
   Random random(6);
   for (int round = 0; round < 50; ++round) {
-    // Two heaps of intensities, and others anywhere.
+    // Two clusters of intensities, and others anywhere.
     std::array<GrayImage, 2> images{GrayImage(30, 20), GrayImage(17, 9)};
     const double dark = random.uniform(0, 120);
     const double bright = random.uniform(130, 250);
@@ -105,7 +104,7 @@ TEST_CASE("dark marks on the object become part of it, wide gaps do not") {
       binary_silhouette(threshold_silhouette(photograph, {100, 0, 0.05}));  // 3.2
   CHECK(closed.at(20, 12) == 255);
   CHECK(closed.at(12, 27) == 0);
-  // What is outside stays outside, also where the bar leaves the image.
+  // Pixels outside stay outside, also where the bar leaves the image.
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       if (unmarked.at(x, y) == 0) CHECK(closed.at(x, y) == 0);

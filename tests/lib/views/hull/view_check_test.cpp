@@ -24,7 +24,7 @@ constexpr Frame frame{128, 96, 300};
 
 std::string name_of(std::size_t i) { return std::string(1, 'v').append(std::to_string(i)); }
 
-/// Three balls, so that no two views are alike, from eyes that are not evenly apart.
+/// Three balls, so that no two views are alike, seen from unevenly spaced eyes.
 std::vector<View> right_views() {
   std::vector<View> views;
   for (int i = 0; i < 10; ++i) {
@@ -65,7 +65,7 @@ void invert(View& view) {
   test::change_intensities(view.silhouette, [](float intensity) { return 255 - intensity; });
 }
 
-/// The object somewhere else in the picture.
+/// Moves the object to another place in the picture.
 void move(View& view) {
   const GrayImage before = view.silhouette;
   for (int y = 0; y < before.height; ++y)
@@ -141,7 +141,7 @@ TEST_CASE("views that disagree are named, or left out") {
   move(views[7]);
   const std::string problem = problem_of(views);
   CAPTURE(problem);
-  CHECK(has(problem, "'v2' and 'v7' disagree with the rest"));
+  CHECK(has(problem, "'v2' and 'v7' disagree with the others"));
   const ViewCheck check = check_views(views, {.drops_bad_views = true});
   REQUIRE(check.dropped.size() == 2);
   CHECK(check.dropped[0].name == "v2");

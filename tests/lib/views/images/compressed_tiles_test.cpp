@@ -12,7 +12,7 @@ namespace {
 
 using Words = Raster<std::uint16_t>;
 
-/// Words of a function of the pixel.
+/// Returns words that are a function of the pixel.
 template <class Function>
 Words made(int width, int height, const Function& function) {
   Words words(width, height);
@@ -21,7 +21,7 @@ Words made(int width, int height, const Function& function) {
   return words;
 }
 
-/// Bytes a pixel; every word must come back.
+/// Returns the bytes per pixel. Checks that every word is decoded correctly.
 double bytes_per_pixel(const Words& words) {
   const CompressedTiles tiled(words);
   int different = 0;
@@ -56,7 +56,7 @@ TEST_CASE("words of any size of image, up to the ends of their range") {
       bytes_per_pixel(made(width, height, [](int /*x*/, int /*y*/) { return 65535; }));
       bytes_per_pixel(made(width, height, [](int x, int y) { return (x + y) % 2 * 65535; }));
       bytes_per_pixel(made(width, height, [](int x, int y) { return 60000 - 900 * x - 11 * y; }));
-      // The last numbers that fit in four bits, and in eight, and the first that do not.
+      // The largest numbers of four and of eight bits, and the next larger ones.
       for (const int step : {7, 8, 9, 127, 128, 129}) {
         bytes_per_pixel(made(width, height, [&](int x, int y) {
           return 1000 + (x == 3 && y == 5 ? step : 0) - (x == 4 && y == 6 ? step : 0);

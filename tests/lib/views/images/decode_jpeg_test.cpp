@@ -43,7 +43,7 @@ TEST_CASE("JPEG of gray and color, of one scan, several, and with restarts") {
 }
 
 TEST_CASE("a CMYK JPEG is decoded to the light that the inks leave") {
-  // Inverted: all of the light that cyan and black leave of red is 200 * 128 / 255.
+  // Inverted inks: cyan and black together leave 200 * 128 / 255 of red.
   const Rows rows = halves(16, 16, {200, 255, 0, 128}, {0, 0, 255, 255});
   const GrayImage image = decode_photograph(jpeg_of({4}, 16, 16, rows), "a.jpg");
   CHECK(std::abs(static_cast<double>(image.at(3, 3)) - gray(100.4, 128, 0)) < 2);

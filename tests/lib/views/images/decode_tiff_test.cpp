@@ -24,13 +24,14 @@ GrayImage decoded(const TiffKind& kind, const Rows& rows) {
   return image;
 }
 
-/// The intensity of 8 bits or, of the machine's order, 16.
+/// Returns the intensity of a sample of 8 bits or, in the machine's byte order, of 16.
 double sample(const Rows& rows, std::size_t index, int bits) {
   if (bits == 8) return rows[index];
   return (rows[2 * index] + 256 * rows[2 * index + 1]) / 257.0;
 }
 
-/// The pixels of an image are the samples of the rows, of which each pixel has so many.
+/// Checks that the pixels of an image are the samples of the rows, with `samples` samples per
+/// pixel.
 void check_intensities(const GrayImage& image, const Rows& rows, const TiffKind& kind) {
   double largest = 0;
   for (std::size_t i = 0; i < pixels; ++i) {
@@ -51,7 +52,7 @@ std::size_t little_endian(const std::string& bytes, std::size_t place, std::size
   return value;
 }
 
-/// Changes a label of a little-endian file, which has it already.
+/// Changes an existing label of a little-endian file.
 void set_label(std::string& bytes, unsigned label, std::uint32_t value) {
   const std::size_t start = little_endian(bytes, 4, 4);
   const std::size_t labels = little_endian(bytes, start, 2);
@@ -66,7 +67,7 @@ void set_label(std::string& bytes, unsigned label, std::uint32_t value) {
   FAIL("no such label");
 }
 
-/// Of this process so far, in kB.
+/// Returns the peak memory of this process so far, in kB.
 long peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -124,10 +125,11 @@ TEST_CASE("a TIFF of other samples is refused with advice") {
   TiffKind kind{32};
   kind.sample_format = SAMPLEFORMAT_IEEEFP;
   const Rows rows(std::size_t{4} * 4);
-  CHECK(image_refusal(tiff_of(kind, 2, 2, rows)) ==
-        "the format is TIFF of samples that are no unsigned integers; only JPEG, PNG, TIFF and PNM "
-        "of 8 or 16 bits are read: convert it first, for example with: magick a.image a.png "
-        "(a.image)");
+  CHECK(
+      image_refusal(tiff_of(kind, 2, 2, rows)) ==
+      "the format is TIFF with samples other than unsigned integers; only JPEG, PNG, TIFF and PNM "
+      "of 8 or 16 bits are read: convert it first, for example with: magick a.image a.png "
+      "(a.image)");
   kind.sample_format = SAMPLEFORMAT_UINT;
   CHECK(image_refusal(tiff_of(kind, 2, 2, rows)).find("32-bit samples") != std::string::npos);
   const auto refusal = [](const TiffKind& other, std::size_t bytes) {
@@ -137,11 +139,11 @@ TEST_CASE("a TIFF of other samples is refused with advice") {
     const std::string text = refusal({bits, 1, PHOTOMETRIC_MINISBLACK}, 2);
     CHECK(text.find("TIFF of " + std::to_string(bits) + "-bit samples; only") != std::string::npos);
   }
-  CHECK(refusal({8, 1, PHOTOMETRIC_PALETTE}, 4).find("neither gray nor red, green and blue") !=
+  CHECK(refusal({8, 1, PHOTOMETRIC_PALETTE}, 4).find("other than gray or red, green and blue") !=
         std::string::npos);
   TiffKind apart{8, 3, PHOTOMETRIC_RGB};
   apart.planes = 2;
-  CHECK(refusal(apart, 12).find("TIFF of channels that lie apart") != std::string::npos);
+  CHECK(refusal(apart, 12).find("TIFF with channels in separate planes") != std::string::npos);
 }
 
 TEST_CASE("a TIFF that is cut short is refused, and damage does no harm") {
@@ -174,7 +176,7 @@ TEST_CASE("a TIFF that claims more than its bytes can hold takes no memory") {
   CHECK(peak_memory() - before < 500000);
 }
 
-// Tiles are decoded as a whole: here one of 12 GB in less than 300 bytes.
+// Tiles are decoded as a whole; this one of 12 GB is in a file of less than 300 bytes.
 TEST_CASE("a TIFF whose tile claims what its bytes cannot hold takes no memory for it") {
   TiffKind kind{16, 1, PHOTOMETRIC_MINISBLACK, COMPRESSION_ADOBE_DEFLATE};
   kind.tile = 16;

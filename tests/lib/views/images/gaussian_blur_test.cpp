@@ -23,7 +23,7 @@ int mirrored(int i, int count) {
   return count > 1 ? i : 0;
 }
 
-/// By the definition, in two dimensions and double precision.
+/// Returns the two-dimensional convolution by its definition, in double precision.
 double blurred(const GrayImage& image, double deviation, int x, int y) {
   const int reach = static_cast<int>(std::lrint(8 * deviation + 1)) / 2;
   double sum = 0;
@@ -61,7 +61,8 @@ TEST_CASE("a blur is the mean under the Gaussian, mirrored at the borders") {
 }
 
 TEST_CASE("sums are rounded to floats one product after the other") {
-  // As fused multiply-adds do, from the left and then outwards from the middle row.
+  // Rounding is that of fused multiply-adds, from left to right in each row, and then outwards from
+  // the middle row.
   const GrayImage image = noise(40, 30);
   const double deviation = 1.5;
   std::vector<float> weights;

@@ -39,7 +39,7 @@ TEST_CASE("the size is known without the pixels") {
     CHECK(size.height == 40);
     CHECK(size.pixels.empty());
   }
-  // Of the pixels, nothing need be there.
+  // The pixels need not be complete.
   CHECK(decode_size(images[0].substr(0, images[0].size() - 100), "a.image").width == 60);
   CHECK(decode_size(images[2].substr(0, images[2].size() - 100), "a.image").width == 60);
   CHECK_THROWS_AS(decode_size("", "a.image"), InputError);
@@ -76,7 +76,7 @@ TEST_CASE("pixels with any sample above zero are inside a silhouette") {
   const GrayImage color = decode_silhouette("P3 2 1 255 0 0 1 0 0 0", "a.ppm");
   CHECK(color.at(0, 0) == 255);
   CHECK(color.at(1, 0) == 0);
-  // Transparency is the mask where it varies, and does not count where it does not.
+  // Transparency is the mask if it varies, and is ignored if it does not.
   const Mask cut_out = decode_mask(png_of({4, 8}, 2, 1, {0, 255, 9, 0}), "a.png");
   CHECK(cut_out.rule == MaskRule::alpha);
   CHECK(cut_out.silhouette.at(0, 0) == 255);

@@ -35,7 +35,7 @@ PackableImage packed(const GrayImage& image,
   return held;
 }
 
-/// The largest difference.
+/// Returns the largest difference.
 float difference(const GrayImage& first, const PackableImage& second) {
   const GrayImage other = second;
   float most = 0;

@@ -24,7 +24,7 @@ View view_of_disk(double radius, double shift = 0) {
   view.camera.intrinsics << focal, 0, 79.5 + shift, 0, focal, 59.5, 0, 0, 1;
   view.camera.translation = {0, 0, distance};
   view.image = view.silhouette = GrayImage(160, 120);
-  // Soft edges, so that the contour is a circle to a few hundredths of a pixel.
+  // Edges are soft, so that the contour is a circle to a few hundredths of a pixel.
   for (int y = 0; y < 120; ++y) {
     for (int x = 0; x < 160; ++x) {
       const double inside = radius - std::hypot(x - 79.5 - shift, y - 59.5);
@@ -42,7 +42,7 @@ ContourGaps gaps_of(const Mesh& mesh, const std::vector<View>& views,
   return contour_gaps(mesh, views, SeenViews(mesh, views, 0.1), distances, meaning);
 }
 
-/// Pixels of a point from the middle of the image of the first view.
+/// Returns the distance in pixels of a point from the middle of the image of the first view.
 double pixels_from_middle(const Vec3& p) {
   return focal * std::hypot(p.x(), p.y()) / (p.z() + distance);
 }
@@ -98,7 +98,7 @@ TEST_CASE("a rim before another part of the surface does not count") {
 }
 
 TEST_CASE("outside of the image no distance is known") {
-  // The disk is cut by the right border: the ball's vertices there are neither out nor in.
+  // The right border cuts the disk, so vertices of the ball there are neither outside nor inside.
   const Mesh ball = test::icosphere(4);
   const ContourGaps gaps = gaps_of(ball, {view_of_disk(40, 60)});
   for (std::size_t v = 0; v < ball.positions.size(); ++v) {

@@ -17,7 +17,7 @@ namespace {
 constexpr int width = 23;
 constexpr int height = 19;
 
-/// Two images with a hole in the mask, intensities less the middle one.
+/// Two images with a hole in the mask, with intensities relative to the middle one.
 struct Images {
   std::vector<float> is_seen, first, second, slope;
 
@@ -36,7 +36,7 @@ struct Images {
   }
 };
 
-/// The energy in doubles, window by window from the definition. rho may be given.
+/// Computes the energy in doubles, window by window, by its definition. rho may be given.
 struct Direct {
   double energy = 0;
   double loss = 0;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double least_cosine = 0.1;
 
-/// The sum of uniform numbers with this deviation.
+/// Returns the image with noise of this standard deviation: sums of four uniform numbers.
 GrayImage with_noise(GrayImage image, double deviation, unsigned seed) {
   Random random(seed);
   const double half = deviation * std::sqrt(3.0 / 4);
@@ -46,7 +46,7 @@ TEST_CASE("noise is measured beside texture, as what the blur of scale 1 leaves 
     for (int x = 0; x < waves.width; ++x)
       waves.at(x, y) = static_cast<float>(128 + 40 * std::sin(0.3 * x + 0.2 * y));
   const GrayImage everywhere(200, 150, 1);
-  // Sums of squares of a Gaussian's samples, deviation 0.6.
+  // Sums of squares of a Gaussian's samples, with standard deviation 0.6.
   double sum = 0, squares = 0;
   for (int k = -2; k <= 2; ++k) {
     const double weight = std::exp(-k * k / 0.72);

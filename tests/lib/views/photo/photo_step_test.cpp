@@ -61,7 +61,7 @@ TEST_CASE("a step reports measures from before the movement") {
   CHECK(result.coverage <= 1);
   CHECK(result.dissimilarity > 0);
   CHECK(result.mean_share > 0);
-  // Cameras look along the equator, so that the poles are seen too flatly.
+  // Cameras point along the equator, so the poles are visible only at grazing angles.
   CHECK(result.unseen > 0);
   CHECK(result.unseen < mesh.positions.size() / 4);
 }

@@ -54,14 +54,14 @@ TEST_CASE("with momentum small steps get there in fewer, and a single one is as 
   CHECK(error_after(1, 0.7) == error_after(1, 0));
   CHECK(error_after(6, 0.7) < 0.75 * error_after(6, 0));
   CHECK(error_after(10, 0.7) < error_after(16, 0));
-  // The last step is no farther than it goes by itself, so that the surface comes to rest.
+  // The last step has no momentum, so the surface comes to rest.
   CHECK(error_after(30, 0.7) < 0.3 * scene.pixel);
   CHECK_THROWS_AS(error_after(2, 1), UsageError);
   CHECK_THROWS_AS(error_after(2, -0.1), UsageError);
 }
 
 TEST_CASE("a robust loss weakens objects in front of the surface") {
-  // Speckles that stay where they are in every photograph, as dirt on a lens.
+  // Speckles at the same pixels of every photograph, like dirt on a lens.
   std::vector<View> views = ring();
   for (View& view : views) {
     for (int y = 0; y < 160; ++y) {
@@ -93,7 +93,8 @@ TEST_CASE("silhouettes correct parts that photographs cannot measure") {
     CHECK(error(mesh, 1) < 0.4 * error(ball(start), 1));
     CHECK((result.first.outside > 0) == (start > 1));
   }
-  // The paper's step knows no plate that carries the pull from the rims to what lies between.
+  // The step of the paper has no thin-plate energy, which would carry the pull of the rims to the
+  // parts in between.
   PhotoStepOptions paper;
   paper.rule = PhotoStepRule::gradient;
   paper.smoothing = 0;
@@ -115,7 +116,7 @@ TEST_CASE("the same bytes for any number of threads") {
 }
 
 TEST_CASE("a surface that becomes smaller keeps its coverage") {
-  // Eyes that look at a large ball see less of it as it shrinks into its silhouettes.
+  // Less of a large ball is visible as it shrinks into its silhouettes.
   const PhotoScene scene = photo_scene(ring(1, true), 1);
   Mesh mesh = ball(1.15);
   PhotoStepOptions options;
@@ -127,7 +128,8 @@ TEST_CASE("a surface that becomes smaller keeps its coverage") {
 }
 
 TEST_CASE("lost coverage is reported") {
-  // Steps far too long crumple the ball: its spikes hide one another from the other views.
+  // Steps that are far too long crumple the ball, so that its spikes hide each other in other
+  // views.
   const PhotoScene scene = photo_scene(ring(), 1);
   Mesh mesh = ball(1.02);
   PhotoStepOptions options;

@@ -23,7 +23,8 @@ constexpr int height = 160;
 constexpr double focal = 260;
 constexpr double distance = 2;
 constexpr int grid = 64;
-constexpr double half_side = 1.6;  ///< of the patch: beyond both fields of view
+/// Half side of the patch, which extends beyond both fields of view.
+constexpr double half_side = 1.6;
 
 /// A solid texture: 60 waves of lengths 0.12 to 0.8.
 class Texture {
@@ -48,7 +49,7 @@ class Texture {
   std::vector<double> phases_;
 };
 
-/// A square patch at z = 0, seen from +z.
+/// A square patch at z = 0 that faces +z.
 Mesh patch() {
   Mesh mesh;
   for (int i = 0; i <= grid; ++i) {
@@ -67,7 +68,7 @@ Mesh patch() {
   return mesh;
 }
 
-/// Looks at the origin from +z, turned about y.
+/// Returns a camera that points at the origin from +z, rotated about y.
 PinholeCamera camera(double angle_deg) {
   PinholeCamera result;
   result.intrinsics << focal, 0, (width - 1) / 2.0, 0, focal, (height - 1) / 2.0, 0, 0, 1;
@@ -78,7 +79,7 @@ PinholeCamera camera(double angle_deg) {
   return result;
 }
 
-/// A photograph of the flat patch.
+/// Returns a photograph of the flat patch.
 View photograph(const PinholeCamera& camera) {
   const Texture texture;
   View view{"", camera, GrayImage(width, height), {}};
@@ -125,7 +126,8 @@ std::vector<Vec3> bump(const Mesh& mesh, const Vec3& center, const Vec3& directi
   return field;
 }
 
-/// Derivatives against difference quotients. Errors are relative to the usual size of the latter.
+/// Derivatives compared with difference quotients. Errors are relative to the usual size of the
+/// quotients.
 class Comparison {
  public:
   void add(double derivative, double quotient) {
@@ -173,10 +175,10 @@ double product(std::span<const Vec3> a, std::span<const Vec3> b) {
 }  // namespace
 
 TEST_CASE("the derivative is that of the energy: bumps inside both images") {
-  // Quotients are good to a thousandth of the usual derivative: images and sums are floats, and
-  // bilinear intensities have kinks. Of rounding to a gradient image, or of the terms that the
-  // means and variances of the windows bring, nothing would be left: those are errors of 4 % and 36
-  // %.
+  // Quotients are accurate to a thousandth of the usual derivative, because images and sums are
+  // floats, and bilinear intensities have kinks. This test would find the error of 4 % by rounding
+  // to a gradient image. It would also find the error of 36 % if the terms of the windows' means
+  // and variances were missing.
   for (const Interpolation kind : {Interpolation::catmull_rom, Interpolation::bilinear}) {
     Scene scene;
     scene.options.interpolation = kind;
@@ -237,13 +239,13 @@ TEST_CASE("the derivative is that of the energy: single vertices in any directio
 }
 
 TEST_CASE("the derivative leaves out what borders and contours add") {
-  // Where the border of an image cuts the bump, pixels come and go.
+  // Pixels appear and vanish where the border of an image cuts the bump.
   const Scene scene;
   const auto at_border = bump(scene.mesh, Vec3(-0.73, 0, 0), Vec3(0, 0, 1));
   const double exact = product(scene.measure().gradient, at_border);
   CHECK(std::abs(exact / scene.difference_quotient(at_border, 5e-4) - 1) > 0.5);
 
-  // So they do where a contour moves over the patch.
+  // The same happens where a contour moves over the patch.
   Scene shaded;
   const Mesh small = floating_square();
   const Index first = static_cast<Index>(shaded.mesh.positions.size());
@@ -261,7 +263,7 @@ TEST_CASE("the derivative leaves out what borders and contours add") {
 
 TEST_CASE("the true surface is consistent, also under a change of light") {
   Scene scene;
-  scene.options.correlation.noise_variance = 0.01;  // it counts as inconsistent
+  scene.options.correlation.noise_variance = 0.01;  // small, because noise counts as inconsistent
   for (Vec3& p : scene.mesh.positions) p.z() = 0;
   const Photoconsistency exact = scene.measure();
   CHECK(exact.energy / exact.weight < 2e-3);
@@ -270,7 +272,7 @@ TEST_CASE("the true surface is consistent, also under a change of light") {
                            [](float intensity) { return 1.3F * intensity - 40; });
   CHECK(scene.measure().energy / exact.weight < 4e-3);
 
-  // Off by half a pixel of parallax it is worse, and the gradient leads back.
+  // At half a pixel of parallax the energy is larger, and the gradient leads back.
   for (Vec3& p : scene.mesh.positions) p.z() = 0.02;
   const Photoconsistency off = scene.measure();
   CHECK(off.energy > 10 * exact.energy);
@@ -282,7 +284,7 @@ TEST_CASE("the true surface is consistent, also under a change of light") {
 TEST_CASE("hidden points are not compared") {
   Scene scene;
   const Photoconsistency open = scene.measure();
-  // A wall that the first camera sees edge on, and that hides half of the patch from the second.
+  // A wall that the first camera sees edge-on, and that hides half of the patch from the second.
   Scene walled;
   const Vec3 eye = walled.views[0].camera.center();
   const Index first = static_cast<Index>(walled.mesh.positions.size());

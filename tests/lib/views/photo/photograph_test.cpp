@@ -77,7 +77,7 @@ TEST_CASE("silhouettes are those of the ball") {
   const std::vector<float> intensities = test::intensities_of(exact.silhouette);
   for (std::size_t i = 0; i < intensities.size(); ++i)
     different += (intensities[i] > 127.5F) != (photograph.silhouette.pixels[i] > 0);
-  CHECK(different < 8);  // of 150 on the contour
+  CHECK(different < 8);  // out of 150 pixels on the contour
 }
 
 TEST_CASE("noise has its deviation, differs between photographs and not between runs") {
@@ -107,7 +107,7 @@ TEST_CASE("gain and offset are one affine map an image") {
     const GrayImage image = take_photograph(ball(), test_camera(), texture, number,
                                             {.noise = 0, .gain_spread = 0.2, .offset_spread = 10})
                                 .image;
-    // Least squares over the middle of the ball.
+    // Fits gain and offset by least squares over the middle of the ball.
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (int y = 20; y < 40; ++y)
       for (int x = 30; x < 50; ++x) {
@@ -134,7 +134,8 @@ TEST_CASE("a texture varies as fast as asked for, and as much") {
   });
   CHECK(intensities.mean == doctest::Approx(128).epsilon(0.05));
   CHECK(intensities.deviation == doctest::Approx(40).epsilon(0.15));
-  // Far below the shortest wavelength it hardly changes, at half of it it does.
+  // The texture hardly changes over steps far below the shortest wavelength, but it changes over
+  // half a wavelength.
   const auto change = [&](double step) {
     return moments(100, 100,
                    [&](int x, int y) {

@@ -13,7 +13,7 @@ using doctest::Approx;
 
 namespace {
 
-/// The umbrella as a matrix, row by row from the faces.
+/// Returns the umbrella operator as a matrix, built row by row from the faces.
 Eigen::MatrixXd laplacian_matrix(const Mesh& mesh) {
   const auto count = static_cast<Eigen::Index>(mesh.positions.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
@@ -43,7 +43,7 @@ ThinPlateProblem random_problem(const Mesh& mesh, double stiffness) {
   return problem;
 }
 
-/// The minimum by a dense solver.
+/// Returns the minimum by a dense solver.
 Eigen::VectorXd dense_step(const Mesh& mesh, const ThinPlateProblem& problem) {
   const auto count = static_cast<Eigen::Index>(mesh.positions.size());
   const Eigen::MatrixXd bend = laplacian_matrix(mesh);
@@ -97,7 +97,7 @@ TEST_CASE("a dent without data is smoothed away, and one with data stays") {
   const UniformLaplacian laplacian(mesh);
   ThinPlateProblem problem{vertex_normals(mesh), std::vector<double>(mesh.positions.size(), 0),
                            std::vector<double>(mesh.positions.size(), 0), 1};
-  // The whole sphere shrinks as well: what counts is how the vertex moves against the others.
+  // The whole sphere shrinks as well, so only the movement relative to the other vertices counts.
   const auto out_of_dent = [&] {
     const std::vector<double> steps = thin_plate_step(mesh, laplacian, problem);
     return steps[100] - steps[300];
@@ -109,7 +109,7 @@ TEST_CASE("a dent without data is smoothed away, and one with data stays") {
 }
 
 TEST_CASE("borders are free, and vertices without faces stay") {
-  // A flat sheet bends nowhere, and its border is not pulled inwards.
+  // A flat sheet has no bending energy, and its border is not pulled inwards.
   Mesh mesh;
   for (int i = 0; i < 36; ++i) mesh.positions.emplace_back(i % 6, i / 6, 0);
   for (Index i = 0; i < 5; ++i) {

@@ -9,8 +9,8 @@ using namespace transformesh;
 
 namespace {
 
-/// The distance along the optical axis to the unit sphere, from the photograph of ring() at angle
-/// 0.
+/// Returns the distance along the optical axis to the unit sphere, for the photograph of ring() at
+/// angle 0.
 double depth_of_sphere(const View& view, int x, int y) {
   const Vec3 eye = view.camera.center(), ray = view.camera.ray(x, y).normalized();
   const double along = -eye.dot(ray);
@@ -61,7 +61,7 @@ TEST_CASE("backs of faces are not compared") {
   const Mesh mesh = test::reversed(test::icosphere(3));
   VisibleSurface room;
   const SeenViews seen(mesh, views, 0);
-  // The far side of the sphere looks towards the camera; its contour has the depth 4.8.
+  // The far side of the sphere faces the camera; its contour has the depth 4.8.
   const VisibleSurface& surface = seen.surface(0, room);
   for (int y = 0; y < surface.box.rows(); ++y)
     for (int x = 0; x < surface.box.columns(); ++x)

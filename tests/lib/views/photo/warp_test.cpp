@@ -1,4 +1,5 @@
-// A pixel of one view, and what another view shows at the same point of a traced sphere.
+// Pixels of one view, compared with the pixels of another view at the same points of a ray-traced
+// sphere.
 #include "views/photo/warp.h"
 
 #include <doctest/doctest.h>
@@ -15,7 +16,8 @@ struct Rows {
   WarpedRow row() { return {is_seen.data(), reference.data(), other.data(), slope.data()}; }
 };
 
-/// The mean difference of both intensities, and the share of pixels that the other view shows.
+/// Returns the mean difference of both intensities, and the fraction of pixels that are visible in
+/// the other view.
 std::pair<double, double> compared(double angle_deg) {
   const Mesh mesh = test::icosphere(5);
   const std::vector<View> views{test::photograph(0, 1), test::photograph(angle_deg, 1)};

@@ -23,7 +23,7 @@ TEST_CASE("an alpha wrap contains all points, at its offset") {
   }
 }
 
-// Each point is wrapped on its own, by a tetrahedron or two.
+// Each point is wrapped separately, by a tetrahedron or two.
 TEST_CASE("vertices lie at the offset, and faces between them come nearer, by as much as is said") {
   std::vector<Vec3> points;
   for (int i = 0; i < 216; ++i) points.emplace_back(i % 6, i / 6 % 6, i / 36);
@@ -88,7 +88,7 @@ TEST_CASE("an alpha of millions of faces is refused before it takes its time") {
     CHECK_THROWS_WITH_AS(alpha_wrap(cloud.points, {.alpha = alpha, .offset = 0.1}),
                          doctest::Contains("too small"), UsageError);
   }
-  // One ball; and many that are small, each on its own.
+  // One ball; and many small ones, each separate.
   CHECK_THROWS_AS(alpha_wrap(std::vector<Vec3>{Vec3::Zero()}, {.alpha = 1e-4, .offset = 1}),
                   UsageError);
   check_surface(alpha_wrap(cloud.points, {.alpha = 1e-4, .offset = 1e-4}).mesh);

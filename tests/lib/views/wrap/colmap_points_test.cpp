@@ -53,7 +53,7 @@ TEST_CASE("COLMAP's points are the same in text and in binary files") {
       title + "9 1 2 3 10 20 255 0.5 1 7 2 8\n9 -1 0 1e-3 10 20 255 1.5 1 1 2 2 3 3 4 4\n";
   check(read_colmap_points({text, "a.txt"}).value());
   check(read_colmap_points({file(), "points3D.bin"}).value());
-  // Without a name, as on a pipe, the exact size tells.
+  // Without a file name, as on a pipe, the exact size identifies the format.
   const std::string bytes = file();
   check(read_colmap_points({bytes, "standard input"}).value());
   CHECK_FALSE(read_colmap_points({bytes + "x", "standard input"}).has_value());

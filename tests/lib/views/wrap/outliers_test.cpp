@@ -1,4 +1,4 @@
-/// Outliers that are strewn around clouds, and clouds of every sampling that have none.
+/// Outliers around point clouds, and clouds of every kind of sampling without outliers.
 #include "views/wrap/outliers.h"
 
 #include <doctest/doctest.h>
@@ -21,7 +21,7 @@ Vec3 direction(test::Random& random) {
   }
 }
 
-/// On a sphere, the share of points that is kept falling with z.
+/// Random points on a sphere; `share(z)` is the probability that a point is kept.
 template <typename Share>
 std::vector<Vec3> sphere_with(int count, std::uint64_t seed, const Share& share) {
   test::Random random(seed);
@@ -33,7 +33,7 @@ std::vector<Vec3> sphere_with(int count, std::uint64_t seed, const Share& share)
   return points;
 }
 
-/// Rays of a scanner at the origin, a unit above a plane.
+/// Points where rays of a scanner at the origin, one unit above a plane, meet the plane.
 std::vector<Vec3> scanned_plane(int count, std::uint64_t seed) {
   test::Random random(seed);
   std::vector<Vec3> points;
@@ -45,7 +45,7 @@ std::vector<Vec3> scanned_plane(int count, std::uint64_t seed) {
   return points;
 }
 
-/// The definition, over all pairs.
+/// Returns the outliers by their definition, over all pairs of points.
 std::vector<Index> by_brute_force(const std::vector<Vec3>& points) {
   const std::size_t count = points.size();
   const auto distance = [&](std::size_t i, std::size_t j) {
@@ -63,7 +63,7 @@ std::vector<Index> by_brute_force(const std::vector<Vec3>& points) {
     const bool are_neighbors = length <= spacing[i] || length <= spacing[j];
     return are_neighbors && length <= 2 * std::min(spacing[i], spacing[j]);
   };
-  // Spread the least index of each group.
+  // Spreads the least index of each group to all of its points.
   std::vector<std::size_t> group(count);
   for (std::size_t i = 0; i < count; ++i) group[i] = i;
   for (bool changed = true; changed;) {
@@ -129,12 +129,12 @@ TEST_CASE("no point of an even cloud is an outlier, and of uneven ones hardly an
       const std::size_t taken = find_outliers(sparse).size();
       CHECK(100 * taken <= static_cast<std::size_t>(count));
       touched += taken > 0 ? 1 : 0;
-      // The far points of a scan are few and sparse.
+      // The distant points of a scan are few and sparse.
       const auto lost = find_outliers(scanned_plane(count, seed)).size();
       CHECK(100 * lost <= static_cast<std::size_t>(count));
       CHECK(find_outliers(test::ring_points(count)).empty());
     }
-  constexpr int most_touched = 3;  // 60 clouds were tried
+  constexpr int most_touched = 3;  // out of 60 clouds
   CHECK(touched <= most_touched);
   // Two bodies; a grid; copies of one point.
   std::vector<Vec3> points = test::sphere_cloud(500).points;
@@ -161,7 +161,7 @@ TEST_CASE("5 % of outliers far around a body are found, and most of 1 % near it"
     const std::vector<Index> outliers = find_outliers(points);
     CAPTURE(c.size);
     CAPTURE(c.count);
-    // No point of the sphere is lost.
+    // No point of the sphere is removed.
     CHECK((outliers.empty() || outliers.front() >= static_cast<Index>(c.count)));
     CHECK(static_cast<int>(outliers.size()) >= c.least);
     if (c.count == 500) CHECK(outliers == by_brute_force(points));

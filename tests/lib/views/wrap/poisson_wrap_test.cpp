@@ -15,7 +15,7 @@ TEST_CASE("a Poisson surface passes between noisy points, and closes holes") {
   for (const Vec3& position : whole.positions) CHECK(std::abs(position.norm() - 1) < 0.03);
   CHECK(volume(whole) == doctest::Approx(4.18879).epsilon(0.03));
 
-  // The top is missing.
+  // The top of the sphere is missing.
   Cloud open;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     if (cloud.points[i].z() > 0.8) continue;

@@ -1,0 +1,73 @@
+/// Collapses edges in the order of quadric errors, for decimate.h. Reference: Garland & Heckbert,
+/// "Surface simplification using quadric error metrics", SIGGRAPH 1997. Departures: planes have no
+/// weight by area, refused positions are tried at other places, and collapses are guarded against
+/// self-intersections.
+#pragma once
+
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "geometry/keep_out.h"
+#include "remesh/guards/error_bound.h"
+#include "remesh/halfedges/editable_mesh.h"
+#include "remesh/halfedges/vertex_role.h"
+#include "remesh/operations/quadric.h"
+#include "transformesh/decimate.h"
+
+namespace transformesh {
+
+/// A closed surface has at least this many faces.
+inline constexpr std::size_t least_faces = 4;
+
+/// Quadrics use positions relative to the first corner of the mesh, so that squares stay small.
+class Decimator {
+ public:
+  /// Keeps references to `options` and `progress`. `error`: largest allowed distance from `mesh`.
+  Decimator(const Mesh& mesh, const DecimateOptions& options, std::optional<double> error,
+            const Progress& progress);
+
+  DecimateResult run();
+  Mesh to_mesh() const { return mesh_.to_mesh(); }
+
+ private:
+  /// A position to which an edge may be collapsed.
+  struct Place {
+    double cost;
+    Vec3 position;
+  };
+  struct Candidate {
+    double cost;
+    Index halfedge, source, target;
+    std::uint32_t source_version, target_version;
+    std::size_t rank;  ///< index in places() of the position to try
+    bool operator<(const Candidate& other) const {
+      return cost != other.cost ? cost > other.cost : halfedge > other.halfedge;
+    }
+  };
+
+  void add_quadrics();
+  void add_border(Index halfedge);
+  std::size_t run_stage(std::size_t wanted, double longest);
+  void push(Index halfedge, std::size_t rank = 0);
+  bool is_current(const Candidate& candidate) const;
+  std::vector<Place> places(Index source, Index target) const;
+  void merge(Index stays, Index goes);
+
+  EditableMesh mesh_;
+  const DecimateOptions& options_;
+  std::size_t wanted_;
+  std::optional<KeepOut> keep_out_;
+  const Progress& progress_;
+  Vec3 origin_;
+  double area_;
+  std::size_t first_faces_;
+  std::optional<VertexRoles> roles_;
+  std::optional<ErrorBound> bound_;
+  std::vector<Quadric> quadrics_;        ///< per vertex
+  std::vector<std::uint32_t> versions_;  ///< per vertex: how many were merged into it
+  std::priority_queue<Candidate> queue_;
+  DecimateResult result_;
+};
+
+}  // namespace transformesh
