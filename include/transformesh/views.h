@@ -14,8 +14,7 @@ namespace transformesh {
 
 struct View;  // private
 
-/// Photographs with their cameras. A photograph takes 4 bytes per pixel, or 1 if read_views() read
-/// it.
+/// Photographs with their cameras. A photograph takes 4 bytes per pixel, 1 if read_views() read it.
 class Views {
  public:
   Views();
@@ -49,6 +48,7 @@ struct ViewSources {
   /// Called with notes on how masks were read, and on images and cameras that were left out.
   std::function<void(const std::string& note)> on_note = {};
   bool needs_all_images = false;  ///< throws if a named image is missing, instead of leaving it out
+  double reduction = 1;  ///< photographs and silhouettes are read so many times smaller, >= 1
 };
 
 /// Reads views in the order of the cameras. If the camera file names images, images are paired with

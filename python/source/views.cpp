@@ -119,17 +119,15 @@ InitialMeshOptions initial_options_of(const std::optional<double>& keep, const s
   return initial;
 }
 
-MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const Path& silhouettes,
-                                const std::optional<MeshPointer>& start, const std::string& clip,
-                                const std::string& silhouettes_show, double edge,
-                                const std::optional<double>& last_edge,
-                                const std::optional<double>& coarsest, std::size_t sweeps,
-                                const std::optional<int>& iterations, double robust,
-                                const std::variant<double, std::string>& keep,
-                                const std::string& hollows, const Window& window, double max_angle,
-                                double crumbs, double handles, const py::object& box,
-                                double least_agreement, bool drop_bad_views, bool mirror,
-                                const py::object& on_pass, const py::object& progress) {
+MeshPointer reconstruct_surface(
+    const Path& cameras, const Path& images, const Path& silhouettes,
+    const std::optional<MeshPointer>& start, const std::string& clip,
+    const std::string& silhouettes_show, double edge, const std::optional<double>& last_edge,
+    const std::optional<double>& coarsest, std::size_t sweeps, const std::optional<int>& iterations,
+    double robust, const std::variant<double, std::string>& keep, const std::string& hollows,
+    const Window& window, double max_angle, double crumbs, double handles, const py::object& box,
+    double least_agreement, bool drop_bad_views, bool mirror, bool preview,
+    const py::object& on_pass, const py::object& progress) {
   ReconstructionOptions options;
   const bool is_exact = choice("silhouettes_show", silhouettes_show, {"exact", "least"}) == 0;
   options.initial =
@@ -148,9 +146,10 @@ MeshPointer reconstruct_surface(const Path& cameras, const Path& images, const P
   options.on_note = [&notes](const std::string& note) { notes.push_back(note); };
   std::optional<ViewCheckOptions> check;
   if (is_exact) check = {least_agreement, drop_bad_views};
-  CheckedViews checked =
-      checked_views({cameras.string(), images.string(), silhouettes.string(), mirror}, check,
-                    progress, box.is_none() ? std::nullopt : std::optional(box_of(box)));
+  ViewSources sources{cameras.string(), images.string(), silhouettes.string(), mirror};
+  if (preview) sources.reduction = preview_reduction;
+  CheckedViews checked = checked_views(sources, check, progress,
+                                       box.is_none() ? std::nullopt : std::optional(box_of(box)));
   Document document = start ? (*start)->document : Document();
   const ReconstructionResult result = without_lock(progress, [&](const Progress& to) {
     Record record;
@@ -188,7 +187,7 @@ void bind_views(py::module_& module) {
       arg("crumbs") = ReconstructionOptions().crumbs,
       arg("handles") = ReconstructionOptions().handles, arg("box") = none,
       arg("least_agreement") = ViewCheckOptions().least_agreement, arg("drop_bad_views") = false,
-      arg("mirror") = false, arg("on_pass") = none, arg("progress") = none,
+      arg("mirror") = false, arg("preview") = false, arg("on_pass") = none, arg("progress") = none,
       "Reconstructs a closed surface from calibrated photographs: files, folders or "
       "patterns. Views are checked as of hull(). What went wrong on the way, as a surface "
       "that exploded and was begun anew, is a warning; the report has the keys of the "

@@ -352,6 +352,7 @@ def reconstruct(
     least_agreement: float = 0.7,
     drop_bad_views: bool = False,
     mirror: bool = False,
+    preview: bool = False,
     on_pass: Optional[Callable[[str], object]] = None,
     progress: Progress = None,
 ) -> Mesh: ...

@@ -36,6 +36,14 @@ def test_reconstruct(scene):
     assert result.report["passes"] >= 1
 
 
+def test_preview(scene):
+    places = [str(scene / name) for name in ["par.txt", "photos", "masks"]]
+    result = tm.reconstruct(*places, passes=1, coarsest=1, preview=True)
+    words = sum(([o, p] for o, p in zip(["--cameras", "--images", "--silhouettes"], places)), [])
+    words += ["--passes", 1, "--coarsest", 1, "--preview", "--no-provenance"]
+    assert result.to_bytes() == run("tm-reconstruct", *words)
+
+
 def test_how_photographs_are_compared(scene):
     places = [str(scene / name) for name in ["par.txt", "photos", "masks"]]
     box = [(-9, -9, -9), (9, 9, 9)]

@@ -85,6 +85,15 @@ compared() { # KEY MESH
   [ ! -e out.ply.tm-reconstruct ]
 }
 
+@test "a preview has edges four times as long, and is within a pixel of the truth" {
+  "${reconstruct[@]}" --preview -q -o small.ply --report small.json
+  awk -v whole="$(value pixel_size "$scene/whole.json")" -v small="$(value pixel_size small.json)" \
+    'BEGIN { exit !(small > 3.9 * whole && small < 4.1 * whole) }'
+  awk -v whole="$(value mean_edge "$scene/whole.json")" -v small="$(value mean_edge small.json)" \
+    'BEGIN { exit !(small > 3 * whole && small < 5 * whole) }'
+  below "$(compared accuracy small.ply)" "$(value pixel_size small.json)"
+}
+
 @test "the state of an interrupted run is neither continued nor thrown away unasked" {
   few=(--coarsest 2 --passes 1 --robust 0)
   mkdir -p frames/frame-00002.ply

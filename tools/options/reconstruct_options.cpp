@@ -53,6 +53,8 @@ void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
 }
 
 void declare_scales(Program& program, ReconstructChoices& choices) {
+  program.options.flag("preview", &choices.is_preview,
+                       "see quickly what to expect: use a quarter of the photographs' resolution");
   program.options.text(
       "coarsest", &choices.coarsest, "auto|NUMBER",
       "how much smaller photographs are at first; auto: up to 11.3, less where thin "
@@ -232,6 +234,7 @@ std::vector<View> checked_views(const ViewSources& sources, const ReconstructCho
                                 Run& run) {
   ViewSources telling = sources;
   telling.on_note = [&run](const std::string& text) { run.note(text); };
+  if (choices.is_preview) telling.reduction = preview_reduction;
   std::vector<View> views = views_from(telling);
   const std::vector<double>& box = choices.box;
   if (!box.empty()) keep_in_box(views, Box(Vec3(box.data()), Vec3(box.data() + 3)));

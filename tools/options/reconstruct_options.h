@@ -31,6 +31,7 @@ struct ReconstructChoices {
   std::string last_edge;
   std::string iterations = "auto";
   std::vector<double> box;
+  bool is_preview = false;
   std::string window = "3";
   std::string pull = "auto";
   ViewCheckChoices check;

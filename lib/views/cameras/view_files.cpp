@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "io/streams/file_list.h"
+#include "support/parallel.h"
 #include "transformesh/errors.h"
 #include "views/cameras/decode_files.h"
 #include "views/cameras/image_files.h"
@@ -78,6 +79,14 @@ void undistort(View& view, const CameraRecord& record) {
   }
 }
 
+/// Shrinks the views, if `factor` is above 1.
+void reduce(std::vector<View>& views, double factor) {
+  if (factor == 1) return;
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) views[i] = at_scale(views[i], factor);
+  });
+}
+
 }  // namespace
 
 std::vector<View> views_from(const ViewSources& sources) {
@@ -118,6 +127,7 @@ std::vector<View> views_from(const ViewSources& sources) {
     undistort(views[i], list.cameras[i]);
   }
   check_sizes(sized);
+  reduce(views, sources.reduction);
   return views;
 }
 

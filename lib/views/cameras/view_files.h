@@ -11,6 +11,9 @@
 
 namespace transformesh {
 
+/// ViewSources::reduction of a preview. A quarter of the resolution has a sixteenth of the pixels.
+inline constexpr double preview_reduction = 4;
+
 /// Reads views in the order of the cameras. A view has the name of its image, else of its
 /// silhouette, else of its camera.
 ///

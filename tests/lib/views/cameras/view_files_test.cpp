@@ -46,6 +46,24 @@ TEST_CASE("cameras of their own files pair with images of the same stem") {
   CHECK(views[1].image.at(0, 0) == 20);
 }
 
+TEST_CASE("views are read smaller, with their cameras") {
+  const Folder folder;
+  folder.write("cameras/a.txt", matrix(100));
+  folder.write("images/a.pgm", image(4, 2, 10));
+  folder.write("masks/a.pgm", image(4, 2, 255));
+  ViewSources sources{folder.at("cameras"), folder.at("images"), folder.at("masks")};
+  sources.reduction = 2;
+  const auto views = views_from(sources);
+  REQUIRE(views.size() == 1);
+  CHECK(views[0].image.width == 2);
+  CHECK(views[0].image.height == 1);
+  CHECK(views[0].image.at(1, 0) == doctest::Approx(10));
+  CHECK(views[0].silhouette.width == 2);
+  CHECK(views[0].camera.intrinsics(0, 0) == doctest::Approx(50));
+  // The corners of the image keep their directions: column -.5 stays, 3.5 becomes 1.5.
+  CHECK(views[0].camera.intrinsics(0, 2) == doctest::Approx((2 + 0.5) / 2 - 0.5));
+}
+
 TEST_CASE("cameras that name their images find them in any order and with any extension") {
   const Folder folder;
   folder.write("par.txt", middlebury({"b.png", "a.png"}));
