@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "reconstruction/recede.h"
 #include "reconstruction/surface_doubt.h"
-#include "transformesh/measure.h"
 #include "views/photo/thin_plate.h"
 
 namespace transformesh {
@@ -13,11 +13,6 @@ namespace {
 constexpr int compared_rings = 2;
 /// Excess from which a part counts as contradicted, as for doubtful places.
 constexpr double contradicted = 0.5;
-/// A vertex moves from the first excess on, and by the full distance from the second one on. On the
-/// knots 2,3 and 2,5 half of the vertices with an excess of 0.4 were within a pixel of the truth,
-/// and half of those with 0.8 were more than three pixels outside.
-constexpr double moves_from = 0.4;
-constexpr double moves_fully = 0.8;
 /// Share of the observed area. True surfaces have contradicted parts of 0 to 0.3 %, near contours.
 constexpr double least_share = 0.005;
 /// Rounds blur the surface, so that only a settled surface can be judged. On two linked tori three
@@ -64,16 +59,6 @@ CarvedSurface measured(const Mesh& mesh, const CarvingEvidence& evidence) {
 }
 
 }  // namespace
-
-void move_contradicted_inwards(Mesh& mesh, const std::vector<WindowSums>& sums, double distance) {
-  const std::vector<WindowSums> around = spread(sums, UniformLaplacian(mesh), compared_rings);
-  const std::vector<Vec3> normals = vertex_normals(mesh);
-  for (std::size_t v = 0; v < sums.size(); ++v) {
-    if (!(around[v].weight > 0)) continue;
-    const double share = (around[v].excess() - moves_from) / (moves_fully - moves_from);
-    mesh.positions[v] -= std::clamp(share, 0.0, 1.0) * distance * normals[v];
-  }
-}
 
 bool carve(Document& document, const CarvingStages& stages) {
   CarvingEvidence evidence = stages.measure(document.mesh);

@@ -30,11 +30,6 @@ struct CarvingStages {
   double distance = 0;                    ///< largest movement in a round
 };
 
-/// Moves vertices inwards along their normals. The excess of all windows in two rings around a
-/// vertex decides how far: not at all up to 0.4, by `distance` from 0.8 on, in proportion between.
-/// Vertices that no two views observe, nor vertices around them, stay.
-void move_contradicted_inwards(Mesh& mesh, const std::vector<WindowSums>& sums, double distance);
-
 /// Carves until at most 0.5 % of the observed surface is contradicted, or carving brings nothing.
 /// After every four rounds the surface settles and is judged. It is kept if the outline loses less
 /// than 0.001 and the score rises by 0.1 %. The score is the weight of windows on parts on which
