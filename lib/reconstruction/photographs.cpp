@@ -1,9 +1,9 @@
 #include "reconstruction/photographs.h"
 
 #include "reconstruction/initial_mesh.h"
+#include "reconstruction/outline_agreements.h"
 #include "reconstruction/sweep_rules.h"
 #include "support/number.h"
-#include "views/hull/silhouette.h"
 
 namespace transformesh {
 namespace {
@@ -91,18 +91,9 @@ CarvingEvidence Photographs::carving_evidence(const Mesh& mesh, double scale,
           SurfaceMeasures{{}, {}, outlines(mesh, scale)}.mean_outline()};
 }
 
-// Uses distances from silhouettes, because silhouettes may have been cleared.
 std::vector<double> Photographs::outlines(const Mesh& mesh, double scale) {
-  std::vector<double> agreements;
-  if (steps_.step.meaning != SilhouetteMeaning::exact) return agreements;
-  const PhotoScene& scene = at(scale);
-  for (std::size_t v = 0; v < scene.views.size(); ++v) {
-    if (scene.distances[v].empty()) continue;
-    GrayImage silhouette = scene.distances[v];
-    for (float& intensity : silhouette.pixels) intensity = intensity < 0 ? 255.0F : 0.0F;
-    agreements.push_back(silhouette_agreement(mesh_silhouette(mesh, scene.views[v]), silhouette));
-  }
-  return agreements;
+  if (!has_exact_outlines()) return {};
+  return outline_agreements(mesh, at(scale));
 }
 
 }  // namespace transformesh

@@ -12,8 +12,8 @@ namespace {
 /// Rings of vertices whose windows are compared together, so that no single window decides.
 constexpr int compared_rings = 2;
 /// A vertex moves from the first excess on, and by the full distance from the second one on. On the
-/// knots 2,3 and 2,5 half of the vertices with an excess of 0.4 were within a pixel of the truth,
-/// and half of those with 0.8 were more than three pixels outside.
+/// knots 2,3 and 2,5 half of the vertices with an excess of 0.4 were within a pixel of the truth.
+/// Half of those with 0.8 were more than three pixels outside.
 constexpr double moves_from = 0.4;
 constexpr double moves_fully = 0.8;
 

@@ -15,9 +15,9 @@ namespace transformesh {
 
 /// Moves vertices inwards along their normals, by up to `distance`. `sums` is
 /// Disagreement::of_vertex. The excess of all windows in two rings around an observed vertex
-/// decides how far the vertex moves: not at all up to 0.4, by `distance` from 0.8 on, in proportion
-/// between. Unobserved vertices of a connected set of moving and unobserved vertices move by the
-/// ratio of moving area to unobserved area, at most 1. O(n).
+/// decides how far the vertex moves. Up to 0.4 it stays, from 0.8 on it moves by `distance`, and
+/// in proportion between. Unobserved vertices of a connected set of moving and unobserved vertices
+/// move by the ratio of moving area to unobserved area, at most 1. O(n).
 void move_contradicted_inwards(Mesh& mesh, const std::vector<WindowSums>& sums, double distance);
 
 }  // namespace transformesh
