@@ -1,9 +1,9 @@
 #include "reconstruction/photographs.h"
 
 #include "reconstruction/initial_mesh.h"
+#include "reconstruction/outline_agreements.h"
 #include "reconstruction/sweep_rules.h"
 #include "support/number.h"
-#include "views/hull/silhouette.h"
 
 namespace transformesh {
 namespace {
@@ -49,12 +49,13 @@ PhotoStepsOptions Photographs::steps_at(double scale) {
   return options;
 }
 
-PhotoStepsResult Photographs::sweep(Mesh& mesh, double scale, double loss, double stiffness,
+PhotoStepsResult Photographs::sweep(Mesh& mesh, double scale, const SweepForces& forces,
                                     const Progress& progress) {
   PhotoStepsOptions options = steps_at(scale);
   options.alternate = true;
-  options.step.photographs.correlation.robust = loss;
-  options.step.stiffness *= stiffness;
+  options.iterations = forces.iterations.value_or(options.iterations);
+  options.step.photographs.correlation.robust = forces.loss;
+  options.step.stiffness *= forces.stiffness;
   return photo_steps(mesh, at(scale), options, progress);
 }
 
@@ -71,7 +72,7 @@ SurfaceMeasures Photographs::measures(const Mesh& mesh, const Progress& progress
   return {
       look(mesh, 1, false, progress),
       surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_at(1).step.photographs, progress),
-      outlines(mesh)};
+      outlines(mesh, 1)};
 }
 
 std::vector<WindowSums> Photographs::disagreement_at(const Mesh& mesh, double scale,
@@ -82,18 +83,17 @@ std::vector<WindowSums> Photographs::disagreement_at(const Mesh& mesh, double sc
   return disagreement(mesh, scene, steps_.step.least_cosine, options, progress).of_vertex;
 }
 
-// Uses distances from silhouettes at scale 1, because silhouettes may have been cleared.
-std::vector<double> Photographs::outlines(const Mesh& mesh) {
-  std::vector<double> agreements;
-  if (steps_.step.meaning != SilhouetteMeaning::exact) return agreements;
-  const PhotoScene& scene = at(1);
-  for (std::size_t v = 0; v < scene.views.size(); ++v) {
-    if (scene.distances[v].empty()) continue;
-    GrayImage silhouette = scene.distances[v];
-    for (float& intensity : silhouette.pixels) intensity = intensity < 0 ? 255.0F : 0.0F;
-    agreements.push_back(silhouette_agreement(mesh_silhouette(mesh, scene.views[v]), silhouette));
-  }
-  return agreements;
+CarvingEvidence Photographs::carving_evidence(const Mesh& mesh, double scale,
+                                              const Progress& progress) {
+  const PhotoScene& scene = at(scale);
+  const PhotoconsistencyOptions options = steps_at(scale).step.photographs;
+  return {disagreement(mesh, scene, steps_.step.least_cosine, options, progress).of_vertex,
+          SurfaceMeasures{{}, {}, outlines(mesh, scale)}.mean_outline()};
+}
+
+std::vector<double> Photographs::outlines(const Mesh& mesh, double scale) {
+  if (!has_exact_outlines()) return {};
+  return outline_agreements(mesh, at(scale));
 }
 
 }  // namespace transformesh

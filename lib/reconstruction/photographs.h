@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "reconstruction/carving.h"
 #include "reconstruction/initial_state.h"
 #include "reconstruction/start_comparison.h"
 #include "transformesh/reconstruction_options.h"
@@ -15,14 +16,20 @@
 
 namespace transformesh {
 
+struct SweepForces {
+  double loss = 0;                               ///< CorrelationOptions::robust
+  double stiffness = 1;                          ///< factor of the stiffness in the options
+  std::optional<int> iterations = std::nullopt;  ///< number of steps; default: that of the options
+};
+
 /// The photographs at the most recently requested scale, and steps towards them.
 class Photographs {
  public:
   Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
               const InitialState& initial_state);
 
-  /// Takes the steps of a sweep. The stiffness of the options is multiplied by `stiffness`.
-  PhotoStepsResult sweep(Mesh& mesh, double scale, double loss, double stiffness,
+  /// Takes the steps of a sweep.
+  PhotoStepsResult sweep(Mesh& mesh, double scale, const SweepForces& forces,
                          const Progress& progress);
   /// Measures the surface by a step without movement. Compares pairs of views in one order or in
   /// both.
@@ -32,13 +39,17 @@ class Photographs {
   /// Returns Disagreement::of_vertex of a surface at a scale. Keeps the views, and the scene of the
   /// last scale.
   std::vector<WindowSums> disagreement_at(const Mesh& mesh, double scale, const Progress& progress);
+  /// Measures the surface at a scale, which the scene then has.
+  CarvingEvidence carving_evidence(const Mesh& mesh, double scale, const Progress& progress);
+  /// True if exact masks are known, so that the surface must fill them.
+  bool has_exact_outlines() const { return steps_.step.meaning == SilhouetteMeaning::exact; }
   int width() const { return width_; }
   double pixel() const { return pixel_size(views_); }
 
  private:
   const PhotoScene& at(double scale);
-  /// Returns SurfaceMeasures::outlines.
-  std::vector<double> outlines(const Mesh& mesh);
+  /// Returns SurfaceMeasures::outlines at a scale.
+  std::vector<double> outlines(const Mesh& mesh, double scale);
   /// Returns the options with the window radius of the scale and the silhouette weight for its
   /// pairs.
   PhotoStepsOptions steps_at(double scale);

@@ -12,6 +12,7 @@
 #include "io/document/round_as_written.h"
 #include "mesh/component_areas.h"
 #include "reconstruction/better_parts.h"
+#include "reconstruction/carving.h"
 #include "reconstruction/convergence.h"
 #include "reconstruction/first_scale.h"
 #include "reconstruction/image_scales.h"
@@ -46,6 +47,11 @@ constexpr double most_stiffness = 16;
 /// Farthest distance in pixels from which the surface of a given start returns. Farther parts of
 /// the start are other parts of the object; steps at scale 1 hardly find errors of that size.
 constexpr double reach_px = 10;
+/// Steps of a sweep between two rounds of carving. After five or more, the thin plate has brought
+/// the carved parts back, and films stay closed.
+constexpr int carving_steps = 2;
+/// Largest movement in a round of carving, in edges. The steps bring parts back by up to an edge.
+constexpr double carving_edges = 1.5;
 /// Least scale at which the loop starts again after an explosion; at finer scales too much work
 /// would be repeated. Slightly below 2, because scales are rounded.
 constexpr double stiffer_scale = 1.99;
@@ -118,7 +124,9 @@ class ReconstructionLoop : public Loop {
   void drop_crumbs(Document& document);
   void begin_finer(Document& document, const Progress& progress);
   bool takes_sweep(Document& document, const Progress& progress);
-  void take_sweep(Document& document, const Progress& progress);
+  void take_sweep(Document& document, const Progress& progress,
+                  std::optional<int> iterations = std::nullopt);
+  bool carves(Document& document, const Progress& progress);
   bool begin_robust();
   void begin_next_scale(Document& document, const Progress& progress);
   std::size_t pixels_compared(const Document& document, const Progress& progress) const {
@@ -136,6 +144,7 @@ class ReconstructionLoop : public Loop {
   std::size_t scale_step_ = 0;  ///< index of the scale of the next sweep
   ScaleRule rule_;
   ReconstructionFaults faults_;
+  bool is_carved_ = false;  ///< the surface was carved at this scale
   double loss_ = 0;
   double stiffness_ = 1;     ///< factor of the stiffness in the options
   std::size_t handles_ = 0;  ///< number of removed handles
@@ -147,6 +156,7 @@ class ReconstructionLoop : public Loop {
 void ReconstructionLoop::start(Document& document, const Progress& progress) {
   document = initial_;
   document.mesh.vertex_columns.erase(doubt_column);
+  is_carved_ = false;
   coarsen(document, scale_steps_[scale_step_].edge, progress);
 }
 
@@ -208,7 +218,8 @@ void ReconstructionLoop::drop_crumbs(Document& document) {
   result_.topology = {kept.components.size(), kept.genus()};
 }
 
-void ReconstructionLoop::take_sweep(Document& document, const Progress& progress) {
+void ReconstructionLoop::take_sweep(Document& document, const Progress& progress,
+                                    std::optional<int> iterations) {
   Stopwatch watch;
   IterationResult& mesh = sweep_.mesh;
   sweep_.scale_step = scale_steps_[scale_step_];
@@ -216,8 +227,8 @@ void ReconstructionLoop::take_sweep(Document& document, const Progress& progress
   mesh.seconds_remesh = watch.lap();
 
   mesh.vertices = document.mesh.positions.size();
-  sweep_.steps =
-      photographs_.sweep(document.mesh, sweep_.scale_step.scale, loss_, stiffness_, progress);
+  sweep_.steps = photographs_.sweep(document.mesh, sweep_.scale_step.scale,
+                                    {loss_, stiffness_, iterations}, progress);
   round_as_written(document);
   mesh.seconds_step = watch.lap();
 
@@ -251,7 +262,36 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
   if (verdict.is_late && scale_step_ > first_) faults_.late_at = sweep_.scale_step.scale;
   if (!verdict.is_done) return;
   if (verdict.is_lost) faults_.lost_at = sweep_.scale_step.scale;
+  if (carves(document, progress)) return;
   if (!begin_robust()) begin_next_scale(document, progress);
+}
+
+// Carves once per scale. Returns true if that changed the surface, which then needs more sweeps.
+bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
+  // Only the hull of exact masks is known to contain the object. At coarse scales photographs
+  // disagree on right surfaces, too: a strand of the knot 2,3 was cut at scale 2.
+  if (is_carved_ || loss_ > 0 || options_.initial.is_given || !photographs_.has_exact_outlines() ||
+      !is_late_scale(scale_steps_[scale_step_].scale))
+    return false;
+  is_carved_ = true;
+  const Sweep last = sweep_;
+  const auto& [scale, edge] = scale_steps_[scale_step_];
+  const CarvingStages stages{[&, at = scale](const Mesh& mesh) {
+                               return photographs_.carving_evidence(mesh, at, progress);
+                             },
+                             [&](Document& carved) {
+                               clean_in_place(carved, progress);
+                               take_sweep(carved, progress, carving_steps);
+                             },
+                             [&](Document& carved) { take_sweep(carved, progress); },
+                             carving_edges * edge};
+  const bool is_changed = carve(document, stages);
+  sweep_ = last;
+  if (!is_changed) return false;
+  if (options_.on_detail)
+    options_.on_detail("parts that photographs contradict were carved at scale " + fixed(scale, 4));
+  rule_.begin();
+  return true;
 }
 
 // Begins further sweeps with a robust loss, once, after the last scale. Returns true if there are
@@ -267,6 +307,7 @@ bool ReconstructionLoop::begin_robust() {
 void ReconstructionLoop::begin_next_scale(Document& document, const Progress& progress) {
   const bool was_first = may_begin_finer();
   ++scale_step_;
+  is_carved_ = false;
   rule_.begin();
   if (was_first &&
       is_torn(pixels_compared(initial_, progress), pixels_compared(document, progress)))
@@ -339,7 +380,7 @@ void ReconstructionLoop::remember(LoopState& loop_state) {
   rule_.remember(loop_state);
   faults_.remember(loop_state);
   loop_state("first", first_)("level", scale_step_)("loss", loss_)("stiffness", stiffness_);
-  loop_state("handles", handles_);
+  loop_state("handles", handles_)("carved", is_carved_);
 }
 
 void ReconstructionLoop::measure(CsvRow& row) const {

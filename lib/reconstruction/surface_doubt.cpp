@@ -17,13 +17,6 @@ constexpr double least_area_px = 25;
 constexpr double thin_px = 6;
 constexpr int doubt_rings = 2;  ///< rings of vertices whose windows count
 
-std::vector<double> vertex_areas(const Mesh& mesh) {
-  std::vector<double> areas(mesh.positions.size(), 0);
-  for (Index f = 0; f < mesh.faces.size(); ++f)
-    for (const Index vertex : mesh.faces[f]) areas[vertex] += face_area(mesh, f) / 3;
-  return areas;
-}
-
 /// Connected sets of doubtful vertices.
 class Places {
  public:
@@ -93,6 +86,13 @@ void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vecto
 }
 
 }  // namespace
+
+std::vector<double> vertex_areas(const Mesh& mesh) {
+  std::vector<double> areas(mesh.positions.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    for (const Index vertex : mesh.faces[f]) areas[vertex] += face_area(mesh, f) / 3;
+  return areas;
+}
 
 std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian,
                                int rings) {

@@ -27,6 +27,9 @@ struct SurfaceDoubt {
   double floor = 0;                   ///< mean dissimilarity that noise explains
 };
 
+/// Returns a third of the area of the faces around each vertex.
+std::vector<double> vertex_areas(const Mesh& mesh);
+
 /// Adds to the sums of each vertex those of its neighbors, `rings` times, so that no single window
 /// decides.
 std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian,

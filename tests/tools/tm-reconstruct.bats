@@ -229,6 +229,24 @@ take_pocket() {
   cmp auto.ply closed.ply
 }
 
+@test "two linked tori that the hull joins come apart, and the result converges" {
+  mkdir images masks
+  tm-shape tori --gap 0.365 --faces 20000 -o truth.ply
+  [ "$(tm-info --get components truth.ply) $(tm-info --get genus truth.ply)" = "2 2" ]
+  tm-photograph --size 120x90 --write-images images --write-silhouettes masks -o par.txt truth.ply
+  tm-hull --cameras par.txt --silhouettes masks -q -o hull.ply
+  [ "$(tm-info --get components hull.ply)" -eq 1 ]
+  tori=(tm-reconstruct --cameras par.txt --images images --silhouettes masks --no-provenance)
+  "${tori[@]}" -o out.ply --report out.json -v 2>messages
+  grep -q "parts that photographs contradict were carved at scale" messages
+  [ "$(value components out.json) $(value genus out.json) $(value converged out.json)" = "2 2 true" ]
+  pixel=$(value pixel_size out.json)
+  far=$(tm-compare --reference truth.ply out.ply | awk '/^hausdorff:/ { print $2 }')
+  below "$far" "$(awk -v pixel="$pixel" 'BEGIN { print 3 * pixel }')"
+  "${tori[@]}" --threads 1 -q -o again.ply
+  cmp again.ply out.ply
+}
+
 @test "the result is colored as tm-color does it, or gets a texture" {
   quick=("${reconstruct[@]}" --coarsest 4 --passes 1 --no-provenance -q)
   "${quick[@]}" -o plain.ply

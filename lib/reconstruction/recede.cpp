@@ -1,0 +1,85 @@
+#include "reconstruction/recede.h"
+
+#include <algorithm>
+
+#include "reconstruction/surface_doubt.h"
+#include "transformesh/measure.h"
+#include "views/photo/thin_plate.h"
+
+namespace transformesh {
+namespace {
+
+/// Rings of vertices whose windows are compared together, so that no single window decides.
+constexpr int compared_rings = 2;
+/// A vertex moves from the first excess on, and by the full distance from the second one on. On the
+/// knots 2,3 and 2,5 half of the vertices with an excess of 0.4 were within a pixel of the truth.
+/// Half of those with 0.8 were more than three pixels outside.
+constexpr double moves_from = 0.4;
+constexpr double moves_fully = 0.8;
+
+/// Fractions of the largest distance by which vertices move.
+class Movements {
+ public:
+  Movements(const Mesh& mesh, const std::vector<WindowSums>& sums)
+      : laplacian_(mesh), areas_(vertex_areas(mesh)), of_vertex_(sums.size(), 0) {
+    for (const WindowSums& around : spread(sums, laplacian_, compared_rings)) {
+      const std::size_t vertex = is_observed_.size();
+      is_observed_.push_back(around.weight > 0);
+      if (is_observed_[vertex])
+        of_vertex_[vertex] =
+            std::clamp((around.excess() - moves_from) / (moves_fully - moves_from), 0.0, 1.0);
+    }
+    is_open_.resize(sums.size());
+    for (std::size_t v = 0; v < sums.size(); ++v)
+      is_open_[v] = !is_observed_[v] || of_vertex_[v] > 0;
+  }
+
+  /// Returns all fractions.
+  const std::vector<double>& find() {
+    for (Index v = 0; v < is_open_.size(); ++v)
+      if (is_open_[v]) continue_into_unobserved(part_of(v));
+    return of_vertex_;
+  }
+
+ private:
+  std::vector<Index> part_of(Index first) {
+    std::vector<Index> part{first};
+    is_open_[first] = false;
+    for (std::size_t next = 0; next < part.size(); ++next) {
+      for (const Index neighbor : laplacian_.neighbors(part[next])) {
+        if (is_open_[neighbor]) part.push_back(neighbor);
+        is_open_[neighbor] = false;
+      }
+    }
+    return part;
+  }
+
+  void continue_into_unobserved(const std::vector<Index>& part) {
+    double moving = 0;
+    double unobserved = 0;
+    for (const Index v : part) {
+      moving += areas_[v] * of_vertex_[v];
+      unobserved += is_observed_[v] ? 0 : areas_[v];
+    }
+    if (!(unobserved > 0)) return;
+    for (const Index v : part)
+      if (!is_observed_[v]) of_vertex_[v] = std::min(1.0, moving / unobserved);
+  }
+
+  UniformLaplacian laplacian_;
+  std::vector<double> areas_;
+  std::vector<double> of_vertex_;
+  std::vector<bool> is_observed_;
+  std::vector<bool> is_open_;  ///< moving or unobserved, and in no part yet
+};
+
+}  // namespace
+
+void move_contradicted_inwards(Mesh& mesh, const std::vector<WindowSums>& sums, double distance) {
+  const std::vector<double> movements = Movements(mesh, sums).find();
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  for (std::size_t v = 0; v < movements.size(); ++v)
+    mesh.positions[v] -= movements[v] * distance * normals[v];
+}
+
+}  // namespace transformesh
