@@ -7,10 +7,10 @@ load ../helpers/common
   run "$tm_build/bin-test/hostile_grid" --seeds 2 --jobs 2 --seconds 60 --megabytes 1000 --hang 100 \
     near-vertices spike far-coordinates nearly-flat stacked-plates needles-in-ball \
     tetrahedra-at-edge tetrahedra-of-magnitudes tilted-plates sliver-fan lattice-tetrahedra \
-    lattice-sphere spikes denormals near-copies exact-copies far-from-origin random-sphere
+    lattice-sphere spikes denormals near-copies exact-copies far-from-origin random-sphere folded-sides
   echo "$output"
   assert_status 0
-  [[ $output == *"all "*" 72 "*" 72 "* ]]
+  [[ $output == *"all "*" 76 "*" 76 "* ]]
 }
 
 @test "hostile: thin sheets between the same few points, which rounding would cut anew for ever" {

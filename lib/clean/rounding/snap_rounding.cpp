@@ -25,9 +25,11 @@ constexpr double flat_steps = 4;
 /// Largest number of rounds. With 8, repair fails in 3 of 220 difficult test meshes. With 32, it
 /// succeeds in hardly any more meshes (docs/design/rounding.md).
 constexpr int most_rounds = 16;
-/// Doublings of the grid steps at the restart. Three doublings make grids 8 times coarser. Larger
-/// numbers increase displacements (docs/design/rounding.md).
-constexpr int doublings_at_restart = 3;
+/// Doublings of the grid steps at the restart, and in later rounds that do not reduce the number of
+/// broken faces. Three doublings make grids 8 times coarser. With one in later rounds, repair fails
+/// in a difficult test mesh of nearly coplanar faces. Larger numbers increase displacements
+/// (docs/design/rounding.md).
+constexpr int doublings_in_vain = 3;
 /// Repair fails if the number of intersecting pairs exceeds this multiple of the pairs and faces of
 /// the input. This bounds time and memory. With the factor 1, repair fails for nearly coplanar
 /// faces; 2 and 8 make no difference (docs/design/rounding.md).
@@ -197,7 +199,7 @@ void SnapRounder::begin_anew() {
   std::vector<Index> broken;
   for (Index f = 0; f < is_broken_.size(); ++f)
     if (is_broken_[f]) broken.push_back(f);
-  for (int i = 0; i < doublings_at_restart; ++i) grids_.coarsen(mesh_, broken);
+  for (int i = 0; i < doublings_in_vain; ++i) grids_.coarsen(mesh_, broken);
   clean_again(true, options_.winding_level, options_.chooser);
 }
 
@@ -230,11 +232,13 @@ bool SnapRounder::repair_round(bool is_first) {
   result_.faces += broken.size();
   result_.pairs += found.pairs;
   note_broken(broken);
-  if (is_in_vain(broken.size()) && !is_restarted_ && !options_.is_open) {
+  const bool is_vain = is_in_vain(broken.size());
+  if (is_vain && !is_restarted_ && !options_.is_open) {
     begin_anew();
     return false;
   }
-  grids_.coarsen(assembly_.mesh, broken);
+  for (int i = 0; i < (is_vain ? doublings_in_vain : 1); ++i)
+    grids_.coarsen(assembly_.mesh, broken);
   if (!is_whole) mend();
   return clean_again(!is_whole);
 }

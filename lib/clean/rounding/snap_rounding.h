@@ -16,8 +16,9 @@
 /// cleaned again, and thin cells are assigned to the side that leaves less surface (thin_cells.h).
 /// If a round does not reduce the number of broken faces, repair restarts once, from the exact
 /// arrangement of the input. After the restart, grids at the faces that broke are 8 times coarser,
-/// and thin cells at these faces are removed before rounding. The reasons are in
-/// docs/design/rounding.md.
+/// and thin cells at these faces are removed before rounding. Later rounds make grids 8 times
+/// coarser if they do not reduce the number of broken faces, otherwise twice as coarse. The reasons
+/// are in docs/design/rounding.md.
 ///
 /// Guarantees: the result has no self-intersections. Each point moves by at most `displacement`.
 /// Hence winding numbers at points farther than this from the surface are those of the input: a
