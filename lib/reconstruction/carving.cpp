@@ -1,9 +1,11 @@
 #include "reconstruction/carving.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "reconstruction/recede.h"
 #include "reconstruction/surface_doubt.h"
+#include "transformesh/errors.h"
 #include "views/photo/thin_plate.h"
 
 namespace transformesh {
@@ -58,6 +60,23 @@ CarvedSurface measured(const Mesh& mesh, const CarvingEvidence& evidence) {
   return surface;
 }
 
+// Carves for a few rounds. Returns false if a stage fails, as when nothing of the surface is left.
+bool carve_and_settle(Document& document, CarvingEvidence& evidence, const CarvingStages& stages) {
+  try {
+    for (int round = 0; round < rounds_before_settling; ++round) {
+      move_contradicted_inwards(document.mesh, evidence.of_vertex, stages.distance);
+      stages.sweep(document);
+      if (round + 1 == rounds_before_settling) stages.settle(document);
+      evidence = stages.measure(document.mesh);
+    }
+    return true;
+  } catch (const CancelledError&) {
+    throw;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 bool carve(Document& document, const CarvingStages& stages) {
@@ -66,12 +85,7 @@ bool carve(Document& document, const CarvingStages& stages) {
   bool is_changed = false;
   for (int i = 0; i < most_settlings && best.contradicted_share > least_share; ++i) {
     Document carved = document;
-    for (int round = 0; round < rounds_before_settling; ++round) {
-      move_contradicted_inwards(carved.mesh, evidence.of_vertex, stages.distance);
-      stages.sweep(carved);
-      if (round + 1 == rounds_before_settling) stages.settle(carved);
-      evidence = stages.measure(carved.mesh);
-    }
+    if (!carve_and_settle(carved, evidence, stages)) break;
     const CarvedSurface now = measured(carved.mesh, evidence);
     if (!now.is_better_than(best)) break;
     best = now;

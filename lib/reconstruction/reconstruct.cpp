@@ -275,6 +275,7 @@ bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
     return false;
   is_carved_ = true;
   const Sweep last = sweep_;
+  const std::size_t handles = handles_;
   const auto& [scale, edge] = scale_steps_[scale_step_];
   const CarvingStages stages{[&, at = scale](const Mesh& mesh) {
                                return photographs_.carving_evidence(mesh, at, progress);
@@ -287,7 +288,10 @@ bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
                              carving_edges * edge};
   const bool is_changed = carve(document, stages);
   sweep_ = last;
-  if (!is_changed) return false;
+  if (!is_changed) {
+    handles_ = handles;
+    return false;
+  }
   if (options_.on_detail)
     options_.on_detail("parts that photographs contradict were carved at scale " + fixed(scale, 4));
   rule_.begin();

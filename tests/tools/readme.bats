@@ -70,7 +70,7 @@ run_line() {
     echo "# the viewer is not built: $1" >&3
     return
   fi
-  if [[ $1 == *--frames*.mp4* ]] && ! is_there ffmpeg; then
+  if [[ $1 == *--f*.mp4* ]] && ! is_there ffmpeg; then
     echo "# ffmpeg is not installed: $1" >&3
     return
   fi

@@ -90,6 +90,7 @@ class SnapRounder {
 
  private:
   void repair();
+  void take_rounds(bool is_begun);
   bool repair_round(bool is_first);
   bool is_in_vain(std::size_t broken);
   void note_broken(const std::vector<Index>& broken);
@@ -112,7 +113,8 @@ class SnapRounder {
   std::vector<char> is_broken_;    ///< 1 for each input face of which rounding broke a part
   std::size_t broken_before_ = 0;  ///< broken faces of the previous round; 0 if there was none
   bool is_restarted_ = false;
-  std::optional<Vec3> place_;  ///< a corner of the first broken face
+  bool moves_to_grids_ = true;  ///< false after the first restart
+  std::optional<Vec3> place_;   ///< a corner of the first broken face
   SnapRoundingResult result_;
 };
 
@@ -138,7 +140,9 @@ void SnapRounder::drop_collapsed() {
   }
 }
 
-// Simplifies the surface around broken faces until no face is broken.
+// Simplifies the surface around broken faces until no face is broken. After the first restart,
+// vertices do not move to their coarse grids, because this can turn faces beyond neighboring
+// sheets.
 void SnapRounder::mend() {
   BrokenFaces broken;
   const auto is_mended = [&](bool is_changed) {
@@ -152,7 +156,7 @@ void SnapRounder::mend() {
   const bool moves_input = result_.repairs > 1;
   Displacement& moved = result_.displacement;
   if (is_mended(true)) return;
-  if (is_mended(grids_.snap(assembly_, around(), moves_input, moved))) return;
+  if (moves_to_grids_ && is_mended(grids_.snap(assembly_, around(), moves_input, moved))) return;
   if (is_mended(
           remove_flat_vertices(mesh_, assembly_, around(), flat_steps, moves_input, grids_, moved)))
     return;
@@ -191,6 +195,7 @@ bool SnapRounder::clean_again(bool gives_cells, int winding_level, const PieceCh
 // rounding broke. Open meshes are not restarted, because it is not known which of their cells are
 // inside.
 void SnapRounder::begin_anew() {
+  moves_to_grids_ = is_restarted_;
   is_restarted_ = true;
   broken_before_ = 0;
   result_.displacement = {};
@@ -243,10 +248,23 @@ bool SnapRounder::repair_round(bool is_first) {
   return clean_again(!is_whole);
 }
 
-void SnapRounder::repair() {
+void SnapRounder::take_rounds(bool is_begun) {
   for (int round = 0; round < most_rounds; ++round)
-    if (repair_round(round == 0)) return;
+    if (repair_round(round == 0 && !is_begun)) return;
   give_up();
+}
+
+// Repairs a closed mesh once more from the input if that fails. Vertices then move to their grids,
+// which planes that are folded many times need.
+void SnapRounder::repair() {
+  try {
+    take_rounds(false);
+  } catch (const GoalError& error) {
+    if (options_.is_open || error.kind() == ErrorKind::thinner_than_rounding) throw;
+    is_restarted_ = true;
+    begin_anew();
+    take_rounds(true);
+  }
 }
 
 // If no face was repaired or merged, whole faces stay whole, because their corners do not move.

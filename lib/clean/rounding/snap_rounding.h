@@ -16,16 +16,17 @@
 /// cleaned again, and thin cells are assigned to the side that leaves less surface (thin_cells.h).
 /// If a round does not reduce the number of broken faces, repair restarts once, from the exact
 /// arrangement of the input. After the restart, grids at the faces that broke are 8 times coarser,
-/// and thin cells at these faces are removed before rounding. Later rounds make grids 8 times
-/// coarser if they do not reduce the number of broken faces, otherwise twice as coarse. The reasons
-/// are in docs/design/rounding.md.
+/// thin cells at these faces are removed before rounding, and vertices do not move to their grids.
+/// Later rounds make grids 8 times coarser if they do not reduce the number of broken faces,
+/// otherwise twice as coarse. If this fails, repair restarts once more and moves vertices to their
+/// grids. The reasons are in docs/design/rounding.md.
 ///
 /// Guarantees: the result has no self-intersections. Each point moves by at most `displacement`.
 /// Hence winding numbers at points farther than this from the surface are those of the input: a
 /// homotopy that does not pass a point keeps its winding number. Parts that take no part in an
-/// intersection do not move, except near broken faces. The algorithm terminates: it throws after 16
+/// intersection do not move, except near broken faces. The algorithm terminates: it throws after 32
 /// rounds, or if the number of intersecting pairs exceeds four times the pairs and faces of the
-/// input. Deterministic. Cost: that of at most 16 clean passes.
+/// input. Deterministic. Cost: that of at most 32 clean passes.
 ///
 /// References: Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002;
 /// Valque & Lazard, "Removing self-intersections in 3D meshes while preserving floating-point
