@@ -25,7 +25,7 @@ struct InitialMeshOptions {
 
 /// Scales: factors by which photographs are reduced.
 struct ScaleOptions {
-  std::optional<double> coarsest = std::nullopt;  ///< first scale, >= 1; default: 28 pixels wide
+  std::optional<double> coarsest = std::nullopt;  ///< first scale, >= 1; default: width / 28 px
   double edge = 3;                                ///< edge length in pixels of the scale; >= 1
   double last_edge = 3;                           ///< edge length in pixels at the end; >= 1
   double largest = 11.3;                          ///< limit of the default of `coarsest`

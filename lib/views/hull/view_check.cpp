@@ -196,8 +196,9 @@ class Diagnosis {
         options_(options),
         progress_(progress) {}
 
-  /// Returns the views to leave out. Returns none if there is neither a hull nor an explanation.
-  /// Throws InputError if a mistake explains the disagreement, or if views must not be left out.
+  /// Returns the views to leave out, or none if there is no hull and no known mistake explains why.
+  /// Throws InputError if a known mistake explains why views disagree, such as mirrored cameras, or
+  /// if views must not be left out.
   std::vector<std::size_t> run() {
     try_cameras();
     try_inverted();

@@ -126,7 +126,7 @@ TEST_CASE("a motion with an integrator of its own is seldom evaluated in vain") 
   };
   const TimeResult result = evolve_in_time(mesh, motion, {.end = 1}, unsmoothed());
   CHECK(result.evolution.iterations > 10);
-  // Two trials in vain find the span of the first step.
+  // The span of the first step is found by two trials, whose evaluations are not used.
   CHECK(calls <= result.evolution.iterations + 3);
   CHECK(result.max_move <= 0.5);
 }

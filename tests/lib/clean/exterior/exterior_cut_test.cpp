@@ -1,5 +1,5 @@
-/// The faces that are cut along the boundary of their exterior. exterior_arrangement_test.cpp
-/// compares the results with rays.
+/// Tests which faces are cut along the boundary of the exterior. exterior_arrangement_test.cpp
+/// compares the results with winding numbers along rays.
 #include "clean/exterior/exterior_cut.h"
 
 #include <doctest/doctest.h>
