@@ -70,10 +70,11 @@ class ErrorBound {
   std::uint32_t stamp_ = 0;  ///< number of the current patch
   /// For each face of the result: number of the last patch that replaced it.
   std::vector<std::uint32_t> replaced_stamp_;
-  std::vector<std::uint32_t> input_stamp_;  ///< for each input face: last patch with it in `inputs_`
+  std::vector<std::uint32_t>
+      input_stamp_;  ///< for each input face: last patch with it in `inputs_`
   /// For each input vertex: number of the last patch that stored distances of the vertex.
   std::vector<std::uint32_t> vertex_stamp_;
-  std::vector<Index> row_;                   ///< first entry of each input vertex in `distances_`
+  std::vector<Index> row_;  ///< first entry of each input vertex in `distances_`
   /// Squared distances from the new faces, one row for each input vertex.
   std::vector<double> distances_;
   Candidates candidates_;           ///< new faces, then the faces around the new faces
