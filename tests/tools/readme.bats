@@ -41,9 +41,6 @@ setup_file() {
   tm-shape sphere --center 1,0,0 --radius 0.3 --faces 1000 -o ball.ply
   tm-shape genus 2 --faces 1000 -o target.ply
   tm-shape sphere --around target.ply --faces 1000 -o source.ply
-  for i in 1 2 3; do
-    tm-render --size 80x60 --orbit "$((30 * i)),20" -o "frame-$i.png" b.ply
-  done
   write_step
   make_photographs
 }
@@ -52,9 +49,8 @@ setup() {
   cd "$BATS_FILE_TMPDIR/files"
 }
 
-# is_there PROGRAM: tests whether a program is installed, and whether convert is that of ImageMagick.
-is_there() {
-  command -v "$1" >/dev/null && { [ "$1" != convert ] || convert -version | grep -q '^Version: ImageMagick'; }
+is_there() { # PROGRAM
+  command -v "$1" >/dev/null
 }
 
 # run_line LINE: runs a line as printed, in a shell that detects failures anywhere in a pipe. Lines are
@@ -135,7 +131,6 @@ run_line() {
 }
 
 @test "movie files are valid" {
-  if is_there convert; then [ "$(head -c 4 film.gif)" = GIF8 ]; fi
   if is_there ffmpeg; then [ "$(head -c 8 film.mp4 | tail -c 4)" = ftyp ]; fi
 }
 
