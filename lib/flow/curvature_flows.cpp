@@ -75,11 +75,12 @@ Mesh moved_by(Mesh mesh, const std::vector<Vec3>& displacements, double factor) 
 /// surface in the middle of the span. A step over half of the span predicts that surface. The step
 /// over the whole span from the predicted surface corrects it once. The predicted surface alone
 /// gives order 2 as well, but on a shrinking sphere 16 times the error.
-std::vector<Vec3> integrated(const Mesh& start, const CurvatureFlow& flow, double span) {
+std::vector<Vec3> integrated(const Mesh& start, const DiffusionStep& first,
+                             const CurvatureFlow& flow, double span) {
   const auto around = [&](const Mesh& shape, double length) {
     return flow.vectors(start, shape, DiffusionStep(shape), length);
   };
-  const Mesh predicted = moved_by(start, around(start, span / 2), 1);
+  const Mesh predicted = moved_by(start, flow.vectors(start, start, first, span / 2), 1);
   const Mesh middle = moved_by(start, around(predicted, span), 0.5);
   return around(middle, span);
 }
@@ -103,8 +104,9 @@ Motion curvature_flow(std::string_view name, double speed, const FixedCounter& f
           },
           [=](const Mesh& mesh, const Moment& moment, const Progress&) {
             check(mesh);
-            fixed(DiffusionStep(mesh).border_count());
-            return integrated(mesh, *flow, speed * moment.span);
+            const DiffusionStep step(mesh);
+            fixed(step.border_count());
+            return integrated(mesh, step, *flow, speed * moment.span);
           }};
 }
 

@@ -10,6 +10,9 @@ namespace transformesh {
 /// Returns the positions of the vertices that faces use, in their order.
 std::vector<Vec3> used_positions(const Mesh& mesh);
 
+/// Returns a third of the area of the faces around each vertex.
+std::vector<double> vertex_areas(const Mesh& mesh);
+
 /// Lengths over all halfedges; an edge of two faces counts twice.
 struct HalfedgeLengths {
   double mean = 0;

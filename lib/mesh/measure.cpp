@@ -118,6 +118,13 @@ Vec3 face_normal(const Mesh& mesh, Index face) {
 
 double face_area(const Mesh& mesh, Index face) { return length_of(face_normal(mesh, face)) / 2; }
 
+std::vector<double> vertex_areas(const Mesh& mesh) {
+  std::vector<double> areas(mesh.positions.size(), 0);
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    for (const Index vertex : mesh.faces[f]) areas[vertex] += face_area(mesh, f) / 3;
+  return areas;
+}
+
 double surface_area(const Mesh& mesh) {
   if (const int exponent = extreme_exponent(mesh); exponent != 0)
     return std::ldexp(surface_area(scaled_down(mesh, exponent)), 2 * exponent);

@@ -22,6 +22,9 @@ void check_meshes(std::span<const Mesh* const> meshes, const PictureOptions& opt
       throw InputError("mesh " + std::to_string(i + 1) + " has no faces to draw");
   if (options.around != nullptr && options.around->faces.empty())
     throw InputError("the mesh to frame has no faces");
+  if (options.only && *options.only >= meshes.size())
+    throw UsageError("the picture shows mesh " + std::to_string(*options.only + 1) + " of " +
+                     std::to_string(meshes.size()));
 }
 
 /// Returns the number of meshes that are drawn.

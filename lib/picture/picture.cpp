@@ -18,6 +18,11 @@ bool has_column(const Mesh& mesh, const std::string& name) {
   return mesh.face_columns.find(name) != nullptr || mesh.vertex_columns.find(name) != nullptr;
 }
 
+bool has_numbers(const Mesh& mesh, const std::string& name) {
+  return number_column_of_faces(mesh, name) != nullptr ||
+         number_column_of_vertices(mesh, name) != nullptr;
+}
+
 /// Returns one scale for all meshes, so that their colors are comparable.
 ColorScale find_scale(std::span<const Mesh* const> meshes, const PictureOptions& options) {
   const std::string& name = options.shade.color.by;
@@ -25,8 +30,9 @@ ColorScale find_scale(std::span<const Mesh* const> meshes, const PictureOptions&
     throw UsageError(ErrorKind::no_color_property,
                      "a range of colors needs a property to color by");
   if (name.empty()) return {};
-  const ColorScale own = scale_of_column(meshes, name);
-  if (!options.range) return own;
+  const bool is_there =
+      std::ranges::any_of(meshes, [&](const Mesh* mesh) { return has_numbers(*mesh, name); });
+  if (!options.range || !is_there) return scale_of_column(meshes, name);  // throws if none has it
   if (!(options.range->first < options.range->second))
     throw UsageError("the range of colors ends before it begins: LOW must be less than HIGH");
   return {options.range->first, options.range->second};
@@ -53,13 +59,24 @@ ShadeOptions shading_of(const Mesh& mesh, const PictureOptions& options, bool ca
   ShadeOptions shading = options.shade;
   shading.upright = eye_axes({0, 0, options.orbit.up, 1}).up;
   if (can_highlight && !has_column(mesh, shading.color.highlight)) shading.color.highlight.clear();
-  if (number_column_of_faces(mesh, shading.color.by) == nullptr &&
-      number_column_of_vertices(mesh, shading.color.by) == nullptr)
-    shading.color.by.clear();
+  if (!has_numbers(mesh, shading.color.by)) shading.color.by.clear();
   return shading;
 }
 
 }  // namespace
+
+Mesh corners_around(std::span<const Mesh* const> meshes) {
+  Box box;
+  for (const Mesh* mesh : meshes)
+    for (const Vec3& point : used_positions(*mesh)) box.extend(point);
+  Mesh corners;
+  for (const auto corner :
+       {Box::BottomLeftFloor, Box::BottomRightFloor, Box::TopLeftFloor, Box::TopRightFloor,
+        Box::BottomLeftCeil, Box::BottomRightCeil, Box::TopLeftCeil, Box::TopRightCeil})
+    corners.positions.push_back(box.corner(corner));
+  corners.faces = {{0, 1, 2}, {3, 4, 5}, {5, 6, 7}};
+  return corners;
+}
 
 Image draw_picture(std::span<const Mesh* const> meshes, const PictureOptions& options,
                    const Progress& progress) {

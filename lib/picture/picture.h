@@ -41,6 +41,10 @@ struct PictureOptions {
   std::optional<std::pair<double, double>> range;
 };
 
+/// Returns the corners of the bounding box of all meshes, as a mesh for PictureOptions::around. Many
+/// pictures of many meshes then need no points of all meshes for each picture.
+Mesh corners_around(std::span<const Mesh* const> meshes);
+
 /// Draws the panels from left to right, then down. A camera that moves around looks at the center
 /// of the bounding box. Its distance does not depend on the number of views and frames. If colors
 /// represent numbers, a legend covers the bottom of the picture. A mesh without the column to

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mesh/local_measures.h"
 #include "reconstruction/recede.h"
 #include "reconstruction/surface_doubt.h"
 #include "transformesh/errors.h"
@@ -11,21 +12,17 @@
 namespace transformesh {
 namespace {
 
-/// Rings of vertices whose windows are compared together, so that no single window decides.
-constexpr int compared_rings = 2;
-/// Excess from which a part counts as contradicted, as for doubtful places.
-constexpr double contradicted = 0.5;
 /// Share of the observed area. True surfaces have contradicted parts of 0 to 0.3 %, near contours.
 constexpr double least_share = 0.005;
 /// Rounds blur the surface, so that only a settled surface can be judged. On two linked tori three
 /// rounds in sequence lost score although they removed most of a filling.
 constexpr int rounds_before_settling = 4;
-/// Limit of the time, which parts that never settle would take.
+/// Limit of the time, which parts that never settle would take. Other values were not measured.
 constexpr int most_settlings = 4;
 /// Least increase of the score. Lower values carve on by the noise of the score, which reached 0.1
 /// % on the knot 2,3, until strands tear.
 constexpr double least_improvement = 1.001;
-/// A strand that tears uncovers more of the masks.
+/// A strand that tears uncovers more of the masks. Other values were not measured.
 constexpr double most_outline_lost = 0.001;
 
 /// A surface of a round, as it is compared with those of other rounds.
@@ -35,15 +32,11 @@ struct CarvedSurface {
   double outline = 1;
 
   double score() const { return confirmed * (1 - contradicted_share / 2); }
-  bool is_better_than(const CarvedSurface& other) const {
-    return score() > least_improvement * other.score() &&
-           outline > other.outline - most_outline_lost;
-  }
 };
 
 CarvedSurface measured(const Mesh& mesh, const CarvingEvidence& evidence) {
   const std::vector<WindowSums> around =
-      spread(evidence.of_vertex, UniformLaplacian(mesh), compared_rings);
+      spread(evidence.of_vertex, UniformLaplacian(mesh), doubt_rings);
   const std::vector<double> areas = vertex_areas(mesh);
   double observed = 0;
   double wrong = 0;
@@ -79,20 +72,19 @@ bool carve_and_settle(Document& document, CarvingEvidence& evidence, const Carvi
 
 }  // namespace
 
-bool carve(Document& document, const CarvingStages& stages) {
+void carve(Document& document, const CarvingStages& stages) {
   CarvingEvidence evidence = stages.measure(document.mesh);
   CarvedSurface best = measured(document.mesh, evidence);
-  bool is_changed = false;
+  const double least_outline = best.outline - most_outline_lost;
   for (int i = 0; i < most_settlings && best.contradicted_share > least_share; ++i) {
     Document carved = document;
     if (!carve_and_settle(carved, evidence, stages)) break;
     const CarvedSurface now = measured(carved.mesh, evidence);
-    if (!now.is_better_than(best)) break;
+    if (now.score() <= least_improvement * best.score() || now.outline <= least_outline) break;
     best = now;
     document = std::move(carved);
-    is_changed = true;
+    stages.keep();
   }
-  return is_changed;
 }
 
 }  // namespace transformesh

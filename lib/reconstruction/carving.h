@@ -27,14 +27,16 @@ struct CarvingStages {
   std::function<CarvingEvidence(const Mesh&)> measure;
   std::function<void(Document&)> sweep;   ///< cleans, then takes a short sweep
   std::function<void(Document&)> settle;  ///< takes a sweep
+  std::function<void()> keep;             ///< called after each settled surface that is kept
   double distance = 0;                    ///< largest movement in a round
 };
 
-/// Carves until at most 0.5 % of the observed surface is contradicted, or carving brings nothing.
-/// After every four rounds the surface settles and is judged. It is kept if the outline loses less
-/// than 0.001 and the score rises by 0.1 %. The score is the weight of windows on parts on which
-/// photographs agree, reduced by half of the contradicted share of the surface. The document is the
-/// last surface that was kept. Returns false if there is none. Throws as the stages do.
-bool carve(Document& document, const CarvingStages& stages);
+/// Carves until at most 0.5 % of the observed surface is contradicted, at most 16 rounds. After
+/// every four rounds the surface settles and is judged. It is kept if the score rises by 0.1 % and
+/// the outline is less than 0.001 below that before carving. The score is the weight of windows on
+/// parts on which photographs agree, reduced by half of the contradicted share of the surface.
+/// Carving ends at a surface that is not kept, or if a stage throws anything but CancelledError.
+/// The document is the last surface that was kept, or else unchanged.
+void carve(Document& document, const CarvingStages& stages);
 
 }  // namespace transformesh

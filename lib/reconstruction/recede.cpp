@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesh/local_measures.h"
 #include "reconstruction/surface_doubt.h"
 #include "transformesh/measure.h"
 #include "views/photo/thin_plate.h"
@@ -9,8 +10,6 @@
 namespace transformesh {
 namespace {
 
-/// Rings of vertices whose windows are compared together, so that no single window decides.
-constexpr int compared_rings = 2;
 /// A vertex moves from the first excess on, and by the full distance from the second one on. On the
 /// knots 2,3 and 2,5 half of the vertices with an excess of 0.4 were within a pixel of the truth.
 /// Half of those with 0.8 were more than three pixels outside.
@@ -22,7 +21,7 @@ class Movements {
  public:
   Movements(const Mesh& mesh, const std::vector<WindowSums>& sums)
       : laplacian_(mesh), areas_(vertex_areas(mesh)), of_vertex_(sums.size(), 0) {
-    for (const WindowSums& around : spread(sums, laplacian_, compared_rings)) {
+    for (const WindowSums& around : spread(sums, laplacian_, doubt_rings)) {
       const std::size_t vertex = is_observed_.size();
       is_observed_.push_back(around.weight > 0);
       if (is_observed_[vertex])
@@ -37,23 +36,11 @@ class Movements {
   /// Returns all fractions.
   const std::vector<double>& find() {
     for (Index v = 0; v < is_open_.size(); ++v)
-      if (is_open_[v]) continue_into_unobserved(part_of(v));
+      if (is_open_[v]) continue_into_unobserved(take_connected(v, laplacian_, is_open_));
     return of_vertex_;
   }
 
  private:
-  std::vector<Index> part_of(Index first) {
-    std::vector<Index> part{first};
-    is_open_[first] = false;
-    for (std::size_t next = 0; next < part.size(); ++next) {
-      for (const Index neighbor : laplacian_.neighbors(part[next])) {
-        if (is_open_[neighbor]) part.push_back(neighbor);
-        is_open_[neighbor] = false;
-      }
-    }
-    return part;
-  }
-
   void continue_into_unobserved(const std::vector<Index>& part) {
     double moving = 0;
     double unobserved = 0;

@@ -274,24 +274,29 @@ bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
       !is_late_scale(scale_steps_[scale_step_].scale))
     return false;
   is_carved_ = true;
-  const Sweep last = sweep_;
-  const std::size_t handles = handles_;
+  Stopwatch watch;
+  Sweep kept = sweep_;
+  std::size_t handles = handles_;
+  bool is_changed = false;
   const auto& [scale, edge] = scale_steps_[scale_step_];
-  const CarvingStages stages{[&, at = scale](const Mesh& mesh) {
-                               return photographs_.carving_evidence(mesh, at, progress);
-                             },
-                             [&](Document& carved) {
-                               clean_in_place(carved, progress);
-                               take_sweep(carved, progress, carving_steps);
-                             },
-                             [&](Document& carved) { take_sweep(carved, progress); },
-                             carving_edges * edge};
-  const bool is_changed = carve(document, stages);
-  sweep_ = last;
-  if (!is_changed) {
-    handles_ = handles;
-    return false;
-  }
+  carve(document, {[&, at = scale](const Mesh& mesh) {
+                     return photographs_.carving_evidence(mesh, at, progress);
+                   },
+                   [&](Document& carved) {
+                     clean_in_place(carved, progress);
+                     take_sweep(carved, progress, carving_steps);
+                   },
+                   [&](Document& carved) { take_sweep(carved, progress); },
+                   [&] {
+                     kept = sweep_;
+                     handles = handles_;
+                     is_changed = true;
+                   },
+                   carving_edges * edge});
+  sweep_ = kept;
+  sweep_.mesh.seconds_step += watch.lap();
+  handles_ = handles;
+  if (!is_changed) return false;
   if (options_.on_detail)
     options_.on_detail("parts that photographs contradict were carved at scale " + fixed(scale, 4));
   rule_.begin();

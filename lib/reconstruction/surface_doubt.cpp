@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesh/local_measures.h"
 #include "step/local_thickness.h"
 #include "support/number.h"
 #include "transformesh/measure.h"
@@ -12,41 +13,8 @@ namespace transformesh {
 namespace {
 
 // Limits of a doubtful place (see the header).
-constexpr double doubtful = 0.5;
 constexpr double least_area_px = 25;
 constexpr double thin_px = 6;
-constexpr int doubt_rings = 2;  ///< rings of vertices whose windows count
-
-/// Connected sets of doubtful vertices.
-class Places {
- public:
-  Places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vector<bool> is_doubtful)
-      : mesh_(mesh), laplacian_(laplacian), is_open_(std::move(is_doubtful)) {}
-
-  std::vector<std::vector<Index>> find() {
-    std::vector<std::vector<Index>> places;
-    for (Index v = 0; v < mesh_.positions.size(); ++v)
-      if (is_open_[v]) places.push_back(place_of(v));
-    return places;
-  }
-
- private:
-  std::vector<Index> place_of(Index first) {
-    std::vector<Index> place{first};
-    is_open_[first] = false;
-    for (std::size_t next = 0; next < place.size(); ++next) {
-      for (const Index neighbor : laplacian_.neighbors(place[next])) {
-        if (is_open_[neighbor]) place.push_back(neighbor);
-        is_open_[neighbor] = false;
-      }
-    }
-    return place;
-  }
-
-  const Mesh& mesh_;
-  const UniformLaplacian& laplacian_;
-  std::vector<bool> is_open_;
-};
 
 DoubtfulPlace measured(const Mesh& mesh, const std::vector<Index>& vertices,
                        const std::vector<double>& areas, double pixel) {
@@ -72,8 +40,9 @@ void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vecto
                  double pixel, SurfaceDoubt& doubt, const Progress& progress) {
   const std::vector<double> areas = vertex_areas(mesh);
   std::vector<double> thickness;
-  for (const std::vector<Index>& vertices :
-       Places(mesh, laplacian, std::move(is_doubtful)).find()) {
+  for (Index v = 0; v < is_doubtful.size(); ++v) {
+    if (!is_doubtful[v]) continue;
+    const std::vector<Index> vertices = take_connected(v, laplacian, is_doubtful);
     DoubtfulPlace place = measured(mesh, vertices, areas, pixel);
     if (place.area < least_area_px) continue;
     if (thickness.empty())
@@ -87,13 +56,6 @@ void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vecto
 
 }  // namespace
 
-std::vector<double> vertex_areas(const Mesh& mesh) {
-  std::vector<double> areas(mesh.positions.size(), 0);
-  for (Index f = 0; f < mesh.faces.size(); ++f)
-    for (const Index vertex : mesh.faces[f]) areas[vertex] += face_area(mesh, f) / 3;
-  return areas;
-}
-
 std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian,
                                int rings) {
   for (int ring = 0; ring < rings; ++ring) {
@@ -102,6 +64,19 @@ std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplac
       for (const Index neighbor : laplacian.neighbors(v)) sums[v] += before[neighbor];
   }
   return sums;
+}
+
+std::vector<Index> take_connected(Index first, const UniformLaplacian& laplacian,
+                                  std::vector<bool>& is_marked) {
+  std::vector<Index> part{first};
+  is_marked[first] = false;
+  for (std::size_t next = 0; next < part.size(); ++next) {
+    for (const Index neighbor : laplacian.neighbors(part[next])) {
+      if (is_marked[neighbor]) part.push_back(neighbor);
+      is_marked[neighbor] = false;
+    }
+  }
+  return part;
 }
 
 SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
@@ -117,7 +92,7 @@ SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double lea
   for (std::size_t v = 0; v < around.size(); ++v) {
     const bool is_seen = around[v].weight > 0;
     doubt.of_vertex.push_back(is_seen ? read_back(significant(around[v].excess(), 6)) : 1);
-    is_doubtful[v] = is_seen && around[v].excess() > doubtful;
+    is_doubtful[v] = is_seen && around[v].excess() > contradicted;
   }
   find_places(mesh, laplacian, is_doubtful, scene.pixel, doubt, progress);
 

@@ -27,13 +27,22 @@ struct SurfaceDoubt {
   double floor = 0;                   ///< mean dissimilarity that noise explains
 };
 
-/// Returns a third of the area of the faces around each vertex.
-std::vector<double> vertex_areas(const Mesh& mesh);
+/// Excess of the windows around a vertex above which photographs contradict it. Chosen by hand.
+inline constexpr double contradicted = 0.5;
+
+/// Rings of vertices whose windows are compared together for a doubt. One ring opened no more of
+/// two tori that touch when carving; other values were not measured.
+inline constexpr int doubt_rings = 2;
 
 /// Adds to the sums of each vertex those of its neighbors, `rings` times, so that no single window
 /// decides.
 std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian,
                                int rings);
+
+/// Returns the marked vertices that are connected to `first` by marked vertices, and clears their
+/// marks.
+std::vector<Index> take_connected(Index first, const UniformLaplacian& laplacian,
+                                  std::vector<bool>& is_marked);
 
 /// Measures a surface by a scene at scale 1. Throws and costs as disagreement(), and as
 /// local_thickness() if there are places. The result does not depend on the number of threads.

@@ -131,7 +131,9 @@ void Repair::join() {
       cracks.tolerance == 0 && !options.one_side && is_oriented_manifold(check_manifold(mesh));
   if (!needs_none) stitch(options);
   if (steps_.mesh().faces.empty())
-    throw GoalError("no face has three different corners: the mesh cannot be a solid");
+    throw GoalError(
+        "no face has three different corners, so nothing can be repaired: check how the file was "
+        "written");
 }
 
 void Repair::fill() {

@@ -89,6 +89,35 @@ differ() {
   run --separate-stderr tm-render --film 2 --frames 3 -o a.png 0.ply
   assert_status 2
   [[ $stderr == *"--film has a picture of each mesh, and --frames a turn: give one of them" ]]
+  run --separate-stderr tm-render --film 2 --frame scale -o a.png 0.ply
+  assert_status 2
+  [[ $stderr == *"--film shows the bounding box of all meshes"*"leave out --frame scale" ]]
+}
+
+@test "a film has one range of colors, and meshes without the property stay as they are" {
+  for x in 1 2; do
+    printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nproperty float speed\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 %s\n' $x >"$x.ply"
+  done
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >plain.off
+  printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >square.off
+  tm-render --size 160x90 --film 2 --color-by speed -o film.png 1.ply 2.ply plain.off
+  for x in 1 2; do
+    tm-render --size 160x90 --around square.off --range 1,2 --color-by speed "$x.ply" |
+      cmp - "film-00$((x - 1)).png"
+  done
+  run ! cmp -s film-000.png film-001.png
+  [ -e film-002.png ]
+}
+
+@test "a film that no player would show is refused before it is drawn" {
+  # Nothing is encoded, so that any program of this name will do.
+  mkdir bin
+  printf '#!/bin/sh\n' >bin/ffmpeg
+  chmod +x bin/ffmpeg
+  tm-shape box --faces 12 -o box.ply
+  PATH=$PWD/bin:$PATH run --separate-stderr tm-render --film 1e-9 -o film.mp4 box.ply
+  assert_status 2
+  [[ $stderr == *"pictures per second: choose a duration in which it has 0.01 to 120" ]]
 }
 
 @test "movies are encoded by ffmpeg" {

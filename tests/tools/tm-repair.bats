@@ -120,6 +120,18 @@ cracked() {
   tm-repair other.off | cmp - other.off
 }
 
+@test "a sheet without thickness is no solid, and stays open as the message says" {
+  printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >sheet.off
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >face.off
+  for name in sheet face; do
+    run --separate-stderr tm-repair "$name.off"
+    assert_status 4
+    [[ $stderr == *"open with --keep-open; or wrap it with tm-sample and tm-wrap --method alpha" ]]
+    tm-repair --keep-open "$name.off" -o "$name.ply"
+    [ "$(tm-info --get faces "$name.ply")" = "$(tm-info --get faces "$name.off")" ]
+  done
+}
+
 @test "--keep-open leaves holes and mends the rest" {
   edited 'NR > 4 + vertices { if (rand() < 0.3) print $1, $3, $2, $4; else print }' >hole.off
   tm-repair -q --keep-open hole.off -o open.ply

@@ -26,9 +26,15 @@ constexpr std::array table{
     Advice{Kind::inside_out, "", "reverse it with tm-stitch --flip"},
     Advice{Kind::double_sided, "",
            "keep one side of a double-sided model with tm-stitch --one-side"},
+    Advice{Kind::double_sided_sheet, "keep-open",
+           "keep the sheet open with --keep-open; or wrap it with tm-sample and tm-wrap --method "
+           "alpha"},
     Advice{Kind::double_sided_sheet, "",
            "keep one side of a double-sided sheet, open, with tm-stitch --one-side; or wrap the "
            "sheet with tm-sample and tm-wrap --method alpha"},
+    Advice{
+        Kind::canceling_faces, "keep-open",
+        "keep a sheet open with --keep-open; or wrap it with tm-sample and tm-wrap --method alpha"},
     Advice{Kind::canceling_faces, "double",
            "wrap a sheet with tm-sample and tm-wrap --method alpha; for a shape that is small or "
            "far from the origin, give --double or move it to the origin"},

@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t least_digits = 3;
+constexpr double slowest = 0.01;  ///< least pictures per second of a movie; chosen by hand
 
 // x264 runs on one thread, because its output depends on the number of threads.
 std::string read_pictures(double per_second) {
@@ -49,6 +50,16 @@ std::string numbered(const std::string& path, int frame, int frames) {
   std::string name = path.substr(0, stem);
   name.append("-").append(digits - number.size(), '0').append(number);
   return name.append(path, stem);
+}
+
+// Throws UsageError if players would not show a movie of this speed as it is meant. The delays of a
+// GIF are whole hundredths of a second, and browsers slow down delays below two.
+void check_speed(double per_second, const std::string& path) {
+  const double most = ending_of(path) == ".gif" ? 50 : 120;
+  if (per_second >= slowest && per_second <= most) return;
+  throw UsageError("--film: the movie would have " + significant(per_second, 3) +
+                   " pictures per second: choose a duration in which it has " +
+                   significant(slowest, 1) + " to " + significant(most, 3));
 }
 
 }  // namespace
@@ -84,6 +95,7 @@ void check_movie(int frames, int width, int height, bool is_transparent, const R
 
 void write_frames(int frames, double per_second, const DrawFrame& draw, Run& run) {
   const std::string& path = run.out().name();
+  if (is_movie(path)) check_speed(per_second, path);
   std::string pictures;
   for (int frame = 0; frame < frames; ++frame) {
     run.progress()("draw", static_cast<double>(frame) / frames);

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "frame/movie.h"
+#include "picture/colormap.h"
 #include "picture/parse_picture_options.h"
 #include "transformesh/errors.h"
 
@@ -65,13 +66,32 @@ PictureOptions picture_of(const RenderOptions& options) {
   std::tie(picture.orbit.azimuth_deg, picture.orbit.elevation_deg) = parse_orbit(options.orbit);
   picture.orbit.up = options.up == "x" ? Axis::x : options.up == "y" ? Axis::y : Axis::z;
   if (options.frame == "scale") picture.framing = Framing::scale;
-  if (options.frame == "place" || options.film > 0) picture.framing = Framing::place;
+  if (options.frame == "place") picture.framing = Framing::place;
   picture.columns = static_cast<int>(options.columns);
   picture.frames = std::max(options.frames, 1);
   if (!options.color.empty()) picture.shade.color.front = parse_color(options.color);
   if (!options.range.empty()) picture.range = {options.range[0], options.range[1]};
   picture.shade.background = parse_background(options.background);
   return picture;
+}
+
+void check_film(const RenderOptions& options, const Program& program) {
+  if (options.frames > 0)
+    throw UsageError("--film has a picture of each mesh, and --frames a turn: give one of them");
+  if (options.frame != "place" && program.options.find("frame")->is_given)
+    throw UsageError(
+        "--film shows the bounding box of all meshes in every picture, as --frame "
+        "place does: leave out --frame " +
+        options.frame);
+}
+
+void hold_still(const std::vector<const Mesh*>& meshes, const Mesh& corners,
+                PictureOptions& picture) {
+  if (picture.around == nullptr) picture.around = &corners;
+  const std::string& property = picture.shade.color.by;
+  if (property.empty() || picture.range) return;
+  const ColorScale scale = scale_of_column(meshes, property);
+  if (scale.low < scale.high) picture.range = {scale.low, scale.high};
 }
 
 bool draws_lines(const Run& run) {

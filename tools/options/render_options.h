@@ -33,6 +33,13 @@ void declare_picture(Program& program, RenderOptions& options);
 /// Throws UsageError for values that cannot be parsed.
 PictureOptions picture_of(const RenderOptions& options);
 
+/// Throws UsageError if options are given that a film does not have.
+void check_film(const RenderOptions& options, const Program& program);
+/// Lets all pictures of a film have the same camera, floor and colors. `corners` are those around
+/// the meshes, and are framed unless another mesh is.
+void hold_still(const std::vector<const Mesh*>& meshes, const Mesh& corners,
+                PictureOptions& picture);
+
 /// True if -o is a line drawing (.svg). Throws UsageError if options are given that line drawings
 /// do not have.
 bool draws_lines(const Run& run);

@@ -19,8 +19,7 @@ void render(const tool::RenderOptions& options, tool::Run& run) {
   PictureOptions picture = tool::picture_of(options);
   const bool is_lines = tool::draws_lines(run);
   const bool is_film = options.film > 0;
-  if (is_film && options.frames > 0)
-    throw UsageError("--film has a picture of each mesh, and --frames a turn: give one of them");
+  if (is_film) tool::check_film(options, run.program());
   tool::check_movie(is_film ? 1 : options.frames, picture.width, picture.height,
                     picture.shade.background.is_transparent, run);
 
@@ -35,6 +34,8 @@ void render(const tool::RenderOptions& options, tool::Run& run) {
     meshes.push_back(&document.mesh);
   }
   run.report("meshes", meshes.size());
+  const Mesh corners = is_film ? corners_around(meshes) : Mesh{};
+  if (is_film) tool::hold_still(meshes, corners, picture);
 
   const auto draw = [&](int frame, const Progress& progress) {
     if (is_film)

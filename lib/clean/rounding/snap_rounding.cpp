@@ -19,8 +19,8 @@ namespace transformesh {
 namespace {
 
 /// Height, in grid steps, below which a surface is flat, a cell is thin, and a face is a sliver.
-/// With 2 steps, repair fails in one of two test meshes of coplanar boxes. With 8 steps, it fails
-/// for nearly coplanar faces (docs/design/rounding.md).
+/// With a height of 2 steps, one of two test meshes of coplanar boxes cannot be rounded. With 8
+/// steps, nearly coplanar faces cannot be rounded (docs/design/rounding.md).
 constexpr double flat_steps = 4;
 /// Largest number of rounds. With 8, repair fails in 3 of 220 difficult test meshes. With 32, it
 /// succeeds in hardly any more meshes (docs/design/rounding.md).

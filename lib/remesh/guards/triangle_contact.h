@@ -1,6 +1,7 @@
 /// A conservative test for contact of two triangles: rounding errors count as contact. Two
 /// triangles are certainly apart if a plane separates them with a margin far above rounding errors.
-/// It does not matter how the plane was found. Corners with equal coordinates are the same.
+/// Several planes are tried, and any of them is a proof. Corners with equal coordinates count as a
+/// common corner.
 #pragma once
 
 #include "mesh/triangle.h"

@@ -17,8 +17,8 @@ namespace {
 /// only repeat refused splits.
 constexpr int most_rounds = 64;
 /// Triangles of at least this roundness may become narrower when a new vertex leaves its chord.
-/// With the usual limit of 0.6, vertices beside edges that were split one after the other would
-/// stay on chords, because triangles halved twice are less round. Values far below 0.1 would allow
+/// Other operations use the limit 0.6. Here it would refuse the curved position of a vertex if its
+/// triangles were halved twice, because these are less round. Values far below 0.1 would allow
 /// slivers.
 constexpr double round_enough = 0.1;
 

@@ -39,15 +39,16 @@ struct Disagreement {
   std::vector<WindowSums> of_vertex;
 };
 
-/// Compares the views of a scene at scale 1, because noise_variance() assumes the blur of that
-/// scale. `least_cosine` is that of PhotoStepOptions. Takes a little longer than
+/// Compares the views of a scene. noise_variance() assumes the blur of scale 1; at other scales the
+/// variance is up to a tenth too large. `least_cosine` is that of PhotoStepOptions. Takes a little longer than
 /// photoconsistency(), and throws as that does. The result does not depend on the number of
 /// threads.
 Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                           const PhotoconsistencyOptions& options = {},
                           const Progress& progress = {});
 
-/// Returns the variance of the noise in a photograph of scale 1 (at_scale), in squared intensities.
+/// Returns the variance of the noise in a photograph of any scale (at_scale), in squared
+/// intensities.
 /// Uses pixels where `depth` is above 0; returns 0 if there are none. The variance is estimated
 /// from mixed second differences, which texture hardly affects unless it is as fine as the pixels.
 /// Reference: Immerkaer, "Fast noise variance estimation", CVIU 64(2), 1996. Unlike in this

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/local_measures.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 #include "views/photo/contour_gaps.h"
@@ -72,15 +73,6 @@ std::vector<double> newton_movements(const Mesh& mesh, const UniformLaplacian& l
     problem.curvature[v] += pull * ((is_outside ? 1 : 0) + gaps.rims[v]);
   }
   return thin_plate_step(mesh, laplacian, problem);
-}
-
-/// Returns a third of the area of the faces around each vertex.
-std::vector<double> vertex_areas(const Mesh& mesh) {
-  std::vector<double> areas(mesh.positions.size(), 0);
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    for (const Index vertex : mesh.faces[f]) areas[vertex] += face_area(mesh, f) / 3;
-  }
-  return areas;
 }
 
 std::vector<double> gradient_movements(const Mesh& mesh, std::span<const Vec3> normals,

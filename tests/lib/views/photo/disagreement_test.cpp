@@ -62,6 +62,22 @@ TEST_CASE("noise is measured beside texture, as what the blur of scale 1 leaves 
   CHECK(noise_variance(waves, GrayImage(200, 150)) == 0);
 }
 
+TEST_CASE("noise is measured within a tenth at other scales, too") {
+  const GrayImage flat(400, 300, 128);
+  for (const double scale : {1.0, std::sqrt(2.0), 2.0, 4.0}) {
+    const GrayImage image = at_scale(with_noise(flat, 12, 7), scale);
+    const auto count = static_cast<double>(image.pixels.size());
+    double sum = 0, squares = 0;
+    for (const double intensity : image.pixels) {
+      sum += intensity;
+      squares += intensity * intensity;
+    }
+    const double variance = squares / count - sum / count * sum / count;
+    const GrayImage everywhere(image.width, image.height, 1);
+    CHECK(noise_variance(image, everywhere) == Approx(variance).epsilon(0.1));
+  }
+}
+
 TEST_CASE("noise explains the disagreement on the true surface, but not on a wrong one") {
   for (const double deviation : {0.0, 10.0, 25.0}) {
     const PhotoScene scene = noisy_scene(deviation);
