@@ -26,8 +26,8 @@ class OperandParts {
     bool has_copies = false;    ///< two faces have the same three points
     bool meets_part = false;    ///< two faces of one component intersect
     bool meets_itself = false;  ///< two faces intersect, of one component or of two
-    /// Least and largest winding number on the front sides of components as they are oriented in the
-    /// input.
+    /// Least and largest winding number on the front sides of components as they are oriented in
+    /// the input.
     int least = 0, most = 0;
   };
 
