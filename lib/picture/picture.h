@@ -41,8 +41,8 @@ struct PictureOptions {
   std::optional<std::pair<double, double>> range;
 };
 
-/// Returns the corners of the bounding box of all meshes, as a mesh for PictureOptions::around. Many
-/// pictures of many meshes then need no points of all meshes for each picture.
+/// Returns the corners of the bounding box of all meshes, as a mesh for PictureOptions::around.
+/// Many pictures of many meshes then need no points of all meshes for each picture.
 Mesh corners_around(std::span<const Mesh* const> meshes);
 
 /// Draws the panels from left to right, then down. A camera that moves around looks at the center

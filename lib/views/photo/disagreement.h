@@ -40,9 +40,9 @@ struct Disagreement {
 };
 
 /// Compares the views of a scene. noise_variance() assumes the blur of scale 1; at other scales the
-/// variance is up to a tenth too large. `least_cosine` is that of PhotoStepOptions. Takes a little longer than
-/// photoconsistency(), and throws as that does. The result does not depend on the number of
-/// threads.
+/// variance is up to a tenth too large. `least_cosine` is that of PhotoStepOptions. Takes a little
+/// longer than photoconsistency(), and throws as that does. The result does not depend on the
+/// number of threads.
 Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                           const PhotoconsistencyOptions& options = {},
                           const Progress& progress = {});
