@@ -36,7 +36,7 @@ struct Operand {
 struct BooleanOptions {
   bool merge_flat = true;               ///< merge coplanar pieces at cuts (clean.h)
   bool source_operand = false;          ///< write the operand of each face as source_operand
-  Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
+  Scalar coordinate = Scalar::float64;  ///< positions of input and output are rounded to it
   bool cap = false;                     ///< cut_sheet(): add faces of the solid that close the part
 };
 

@@ -46,7 +46,7 @@ struct CleanOptions {
   bool outermost = false;               ///< drop cavities, and components inside them
   bool merge_flat = false;              ///< merge coplanar pieces at cuts
   bool refuse = false;                  ///< throw GoalError instead of changing anything
-  Scalar coordinate = Scalar::float64;  ///< the type in which positions will be written
+  Scalar coordinate = Scalar::float64;  ///< positions of input and output are rounded to it
   double separate = 0;  ///< distance between copies of a vertex; input units; 0: do not move them
   CleanSources sources = CleanSources::none;
   std::optional<Box> box = {};  ///< clean only the faces in this box

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 
 #include "boolean/capped_sheet.h"
 #include "boolean/operand_kinds.h"
@@ -146,8 +147,10 @@ void note_operands(const std::vector<Operand>& operands, const std::vector<Windi
 
 }  // namespace
 
-BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& operands,
+BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& given,
                       const BooleanOptions& options, const Progress& progress) {
+  std::deque<Mesh> rounded;
+  const std::vector<Operand> operands = rounded_operands(given, options.coordinate, rounded);
   JoinedOperands joined = join_operands(operation, operands);
   if (joined.mesh.faces.empty()) return empty_result(joined.mesh);
   const bool intersects = operation == BooleanOperation::intersect;
@@ -168,7 +171,9 @@ BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& op
 BooleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,
                         const BooleanOptions& options, const Progress& progress) {
   check_solids({solid});
-  JoinedOperands joined = join_operands(BooleanOperation::unite, {sheet, solid});
+  std::deque<Mesh> rounded;
+  JoinedOperands joined = join_operands(
+      BooleanOperation::unite, rounded_operands({sheet, solid}, options.coordinate, rounded));
   if (joined.mesh.faces.empty()) return empty_result(joined.mesh);
   return clean_joined(joined, SheetChooser(side, options.cap, joined), 1, options, progress);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "boolean/local_boolean.h"
+#include "mesh/coordinate_spacing.h"
 #include "support/suggestion.h"
 #include "transformesh/errors.h"
 
@@ -96,7 +97,9 @@ void ScriptRun::find_last_uses() {
 Value& ScriptRun::value_of(const std::string& name) {
   const auto known = values_.find(name);
   if (known != values_.end()) return known->second;
-  return values_.emplace(name, Value{read_(name), {}, 0}).first->second;
+  Mesh mesh = read_(name);
+  round_positions(mesh, options_.coordinate);
+  return values_.emplace(name, Value{std::move(mesh), {}, 0}).first->second;
 }
 
 // Runs a line of the form A = union A B or A = difference A B in place, if A is the result of an

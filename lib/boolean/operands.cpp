@@ -1,9 +1,11 @@
 #include "boolean/operands.h"
 
 #include <string>
+#include <utility>
 
 #include "clean/intersect/welded_mesh.h"
 #include "clean/open/borders.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/surface_columns.h"
 #include "support/counted.h"
 #include "transformesh/errors.h"
@@ -30,6 +32,15 @@ Borders borders_of(const Operand& operand) {
 }
 
 }  // namespace
+
+std::vector<Operand> rounded_operands(std::vector<Operand> operands, Scalar coordinate,
+                                      std::deque<Mesh>& rounded) {
+  for (Operand& operand : operands) {
+    std::optional<Mesh> changed = rounded_mesh(*operand.mesh, coordinate);
+    if (changed) operand.mesh = &rounded.emplace_back(std::move(*changed));
+  }
+  return operands;
+}
 
 JoinedOperands join_operands(BooleanOperation operation, const std::vector<Operand>& operands) {
   JoinedOperands joined;

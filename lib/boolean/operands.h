@@ -2,6 +2,7 @@
 /// operands are reversed. O(n).
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "transformesh/boolean.h"
@@ -13,6 +14,11 @@ struct JoinedOperands {
   std::vector<Index> operand_of;  ///< operand of each face of `mesh`
   std::vector<char> is_reversed;  ///< 1 for each operand that is reversed
 };
+
+/// Returns the operands with positions rounded to the type. Copies of meshes that this changes are
+/// appended to `rounded`.
+std::vector<Operand> rounded_operands(std::vector<Operand> operands, Scalar coordinate,
+                                      std::deque<Mesh>& rounded);
 
 /// Joins the operands. BooleanOperation::subtract reverses all operands except the first.
 JoinedOperands join_operands(BooleanOperation operation, const std::vector<Operand>& operands);

@@ -6,6 +6,7 @@
 #include "clean/stitch/separate.h"
 #include "clean/whole/clean_whole.h"
 #include "geometry/source_points.h"
+#include "mesh/coordinate_spacing.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/errors.h"
 
@@ -75,10 +76,7 @@ CleanResult clean_with_source_points(const Mesh& mesh, const CleanOptions& optio
   return result;
 }
 
-}  // namespace
-
-CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
-  check_options(options);
+CleanResult clean_stored(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
   switch (options.sources) {
     case CleanSources::faces:
       return clean_with_face_column(mesh, options, progress);
@@ -88,6 +86,14 @@ CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress&
       break;
   }
   return clean_faces(mesh, options, progress);
+}
+
+}  // namespace
+
+CleanResult clean(const Mesh& mesh, const CleanOptions& options, const Progress& progress) {
+  check_options(options);
+  const std::optional<Mesh> rounded = rounded_mesh(mesh, options.coordinate);
+  return clean_stored(rounded ? *rounded : mesh, options, progress);
 }
 
 }  // namespace transformesh

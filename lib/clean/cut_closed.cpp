@@ -3,6 +3,7 @@
 // clean(), twice.
 #include <Eigen/Geometry>
 
+#include "clean/whole/clean_whole.h"
 #include "mesh/triangle.h"
 #include "transformesh/clean.h"
 #include "transformesh/errors.h"
@@ -72,7 +73,8 @@ void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate, const Prog
   append(solid, prism);
   options.winding_level = 2;
   try {
-    mesh = clean(solid, options, progress).mesh;
+    // clean() would round the corners of the prism, which are not in the result.
+    mesh = clean_whole(solid, options, progress).mesh;
   } catch (const GoalError& error) {
     if (error.kind() != ErrorKind::no_such_level) throw;
     throw GoalError("nothing of the mesh lies on the side that the plane's normal points to");

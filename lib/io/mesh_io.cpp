@@ -19,6 +19,7 @@
 #include "io/streams/atomic_file.h"
 #include "io/streams/expand.h"
 #include "io/streams/streams.h"
+#include "mesh/coordinate_spacing.h"
 #include "support/counted.h"
 
 namespace transformesh {

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
+
+#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {
@@ -64,6 +67,39 @@ RoundingLoss rounding_loss(const Mesh& mesh, std::span<const Vec3> before) {
       ++loss.turned;
   }
   return loss;
+}
+
+void check_float_range(const Mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const bool fits = mesh.positions[i].cast<float>().allFinite();
+    if (fits) continue;
+    throw GoalError("vertex " + std::to_string(i) +
+                    " has a coordinate too large for float: write double");
+  }
+}
+
+std::size_t round_positions(Mesh& mesh, Scalar coordinate) {
+  if (coordinate != Scalar::float32) return 0;
+  check_float_range(mesh);
+  const std::vector<Vec3> before = mesh.positions;
+  for (Vec3& position : mesh.positions) position = rounded_to(position, coordinate);
+  const RoundingLoss loss = rounding_loss(mesh, before);
+  if (2 * (loss.collapsed + loss.turned) > mesh.faces.size()) {
+    throw GoalError(
+        "float is too coarse for this mesh: most of its faces would collapse or turn over; write "
+        "double, in PLY, OFF or OBJ, or move the mesh to the origin first");
+  }
+  return loss.collapsed;
+}
+
+std::optional<Mesh> rounded_mesh(const Mesh& mesh, Scalar coordinate) {
+  const auto is_stored = [&](const Vec3& position) {
+    return !position.allFinite() || rounded_to(position, coordinate) == position;
+  };
+  if (coordinate != Scalar::float32 || std::ranges::all_of(mesh.positions, is_stored)) return {};
+  Mesh rounded = mesh;
+  round_positions(rounded, coordinate);
+  return rounded;
 }
 
 }  // namespace transformesh

@@ -3,6 +3,7 @@
 /// coincide after rounding, and bodies become flat.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "transformesh/mesh.h"
@@ -32,6 +33,17 @@ inline Vec3 rounded_to(Vec3 position, Scalar type) {
     for (double& x : position) x = round_to_single(x);
   return position;
 }
+
+/// Throws GoalError if a coordinate is too large for a float. O(n).
+void check_float_range(const Mesh& mesh);
+
+/// Rounds coordinates to a scalar type. Returns the number of faces that collapse. Throws GoalError
+/// if most faces collapse or turn over, or as check_float_range() does. O(n).
+std::size_t round_positions(Mesh& mesh, Scalar coordinate);
+
+/// Returns the mesh with positions rounded to the type, as round_positions() does. Returns nothing
+/// if no position changes. O(n).
+std::optional<Mesh> rounded_mesh(const Mesh& mesh, Scalar coordinate);
 
 struct RoundingLoss {
   std::size_t collapsed = 0;  ///< faces two corners of which coincide after rounding

@@ -6,7 +6,7 @@
 #include "clean/certify/certify.h"
 #include "fuzz/tiny_mesh.h"
 #include "geometry/numbers/predicates.h"
-#include "io/document/round_as_written.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
 #include "transformesh/mesh_io.h"

@@ -4,7 +4,7 @@
 
 #include "fuzz/tiny_mesh.h"
 #include "geometry/numbers/predicates.h"
-#include "io/document/round_as_written.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"

@@ -3,7 +3,6 @@
 #include "io/document/scalar.h"
 #include "io/document/writable.h"
 #include "mesh/coordinate_spacing.h"
-#include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {
@@ -22,22 +21,6 @@ void round_columns(Columns& columns) {
 }
 
 }  // namespace
-
-std::size_t round_positions(Mesh& mesh, Scalar coordinate) {
-  if (coordinate != Scalar::float32) return 0;
-  check_float_range(mesh);
-  const std::vector<Vec3> before = mesh.positions;
-  for (Vec3& position : mesh.positions) {
-    for (double& x : position) x = round_to_single(x);
-  }
-  const RoundingLoss loss = rounding_loss(mesh, before);
-  if (2 * (loss.collapsed + loss.turned) > mesh.faces.size()) {
-    throw GoalError(
-        "float is too coarse for this mesh: most of its faces would collapse or turn over; write "
-        "double, in PLY, OFF or OBJ, or move the mesh to the origin first");
-  }
-  return loss.collapsed;
-}
 
 void round_as_written(Document& document) {
   check_writable(document);

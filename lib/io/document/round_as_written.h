@@ -5,10 +5,6 @@
 
 namespace transformesh {
 
-/// Rounds coordinates to a scalar type. Returns the number of faces that collapse. Throws GoalError
-/// if most faces collapse or turn over.
-std::size_t round_positions(Mesh& mesh, Scalar coordinate);
-
 /// Changes a document to the result of write_mesh() in a PLY format and read_mesh(). Stages in one
 /// process then compute the same bytes as programs on pipes. Throws GoalError as write_mesh() does.
 void round_as_written(Document& document);

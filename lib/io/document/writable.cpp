@@ -36,13 +36,4 @@ void check_writable(const Document& document) {
   }
 }
 
-void check_float_range(const Mesh& mesh) {
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const bool fits = mesh.positions[i].cast<float>().allFinite();
-    if (fits) continue;
-    throw GoalError("vertex " + std::to_string(i) +
-                    " has a coordinate too large for float: write double");
-  }
-}
-
 }  // namespace transformesh

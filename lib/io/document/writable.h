@@ -9,7 +9,4 @@ namespace transformesh {
 /// element. O(n).
 void check_writable(const Document& document);
 
-/// Throws GoalError if a coordinate is too large for a float. O(n).
-void check_float_range(const Mesh& mesh);
-
 }  // namespace transformesh

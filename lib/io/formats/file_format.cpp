@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/document/round_as_written.h"
 #include "io/document/unit.h"
+#include "mesh/coordinate_spacing.h"
 
 namespace transformesh {
 namespace {

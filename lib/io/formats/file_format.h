@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/document/round_as_written.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/document.h"
 
 namespace transformesh {

@@ -4,7 +4,9 @@
 
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {
@@ -53,6 +55,19 @@ TEST_CASE("results are operands of later lines, and files are read when they are
   CHECK(files == std::vector<std::string>{"0", "0.5", "0.25", "5"});
   CHECK(test::signed_volume(result.mesh) == doctest::Approx(1.5));
   CHECK(result.pairs > 0);
+}
+
+TEST_CASE("operands of doubles are rounded first if the result is stored as float") {
+  const auto read = [](const std::string& file) {
+    return test::moved(test::icosphere(3), Vec3(std::stod(file), 0.01, 0.02));
+  };
+  const auto lines = parse_boolean_script(
+      "a = union 100 100.3\na = union a 100.1\na = difference a 100.9\nb = intersection a 100.2\n");
+  const ScriptResult result =
+      run_boolean_script(lines, read, {.coordinate = Scalar::float32}, Progress());
+  CHECK(!rounded_mesh(result.mesh, Scalar::float32));
+  CHECK(find_intersections(result.mesh).empty());
+  CHECK(test::signed_volume(result.mesh) > 1);
 }
 
 TEST_CASE("an error names its line") {

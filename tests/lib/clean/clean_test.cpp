@@ -7,7 +7,9 @@
 
 #include "geometry/source_points.h"
 #include "helpers/shapes.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 #include "transformesh/measure.h"
 
 using namespace transformesh;
@@ -102,4 +104,19 @@ TEST_CASE("options that need the whole mesh exclude a box, and a box is needed f
   CHECK_THROWS_AS(clean(test::cube(), outermost), UsageError);
   CHECK_THROWS_AS(clean(test::cube(), separate), UsageError);
   CHECK_THROWS_AS(clean(test::cube(), fixed), UsageError);
+}
+
+TEST_CASE("a mesh of doubles is rounded first if the result is stored as float") {
+  const Mesh input = test::joined(test::moved(test::icosphere(4), Vec3(100, 0.01, 0.02)),
+                                  test::moved(test::icosphere(4), Vec3(100.3, 0, 0)));
+  CleanOptions options;
+  options.coordinate = Scalar::float32;
+  const CleanResult result = clean(input, options);
+  CHECK(result.changed);
+  CHECK(!rounded_mesh(result.mesh, Scalar::float32));
+  CHECK(find_intersections(result.mesh).empty());
+  const Mesh whole = test::moved(test::icosphere(4), Vec3(100, 0.01, 0.02));
+  const CleanResult same = clean(whole, options);
+  CHECK(!same.changed);
+  CHECK(same.mesh.positions == rounded_mesh(whole, Scalar::float32)->positions);
 }

@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 #include "transformesh/offset.h"
@@ -46,4 +49,18 @@ TEST_CASE("a thick sheet is closed and keeps its columns") {
     CHECK(sheet.vertex_columns.find("x")->values[v] == sheet.positions[v].x());
   for (const double label : sheet.face_columns.find("label")->values) CHECK(label == 7);
   CHECK_THROWS_AS(thicken(sheet, 0.5), InputError);
+}
+
+TEST_CASE("a solid of a crumpled sheet has no self-intersection after it is written as float") {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    Mesh solid = test::grid(8);
+    for (Vec3& position : solid.positions) position.z() = random.uniform(0, 0.4);
+    round_positions(solid, Scalar::float32);
+    thicken(solid, 0.1, Scalar::float32);
+    CHECK(!rounded_mesh(solid, Scalar::float32));
+    CHECK(check_manifold(solid).is_closed());
+    CHECK(find_intersections(solid).empty());
+  }
 }

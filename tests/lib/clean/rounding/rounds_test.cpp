@@ -10,7 +10,7 @@
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/winding_oracle.h"
-#include "io/document/round_as_written.h"
+#include "mesh/coordinate_spacing.h"
 #include "transformesh/clean.h"
 #include "transformesh/displace.h"
 #include "transformesh/errors.h"
