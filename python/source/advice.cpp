@@ -49,6 +49,7 @@ constexpr std::array table{
     Advice{Kind::no_source_points,
            "make them with source=True, or use the closest places with closest=True"},
     Advice{Kind::no_color_property, "name the property with color_by"},
+    Advice{Kind::surface_vanished, "shorten the steps with max_move or time_step, or end earlier"},
     Advice{Kind::target_open, "close its holes first with fill()"},
     Advice{
         Kind::target_not_solid,

@@ -85,6 +85,9 @@ constexpr std::array table{
     Advice{Kind::no_color_property, "color-by", "name the property with --color-by"},
     Advice{Kind::texture_too_small, "texture-size",
            "remesh the surface, or give a larger --texture-size"},
+    Advice{Kind::surface_vanished, "max-move",
+           "shorten the steps with --max-move or --time-step, or in the command of --step, or end "
+           "the run earlier"},
     Advice{Kind::target_open, "", "close its holes first, or wrap it with tm-wrap"},
     Advice{Kind::target_not_solid, "",
            "the target is open, not manifold or self-intersecting, so an embedded surface cannot "

@@ -40,8 +40,9 @@ std::string option_entry(const Option& option) {
   const std::string left = letter + "--" + option.name();
   if (option.is_flag()) return entry(left, option.help);
   const std::string& value = option.default_text;
+  const bool is_stated = value.empty() || option.help.find("(default") != std::string::npos;
   return entry(left + ' ' + option.placeholder,
-               option.help + (value.empty() ? "" : " (default " + value + ")"));
+               option.help + (is_stated ? "" : " (default " + value + ")"));
 }
 
 std::string option_entries(const Program& program, bool is_common) {

@@ -14,6 +14,7 @@
 #include "remesh/pinch.h"
 #include "remesh/remesh_connected.h"
 #include "support/counted.h"
+#include "support/empty_result_error.h"
 #include "support/parallel.h"
 #include "support/run_concurrently.h"
 #include "transformesh/clean.h"
@@ -172,6 +173,16 @@ class CleanAndRemesh {
   Stopwatch watch_;
 };
 
+/// Throws an error that names the step as the cause if nothing is left of the surface after
+/// cleaning. Remeshing states by itself which edges are too long.
+void throw_if_vanished(const GoalError& error) {
+  if (!is_nothing_left(error.kind()) || error.kind() == ErrorKind::component_too_small) return;
+  throw GoalError(ErrorKind::surface_vanished,
+                  "nothing is inside the surface after this step: all of it has shrunk to nothing, "
+                  "or its walls are thinner than the step is long",
+                  error.data());
+}
+
 }  // namespace
 
 Step step_along(Velocity velocity, const DisplaceOptions& options) {
@@ -231,7 +242,12 @@ IterationResult iterate(Document& document, const Step& step, const IterationOpt
   round_as_written(document);
   result.seconds_step = watch.lap();
 
-  CleanAndRemesh(document, options, progress, result).run();
+  try {
+    CleanAndRemesh(document, options, progress, result).run();
+  } catch (const GoalError& error) {
+    throw_if_vanished(error);
+    throw;
+  }
   result.seconds = result.seconds_step + result.seconds_clean + result.seconds_remesh;
   return result;
 }

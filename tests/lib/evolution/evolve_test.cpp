@@ -108,6 +108,21 @@ TEST_CASE("a run that was ended continues to the same bytes, in double and in fl
   }
 }
 
+TEST_CASE("a step that leaves nothing is named as the cause") {
+  const Step turning = [](Mesh& mesh, const Progress&) {
+    for (Vec3& position : mesh.positions) position = -position;
+    return DisplaceResult{.moved = mesh.positions.size(), .mean_edge = 1};
+  };
+  Mesh mesh = test::icosphere(3);
+  try {
+    evolve(mesh, turning, unsmoothed());
+    FAIL("the step turns the sphere inside out");
+  } catch (const GoalError& error) {
+    CHECK(std::string(error.what()).starts_with("iteration 1: nothing is inside the surface"));
+    CHECK(error.kind() == ErrorKind::surface_vanished);
+  }
+}
+
 TEST_CASE("a failure names its iteration and leaves the mesh of the one before") {
   int calls = 0;
   const Step failing = [&](Mesh& mesh, const Progress& progress) {

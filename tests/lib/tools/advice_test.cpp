@@ -25,7 +25,6 @@ std::string advice(ErrorKind kind, const std::vector<std::string>& flags, ErrorD
 
 TEST_CASE("every kind has a remedy, unless none is known") {
   const std::set<ErrorKind> without = {ErrorKind::other, ErrorKind::no_such_level,
-                                       ErrorKind::surface_vanished,
                                        ErrorKind::coordinates_too_large, ErrorKind::unknown_format};
   std::set<ErrorKind> kinds;
   for (const Advice& row : advice_table()) kinds.insert(row.kind);
