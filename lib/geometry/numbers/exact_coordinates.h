@@ -1,0 +1,37 @@
+/// Exact and precise coordinates of an ExactPoint, computed on demand from its definition.
+#pragma once
+
+#include <limits>
+#include <memory>
+
+#include "geometry/numbers/double_double_ball.h"
+#include "geometry/numbers/exact_number.h"
+#include "geometry/numbers/exact_point.h"
+#include "geometry/numbers/homogeneous.h"
+#include "geometry/numbers/multiprecision_ball.h"
+#include "geometry/numbers/wide_exponent_ball.h"
+
+namespace transformesh {
+
+/// Exact coordinates; the weight is positive.
+struct ExactCoordinates : HomogeneousPoint<ExactNumber> {};
+
+/// Coordinates with twice the precision of a double, if these can be computed. If magnitudes in the
+/// definition differ strongly, numbers become long and digits are lost. Then balls of homogeneous
+/// coordinates with positive weight are more precise; each kind is computed on demand.
+struct PreciseCoordinates {
+  NumberVector<DoubleDoubleBall> x;
+  bool is_spread = false;
+  std::shared_ptr<const HomogeneousPoint<WideExponentBall>> wide;
+  std::shared_ptr<const HomogeneousPoint<MultiprecisionBall>> longer;
+};
+
+struct PreciseNormal {
+  NumberVector<DoubleDoubleBall> normal;
+};
+struct ExactPlaneCoordinates : HomogeneousPlane<ExactNumber> {};
+
+/// True if the ball of the point is its exact position.
+inline bool is_exact(const ExactPoint& point) { return point.radius == Vec3::Zero(); }
+
+}  // namespace transformesh
