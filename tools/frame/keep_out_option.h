@@ -15,8 +15,8 @@ class KeepOutOption {
  public:
   void declare(Program& program) {
     program.options.text("keep-out", &file_, "FILE",
-                         "do nothing that comes nearer to this mesh than --gap, or intersects it");
-    program.options.length("gap", &gap_, "how far to stay from the mesh of --keep-out");
+                         "obstacle: do not come nearer to this mesh than --gap");
+    program.options.length("gap", &gap_, "distance to keep from the mesh of --keep-out");
   }
 
   /// Reads the obstacle. The result refers to this object.

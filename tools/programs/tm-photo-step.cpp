@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
                         "Moves a mesh towards agreement with calibrated photographs"};
   tool::declare_photo_step(program, options);
   program.epilog =
-      "One iteration of a reconstruction, which goes on from coarse to fine:\n"
+      "One iteration of a reconstruction, at a coarse scale:\n"
       "  tm-photo-step --cameras par.txt --images photos --scale 4 < a.ply |\n"
       "    tm-clean | tm-remesh > next.ply";
   program.example = "tm-photo-step --cameras par.txt --images photos --scale 4 hull.ply > next.ply";

@@ -87,7 +87,7 @@ void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   tool::RemeshChoices choices;
   tool::Program program{"tm-remesh", "[OPTION]... [INPUT]",
-                        "Keeps edges between two lengths and triangles round"};
+                        "Remeshes with edges between two lengths and well-shaped triangles"};
   program.input.soups = tool::Soups::joined;
   tool::declare_remeshing(program, choices);
   program.example = "tm-remesh --edge 2% rough.ply > fine.ply";

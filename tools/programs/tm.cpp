@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
                         "Lists the programs of the suite, or shows the man page of one",
                         {tool::Reads::words},
                         {tool::Writes::text}};
-  program.words = {"NAME", "of a program, with or without tm-; tm: what all share"};
+  program.words = {"NAME", "name of a program, with or without tm-; tm: what all programs share"};
   program.words.choices = all_names();
   program.example = "tm clean";
   return program.run(argc, argv, [](tool::Run& run) {
