@@ -69,10 +69,9 @@ std::string shell_word(const std::string& text) {
   return word + '\'';
 }
 
-void declare_iterations(Program& program, LoopChoices& choices) {
-  program.options
-      .integer("iterations", &choices.iterations, 1, 999999999, "maximum number of iterations")
-      .affects_result = false;
+void declare_iterations(Program& program, LoopChoices& choices, const std::string& help) {
+  program.options.integer("iterations", &choices.iterations, 1, 999999999, help).affects_result =
+      false;
 }
 
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,

@@ -37,10 +37,10 @@ void take_command(Program& program, std::vector<std::string>& words) {
 /// Returns the names of the inputs, or `-` if no input is named.
 std::vector<std::string> inputs_of(const Program& program, const std::vector<std::string>& words) {
   if (!program.reads_input() && program.input.reads != Reads::words && !words.empty())
-    throw UsageError("'" + words[0] + "' is not expected: there is no input");
+    throw UsageError("'" + words[0] + "' is unexpected: no input is read with these options");
   if (words.size() > 1 &&
       (program.input.reads == Reads::mesh || program.input.reads == Reads::file))
-    throw UsageError("one input at most, but '" + words[1] + "' is a second one");
+    throw UsageError("at most one input can be given, but '" + words[1] + "' is a second one");
   return words.empty() && program.reads_input() ? std::vector<std::string>{"-"} : words;
 }
 
@@ -51,8 +51,8 @@ void check_together(const CommonValues& values) {
   refuse(values.as_float && values.as_double, "--float or --double");
   refuse(values.quiet && values.verbose, "--quiet or --verbose");
   refuse(values.progress && values.no_progress, "--progress or --no-progress");
-  refuse(!values.report.empty() && values.output == values.report,
-         "--output or --report its own file");
+  if (!values.report.empty() && values.output == values.report)
+    throw UsageError("--output and --report have the same file: give each its own");
 }
 
 void check_needed(const Program& program) {

@@ -64,7 +64,8 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
                        "filter that reads a mesh, and writes it with moved vertices or with "
                        "velocities vx vy vz; TM_ITERATION is the number of the iteration");
   declare_time(program, choices.time);
-  declare_iterations(program, choices.loop);
+  declare_iterations(program, choices.loop,
+                     "maximum number of iterations (default 1000; with --time no limit)");
   program.options.text("until", &choices.until, "moved:LENGTH|stalled|components:N|genus:N",
                        "stop when no vertex moves by LENGTH, when movements no longer decrease, or "
                        "at N components or handles");

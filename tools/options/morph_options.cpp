@@ -82,14 +82,14 @@ void check_morph(const MorphChoices& choices, const Run& run) {
   if (choices.sequence) {
     if (!choices.target.empty()) throw UsageError("give either --target or --sequence, not both");
     if (inputs.size() < 2)
-      throw UsageError("--sequence needs a source and the meshes to follow: SOURCE FRAME...");
+      throw UsageError("--sequence needs a source and at least one target mesh: SOURCE FRAME...");
     return;
   }
   if (choices.target.empty()) throw UsageError("the target is missing: give --target FILE");
   if (choices.target == "-")
     throw UsageError("--target: name a file: standard input is for the source");
   if (inputs.size() > 1)
-    throw UsageError("one source at most, but '" + inputs[1] + "' is a second one");
+    throw UsageError("at most one source can be given, but '" + inputs[1] + "' is a second one");
 }
 
 MorphOptions morphing_of(const MorphChoices& choices, Run& run) {

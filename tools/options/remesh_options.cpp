@@ -36,7 +36,7 @@ double feature_angle(const std::string& text, double otherwise) {
   const auto angle = number_in<double>(text);
   if (!angle || !(*angle >= 1 && *angle <= 180))
     throw UsageError("--feature-angle: '" + text +
-                     "' is not auto, nor a number of degrees from 1 to 180");
+                     "' is neither auto nor a number of degrees from 1 to 180");
   return *angle;
 }
 

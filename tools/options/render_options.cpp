@@ -78,7 +78,9 @@ PictureOptions picture_of(const RenderOptions& options) {
 
 void check_film(const RenderOptions& options, const Program& program) {
   if (options.frames > 0)
-    throw UsageError("--film has a picture of each mesh, and --frames a turn: give one of them");
+    throw UsageError(
+        "--film shows meshes one after the other, and --frames moves around a mesh: give one of "
+        "them");
   if (options.frame != "place" && program.options.find("frame")->is_given)
     throw UsageError(
         "--film shows the bounding box of all meshes in every picture, as --frame "

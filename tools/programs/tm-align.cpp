@@ -31,7 +31,7 @@ void note_doubts(const RegistrationResult& result, tool::Run& run) {
              "closer to the reference with tm-transform, then align it again");
   if (result.stability < low_stability)
     run.note(
-        "the surfaces can slide along each other, like a ball in its socket: that part of the "
+        "the surfaces can slide along each other, as spheres and planes do: this part of the "
         "motion is arbitrary");
 }
 

@@ -38,7 +38,8 @@ void run_script(const Choices& choices, tool::Run& run) {
     return std::move(document.mesh);
   };
   ScriptResult result = run_boolean_script(lines, read, choices.options, run.progress());
-  if (!units_agree) run.note("the units of the meshes differ: numbers are taken as they are");
+  if (!units_agree)
+    run.note("the units of the meshes differ: coordinates are used without conversion");
   for (const Problem& problem : result.problems) run.say().note(problem);
   run.document().mesh = std::move(result.mesh);
   add_planarity(run.document().style.comments, result.merge_displacement);

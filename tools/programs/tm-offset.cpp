@@ -26,7 +26,9 @@ void note_missed(const OffsetResult& result, tool::Run& run) {
 
 void offset_document(Document& document, Choices& choices, tool::Run& run) {
   if (choices.thicken.has_value() == choices.distance.has_value())
-    throw UsageError("give either --distance, how far the surface moves, or --thicken");
+    throw UsageError(
+        "give either --distance, by which the surface moves, or --thicken, the thickness of a "
+        "sheet");
   const Scalar coordinate = document.style.coordinate;
   if (choices.thicken) tool::note_dropped_lists(drop_corner_lists(document.mesh.face_columns), run);
   if (choices.thicken)

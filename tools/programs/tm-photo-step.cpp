@@ -27,7 +27,8 @@ void report(const PhotoScene& scene, const PhotoStepsResult& result, tool::Run& 
   run.report("mean_share", result.last.mean_share);
   tool::note_new_normals(result.last.displaced.new_normals, run);
   run.report(entries_of(result.last.displaced));
-  if (result.lost_coverage) run.note("photographs compare less of the surface than before");
+  if (result.lost_coverage)
+    run.note("photographs can be compared on less of the surface than before");
 }
 
 void step(Document& document, const tool::PhotoOptions& options, tool::Run& run) {

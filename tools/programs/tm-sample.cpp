@@ -15,7 +15,8 @@ struct Choices {
 
 void sample(Document& document, const Choices& choices, tool::Run& run) {
   if ((choices.count > 0) == choices.distance.has_value())
-    throw UsageError("give either --count or --distance: how many points, or how far apart");
+    throw UsageError(
+        "give either --count, the number of points, or --distance, their least distance");
   SampleOptions options;
   options.count = static_cast<std::size_t>(choices.count);
   if (choices.distance) {

@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
   return program.run(argc, argv, [](tool::Run& run) {
     const std::vector<std::string>& words = run.in().names();
     if (words.size() > 1)
-      throw UsageError("one NAME at most, but '" + words[1] + "' is a second one");
+      throw UsageError("at most one NAME can be given, but '" + words[1] + "' is a second one");
     const tool::Alias* alias = words.empty() ? nullptr : tool::alias_of(words[0]);
     if (alias != nullptr) run.note(words[0] + ": " + std::string(alias->command));
     if (!words.empty())
