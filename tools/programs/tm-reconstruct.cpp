@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   tool::ReconstructChoices choices;
   tool::Program program{"tm-reconstruct",
                         "[OPTION]... --cameras WHERE --images WHERE -o OUT",
-                        "Reconstructs a closed surface from calibrated photographs",
+                        "Reconstructs a surface from calibrated photographs",
                         {tool::Reads::nothing},
                         {tool::Writes::evolved_mesh}};
   program.input.soups = tool::Soups::own;
