@@ -96,7 +96,8 @@ std::vector<char> CellsBehind::find() {
   for (Index patch = 0; patch < patches_.size(); ++patch)
     if (piece_of(patch).is_open) mark(patch);
   if (is_behind_[sides_.find(outermost_)])
-    throw InputError(ErrorKind::inside_out, "the region behind the sheet is not bounded");
+    throw InputError(ErrorKind::inside_out,
+                     "the region behind the sheet is not bounded: the sheet may be reversed");
   std::vector<char> of_side;
   for (Index side = 0; side < is_behind_.size(); ++side)
     of_side.push_back(is_behind_[sides_.find(side)]);

@@ -25,7 +25,8 @@ void check_options(const CleanOptions& options) {
                               : options.merge_flat                   ? "merging flat faces"
                               : options.separate > 0                 ? "separate"
                                                                      : nullptr;
-  if (refused) throw UsageError(std::string(refused) + " is for whole meshes, not for a box");
+  if (refused)
+    throw UsageError(std::string(refused) + " needs the whole mesh and cannot be used for a box");
 }
 
 void number_faces(Mesh& mesh, const char* name) {

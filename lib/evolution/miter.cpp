@@ -93,7 +93,7 @@ void drop_remains(Mesh& mesh, const Mesh& source, double distance) {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     keep.push_back(farthest[parts.of_face[f]] >= least_distance * std::abs(distance));
   if (std::ranges::find(keep, true) == keep.end())
-    throw GoalError("no point is that far inside the surface");
+    throw GoalError("no point lies that deep inside the surface");
   mesh = select_faces(mesh, keep);
 }
 
@@ -137,7 +137,8 @@ std::vector<Vec3> miter_directions(const Mesh& mesh) {
 void offset_mitered(Mesh& mesh, double distance, Scalar coordinate, const Progress& progress) {
   refuse_bad(mesh, distance, true);
   if (!check_manifold(mesh).is_closed())
-    throw InputError(ErrorKind::not_closed, "the mesh is open: an offset needs an inside");
+    throw InputError(ErrorKind::not_closed,
+                     "the mesh is open, but only a closed mesh has an offset");
   const Mesh source = cleaned(mesh, coordinate, progress);
   Mesh moved = source;
   move(moved, miter_directions(source), distance);

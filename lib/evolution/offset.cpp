@@ -66,7 +66,8 @@ void check(const Mesh& mesh, double distance) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces, so it has no offset");
   const ManifoldReport found = check_manifold(mesh);
   if (!found.is_closed())
-    throw InputError(ErrorKind::not_closed, "the mesh is open: an offset needs an inside");
+    throw InputError(ErrorKind::not_closed,
+                     "the mesh is open, but only a closed mesh has an offset");
   if (!found.is_manifold() || !found.is_oriented())
     throw InputError(ErrorKind::not_manifold, "the mesh is not an oriented manifold");
 }
@@ -254,8 +255,8 @@ OffsetResult offset(Document& document, const OffsetOptions& options, const Prog
     // vanished last.
     if (options.distance > 0) throw;
     throw GoalError(
-        "no part of the surface is left, or its walls are too thin for its edges: no point seems "
-        "to be " +
+        "no part of the surface is left, or its walls are too thin for its edges: probably no "
+        "point lies " +
         significant(-options.distance, 3) + " inside it");
   }
 }

@@ -126,17 +126,19 @@ Motion motion_of(const std::string& name, const FlowOptions& options,
 
 const std::vector<FlowKind>& flow_kinds() {
   static const std::vector<FlowKind> kinds{
-      {"rotation", "turn about an axis (Zalesak)", {"period", "center", "direction"}},
+      {"rotation", "rotation about an axis (Zalesak)", {"period", "center", "direction"}},
       {"vortex", "single vortex in the unit cube, reversing", {"period"}},
       {"deformation", "vortices in the unit cube, reversing (Enright, LeVeque)", {"period"}},
-      {"abc", "flow of Arnold, Beltrami and Childress, chaotic, of the unit cube", {}},
+      {"abc", "chaotic flow of Arnold, Beltrami and Childress in the unit cube", {}},
       {"shear", "simple shear along x", {"center"}},
       {"expansion", "growth away from a center", {"center"}},
       {"translation", "motion along a direction", {"direction"}},
       {"grid", "velocities of a file, trilinear in space and linear in time", {"grid"}},
       {"normal", "growth or erosion along the normals", {"column", "grid"}},
       {"mean-curvature", "smoothing by the mean curvature; spheres shrink", {}},
-      {"volume-preserving-curvature", "the same at constant volume of each component", {}},
+      {"volume-preserving-curvature",
+       "smoothing by the mean curvature at constant volume of each component",
+       {}},
       {"surface-diffusion", "smoothing of fourth order at constant volume", {}}};
   return kinds;
 }

@@ -65,7 +65,7 @@ std::vector<std::string> append_separated(Document& all, const Document& other) 
   const Unit *first = unit_of(all), *second = unit_of(other);
   if (first != nullptr && second != nullptr && first != second)
     notes.push_back("the units differ, " + std::string(first->name) + " and " +
-                    std::string(second->name) + ": numbers are joined as they are");
+                    std::string(second->name) + ": coordinates are joined without conversion");
   for (std::string& line : notes_of_missing_colors(all.mesh, other.mesh))
     notes.push_back(std::move(line));
   append_mesh(all.mesh, other.mesh, notes);

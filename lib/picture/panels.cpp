@@ -34,7 +34,7 @@ std::size_t drawn(std::span<const Mesh* const> meshes, const PictureOptions& opt
 
 void check_turn(const PictureOptions& options) {
   if (options.views < 1 || options.frames < 1)
-    throw UsageError("a turn needs at least one view and one frame");
+    throw UsageError("a movie around a mesh needs at least one view and one frame");
 }
 
 void check_size(const PictureOptions& options, int columns, int rows, int strip) {

@@ -34,11 +34,11 @@ std::string in_words_of(const SurfaceDoubt& doubt) {
 
 std::string ReconstructionFaults::in_words(const SurfaceEvidence& evidence) const {
   if (lost_at > 0)
-    return "photographs compare less of the surface after scale " + fixed(lost_at, 4) +
+    return "photographs can be compared on less of the surface after scale " + fixed(lost_at, 4) +
            " than before";
-  if (!is_at_rest) return "the surface was not at rest after the last sweep";
+  if (!is_at_rest) return "the surface still moved in the last sweep";
   if (late_at > 0)
-    return "components or holes still appeared or vanished at scale " + fixed(late_at, 4) +
+    return "components or handles still appeared or vanished at scale " + fixed(late_at, 4) +
            ", perhaps at thin sheets that no photograph shows";
   if (evidence.agreement < evidence.first_agreement - agreement_lost)
     return "the overlap of outline and silhouettes is " + fixed(evidence.agreement, 3) +

@@ -175,9 +175,10 @@ InitialMesh make_without_masks(Document& document, std::vector<View>& views,
     return made;
   }
   DenseSurface dense = dense_surface(views, {}, progress);
-  made.why_dense =
-      "without masks there is no hull (" + reason + "); the start is made from depth maps, with " +
-      counted(dense.consistent, "consistent pixel") + " of " + std::to_string(dense.pixels);
+  made.why_dense = "without masks there is no hull (" + reason +
+                   "); the initial mesh is made from depth maps, with " +
+                   counted(dense.consistent, "consistent pixel") + " of " +
+                   std::to_string(dense.pixels);
   document.mesh = std::move(dense.mesh);
   document.style.coordinate = Scalar::float64;
   document.style.format = Format::ply_little;

@@ -73,7 +73,8 @@ void find_first_scale(InitialState& initial_state, Photographs& photographs,
   const double scale = first_scale(scales, [&](double at) {
     return photographs.disagreement_at(initial_state.document.mesh, at, progress);
   });
-  if (options.on_detail) options.on_detail("the start is refined from scale " + fixed(scale, 4));
+  if (options.on_detail)
+    options.on_detail("the initial mesh is refined from scale " + fixed(scale, 4));
   set_first_scale(initial_state, scale, record);
 }
 
@@ -298,7 +299,8 @@ bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
   handles_ = handles;
   if (!is_changed) return false;
   if (options_.on_detail)
-    options_.on_detail("parts that photographs contradict were carved at scale " + fixed(scale, 4));
+    options_.on_detail("parts that photographs contradict were removed at scale " +
+                       fixed(scale, 4));
   rule_.begin();
   return true;
 }
@@ -382,7 +384,7 @@ void ReconstructionLoop::keep_start(Document& document, const std::string& reaso
   result_.restored = 1;
   result_.kept = reason;
   faults_ = {.is_at_rest = true};
-  if (options_.on_note) options_.on_note("the start is kept: " + reason);
+  if (options_.on_note) options_.on_note("the initial mesh is kept: " + reason);
 }
 
 void ReconstructionLoop::remember(LoopState& loop_state) {
@@ -421,7 +423,9 @@ ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
   const bool is_dense = !initial_state.why_dense.empty();
   if (is_dense && options.on_note) options.on_note(initial_state.why_dense);
   if (initial_state.coarsest && options.on_detail)
-    options.on_detail("photographs see into hollows of the hull: beginning with them open");
+    options.on_detail(
+        "photographs show hollows that the hull fills: the reconstruction begins with open "
+        "hollows");
   if (initial_state.outlined) outline(views, *initial_state.outlined);
   const int width = views.front().image.width;
   if (options.spends_views) crop_views(views, initial_state.document.mesh);
@@ -446,9 +450,10 @@ ReconstructionResult reconstruct(Document& document, Views& views,
 }
 
 std::string summary_of(const ReconstructionResult& result) {
-  return counted(result.sweeps, "pass") + ": " + in_short(result.faces, result.topology) +
+  return counted(result.sweeps, "sweep") + ": " + in_short(result.faces, result.topology) +
          "; dissimilarity from " + fixed(result.first.dissimilarity, 4) + " to " +
-         fixed(result.last.dissimilarity, 4) + (result.kept.empty() ? "" : "; the start is kept") +
+         fixed(result.last.dissimilarity, 4) +
+         (result.kept.empty() ? "" : "; the initial mesh is kept") +
          (result.fault.empty() ? "" : "; " + result.fault);
 }
 

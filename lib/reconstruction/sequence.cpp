@@ -144,7 +144,7 @@ std::optional<Surface> SequenceLoop::tracked(const Document& before, const Progr
   remove_state(state_of(from_before));
   if (options_.on_note)
     options_.on_note("time step " + std::to_string(result_.time_steps + 1) + ", " + name_ +
-                     ": tracking lost the previous surface");
+                     ": tracking from the previous surface failed");
   return std::nullopt;
 }
 
@@ -219,7 +219,7 @@ std::string SequenceLoop::message() const {
   return " of " + std::to_string(time_steps_.size()) + ", " + name_ + ", from " + surface_.start +
          ": " + in_short(result.faces, result.topology) + ", dissimilarity " +
          fixed(result.last.dissimilarity, 4) +
-         (fault_.empty() ? "" : "; lost by tracking: " + fault_);
+         (fault_.empty() ? "" : "; tracking failed: " + fault_);
 }
 
 }  // namespace

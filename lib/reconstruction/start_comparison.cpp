@@ -30,7 +30,7 @@ std::pair<double, std::size_t> largest_loss(const SurfaceMeasures& start,
 }
 
 std::string compared(double of_result, double of_start, int digits) {
-  return fixed(of_result, digits) + ", but that of the start is " + fixed(of_start, digits);
+  return fixed(of_result, digits) + ", but that of the initial mesh is " + fixed(of_start, digits);
 }
 
 }  // namespace
@@ -55,7 +55,9 @@ std::string reason_to_keep(const SurfaceMeasures& start, const SurfaceMeasures& 
            compared(result.outlines[view], start.outlines[view], 4);
   const bool is_clear = is_clearly_less(result.doubt.disagreement, start.doubt.disagreement) ||
                         result.mean_outline() > start.mean_outline() + outline_step;
-  return is_clear ? "" : "photographs do not agree clearly better on the result";
+  return is_clear
+             ? ""
+             : "photographs do not agree clearly better on the result than on the initial mesh";
 }
 
 }  // namespace transformesh

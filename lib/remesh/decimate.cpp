@@ -24,8 +24,8 @@ void check(const Mesh& mesh, const DecimateOptions& options) {
   const bool is_bound = options.keep_border || options.keep_out.surface != nullptr;
   if (options.error == 0.0 && is_bound)
     throw UsageError(
-        "an error of 0 merges flat faces, which moves borders and distances by rounding errors: "
-        "allow an error above 0 where borders are kept or a surface is kept out");
+        "an error of 0 merges flat faces, which moves vertices by rounding errors: allow an error "
+        "above 0 to keep borders or a distance from another surface");
 }
 
 /// Merges coplanar faces. Nothing is merged if a border or a distance has to be kept, or if merging
@@ -74,8 +74,8 @@ GoalError stuck(const DecimateResult& result, const DecimateOptions& options) {
   return {ErrorKind::decimation_stuck,
           std::to_string(result.faces) + " faces are left, of which no more than " +
               std::to_string(options.faces) +
-              " were wanted: further collapses would change the topology, turn faces over or make "
-              "the surface touch itself or what it is kept out of",
+              " were wanted: further collapses would change the topology, flip faces, or make the "
+              "surface touch itself or come too near to the other surface",
           {.counts = {result.faces, options.faces}}};
 }
 

@@ -26,7 +26,7 @@ void check_lengths(double min_edge, double max_edge) {
   if (max_edge < least_ratio * min_edge) {
     throw UsageError(
         "the longest edge " + shortest_text(max_edge) + " is below 1.5 times the " + "shortest " +
-        shortest_text(min_edge) + ": what is split would be collapsed again; use at most " +
+        shortest_text(min_edge) + ": edges that are split would be collapsed again; use at most " +
         significant(max_edge / least_ratio * (1 - margin), 4) + " for the shortest, or at least " +
         significant(min_edge * least_ratio * (1 + margin), 4) + " for the longest");
   }

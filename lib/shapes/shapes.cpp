@@ -76,7 +76,7 @@ void check_options(const Kind& kind, const ShapeOptions& options) {
   if (options.faces && options.edge)
     throw UsageError("faces and edge both set the size of the faces: give one of them");
   if (kind.name == "hull" ? options.faces || options.edge : !options.points.empty())
-    throw UsageError("a hull has the faces that its points need, and no other shape has points");
+    throw UsageError("only the shape hull takes points, and it takes no faces and no edge");
   if (kind.name == "boxes" && options.edge)
     throw UsageError("boxes has no edge: its boxes have 12 faces each; give their count");
   if (kind.name == "boxes" && options.faces && options.count)
@@ -126,8 +126,9 @@ void check_digits(const Mesh& mesh, double thickness) {
   const double least = least_spacings * coordinate_spacing(mesh);
   const double face = std::sqrt(surface_area(mesh) / static_cast<double>(mesh.faces.size()));
   if (face > least && thickness > least) return;
-  throw UsageError("coordinates " + shortest_text(coordinate_spacing(mesh)) +
-                   " apart do not hold this shape: it is too far from the origin, or too thin");
+  throw UsageError(
+      "coordinates " + shortest_text(coordinate_spacing(mesh)) +
+      " apart cannot represent this shape: it is too far from the origin, or too thin");
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ std::vector<Problem> check_target(const Target& target, const std::string& name,
     warnings.push_back({ErrorKind::target_open,
                         named("the target", name) + " is open, with " +
                             counted(borders, "border edge") +
-                            ": a closed surface ends on both of its sides or passes through it",
+                            ": a closed surface cannot lie on it, and ends on both of its sides or "
+                            "passes through it",
                         {.counts = {borders}, .name = name}});
   }
   const std::size_t pairs = find_intersections(target.mesh, progress).size();
@@ -79,7 +80,7 @@ std::vector<Problem> check_source(const Mesh& source, const Target& target,
   if (overlaps) return {};
   return {{ErrorKind::source_apart,
            "the source lies " + box_text(ours) + ", apart from the target, " + box_text(theirs) +
-               ": it shrinks to nothing",
+               ": it will shrink to nothing",
            {.name = name}}};
 }
 

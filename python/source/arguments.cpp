@@ -57,7 +57,7 @@ KeepOutOptions keep_out_of(const std::optional<MeshPointer>& surface,
                            const std::optional<PythonLength>& gap, Lengths& lengths) {
   if (surface.has_value() != gap.has_value())
     throw UsageError(
-        "keep_out and gap need each other: the mesh to keep away from, and the distance");
+        "give both keep_out, the mesh to keep away from, and gap, the distance to keep");
   if (!surface) return {};
   const KeepOutOptions options{&(*surface)->document.mesh, lengths(*gap)};
   if (!(options.gap > 0)) throw UsageError("gap must be above 0");

@@ -169,7 +169,7 @@ MeshPointer sample_mesh(const PythonMesh& mesh, std::size_t count,
                         const py::object& progress) {
   Document document = mesh.document;
   if ((count > 0) == distance.has_value())
-    throw UsageError("give either count or distance: how many points, or how far apart");
+    throw UsageError("give either count, the number of points, or distance, their least distance");
   const SampleOptions options{count, Lengths(document)(distance, 0), seed};
   if (distance && !(options.distance > 0)) throw UsageError("distance must be more than 0");
   document.mesh = without_lock(

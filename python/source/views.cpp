@@ -185,7 +185,7 @@ void bind_views(py::module_& module) {
       arg("handles") = ReconstructionOptions().handles, arg("box") = none,
       arg("least_agreement") = ViewCheckOptions().least_agreement, arg("drop_bad_views") = false,
       arg("mirror") = false, arg("preview") = false, arg("on_pass") = none, arg("progress") = none,
-      "Reconstructs a closed surface from calibrated photographs: files, folders or "
+      "Reconstructs a surface from calibrated photographs: files, folders or "
       "patterns. Views are checked as of hull(). What went wrong on the way, as a surface "
       "that exploded and was begun anew, is a warning; the report has the keys of the "
       "program's. See tm-reconstruct(1).");

@@ -90,3 +90,14 @@ gap_of() {
   tm-displace -q --normal-speed=-1% --keep-out brain.ply --gap 1% --threads 4 skull.ply | cmp - one.ply
   [ "$(pairs_of brain.ply one.ply)" -eq 0 ]
 }
+
+@test "the advice for a mesh that intersects the obstacle leads to a result" {
+  tm-shape sphere --faces 500 -o ball.ply
+  tm-shape sphere --faces 500 --center 0.5,0,0 -o obstacle.ply
+  run --separate-stderr tm-remesh --keep-out obstacle.ply --gap 0.01 ball.ply
+  [ "$status" -eq 3 ]
+  [[ $stderr == *"; enlarge that surface with tm-offset --distance, and subtract it from the mesh with tm-boolean difference" ]]
+  tm-offset --distance 0.03 obstacle.ply -o enlarged.ply
+  tm-boolean difference ball.ply enlarged.ply | tm-remesh --keep-out obstacle.ply --gap 0.01 -o result.ply
+  [ "$(pairs_of obstacle.ply result.ply)" -eq 0 ]
+}

@@ -16,9 +16,9 @@ setup() {
     [[ $stderr == "tm-morph: "*"$2"* ]] || fail "$stderr"
     [ ! -e x.ply ] && [ ! -e x.ply.tm-morph ] && [ ! -e nodir ]
   }
-  refused 2 'either --output or --report' -o x.ply --report x.ply
-  refused 2 'either --output or --report' -o x.ply --report ./x.ply
-  refused 2 'either --output or --csv' -o x.ply --csv x.ply
+  refused 2 '--output and --report have the same file' -o x.ply --report x.ply
+  refused 2 '--output and --report have the same file' -o x.ply --report ./x.ply
+  refused 2 '--output and --csv have the same file' -o x.ply --csv x.ply
   refused 2 'either --report or --csv' -o x.ply --csv log --report log
   refused 2 '--report: name a file' -o x.ply --report -
   refused 2 'either --quiet or --verbose' -o x.ply -q -v
@@ -68,7 +68,7 @@ setup() {
     [[ $stderr == "tm-reconstruct: "*"$2"* ]] || fail "$stderr"
     [ ! -e x.ply ] && [ ! -e x.ply.tm-reconstruct ] && [ ! -e nodir ]
   }
-  refused 2 'either --output or --report' -o x.ply --report x.ply
+  refused 2 '--output and --report have the same file' -o x.ply --report x.ply
   refused 2 'either --report or --csv' -o x.ply --report log --csv log
   refused 2 'either --quiet or --verbose' -o x.ply -q -v
   refused 5 "cannot write 'nodir/x.ply'" -o nodir/x.ply

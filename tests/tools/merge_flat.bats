@@ -91,9 +91,9 @@ setup() { cd "$BATS_TEST_TMPDIR"; }
   assert_sound one.ply
 }
 
-@test "--merge-flat is for whole meshes" {
+@test "--merge-flat needs the whole mesh" {
   tm-shape two-spheres --faces 2000 -o in.ply
   run tm-clean --merge-flat --box 0,0,0,1,1,1 in.ply
   assert_status 2
-  [[ $output == *"merging flat faces is for whole meshes"* ]]
+  [[ $output == *"merging flat faces needs the whole mesh"* ]]
 }

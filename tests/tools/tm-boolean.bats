@@ -209,7 +209,7 @@ volume_of() {
   tm-stitch --flip other.off >inwards.off
   run --separate-stderr tm-boolean cut --cap inwards.off solid.off
   [ "$status" -eq 3 ]
-  [ "$stderr" = "tm-boolean: the region behind the sheet is not bounded; reverse it with tm-stitch --flip" ]
+  [ "$stderr" = "tm-boolean: the region behind the sheet is not bounded: the sheet may be reversed; reverse it with tm-stitch --flip" ]
   tm-stitch --flip inwards.off -o outwards.off
   [ "$(volume_of cut --cap outwards.off solid.off)" = 7 ]
   for option in --cap --inside; do

@@ -238,7 +238,7 @@ take_pocket() {
   [ "$(tm-info --get components hull.ply)" -eq 1 ]
   tori=(tm-reconstruct --cameras par.txt --images images --silhouettes masks --no-provenance)
   "${tori[@]}" -o out.ply --report out.json -v 2>messages
-  grep -q "parts that photographs contradict were carved at scale" messages
+  grep -q "parts that photographs contradict were removed at scale" messages
   [ "$(value components out.json) $(value genus out.json) $(value converged out.json)" = "2 2 true" ]
   pixel=$(value pixel_size out.json)
   far=$(tm-compare --reference truth.ply out.ply | awk '/^hausdorff:/ { print $2 }')
@@ -320,7 +320,7 @@ take_pocket() {
   tm-remesh --faces 3000 "$scene/truth.ply" -o start.ply
   run --separate-stderr "${reconstruct[@]}" --start start.ply -o out.ply --report report.json
   assert_status 0
-  [[ $stderr == *"tm-reconstruct: the start is kept: "* ]] || fail "$stderr"
+  [[ $stderr == *"tm-reconstruct: the initial mesh is kept: "* ]] || fail "$stderr"
   [ "$(value stop report.json)" = start ]
   [ "$(value restored report.json)" = 1.0 ]
   [ "$(value dissimilarity report.json)" = "$(value first_dissimilarity report.json)" ]
@@ -330,7 +330,7 @@ take_pocket() {
   tm-shape sphere --radius 45 --faces 2000 -o rough.ply
   run --separate-stderr "${reconstruct[@]}" --start rough.ply -o refined.ply --report refined.json
   assert_status 0
-  [[ $stderr != *"the start is kept"* ]] || fail "$stderr"
+  [[ $stderr != *"the initial mesh is kept"* ]] || fail "$stderr"
   [ "$(value stop refined.json)" != start ]
   below "$(value dissimilarity refined.json)" "$(value first_dissimilarity refined.json)"
   below "$(compared accuracy refined.ply)" "$(compared accuracy rough.ply)"
@@ -419,7 +419,7 @@ is_close() {
   sequence=(tm-reconstruct --sequence film --cameras par.txt --images '{}/images'
     --silhouettes '{}/masks' --keep 0.1)
   "${sequence[@]}" -o whole --csv whole.csv --report whole.json 2>messages
-  grep -q '3 time steps, 1 tracked, 3 as good as from the hull' messages
+  grep -q '3 time steps, 1 tracked, 3 accepted' messages
   [ "$(value time_steps whole.json) $(value tracked whole.json)" = "3 1" ]
   # The time steps are in natural order.
   diff <(cut -d, -f1-4,7,8 whole.csv) - <<'CSV'
@@ -470,7 +470,7 @@ take_from() {
     --write-images film/3/images --write-silhouettes film/3/masks -o film/3/par.txt film/3/truth.ply
   tm-reconstruct --sequence film --cameras '{}/par.txt' --images '{}/images' --silhouettes '{}/masks' \
     -o out --csv log.csv 2>messages
-  grep -q 'time step 2, 2: tracking lost the previous surface' messages
+  grep -q 'time step 2, 2: tracking from the previous surface failed' messages
   diff <(cut -d, -f1-4,7,8 log.csv) - <<'CSV'
 step,name,start,accepted,components,genus
 1,1,hull,yes,1,0

@@ -213,7 +213,7 @@ SHAPES
   for angle in 0 -1 181 sharp nan; do
     run tm-remesh "--feature-angle=$angle" box.ply -o out.ply
     assert_status 2
-    [[ $output == *"not auto, nor a number of degrees from 1 to 180"* ]]
+    [[ $output == *"neither auto nor a number of degrees from 1 to 180"* ]]
   done
   tm-remesh --no-provenance --faces 100 box.ply -o auto.ply
   tm-remesh --no-provenance --faces 100 --feature-angle 180 box.ply -o none.ply

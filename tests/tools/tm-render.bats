@@ -88,7 +88,7 @@ differ() {
   done
   run --separate-stderr tm-render --film 2 --frames 3 -o a.png 0.ply
   assert_status 2
-  [[ $stderr == *"--film has a picture of each mesh, and --frames a turn: give one of them" ]]
+  [[ $stderr == *"--film shows meshes one after the other, and --frames moves around a mesh: give one of them" ]]
   run --separate-stderr tm-render --film 2 --frame scale -o a.png 0.ply
   assert_status 2
   [[ $stderr == *"--film shows the bounding box of all meshes"*"leave out --frame scale" ]]

@@ -164,7 +164,7 @@ cracked() {
   tm-transform --translate 0.5,0,0 box.ply | tm-cat box.ply - -o both.ply
   run --separate-stderr tm-repair both.ply -o repaired.ply
   [ "$status" -eq 0 ]
-  [[ $stderr == *"tm-clean removes 38 % of the volume, which counted overlaps once for each part, around ("* ]] || fail "$stderr"
+  [[ $stderr == *"tm-clean removes 38 % of the volume, in which overlaps counted once for each part, around ("* ]] || fail "$stderr"
   is_solid repaired.ply 10
   run --separate-stderr tm-repair box.ply -o repaired.ply
   [ -z "$stderr" ]

@@ -89,7 +89,7 @@ setup() {
   tm-shape sphere --faces 12000 -o soup.stl
   run --separate-stderr tm-select --split soup soup.stl
   assert_status 4
-  [[ $stderr == *"9999 are the most: join a soup by tm-stitch"* ]]
+  [[ $stderr == *"9999 are the most: join a soup with tm-stitch"* ]]
   [ "$(find . -name 'soup-*')" = "" ]
 }
 

@@ -154,12 +154,12 @@ end_header" ] || fail "$output"
 @test "a shape that its coordinates cannot hold is refused: too far off, too thin, or in floats" {
   for options in '--center 1e308,0,0' '--center 0,1e16,0' '--center 0,0,-1e14' '--radius 1e-20 --center 1,1,1'; do
     # shellcheck disable=SC2086
-    refused "do not hold this shape" tm-shape sphere $options
+    refused "cannot represent this shape" tm-shape sphere $options
   done
   for kind in 'torus --tube 1e-17' 'torus --tube 1e-50' 'torus-knot --tube 1e-40' 'box 1e-20 1 1 --center 1,1,1' \
     'bowl --center 1e15,0,0' 'many-spheres --center 1e300,1e300,0' 'boxes --center 1e30,0,0'; do
     # shellcheck disable=SC2086
-    refused "do not hold this shape" tm-shape $kind
+    refused "cannot represent this shape" tm-shape $kind
   done
   run --separate-stderr tm-shape sphere --center 1e9,0,0 --float -o out.ply
   assert_status 4

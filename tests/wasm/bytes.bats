@@ -132,7 +132,7 @@ END
 @test "limits that WebAssembly cannot keep are refused, and so are commands of others" {
   tm-shape sphere --faces 200 -o ball.ply
   run -2 --separate-stderr wasm tm-clean --max-time 5 ball.ply
-  [ "$stderr" = "tm-clean: --max-time: this system cannot end a program after a time" ]
+  [ "$stderr" = "tm-clean: --max-time: this system cannot limit the time of a program" ]
   run -2 --separate-stderr wasm tm-clean --max-memory 1G ball.ply
   [ "$stderr" = "tm-clean: --max-memory: this system cannot limit the memory of a program" ]
   run -4 --separate-stderr wasm tm-evolve ball.ply --step 'tm-displace' --iterations 1 -o end.ply

@@ -59,8 +59,8 @@ constexpr std::array table{
     Advice{Kind::float_rounding_failed, "double",
            "write doubles (--double), or merge close vertices there (tm-stitch --tolerance)"},
     Advice{Kind::float_rounding_failed, "",
-           "begin with doubles (tm-convert --double), or merge close vertices there (tm-stitch "
-           "--tolerance)"},
+           "convert the input to doubles first (tm-convert --double), or merge close vertices "
+           "there (tm-stitch --tolerance)"},
     Advice{Kind::double_rounding_failed, "", "merge close vertices there (tm-stitch --tolerance)"},
     Advice{Kind::needs_cleaning, "refuse", "leave out --refuse to clean it"},
     Advice{Kind::box_in_open_mesh, "",
@@ -72,14 +72,15 @@ constexpr std::array table{
            "ask for more faces, or run tm-clean first: edges near self-intersections are not "
            "collapsed"},
     Advice{Kind::meets_keep_out, "",
-           "subtract that surface from the mesh first, as for a difference in tm-clean(1)"},
+           "enlarge that surface with tm-offset --distance, and subtract it from the mesh with "
+           "tm-boolean difference"},
     Advice{Kind::bad_reference_edge, "reference-edge",
            "measure it again with --reference-edge auto"},
     Advice{Kind::bad_reference_edge, "", "measure it again with tm-convert --reference-edge auto"},
     Advice{Kind::no_velocity, "normal-speed",
            "give --normal-speed or --curvature-speed, or write the vertex properties vx vy vz"},
     Advice{Kind::no_source_points, "closest",
-           "write them with tm-clean --source or tm-remesh --source, or use the closest places "
+           "write them with tm-clean --source or tm-remesh --source, or use the closest points "
            "with tm-carry --closest"},
     Advice{Kind::no_segments, "", "write one with tm-intersect --segments"},
     Advice{Kind::no_color_property, "color-by", "name the property with --color-by"},
@@ -100,7 +101,7 @@ constexpr std::array table{
            "shorten edges at narrow places with --gap-edges 1.5"},
     // Only tm-reconstruct has the option --crumbs, so the option selects this program.
     Advice{Kind::surface_explodes, "crumbs",
-           "raise --stiffness or --coarsest, or check the cameras with tm-cameras"},
+           "increase --stiffness or --coarsest, or check the cameras with tm-cameras"},
     Advice{Kind::outside_hull, "clip",
            "check that cameras and mesh have the same units and origin, or keep all of the mesh "
            "with --clip nothing"},

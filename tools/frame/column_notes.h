@@ -19,7 +19,7 @@ inline void note_dropped_lists(const std::vector<std::string>& names, Run& run) 
 }
 
 inline constexpr const char* source_of_step = "; write those of this step with --source";
-inline constexpr const char* closest_places = "; find the closest places with tm-carry --closest";
+inline constexpr const char* closest_places = "; use the closest points with tm-carry --closest";
 
 /// Prints a note that the source columns were removed, if `are_dropped` is true. `remedy` ends the
 /// sentence.

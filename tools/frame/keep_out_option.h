@@ -15,15 +15,16 @@ class KeepOutOption {
  public:
   void declare(Program& program) {
     program.options.text("keep-out", &file_, "FILE",
-                         "do nothing that comes nearer to this mesh than --gap, or intersects it");
-    program.options.length("gap", &gap_, "how far to stay from the mesh of --keep-out");
+                         "obstacle: do not come nearer to this mesh than --gap");
+    program.options.length("gap", &gap_, "distance to keep from the mesh of --keep-out");
   }
 
   /// Reads the obstacle. The result refers to this object.
   KeepOutOptions options(Run& run) {
     if (file_.empty() != !gap_)
       throw UsageError(
-          "--keep-out and --gap need each other: the mesh to keep away from, and the distance");
+          "give both --keep-out FILE, the mesh to keep away from, and --gap LENGTH, the distance "
+          "to keep");
     if (file_.empty()) return {};
     const double gap = run.length(*gap_);
     if (!(gap > 0)) throw UsageError("--gap must be above 0");
@@ -36,7 +37,7 @@ class KeepOutOption {
   void note_near(std::size_t faces, Run& run) const {
     if (faces == 0) return;
     run.note(counted(faces, "face") + (faces == 1 ? " is" : " are") + " nearer to " + file_ +
-             " than the gap already, and may stay so, but come no nearer");
+             " than the gap in the input; they come no nearer");
   }
 
  private:

@@ -69,28 +69,28 @@ std::string shell_word(const std::string& text) {
   return word + '\'';
 }
 
-void declare_iterations(Program& program, LoopChoices& choices) {
-  program.options.integer("iterations", &choices.iterations, 1, 999999999, "stop after so many")
-      .affects_result = false;
+void declare_iterations(Program& program, LoopChoices& choices, const std::string& help) {
+  program.options.integer("iterations", &choices.iterations, 1, 999999999, help).affects_result =
+      false;
 }
 
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
                     const std::string& rows) {
   const std::size_t first = program.options.size();
   program.options.flag("resume", &choices.record.resume,
-                       "continue a run that was stopped, where there is one");
+                       "continue an interrupted run, or begin if there is none");
   program.options.flag("restart", &choices.record.restart,
-                       "begin anew where a run was interrupted");
+                       "discard an interrupted run, and begin again");
   program.options.text("frames", &choices.record.frames, "FOLDER",
-                       "keep meshes there as frame-00000.ply and so on");
+                       "write meshes of the run to this folder, as frame-00000.ply and so on");
   program.options.integer("every", &choices.every, 1, 999999999, every);
-  program.options.text("csv", &choices.record.csv, "FILE", "write a line per " + rows);
-  program.options.text(
-      "run", &choices.run, "FOLDER",
-      "keep all there that shows and repeats the run, for tm-report: initial mesh, "
-      "frames, log.csv, report.json, result.ply");
+  program.options.text("csv", &choices.record.csv, "FILE",
+                       "write a CSV file with a line per " + rows);
+  program.options.text("run", &choices.run, "FOLDER",
+                       "write the files that tm-report shows to this folder: initial mesh, frames, "
+                       "log.csv, report.json, result.ply");
   program.options.flag("require-convergence", &choices.require_convergence,
-                       "exit 1 where the result did not converge");
+                       "exit with 1 if the result did not converge");
   for (std::size_t i = first; i < program.options.size(); ++i)
     program.options[i].affects_result = false;
   program.settle = [&program, &choices] { settle_run(program, choices); };

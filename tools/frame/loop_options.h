@@ -27,7 +27,8 @@ std::string shell_word(const std::string& text);
 
 /// Declares --iterations. declare_record() declares the other options of loops, after the options
 /// of the program.
-void declare_iterations(Program& program, LoopChoices& choices);
+void declare_iterations(Program& program, LoopChoices& choices,
+                        const std::string& help = "maximum number of iterations");
 /// Declares the options of the record. `every` is the help of --every, with its unit and default.
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
                     const std::string& rows);

@@ -153,7 +153,8 @@ Option& OptionSet::numbers(const std::string& names, std::vector<double>* value,
     std::istringstream words(text + ',');
     for (std::string word; std::getline(words, word, ',');) numbers.push_back(parse_finite(word));
     if (std::ssize(numbers) == count) return numbers;
-    throw UsageError(quoted(text) + " is not " + std::to_string(count) + " numbers with commas");
+    throw UsageError(quoted(text) + " is not " + std::to_string(count) +
+                     " numbers separated by commas");
   });
 }
 
@@ -165,7 +166,8 @@ Option& OptionSet::seed(long* value) {
 Option& OptionSet::reference_edge(std::string* value, const std::string& help) {
   return add(options_, "reference-edge", "auto|LENGTH", help, value, [](const std::string& text) {
     if (text == "auto" || parse_length(text).value > 0) return text;
-    throw UsageError(quoted(text) + " must be positive, or auto to measure it");
+    throw UsageError(quoted(text) +
+                     " is not a positive length; give one, or auto to measure the mean edge");
   });
 }
 

@@ -41,7 +41,7 @@ void Outputs::check_name() const {
     const std::string ending = unknown_ending(name(), known);
     if (!ending.empty())
       throw UsageError("--output: '" + name() + "' ends in " + ending +
-                       ", which cannot be written;  " + advice);
+                       ", which is not an output format; " + advice);
   };
   const OutputRules& rules = program_.output;
   if (rules.writes == Writes::picture)
@@ -65,11 +65,8 @@ void Outputs::check_files_of(const std::vector<std::string>& options) const {
     if (is_written_directly(end_of_links(path))) continue;
     for (const auto& [other, other_path] : names)
       if (is_same_place(path, other_path))
-        throw UsageError(std::string("give either --")
-                             .append(other)
-                             .append(" or --")
-                             .append(option)
-                             .append(" its own file, not both"));
+        throw UsageError(std::string("--").append(other).append(" and --").append(option).append(
+            " have the same file: give each its own"));
     names.emplace_back(option, path);
   }
 }
@@ -89,7 +86,8 @@ void Outputs::set_style_of(Document& document, const std::string& path) {
   if (is_rounded && !program_.output.is_clean && !are_intersections_noted_)
     note_rounding_intersections(count_rounding_intersections(document.mesh, before));
   if (collapsed > 0)
-    messages_.note(counted(collapsed, "face") + " with two corners in one place as floats");
+    messages_.note(counted(collapsed, "face") +
+                   " with two corners at one position after rounding to floats");
 }
 
 void Outputs::set_style(Document& document) {

@@ -37,10 +37,10 @@ void take_command(Program& program, std::vector<std::string>& words) {
 /// Returns the names of the inputs, or `-` if no input is named.
 std::vector<std::string> inputs_of(const Program& program, const std::vector<std::string>& words) {
   if (!program.reads_input() && program.input.reads != Reads::words && !words.empty())
-    throw UsageError("'" + words[0] + "' is not expected: there is no input");
+    throw UsageError("'" + words[0] + "' is unexpected: no input is read with these options");
   if (words.size() > 1 &&
       (program.input.reads == Reads::mesh || program.input.reads == Reads::file))
-    throw UsageError("one input at most, but '" + words[1] + "' is a second one");
+    throw UsageError("at most one input can be given, but '" + words[1] + "' is a second one");
   return words.empty() && program.reads_input() ? std::vector<std::string>{"-"} : words;
 }
 
@@ -51,8 +51,8 @@ void check_together(const CommonValues& values) {
   refuse(values.as_float && values.as_double, "--float or --double");
   refuse(values.quiet && values.verbose, "--quiet or --verbose");
   refuse(values.progress && values.no_progress, "--progress or --no-progress");
-  refuse(!values.report.empty() && values.output == values.report,
-         "--output or --report its own file");
+  if (!values.report.empty() && values.output == values.report)
+    throw UsageError("--output and --report have the same file: give each its own");
 }
 
 void check_needed(const Program& program) {
@@ -86,46 +86,50 @@ void declare_common(Program& program) {
   CommonValues& common = program.common;
   OptionSet& options = program.options;
   const std::size_t own = options.size();
-  options.text("output,o", &common.output, "FILE", "where to write; - is stdout");
+  options.text("output,o", &common.output, "FILE", "output file; - is stdout");
   if (program.may_write_mesh()) {
     options.choice("format", &common.format,
                    {"ply", "ply-ascii", "ply-be", "off", "obj", "stl", "glb", "vtp", "3mf", "xyz"},
-                   program.is_evolution() ? "format of the output (default ply)"
-                                          : "format of the output instead of the input's");
+                   program.reads_mesh() && !program.is_evolution()
+                       ? "format of the output (default: by the ending of -o, else as the input)"
+                       : "format of the output (default: by the ending of -o, else ply)");
     if (!program.is_evolution()) {
       options.flag("float", &common.as_float, "write coordinates as 32-bit floats");
       options.flag("double", &common.as_double, "write coordinates as 64-bit floats");
     }
-    options.flag("no-provenance", &common.no_provenance, "add no comment with the options used");
+    options.flag("no-provenance", &common.no_provenance,
+                 "do not add a comment with the options used");
     if (program.reads_mesh()) program.reference_edge();
   }
   if (program.may_print_report()) {
     options.flag("json", &common.json, "print the report as JSON");
     if (options.find("get") == nullptr)
-      options.text("get", &common.get, "KEY", "print the value of this key of the report only");
+      options.text("get", &common.get, "KEY", "print only the value of this key of the report");
   }
   if (program.reads_points())
-    options.flag("strict", &common.strict,
-                 "refuse values that are not finite and unknown lines instead of dropping them");
+    options.flag(
+        "strict", &common.strict,
+        "refuse values that are not finite and unknown lines (default: drop and report them)");
   if (program.input.may_keep_polygons)
     options.flag("keep-polygons", &common.keep_polygons,
-                 "keep faces of more than three corners; PLY, OFF and OBJ hold them");
-  options.text("report", &common.report, "FILE", "also write a JSON report there");
-  options.integer("threads", &common.threads, 0, 1024, "threads to use, 0: one per core");
+                 "do not split polygons into triangles; PLY, OFF and OBJ can store polygons");
+  options.text("report", &common.report, "FILE", "write a JSON report to this file");
+  options.integer("threads", &common.threads, 0, 1024, "number of threads; 0: one per core");
   options
       .text("max-memory", &common.max_memory, "SIZE",
-            "end with exit code 6 rather than take more, such as 2G (default: what there is)")
+            "memory limit, such as 2G; exit with 6 if more is needed (default: memory of the "
+            "machine)")
       .assign = [&common](const std::string& text) {
     parse_size(text);
     common.max_memory = text;
   };
   options
       .number("max-time", &common.max_time, 0, 1e9,
-              "end with exit code 4 after so many seconds, 0: never")
+              "time limit; exit with 4 after this many seconds; 0: no limit")
       .placeholder = "SECONDS";
   options.flag("progress", &common.progress,
-               "report progress on stderr, also where it is not a terminal");
-  options.flag("no-progress", &common.no_progress, "never report progress");
+               "report progress on stderr even if it is not a terminal");
+  options.flag("no-progress", &common.no_progress, "do not report progress");
   options.flag("quiet,q", &common.quiet, "print errors only");
   options.flag("verbose,v", &common.verbose, "print the settings and what was done");
   options.flag("help,h", &common.help, "print this text");
@@ -180,11 +184,10 @@ std::string shell_word(std::string word) {
 Option& Program::reference_edge() {
   return options.reference_edge(
       &common.reference_edge,
-      is_evolution()
-          ? "length that x refers to; auto: the source's mean edge (default: that of its "
-            "tm:reference-edge comment, else auto)"
-          : "length that x refers to: measured anew, or set (default: the mesh's "
-            "tm:reference-edge comment, else measured)");
+      is_evolution() ? "length of the unit x; auto: mean edge length of the source (default: its "
+                       "tm:reference-edge comment, else auto)"
+                     : "length of the unit x; auto: mean edge length of the mesh (default: its "
+                       "tm:reference-edge comment, else auto)");
 }
 
 void check_command(const Program& program, const std::vector<std::string>& words) {

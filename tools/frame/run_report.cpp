@@ -36,7 +36,7 @@ std::string RunReport::text_of_key(const std::string& only) const {
     if (key == only) return text_of(value) + '\n';
     keys += (keys.empty() ? "" : ", ") + key;
   }
-  throw UsageError("--get: the report has no '" + only + "', but has these keys:  " + keys);
+  throw UsageError("--get: the report has no key '" + only + "'; its keys are " + keys);
 }
 
 std::string RunReport::text() const {

@@ -118,7 +118,7 @@ void limit_time(const std::string& program, double seconds) {
   timer.it_value.tv_usec =
       std::max<suseconds_t>(1, static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds))));
   if (setitimer(ITIMER_REAL, &timer, nullptr) != 0)
-    throw UsageError("--max-time: this system cannot end a program after a time");
+    throw UsageError("--max-time: this system cannot limit the time of a program");
 }
 
 void release_time() {

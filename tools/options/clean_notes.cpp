@@ -27,7 +27,7 @@ void note_cleaning(const CleanResult& result, Run& run) {
   if (result.separation_refused > 0)
     run.note(counted(result.separation_refused, "vertex") +
              (result.separation_refused == 1 ? " stays" : " stay") +
-             " at the position of another: on a border, or because faces would intersect");
+             " at the position of another: it is on a border, or faces would intersect");
   if (result.decided_by_number > 0 && result.least_margin < small_margin)
     run.note("generalized winding numbers decided " + counted(result.decided_by_number, "part") +
              " of the open mesh, one of them by a margin of only " +

@@ -2,26 +2,28 @@
 
 namespace transformesh::tool {
 void declare_cleaning(Program& program, CleanChoices& choices) {
-  program.options.choice("method", &choices.method, {"grow", "static"},
-                         "grow regions from seeds, or test every piece (slow reference)");
-  program.options.integer("level", &choices.winding_level, 1, 1000000,
-                          "keep the boundary of winding number >= N; 2 intersects two operands");
+  program.options.choice(
+      "method", &choices.method, {"grow", "static"},
+      "grow regions from seeds, or test every piece of every face, which is slow");
+  program.options.integer(
+      "level", &choices.winding_level, 1, 1000000,
+      "keep the boundary of the points with winding number >= N; 2 intersects two bodies");
   program.options.flag("outermost", &choices.clean.outermost,
-                       "drop components that bound cavities and what floats in them");
+                       "drop components that bound cavities, and components inside cavities");
   program.options.length("separate", &choices.separate,
-                         "move vertices that lie in one place this far apart; 0 leaves them");
-  program.options.numbers(
-      "box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
-      "clean the faces whose first vertex is in this box, and leave all others");
-  program.options.flag("only", &choices.clean.only, "write the faces of the box alone");
+                         "move vertices with equal positions about this far apart; 0: off");
+  program.options.numbers("box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
+                          "clean only the faces whose first vertex is in this box");
+  program.options.flag("only", &choices.clean.only, "with --box: write only the faces of the box");
   program.options.flag("merge-flat", &choices.clean.merge_flat,
-                       "cover flat regions with few triangles where faces were cut");
-  program.options.flag("refuse", &choices.clean.refuse, "exit 4 rather than change anything");
-  program.options.flag("source-face", &choices.source_faces,
-                       "write the input face of each face as the face property source_face");
+                       "retriangulate flat regions in which faces were cut, with few triangles");
+  program.options.flag("refuse", &choices.clean.refuse, "exit with 4 if the mesh would change");
   program.options.flag(
-      "source", &choices.source_points,
-      "write where on the input each vertex and face comes from: source_face, source_u, source_v");
+      "source-face", &choices.source_faces,
+      "write the index of each face's input face as the face property source_face");
+  program.options.flag("source", &choices.source_points,
+                       "write the source point of each vertex and face on the input, as the "
+                       "properties source_face, source_u and source_v");
 }
 
 CleanOptions clean_options(const CleanChoices& choices, Run& run) {

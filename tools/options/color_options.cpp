@@ -62,10 +62,11 @@ void place_picture(Document& document, const Image& picture, Run& run) {
 }  // namespace
 
 void declare_texture(Program& program, ColorChoices& choices) {
-  program.options.flag("texture", &choices.has_texture,
-                       "make a texture: NAME.png beside -o NAME.obj or NAME.ply, or in NAME.glb");
+  program.options.flag(
+      "texture", &choices.has_texture,
+      "make a texture: NAME.png beside -o NAME.obj or -o NAME.ply, or inside -o NAME.glb");
   program.options.integer("texture-size", &choices.texture_size, 16, 32768,
-                          "pixels of it each way, at most");
+                          "maximum width and height of the texture, in texels");
 }
 
 void check_texture(const ColorChoices& choices, const Run& run) {

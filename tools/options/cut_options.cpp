@@ -47,11 +47,13 @@ void cut_document(Document& document, const CutChoices& c, Run& run) {
 }
 
 void declare_cut(Program& program, CutChoices& choices) {
-  program.options.numbers("plane", &choices.plane, "A,B,C,D",
-                          "the part where a x + b y + c z >= d; faces across are cut");
+  program.options.numbers(
+      "plane", &choices.plane, "A,B,C,D",
+      "keep the part where a x + b y + c z >= d, and cut faces across the plane");
   program.options.flag("cap", &choices.cap, "close the cut of a closed mesh");
   program.options.text("section", &choices.section, "FILE",
-                       "write the curves in the plane: .svg as a drawing, else PLY with edges");
+                       "write the curves in which the plane intersects the faces: an .svg drawing, "
+                       "else a PLY with edges");
 }
 
 }  // namespace transformesh::tool

@@ -61,37 +61,43 @@ RemeshOptions remeshing_of(const EvolveChoices& choices, Run& run) {
 
 void declare_evolve(Program& program, EvolveChoices& choices) {
   program.options.text("step", &choices.step, "COMMAND",
-                       "filter that moves vertices: a mesh in and a mesh out, or the vertex "
-                       "properties vx vy vz out; TM_ITERATION holds the number of the iteration");
+                       "filter that reads a mesh, and writes it with moved vertices or with "
+                       "velocities vx vy vz; TM_ITERATION is the number of the iteration");
   declare_time(program, choices.time);
-  declare_iterations(program, choices.loop);
+  declare_iterations(program, choices.loop,
+                     "maximum number of iterations (default 1000; with --time no limit)");
   program.options.text("until", &choices.until, "moved:LENGTH|stalled|components:N|genus:N",
-                       "stop when no vertex moves as far, nothing gets better any more, or the "
-                       "mesh has that many components or handles");
+                       "stop when no vertex moves by LENGTH, when movements no longer decrease, or "
+                       "at N components or handles");
   program.options.number("alpha", &choices.displace.alpha, 0, 1e300,
-                         "with --step: clamp on the movement by vx vy vz, as a fraction of the "
-                         "mean edge at the vertex");
-  program.options.text("smooth", &choices.smooth, "KIND",
-                       "smoothing of tm-remesh (default 0.1, with --time or --curved none)");
+                         "with --step: largest movement of a vertex by vx vy vz, as a fraction of "
+                         "the mean length of its edges");
+  program.options.text(
+      "smooth", &choices.smooth, "KIND",
+      "smoothing, as --smooth of tm-remesh (default 0.1; with --time or --curved none)");
   program.options.length("min-edge", &choices.iteration.min_edge,
                          "collapse shorter edges (default 0.7x; with --adaptive 0.25x)");
   program.options.length("max-edge", &choices.iteration.max_edge, "split longer edges");
   program.options.flag("keep-cavities", &choices.keep_cavities,
-                       "keep cavities and what is inside of them, which are filled otherwise");
-  program.options.flag("curved", &choices.curved,
-                       "remesh on curves, as tm-remesh --curved: keeps smooth shapes and creases");
-  program.options.length("adaptive", &choices.adaptive,
-                         "shorten edges where the surface is curved, to keep this distance");
-  program.options.length("min-film", &choices.min_film, "keep films thicker than this");
-  program.options.length("pinch", &choices.pinch,
-                         "cut and cap necks and handles that a loop up to this long goes around");
+                       "keep cavities and the components inside them (default: fill cavities)");
+  program.options.flag(
+      "curved", &choices.curved,
+      "remesh on curves as tm-remesh --curved, which keeps smooth shapes and creases");
+  program.options.length(
+      "adaptive", &choices.adaptive,
+      "shorten edges where the surface is curved, so that faces deviate from it by at most this");
+  program.options.length("min-film", &choices.min_film,
+                         "keep thin sheets, strips and rims thicker than this");
+  program.options.length(
+      "pinch", &choices.pinch,
+      "cut and cap necks and handles that have a loop of at most this length around them");
   program.reference_edge();
   program.options
       .text("events", &choices.loop.record.events, "FILE",
-            "write a line per change of topology, and label components by the face property "
-            "component_label")
+            "write a line per change of topology, and write the face property component_label")
       .affects_result = false;
-  declare_record(program, choices.loop, "every how many iterations (default 10)", "iteration");
+  declare_record(program, choices.loop, "number of iterations between frames (default 10)",
+                 "iteration");
 }
 
 void check_evolve(const EvolveChoices& choices, const Program& program) {

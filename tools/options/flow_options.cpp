@@ -23,23 +23,24 @@ std::string line_of(const FlowKind& kind, std::size_t width) {
 }  // namespace
 
 void declare_flow(OptionSet& options, FlowChoices& choices) {
-  options.number("speed", &choices.speed, -1e300, 1e300, "factor of the velocity");
+  options.number("speed", &choices.speed, -1e300, 1e300,
+                 "factor by which velocities are multiplied");
   options
       .number("period", &choices.period, 0, 1e300,
-              "time of a turn (rotation), or time after which particles are back at their start "
-              "(default: rotation 1, vortex 8, deformation 3)")
+              "time of one turn of rotation, or period of vortex and deformation (default: "
+              "rotation 1, vortex 8, deformation 3)")
       .default_text.clear();
   options.numbers("center", &choices.center, "X,Y,Z",
                   "fixed point of rotation, shear and expansion (default 0.5,0.5,0.5)");
   options.numbers("direction", &choices.direction, "X,Y,Z",
                   "axis of rotation (default 0,0,1), or direction of translation (default 1,0,0)");
   options.text("column", &choices.column, "COLUMN",
-               "vertex property that multiplies the speed of normal");
+               "vertex property by which the speed of normal is multiplied");
   options.text("grid", &choices.grid, "WHERE",
-               "files of VTK ImageData or NRRD: velocities of grid, or speeds of normal");
+               "files in VTK ImageData or NRRD format: velocities for grid, or speeds for normal");
   options
       .number("grid-step", &choices.grid_step, 0, 1e300,
-              "time from a file of --grid to the next (default: the times that files state)")
+              "time between consecutive files of --grid (default: the times in the files)")
       .default_text.clear();
 }
 

@@ -8,33 +8,30 @@ namespace transformesh::tool {
 namespace {
 
 void declare_movement(Program& program, MorphChoices& choices) {
-  program.options.number("alpha", &choices.options.step.displace.alpha, 0, 1e300,
-                         "clamp on the movement, as a fraction of the mean edge at the vertex");
+  program.options.number(
+      "alpha", &choices.options.step.displace.alpha, 0, 1e300,
+      "largest movement of a vertex, as a fraction of the mean length of its edges");
   program.options.number("time-step", &choices.options.step.displace.time_step, 0, 1e300,
-                         "share of the distance to go in one step");
-  program.options.choice(
-      "distance", &choices.distance, {"auto", "surface", "points", "vertex"},
-      "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
-      "surface where it has faces, else points");
+                         "fraction of the distance to the target by which vertices move in a step");
+  program.options.choice("distance", &choices.distance, {"auto", "surface", "points", "vertex"},
+                         "distance to the target's faces, or to the tangent planes at its nearest "
+                         "vertices or vertex; auto: surface if it has faces, else points");
 }
 
 void declare_edges(Program& program, MorphChoices& choices) {
-  program.options.text("smooth", &choices.smooth, "KIND", "smoothing of tm-remesh");
+  program.options.text("smooth", &choices.smooth, "KIND", "smoothing, as --smooth of tm-remesh");
   program.options.length("min-edge", &choices.options.iteration.min_edge, "collapse shorter edges");
   program.options.length("max-edge", &choices.options.iteration.max_edge, "split longer edges");
-  program.options.number(
-      "gap-edges", &choices.options.step.gap_edges, 0, 1e6,
-      "so many edges across the target's gaps and walls: shorter ones where it is "
-      "narrow; 0: the same everywhere");
-  program.options.choice(
-      "features", &choices.features, {"auto", "on", "off"},
-      "align vertices and edges with the target's sharp edges at the end; auto: where "
-      "it has them, but not of a sequence");
+  program.options.number("gap-edges", &choices.options.step.gap_edges, 0, 1e6,
+                         "number of edges across gaps and walls of the target, so that edges are "
+                         "short only there; 0: the same length everywhere");
+  program.options.choice("features", &choices.features, {"auto", "on", "off"},
+                         "align the result with the target's sharp edges; auto: if the target has "
+                         "them, except in a sequence");
   program.reference_edge();
   program.options.integer(
       "scales", &choices.options.scales, 1, 10,
-      "coarse to fine: begin with edges 2^(N-1) times as long and halve them as the "
-      "mesh comes to rest");
+      "coarse to fine: begin with edges 2^(N-1) times as long, and halve them N-1 times");
 }
 
 std::optional<MorphDistance> distance_of(const std::string& name) {
@@ -68,15 +65,16 @@ std::string remesh_words(const MorphChoices& choices) {
 void declare_morph(Program& program, MorphChoices& choices) {
   program.options.text("target", &choices.target, "FILE", "mesh or points to move towards");
   program.options.flag("sequence", &choices.sequence,
-                       "follow the meshes named after SOURCE, one after the other");
+                       "morph to the meshes named after SOURCE, one after the other");
   declare_iterations(program, choices.loop);
   declare_movement(program, choices);
   declare_edges(program, choices);
   declare_record(program, choices.loop,
-                 "every how many iterations (default 10; of a sequence every frame)",
+                 "number of iterations between frames (default 10; with --sequence every frame)",
                  "iteration, or per frame of a sequence");
-  program.options.flag("print-pipeline", &choices.print_pipeline,
-                       "print the loop over the filters that makes the same meshes");
+  program.options.flag(
+      "print-pipeline", &choices.print_pipeline,
+      "print a shell loop over filters that makes the same meshes, and do nothing else");
 }
 
 void check_morph(const MorphChoices& choices, const Run& run) {
@@ -84,14 +82,14 @@ void check_morph(const MorphChoices& choices, const Run& run) {
   if (choices.sequence) {
     if (!choices.target.empty()) throw UsageError("give either --target or --sequence, not both");
     if (inputs.size() < 2)
-      throw UsageError("--sequence needs a source and the meshes to follow: SOURCE FRAME...");
+      throw UsageError("--sequence needs a source and at least one target mesh: SOURCE FRAME...");
     return;
   }
   if (choices.target.empty()) throw UsageError("the target is missing: give --target FILE");
   if (choices.target == "-")
     throw UsageError("--target: name a file: standard input is for the source");
   if (inputs.size() > 1)
-    throw UsageError("one source at most, but '" + inputs[1] + "' is a second one");
+    throw UsageError("at most one source can be given, but '" + inputs[1] + "' is a second one");
 }
 
 MorphOptions morphing_of(const MorphChoices& choices, Run& run) {

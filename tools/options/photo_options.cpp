@@ -13,50 +13,62 @@ namespace transformesh::tool {
 namespace {
 
 void declare_sources(Program& program, ViewSources& sources) {
-  program.options.text("cameras", &sources.cameras, "WHERE", "file, folder or pattern of cameras")
+  program.options
+      .text("cameras", &sources.cameras, "WHERE", "file, folder or pattern of the cameras")
       .is_needed = true;
-  program.options.text("images", &sources.images, "WHERE", "the photographs").is_needed = true;
+  program.options
+      .text("images", &sources.images, "WHERE", "file, folder or pattern of the photographs")
+      .is_needed = true;
   program.options.text("silhouettes", &sources.silhouettes, "WHERE",
-                       "masks, not black where the object is, that pull the surface");
+                       "masks that pull the surface; pixels that are not black show the object");
 }
 
 void declare_comparison(Program& program, PhotoOptions& options) {
   program.options.number("scale", &options.scale, 1, 1e3,
-                         "make photographs this many times smaller");
+                         "factor by which photographs are reduced");
   program.options.integer("pairs", &options.neighbors, 1, 1000,
-                          "neighbors with which each view is compared, at most");
+                          "maximum number of neighbors with which each view is compared");
   program.options.number("min-angle", &options.pairs.minimum_angle_deg, 0, 180,
-                         "least angle between these, in degrees");
+                         "smallest angle between compared views, in degrees");
   program.options.number("max-angle", &options.pairs.maximum_angle_deg, 0, 180,
-                         "largest such angle");
-  program.options.flag("alternate", &options.steps.alternate,
-                       "compare pairs in one order only, and in every other step in the other one");
-  program.options.integer("window", &options.window, 1, 5, "radius of compared windows, in pixels");
+                         "largest angle between compared views, in degrees");
+  program.options.flag(
+      "alternate", &options.steps.alternate,
+      "compare each pair in one order only, and alternate the order from step to step");
+  program.options.integer("window", &options.window, 1, 5,
+                          "radius of the compared windows, 1 to 5 pixels");
   program.options.number("robust", &options.steps.step.photographs.correlation.robust, 0, 1e3,
-                         "disagreement at which a window pulls by a quarter; 0: all pull alike");
+                         "disagreement at which a window has a quarter of its usual weight; 0: all "
+                         "windows have the same weight");
   program.options.choice("interpolation", &options.interpolation, {"catmull-rom", "bilinear"},
-                         "of intensities between pixels");
+                         "interpolation of intensities between pixels");
 }
 
 void declare_step(Program& program, PhotoOptions& options) {
   PhotoStepOptions& step = options.steps.step;
-  program.options.integer("iterations", &options.iterations, 1, 1000, "steps in a row");
+  program.options.integer("iterations", &options.iterations, 1, 1000,
+                          "number of consecutive steps");
   program.options.number(
       "momentum", &options.steps.momentum, 0, 0.99,
-      "share of a step's movement that goes on in the next one, but for the last");
+      "fraction of the previous movement that is added to each step except the last");
   program.options.choice("step", &options.rule, {"gauss-newton", "paper"},
-                         "how far to go down the gradient");
-  program.options.number("alpha", &step.alpha, 0, 1e300,
-                         "clamp on the movement, as a fraction of the mean edge at the vertex");
-  program.options.number("stiffness", &step.stiffness, 0, 1e300,
-                         "gauss-newton: of the surface, where 1 is the usual pull of photographs");
-  program.options.number("pull", &step.silhouettes, 0, 1e300, "the same of silhouettes");
-  program.options.choice("silhouettes-show", &options.meaning, {"exact", "least"},
-                         "the object, or only some of it: then they pull outwards alone");
+                         "rule for the length of a step");
+  program.options.number(
+      "alpha", &step.alpha, 0, 1e300,
+      "largest movement of a vertex, as a fraction of the mean length of its edges");
+  program.options.number(
+      "stiffness", &step.stiffness, 0, 1e300,
+      "gauss-newton: resistance to bending, where 1 is the usual pull of photographs");
+  program.options.number("pull", &step.silhouettes, 0, 1e300,
+                         "weight of the silhouettes, where 1 is the usual weight of photographs");
+  program.options.choice(
+      "silhouettes-show", &options.meaning, {"exact", "least"},
+      "masks show the whole object, or only a part of it: then they only pull outwards");
   program.options.number("time-step", &step.time_step, 0, 1e300,
-                         "paper: t, in units of length to the fourth power");
-  program.options.number("smooth", &step.smoothing, 0, 1,
-                         "paper: share of the way to the mean of the neighbors");
+                         "paper: step size t, in units of length to the fourth power");
+  program.options.number(
+      "smooth", &step.smoothing, 0, 1,
+      "paper: fraction of the way to the mean of its neighbors that a vertex moves");
 }
 
 }  // namespace

@@ -14,13 +14,17 @@ constexpr long no_limit = 999999999;
 
 void declare_places(Program& program, ReconstructChoices& choices) {
   program.options
-      .text("cameras", &choices.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+      .text("cameras", &choices.sources.cameras, "WHERE", "file, folder or pattern of the cameras")
       .is_needed = true;
-  program.options.text("images", &choices.sources.images, "WHERE", "photographs").is_needed = true;
+  program.options
+      .text("images", &choices.sources.images, "WHERE",
+            "file, folder or pattern of the photographs")
+      .is_needed = true;
   program.options.text("silhouettes", &choices.sources.silhouettes, "WHERE",
-                       "masks: not black where the object is");
-  program.options.choice("silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
-                         "the object, or only some of it: then they pull outwards alone");
+                       "masks; pixels that are not black show the object");
+  program.options.choice(
+      "silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
+      "masks show the whole object, or only a part of it: then they only pull outwards");
   program.options.text(
       "threshold", &choices.threshold, "auto|LEVEL",
       "without masks: intensity above which photographs show the object (default auto; "
@@ -28,75 +32,72 @@ void declare_places(Program& program, ReconstructChoices& choices) {
 }
 
 void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
-  program.options.numbers(
-      "box", &choices.box, "X,Y,Z,X,Y,Z",
-      "where the object is: two corners; what photographs show beside it is forgotten");
-  program.options.text(
-      "keep", &choices.keep, "auto|largest|all|SHARE",
-      "components of the hull: of at least this share of the largest one's volume; auto: those "
-      "without which it does not fill the silhouettes");
+  program.options.numbers("box", &choices.box, "X,Y,Z,X,Y,Z",
+                          "two corners of a box that contains the object; pixels that do not show "
+                          "the box become background");
+  program.options.text("keep", &choices.keep, "auto|largest|all|SHARE",
+                       "components of the hull to keep; SHARE: those of at least this share of the "
+                       "largest one's volume; auto: those needed to fill the silhouettes");
   program.options.text("start", &choices.options.initial.name, "FILE",
-                       "begin with this mesh, not with the visual hull");
-  program.options.choice("clip", &choices.clip, {"hull", "nothing"},
-                         "of that mesh, keep what is within the hull of exact silhouettes, or all");
+                       "begin with this mesh instead of the visual hull");
   program.options.choice(
-      "hollows", &choices.hollows, {"auto", "closed"},
-      "of the hull: where depth maps see into hollows that it closes, begin with them "
-      "open, or leave all closed");
-  program.options.text(
-      "sequence", &choices.sequence, "WHERE",
-      "reconstruct one time step after the other: a file with a name per line, a folder "
-      "of folders, or a pattern; {} in other places stands for the name");
-  program.options.number(
-      "track", &choices.track, 1, 1e6,
-      "as --coarsest, for time steps that begin with the surface of the one before");
+      "clip", &choices.clip, {"hull", "nothing"},
+      "with --start: keep the part of the mesh inside the hull of exact silhouettes, or all of it");
+  program.options.choice("hollows", &choices.hollows, {"auto", "closed"},
+                         "hollows of the object that the hull fills; auto: begin with those open "
+                         "that depth maps show; closed: leave all filled");
+  program.options.text("sequence", &choices.sequence, "WHERE",
+                       "time steps: a file with a name per line, a folder of folders, or a "
+                       "pattern; {} in other options stands for the name");
+  program.options.number("track", &choices.track, 1, 1e6,
+                         "as --coarsest, for time steps that begin with the previous surface");
 }
 
 void declare_scales(Program& program, ReconstructChoices& choices) {
-  program.options.flag("preview", &choices.is_preview,
-                       "see quickly what to expect: use a quarter of the photographs' resolution");
-  program.options.text(
-      "coarsest", &choices.coarsest, "auto|NUMBER",
-      "how much smaller photographs are at first; auto: up to 11.3, less where thin "
-      "parts would get lost");
+  program.options.flag(
+      "preview", &choices.is_preview,
+      "make a quick, coarse reconstruction from photographs that are reduced 4 times");
+  program.options.text("coarsest", &choices.coarsest, "auto|NUMBER",
+                       "factor by which photographs are reduced at first; auto: up to 11.3, less "
+                       "if thin parts would be lost");
   program.options.number("edge", &choices.options.scales.edge, 1, 1e6,
                          "length of edges, in pixels of the scale");
   program.options.text("last-edge", &choices.last_edge, "NUMBER",
-                       "then shorten them to this in steps of the square root of 2, at full scale "
-                       "(default: as --edge)");
+                       "length of edges at the end, in pixels at full scale (default: as --edge)");
   program.options.integer("passes", &choices.options.sweeps, 1, no_limit,
-                          "at most so many sweeps at each scale");
-  program.options.text("iterations", &choices.iterations, "auto|N",
-                       "steps between two cleanings; auto: 5, but 8 from open hollows");
+                          "maximum number of sweeps at each scale");
+  program.options.text(
+      "iterations", &choices.iterations, "auto|N",
+      "number of steps between two cleanings; auto: 5, or 8 if hollows are open at the beginning");
 }
 
 void declare_colors(Program& program, ReconstructChoices& choices) {
   program.options.flag("color", &choices.is_colored,
-                       "color the result's vertices, as tm-color does");
+                       "color the vertices of the result, as tm-color does");
   declare_texture(program, choices.color);
 }
 
 void declare_steps(Program& program, ReconstructChoices& choices) {
   program.options.integer("pairs", &choices.options.pairs.neighbors, 1, 1000,
-                          "neighbors with which each view is compared");
+                          "maximum number of neighbors with which each view is compared");
   program.options.number("max-angle", &choices.options.pairs.maximum_angle_deg, 5, 180,
-                         "largest angle in degrees between views that are compared");
-  program.options.text(
-      "window", &choices.window, "N|N,N",
-      "radius of compared windows, 1 to 5 pixels, or two: at scale 2 and above, and below");
-  program.options.number(
-      "robust", &choices.options.robust, 0, 1e300,
-      "at last, windows that disagree this many times as much as the mean pull by a "
-      "quarter, 0: all alike");
+                         "largest angle between compared views, in degrees");
+  program.options.text("window", &choices.window, "N|N,N",
+                       "radius of the compared windows, 1 to 5 pixels; two numbers: at scale 2 and "
+                       "above, and at smaller scales");
+  program.options.number("robust", &choices.options.robust, 0, 1e300,
+                         "in the last sweeps, windows that disagree NUMBER times as much as the "
+                         "mean have a quarter of their weight; 0: all have the same weight");
   program.options.number("stiffness", &choices.options.step.stiffness, 0, 1e300,
-                         "resistance to bending");
+                         "resistance of the surface to bending");
   program.options.number(
       "crumbs", &choices.options.crumbs, 0, 1,
-      "at last, drop components of less than this share of the largest one's volume");
-  program.options.number("handles", &choices.options.handles, 0, 1e300,
-                         "remove handles that a loop of so many of the last edges goes around");
+      "at the end, drop components of less than this share of the largest one's volume");
+  program.options.number(
+      "handles", &choices.options.handles, 0, 1e300,
+      "remove handles that have a loop of at most this many edges around them; 0: keep all");
   program.options.text("pull", &choices.pull, "auto|NUMBER",
-                       "how much silhouettes pull; auto: 0.5, or 1.5 where views are far apart");
+                       "weight of the silhouettes; auto: 0.5, or 1.5 if views are far apart");
 }
 
 double number_of(const std::string& option, const std::string& text, double minimum) {
@@ -175,7 +176,7 @@ void declare_reconstruction(Program& program, ReconstructChoices& choices) {
   declare_scales(program, choices);
   declare_steps(program, choices);
   declare_colors(program, choices);
-  declare_record(program, choices.loop, "every how many sweeps (default 1)", "sweep");
+  declare_record(program, choices.loop, "number of sweeps between frames (default 1)", "sweep");
   program.epilog = "WHERE is a file, a folder or a quoted pattern, see tm-cameras.";
 }
 

@@ -36,7 +36,7 @@ double feature_angle(const std::string& text, double otherwise) {
   const auto angle = number_in<double>(text);
   if (!angle || !(*angle >= 1 && *angle <= 180))
     throw UsageError("--feature-angle: '" + text +
-                     "' is not auto, nor a number of degrees from 1 to 180");
+                     "' is neither auto nor a number of degrees from 1 to 180");
   return *angle;
 }
 
@@ -57,59 +57,57 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
   RemeshOptions& remesh = choices.remesh;
   program.options.integer(
       "faces", &choices.faces, 4, std::numeric_limits<long>::max(),
-      "decimate to so many faces, where the surface changes least, and do nothing else");
-  program.options.length("error", &choices.error,
-                         "decimate while the surface stays this close to the input, and do nothing "
-                         "else; 0 merges flat faces");
-  program.options.text(
-      "align", &choices.align, "FILE",
-      "move vertices and turn edges onto the sharp edges of this mesh, which lies near, "
-      "and do nothing else");
-  program.options.length("edge", &choices.edge,
-                         "edges about this long: 0.7 to 1.5 times, in place of the next two");
+      "decimate to N faces, where the surface changes least, and do nothing else");
+  program.options.length(
+      "error", &choices.error,
+      "decimate within this distance of the input, and do nothing else; 0: only merge flat faces");
+  program.options.text("align", &choices.align, "FILE",
+                       "align vertices and edges with the sharp edges of this mesh, which must lie "
+                       "near, and do nothing else");
+  program.options.length(
+      "edge", &choices.edge,
+      "edge length: sets --min-edge to 0.7 times and --max-edge to 1.5 times this length");
   program.options.length("min-edge", &choices.min_edge,
                          "collapse shorter edges (default 0.7x; with --adaptive 0.1x)");
-  program.options.length("max-edge", &choices.max_edge,
-                         "split longer edges; at least 1.5 times the shortest (default 1.5x; with "
-                         "--adaptive 5x)");
-  program.options.text(
-      "size-field", &remesh.size_column, "COLUMN",
-      "vertex property with the wanted edge length; x of --min-edge and --max-edge is of "
-      "that");
+  program.options.length(
+      "max-edge", &choices.max_edge,
+      "split longer edges; at least 1.5 times --min-edge (default 1.5x; with --adaptive 5x)");
+  program.options.text("size-field", &remesh.size_column, "COLUMN",
+                       "vertex property with the wanted edge length; --min-edge and --max-edge are "
+                       "factors of it, such as 0.7x");
   program.options.length("adaptive", &choices.adaptive,
-                         "edges as short as the curvature takes to stay this close to the surface");
+                         "choose edge lengths by the curvature, so that the result deviates from "
+                         "the input by about this");
   program.options.integer("iterations", &remesh.iterations, 0, 1000,
-                          "rounds of split, collapse, flip and smooth");
+                          "number of iterations; each splits, collapses, flips and smooths");
+  program.options.choice("only", &choices.only, {"all", "smooth"},
+                         "all: split, collapse, flip and smooth; smooth: only move vertices");
   program.options.choice(
-      "only", &choices.only, {"all", "smooth"},
-      "split, collapse, flip and smooth, or only smooth: then faces stay as they are");
-  program.options.choice("flip", &choices.flip, {"valence", "angle", "none"},
-                         "flip edges for six edges at a vertex, or for larger least angles");
-  program.options.text(
-      "smooth", &choices.smooth, "KIND",
-      "tangential (slides vertices, does not shrink), none, or the factor B of the "
-      "Laplace-Beltrami operator, 0 to 1");
+      "flip", &choices.flip, {"valence", "angle", "none"},
+      "flip edges towards six edges at a vertex, or if the smallest angle grows");
+  program.options.text("smooth", &choices.smooth, "KIND",
+                       "tangential (slides vertices, does not shrink), none, or the factor of the "
+                       "Laplace-Beltrami operator, from 0 to 1");
   program.options.numbers("smooth2", &choices.smooth_twice, "B1,B2",
-                          "the operator used twice: v - B1 dv + B2 d2v");
-  program.options.text(
-      "feature-angle", &choices.feature_angle, "auto|NUMBER",
-      "keep edges sharper than this, in degrees; 180 keeps none; auto: 40 where the mesh "
-      "has sharp edges and is smooth beside them, else 180");
-  program.options.flag("keep-border", &remesh.keep_border, "leave borders as they are");
+                          "apply the operator once and twice: v - B1 dv + B2 d2v");
+  program.options.text("feature-angle", &choices.feature_angle, "auto|NUMBER",
+                       "keep edges sharper than this, in degrees; 180 keeps none; auto: 40 if the "
+                       "mesh certainly has sharp edges, else 180");
+  program.options.flag("keep-border", &remesh.keep_border, "do not change borders");
   program.options.flag("project", &remesh.project,
-                       "tangential smoothing puts vertices back onto the input");
-  program.options.flag(
-      "curved", &remesh.curved,
-      "put new vertices on curves through their neighbors and merge at the best of "
-      "three places; by default then --smooth none and --flip angle");
-  program.options.length("min-film", &choices.min_film,
-                         "keep films thicker than this, however short the edges across them are");
+                       "move vertices back onto the input after tangential smoothing");
+  program.options.flag("curved", &remesh.curved,
+                       "put new vertices on curves through their neighbors, and do not move "
+                       "others; sets the defaults --smooth none and --flip angle");
+  program.options.length(
+      "min-film", &choices.min_film,
+      "keep thin sheets, strips and rims thicker than this, even if edges across them are short");
   program.options.length(
       "pinch", &choices.pinch,
-      "cut and cap necks and handles around which a loop no longer than this goes");
-  program.options.flag(
-      "source", &choices.source_points,
-      "write where on the input each vertex and face comes from: source_face, source_u, source_v");
+      "cut and cap necks and handles that have a loop of at most this length around them");
+  program.options.flag("source", &choices.source_points,
+                       "write the source point of each vertex and face on the input, as the "
+                       "properties source_face, source_u and source_v");
   choices.keep_out.declare(program);
 }
 

@@ -12,51 +12,52 @@ namespace transformesh::tool {
 
 void declare_picture(Program& program, RenderOptions& options) {
   PictureOptions& picture = options.picture;
-  program.options.text("size", &options.size, "WxH", "pixels of the picture");
+  program.options.text("size", &options.size, "WxH", "width and height of the picture in pixels");
   program.options.text(
       "orbit", &options.orbit, "AZIMUTH,ELEVATION",
-      "where the eye is, in degrees: moved to its right and upwards from the front");
-  program.options.choice("up", &options.up, {"x", "y", "z"}, "the axis that points up");
+      "direction of the camera in degrees, moved to its right and upwards from the front");
+  program.options.choice("up", &options.up, {"x", "y", "z"}, "axis that points up");
   program.options.number("zoom", &picture.orbit.zoom, 0.001, 1000,
-                         "2 shows everything twice as large");
-  program.options.choice(
-      "frame", &options.frame, {"each", "scale", "place"},
-      "what fills a panel: its mesh, the scale of the largest, the box of all meshes");
+                         "magnification; 2 shows everything twice as large");
+  program.options.choice("frame", &options.frame, {"each", "scale", "place"},
+                         "each: a mesh fills its panel; scale: all meshes have one scale; place: "
+                         "all panels show the box of all meshes");
   program.options.text("around", &options.around, "FILE",
-                       "frame FILE's mesh in every panel instead");
+                       "use the view in which the mesh in FILE fills the panel");
   program.options.integer("views", &picture.views, 1, 1000,
-                          "draw each mesh so many times, seen from all around in equal steps");
+                          "draw each mesh from N directions around it");
   program.options.integer(
       "frames", &options.frames, 0, 10000,
-      "write a movie of so many pictures, in which the eye goes around once; 0: none");
-  program.options.number(
-      "film", &options.film, 0, 86400,
-      "write a movie of so many seconds that shows the meshes one after the other, with "
-      "--frame place; 0: none");
-  program.options.integer("columns", &options.columns, 0, 10000,
-                          "panels in a row; 0 is all, with --views what fits best");
-  program.options.text("color", &options.color, "COLOR",
-                       "of the surface, as #rrggbb; without it the properties red, green and blue");
+      "write a movie of N pictures, in which the camera moves around the mesh once; 0: none");
+  program.options.number("film", &options.film, 0, 86400,
+                         "write a movie of this many seconds that shows the meshes one after the "
+                         "other, as with --frame place; 0: none");
+  program.options.integer(
+      "columns", &options.columns, 0, 10000,
+      "number of panels in a row; 0: all, or the best number with --views of one mesh");
+  program.options.text(
+      "color", &options.color, "COLOR",
+      "color of the surface, as #rrggbb (default: the properties red, green and blue)");
   program.options.text("color-by", &picture.shade.color.by, "PROPERTY",
-                       "color by the numbers of this property of faces or vertices, with a legend");
-  program.options.numbers(
-      "range", &options.range, "LOW,HIGH",
-      "of --color-by: the numbers at the ends of the colors (default: the ends of the "
-      "finite values)");
+                       "color by the values of this face or vertex property, with a legend");
+  program.options.numbers("range", &options.range, "LOW,HIGH",
+                          "values at both ends of the colors of --color-by (default: smallest and "
+                          "largest finite value)");
   program.options.text("highlight", &picture.shade.color.highlight, "PROPERTY",
-                       "orange where this property of faces or vertices is not zero");
+                       "draw faces orange if this face or vertex property is not zero");
   program.options.text(
       "segments", &options.segments, "FILE",
-      "draw the edges of a PLY over the meshes, as tm-intersect --segments writes");
-  program.options.text("background", &options.background, "COLOR",
-                       "#rrggbb, two as TOP,BOTTOM, or transparent");
+      "draw the edges of this PLY file, as tm-intersect --segments writes it, over the meshes");
+  program.options.text(
+      "background", &options.background, "COLOR",
+      "color of the background: #rrggbb, two colors as TOP,BOTTOM, or transparent");
   program.options.number(
       "crease-angle", &picture.shade.crease_angle_deg, 0, 180,
-      "degrees beyond which a bend is drawn as a sharp edge; 0 draws flat faces");
+      "angle in degrees above which edges are drawn as sharp creases; 0: draw all faces flat");
   program.options.flag("ambient-occlusion", &options.occlusion,
-                       "dim the light where the mesh keeps it off, from all around");
+                       "darken hollows, where less light arrives from all directions");
   program.options.flag("soft-shadow", &picture.shade.soft_shadow,
-                       "let the mesh keep the main light off itself and off a floor");
+                       "let the mesh cast a soft shadow on itself and on a floor");
   program.options.flag("edges", &picture.shade.draw_edges, "draw the edges of the faces");
 }
 
@@ -77,7 +78,9 @@ PictureOptions picture_of(const RenderOptions& options) {
 
 void check_film(const RenderOptions& options, const Program& program) {
   if (options.frames > 0)
-    throw UsageError("--film has a picture of each mesh, and --frames a turn: give one of them");
+    throw UsageError(
+        "--film shows meshes one after the other, and --frames moves around a mesh: give one of "
+        "them");
   if (options.frame != "place" && program.options.find("frame")->is_given)
     throw UsageError(
         "--film shows the bounding box of all meshes in every picture, as --frame "

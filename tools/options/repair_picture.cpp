@@ -13,7 +13,7 @@ namespace transformesh::tool {
 void declare_repair_picture(Program& program, std::string& file) {
   program.options
       .text("picture", &file, "FILE",
-            "draw the input and the result as PNG: lost faces red, new ones green")
+            "draw input and result as a PNG picture: removed faces red, new faces green")
       .affects_result = false;
 }
 

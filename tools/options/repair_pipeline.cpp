@@ -77,7 +77,7 @@ void note_volume_loss(const RepairStep& step, double volume, const Run& run) {
   if (!(volume > 0 && -step.volume_change > large_share * volume)) return;
   const bool cleans = std::holds_alternative<CleanOptions>(step.operation);
   run.note(command_of(step) + " removes " + percent_text(-step.volume_change / volume) +
-           " % of the volume" + (cleans ? ", which counted overlaps once for each part" : "") +
+           " % of the volume" + (cleans ? ", in which overlaps counted once for each part" : "") +
            ", around " + rough_point_text(step.lost_share > 0 ? step.lost_place : step.place));
 }
 

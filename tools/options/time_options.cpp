@@ -61,35 +61,37 @@ VectorField velocity_from(const std::string& command) {
 void declare_time(Program& program, TimeChoices& choices) {
   OptionSet& options = program.options;
   options.number("time", &choices.end, 0, 1e300,
-                 "evolve from time 0 to this: all vertices move by the same span of time in a step "
-                 "(default 0: --step, without a time)");
+                 "evolve from time 0 to this time, by --flow or --velocity (default 0: evolve by "
+                 "--step, without time)");
   options.choice("flow", &choices.flow, flow_names(), "flow of tm-flow that moves the vertices");
   declare_flow(options, choices.flow_options);
-  options.text("velocity", &choices.velocity, "COMMAND",
-               "filter that gets the mesh of a stage and writes its velocities vx vy vz; TM_TIME, "
-               "TM_TIME_STEP and TM_STAGE hold the time, the span of the step and the stage");
+  options.text(
+      "velocity", &choices.velocity, "COMMAND",
+      "filter that reads the mesh of a Runge-Kutta stage and writes its velocities vx vy vz; "
+      "TM_TIME, TM_TIME_STEP and TM_STAGE are the time, the span of the step and the stage");
   options.flag("persistent", &choices.persistent,
-               "the velocity COMMAND stays alive and answers one mesh after another");
+               "start the command of --velocity only once, and send it one mesh after another");
   options.text("time-step", &choices.span, "NUMBER|auto",
                "with --time: span of each step (default auto: as long as --max-move permits); with "
-               "--step: movement by vx vy vz is so many times as far (default 1)");
+               "--step: factor by which vx vy vz are multiplied (default 1)");
   options.choice("integrator", &choices.integrator, {"euler", "midpoint", "rk4"},
                  "Runge-Kutta method of order 1, 2 or 4");
   options.number("max-move", &choices.options.max_move, 1e-6, 1e6,
-                 "with --time-step auto: farthest movement of a vertex in a step, in mean lengths "
-                 "of its edges");
+                 "with --time-step auto: largest movement of a vertex in a step, as a multiple of "
+                 "the mean length of its edges");
   options.length("tolerance", &choices.tolerance,
                  "with --time-step auto: largest local error of a step (default: no limit)");
   options.number("event-tolerance", &choices.options.event_tolerance, -1, 1e300,
-                 "halve a step that changes components or genus until it is so short; 0: never "
-                 "(default -1: a thousandth of --time)");
+                 "span of time within which changes of components or genus are located; 0: repeat "
+                 "no steps (default -1: a thousandth of --time)");
   options.flag("keep-volume", &choices.options.keep_volume,
-               "restore the volume that cleaning and remeshing change");
-  options.text("bodies", &choices.options.bodies, "COLUMN",
-               "face property that numbers bodies, which move and change apart and never meet");
-  options.text("contact", &choices.contact, "gap:LENGTH|stop",
-               "with --bodies: bodies keep this distance (default gap:0.05x), or come to rest at "
-               "each other");
+               "restore the volume after cleaning and remeshing");
+  options.text(
+      "bodies", &choices.options.bodies, "COLUMN",
+      "face property with the number of the body; bodies evolve one by one and do not touch");
+  options.text(
+      "contact", &choices.contact, "gap:LENGTH|stop",
+      "with --bodies: bodies keep this distance, or stop when they meet (default gap:0.05x)");
 }
 
 std::initializer_list<const char*> time_option_names() {

@@ -42,7 +42,7 @@ void take_axes(Option& mirror) {
   mirror.assign = [numbers = mirror.assign](const std::string& text) {
     if (text.find(',') != std::string::npos) return numbers(text);
     if (text.size() != 1 || text < "x" || text > "z")
-      throw UsageError("'" + text + "' is neither x, y or z nor four numbers with commas");
+      throw UsageError("'" + text + "' is neither x, y or z nor four numbers separated by commas");
     const auto axis = static_cast<std::size_t>(text[0] - 'x');
     numbers("0,0,0,0"s.replace(2 * axis, 1, "1"));
   };
@@ -73,8 +73,9 @@ Matrix4 change_of_unit(const TransformChoices& c, const Document& document) {
 void declare_units(Program& program, TransformChoices& c) {
   std::vector<std::string> names;
   for (const Unit& unit : all_units()) names.emplace_back(unit.short_name);
-  Option& to = program.options.choice(
-      "to", &c.to, names, "scale to this unit, from that of the mesh (or of --from), and state it");
+  Option& to = program.options.choice("to", &c.to, names,
+                                      "scale from the unit of the mesh, or of --from, to this "
+                                      "unit, and write the unit to the output");
   to.affects_result = false;
   to.assign = [&c, assign = to.assign](const std::string& text) {
     assign(text);
@@ -88,34 +89,32 @@ void declare_units(Program& program, TransformChoices& c) {
 }  // namespace
 
 void declare_transforms(Program& program, TransformChoices& c) {
-  in_order(program.options.numbers("translate", &c.translate, "X,Y,Z", "move by this"), c,
+  in_order(program.options.numbers("translate", &c.translate, "X,Y,Z", "move by this vector"), c,
            [&c] { return translation_by(vector_of(c.translate)); });
   in_order(program.options.numbers("rotate", &c.rotate, "X,Y,Z,DEGREES",
-                                   "turn about this axis through the origin, counter-clockwise"),
+                                   "rotate about this axis through the origin, counter-clockwise"),
            c, [&c] { return rotation_about(vector_of(c.rotate), c.rotate[3]); });
   in_order(program.options.numbers("scale", &c.scale, "FACTOR", "scale about the origin"), c,
            [&c] { return scaling_by(Vec3::Constant(c.scale[0])); });
   in_order(
       program.options.numbers("scale-axes", &c.scales, "X,Y,Z", "scale by a factor for each axis"),
       c, [&c] { return scaling_by(vector_of(c.scales)); });
-  Option& mirror = program.options.numbers(
-      "mirror", &c.mirror, "A,B,C,D",
-      "mirror across an axis, or in the plane a x + b y + c z = d; faces keep "
-      "their outside");
+  Option& mirror = program.options.numbers("mirror", &c.mirror, "A,B,C,D",
+                                           "change the sign of a coordinate, or mirror in the "
+                                           "plane a x + b y + c z = d; a solid stays a solid");
   take_axes(mirror);
   in_order(mirror, c, [&c] { return mirroring_in(vector_of(c.mirror), c.mirror[3]); });
-  in_order_of_box(
-      program.options.flag("center", &c.center, "move the center of the box to the origin"), c,
-      centering);
-  in_order_of_box(
-      program.options.flag("unit-box", &c.unit_box,
-                           "scale the longest side of the box to 1, and center it in the box "
-                           "from 0 to 1"),
-      c, fitting_unit_box);
+  in_order_of_box(program.options.flag("center", &c.center,
+                                       "move the center of the bounding box to the origin"),
+                  c, centering);
+  in_order_of_box(program.options.flag("unit-box", &c.unit_box,
+                                       "scale the longest side of the bounding box to 1, and move "
+                                       "it to the center of the box from 0 to 1"),
+                  c, fitting_unit_box);
   declare_units(program, c);
-  Option& matrix = program.options.numbers(
-      "matrix", &c.matrix, ",,,,,,,,,,,,,,,",
-      "16 numbers, row by row, that act on columns x y z 1, or a text file of them");
+  Option& matrix = program.options.numbers("matrix", &c.matrix, ",,,,,,,,,,,,,,,",
+                                           "apply a matrix of 16 numbers, row by row, that acts on "
+                                           "columns x y z 1; or a text file of them");
   in_order(matrix, c, [&c] { return matrix_of(c.matrix); });
   take_files(matrix, c);
 }

@@ -33,11 +33,10 @@ double hull_share(const std::string& keep) {
 }
 
 void declare_view_check(Program& program, ViewCheckChoices& choices, ViewSources& sources) {
-  program.options.number(
-      "least-agreement", &choices.least_agreement, 0, 1,
-      "share of every silhouette that the hull must cover; 0: believe the views");
+  program.options.number("least-agreement", &choices.least_agreement, 0, 1,
+                         "share of every silhouette that the hull must cover; 0: no check");
   program.options.flag("drop-bad-views", &choices.drops_bad_views,
-                       "leave out views that disagree with the rest, instead of refusing them");
+                       "leave out views that disagree with the others (default: refuse them)");
   declare_reading(program, sources);
 }
 
@@ -50,20 +49,22 @@ ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices,
 
 void declare_silhouettes(Program& program, SilhouetteOptions& options) {
   program.options
-      .text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+      .text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of the cameras")
       .is_needed = true;
   program.options.text("silhouettes", &options.sources.silhouettes, "WHERE",
-                       "masks: not black where the object is");
+                       "masks; pixels that are not black show the object");
   program.options.text("images", &options.sources.images, "WHERE",
-                       "or photographs of a bright object before a dark background");
+                       "photographs of a bright object before a dark background, instead of masks");
   program.options.text("threshold", &options.threshold, "auto|LEVEL",
-                       "intensity, 1 to 254, above which photographs show the object");
-  program.options.number("blur", &options.blur, 0, 100,
-                         "pixels by which photographs are blurred before");
-  program.options.number("close", &options.close, 0, 1,
-                         "share of the image's larger side: narrower marks belong to the object");
+                       "intensity from 1 to 254 above which photographs show the object");
+  program.options.number(
+      "blur", &options.blur, 0, 100,
+      "standard deviation of the blur of photographs before the threshold, in pixels");
+  program.options.number(
+      "close", &options.close, 0, 1,
+      "close dark marks and gaps narrower than twice this share of the image's larger side");
   program.options.text("write-silhouettes", &options.masks, "FOLDER",
-                       "also write the silhouettes there, as NAME.png");
+                       "also write the silhouettes to this folder, as NAME.png");
 }
 
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run) {

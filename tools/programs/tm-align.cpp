@@ -31,7 +31,7 @@ void note_doubts(const RegistrationResult& result, tool::Run& run) {
              "closer to the reference with tm-transform, then align it again");
   if (result.stability < low_stability)
     run.note(
-        "the surfaces can slide along each other, like a ball in its socket: that part of the "
+        "the surfaces can slide along each other, as spheres and planes do: this part of the "
         "motion is arbitrary");
 }
 
@@ -49,17 +49,17 @@ void align_document(Document& document, const Choices& choices, tool::Run& run) 
 int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-align", "--reference FILE [OPTION]... [INPUT]",
-                        "Turns and moves a mesh onto a reference, as two scans of one object"};
-  program.options.text("reference", &choices.reference, "FILE", "the mesh or points to move onto")
+                        "Aligns a mesh with a reference by a rigid motion, for example two scans"};
+  program.options.text("reference", &choices.reference, "FILE", "mesh or points to align with")
       .is_needed = true;
   program.options
       .text("write-matrix", &choices.matrix, "FILE",
             "write the motion as a 4x4 matrix, for tm-transform --matrix")
       .affects_result = false;
   program.options.integer("samples", &choices.registration.samples, 100, 10000000,
-                          "points by area on the mesh that are compared");
+                          "number of compared points on the mesh, uniform by area");
   program.options.integer("iterations", &choices.registration.iterations, 1, 1000000,
-                          "at most this many");
+                          "maximum number of iterations");
   program.example = "tm-align --reference scan.ply part.ply | tm-cat scan.ply - > both.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { align_document(run.document(), choices, run); });

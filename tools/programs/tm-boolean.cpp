@@ -38,7 +38,8 @@ void run_script(const Choices& choices, tool::Run& run) {
     return std::move(document.mesh);
   };
   ScriptResult result = run_boolean_script(lines, read, choices.options, run.progress());
-  if (!units_agree) run.note("the units of the meshes differ: numbers are taken as they are");
+  if (!units_agree)
+    run.note("the units of the meshes differ: coordinates are used without conversion");
   for (const Problem& problem : result.problems) run.say().note(problem);
   run.document().mesh = std::move(result.mesh);
   add_planarity(run.document().style.comments, result.merge_displacement);
@@ -74,16 +75,18 @@ int main(int argc, char** argv) {
   program.words = {"COMMAND", "union, intersection, difference, xor, or cut SHEET SOLID"};
   program.words.choices = boolean_commands();
   program.options.text("script", &choices.script, "FILE",
-                       "run a file of operations, each a line: NAME = COMMAND OPERAND...");
-  program.options.flag("inside", &choices.inside, "of cut: keep the part inside the solid");
+                       "run the operations in this file, one per line: NAME = COMMAND OPERAND...");
+  program.options.flag("inside", &choices.inside,
+                       "for cut: keep the part of the sheet inside the solid");
   program.options.flag("cap", &choices.options.cap,
-                       "of cut: close the part with faces of the solid");
-  program.options.flag("source-operand", &choices.options.source_operand,
-                       "write the operand of each face as the face property source_operand");
+                       "for cut: close the kept part with faces of the solid");
+  program.options.flag(
+      "source-operand", &choices.options.source_operand,
+      "write the number of each face's operand as the face property source_operand");
   program.options.flag("no-merge-flat", &choices.no_merge_flat,
-                       "leave flat regions in the pieces that they were cut into");
+                       "do not retriangulate flat regions in which faces were cut");
   program.options.flag("require-nonempty", &choices.require_nonempty,
-                       "exit 4 if the result is empty");
+                       "exit with 4 if the result is empty");
   program.example = "tm-boolean difference a.ply b.ply > cut.ply";
   return program.run(argc, argv, [&](tool::Run& run) { combine(choices, run); });
 }

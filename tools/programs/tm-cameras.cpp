@@ -85,20 +85,20 @@ int main(int argc, char** argv) {
   program.options.choice("format", &options.format,
                          {"middlebury", "colmap", "colmap-binary", "opencv", "matrices",
                           "transforms", "meshroom", "openmvs"},
-                         "format of the output; the input's is detected by its content");
+                         "format of the output; the format of the input is detected");
   program.options.text("folder", &options.folder, "FOLDER",
-                       "write the format's own files there instead of one text to the output");
+                       "write the files of the format to this folder, and nothing to stdout");
   program.options.text("images", &options.sources.images, "WHERE",
-                       "the images, for their names and sizes");
+                       "images, whose names and sizes are written");
   tool::declare_reading(program, options.sources);
   program.options.flag("list", &options.list,
-                       "print a table of the cameras and their pairs instead");
-  program.options.flag("json", &options.json, "print that table as JSON");
+                       "print a table of the cameras and their pairs, and convert nothing");
+  program.options.flag("json", &options.json, "print the table as JSON");
   program.options.integer("pairs", &options.neighbors, 0, 1000,
-                          "neighbors of each view in the table");
+                          "maximum number of neighbors of each view in the table");
   program.options.numbers(
       "center", &options.center, "X,Y,Z",
-      "the scene's center for the table (default: nearest to all viewing axes)");
+      "center of the scene, for the table (default: point nearest to all viewing axes)");
   program.epilog = "WHERE is a file, a folder or a quoted pattern; stdin is one file.";
   program.example = "tm-cameras --list par.txt";
   return program.run(argc, argv, [&](tool::Run& run) {

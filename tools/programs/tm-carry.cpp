@@ -40,12 +40,14 @@ int main(int argc, char** argv) {
                         "--from FIRST [OPTION]... [BETWEEN]... [LAST]",
                         "Carries properties from the first mesh of a chain to the last",
                         {tool::Reads::meshes}};
-  program.options.text("from", &options.from, "FILE", "the mesh that has the properties")
-      .is_needed = true;
-  program.options.text("columns", &options.columns, "NAMES",
-                       "carry these, separated by commas (default: all but normals)");
+  program.options.text("from", &options.from, "FILE", "mesh that has the properties").is_needed =
+      true;
+  program.options.text(
+      "columns", &options.columns, "NAMES",
+      "names of the properties to carry, separated by commas (default: all except normals)");
   program.options.flag("closest", &options.closest,
-                       "what does not state where it comes from takes the closest places");
+                       "use closest points if a mesh lacks source points, which tm-clean --source "
+                       "and tm-remesh --source write");
   program.example = "tm-clean --source a.ply | tm-carry --from a.ply - > carried.ply";
   return program.run(argc, argv, [&](tool::Run& run) { carry(options, run); });
 }

@@ -57,16 +57,17 @@ int main(int argc, char** argv) {
                         "Checks that a mesh is an oriented manifold, and reports where it is not",
                         {tool::Reads::mesh},
                         {tool::Writes::answer}};
-  program.options.flag("closed", &options.check.closed, "a border is a problem too");
+  program.options.flag("closed", &options.check.closed, "count borders as problems");
   program.options.flag("intersections", &options.check.intersections,
-                       "faces that intersect are a problem too");
-  program.options.text(
-      "certify", &options.certify, "FILE",
-      "the mesh is the boundary of winding number >= N (of --level) of FILE, by samples");
+                       "count intersecting faces as problems");
+  program.options.text("certify", &options.certify, "FILE",
+                       "check by samples that the mesh is the boundary of winding number >= N in "
+                       "FILE, where --level sets N");
   program.options.integer("level", &options.winding_level, 1, 1000000,
-                          "the winding level of --certify (default: 1)");
-  program.options.flag("pass", &options.pass,
-                       "pass the mesh on; on a problem write nothing and exit with 1");
+                          "winding level of --certify (default: 1)");
+  program.options.flag(
+      "pass", &options.pass,
+      "write the mesh instead of the report; if there is a problem, write nothing and exit with 1");
   program.output.is_mesh = [&] { return options.pass; };
   program.example = "tm-checkmanifold --closed --intersections mesh.ply";
   return program.run(argc, argv, [&](tool::Run& run) { check(run.document(), options, run); });

@@ -14,10 +14,12 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   program.options
-      .text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+      .text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of the cameras")
       .is_needed = true;
-  program.options.text("images", &options.sources.images, "WHERE", "the photographs").is_needed =
-      true;
+  program.options
+      .text("images", &options.sources.images, "WHERE",
+            "file, folder or pattern of the photographs")
+      .is_needed = true;
   tool::declare_reading(program, options.sources);
   tool::declare_texture(program, options.choices);
 }
@@ -30,7 +32,7 @@ int main(int argc, char** argv) {
                         "Colors a surface by calibrated photographs"};
   declare(program, options);
   program.epilog =
-      "As a web page or a game shows it:\n"
+      "Make a textured GLB file, for web pages and games:\n"
       "  tm-color --cameras par.txt --images photos --texture a.ply -o a.glb";
   program.example = "tm-color --cameras par.txt --images photos hull.ply > colored.ply";
   return program.run(argc, argv, [&](tool::Run& run) {

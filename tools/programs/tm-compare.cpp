@@ -66,18 +66,19 @@ int main(int argc, char** argv) {
                         {tool::Reads::meshes},
                         {tool::Writes::answer}};
   program.options.text("reference", &options.reference, "FILE",
-                       "the mesh or points to compare with (default: the second input)");
-  program.options.length(
-      "distance", &options.distance,
-      "completeness counts the reference up to here; 1% is of the reference's box");
-  program.options.length("within", &options.within, "exit with 1 where hausdorff is above this");
+                       "mesh or points to compare with (default: the second input)");
+  program.options.length("distance", &options.distance,
+                         "largest distance at which a point of the reference counts for "
+                         "completeness; 1% is 1 % of the diagonal of its box");
+  program.options.length("within", &options.within,
+                         "exit with 1 if hausdorff is larger than this (default: no limit)");
   program.options.text(
       "per-vertex", &options.per_vertex, "FILE",
-      "write the mesh with the property distance: of each vertex from the reference");
+      "write the mesh with the vertex property distance, the distance from the reference");
   program.options.flag("signed", &options.is_signed,
-                       "distances of --per-vertex are negative inside the reference");
+                       "with --per-vertex: distances are negative inside the reference");
   program.options.integer("samples", &options.samples, 0, 1000000000,
-                          "points by area on each surface; vertices are measured too");
+                          "number of sample points on each surface, in addition to the vertices");
   program.options.seed(&options.seed);
   program.example = "tm-compare --get hausdorff result.ply target.ply";
   return program.run(argc, argv, [&](tool::Run& run) { compare_with_reference(options, run); });

@@ -5,9 +5,7 @@
 int main(int argc, char** argv) {
   using namespace transformesh;
   tool::Program program{"tm-convert", "[OPTION]... [INPUT]", "Converts between mesh formats"};
-  program.epilog =
-      "The output's format is that of --format, else of the name given with -o (.ply .off .obj\n"
-      ".stl .glb .vtp .3mf .xyz), else of the input.";
+  program.epilog = "Endings of -o that choose a format: .ply .off .obj .stl .glb .vtp .3mf .xyz";
   program.input.may_keep_polygons = true;
   program.example = "tm-convert mesh.ply -o mesh.stl";
   return program.run(argc, argv, [](tool::Run&) {});

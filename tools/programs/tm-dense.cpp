@@ -19,13 +19,16 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   program.options
-      .text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
+      .text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of the cameras")
       .is_needed = true;
-  program.options.text("images", &options.sources.images, "WHERE", "photographs").is_needed = true;
+  program.options
+      .text("images", &options.sources.images, "WHERE",
+            "file, folder or pattern of the photographs")
+      .is_needed = true;
   program.options.numbers("box", &options.box, "X,Y,Z,X,Y,Z",
-                          "where to look: two corners; without it around the sparse points, or "
-                          "the point at which the cameras look");
-  program.options.length("edge", &options.edge, "size of a cell, instead of 1.5 pixels");
+                          "two corners of the box to search (default: around the sparse points, or "
+                          "around the point at which the cameras look)");
+  program.options.length("edge", &options.edge, "size of a grid cell (default: 1.5 pixels)");
   tool::declare_reading(program, options.sources);
 }
 

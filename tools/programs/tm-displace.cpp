@@ -49,22 +49,22 @@ int main(int argc, char** argv) {
   Options options;
   tool::Program program{"tm-displace", "[OPTION]... [INPUT]",
                         "Moves vertices by their velocities, one explicit step"};
-  program.options.length(
-      "normal-speed", &options.normal_speed,
-      "speed along the vertex normals, added to vx vy vz where the mesh has them", true);
-  program.options.number(
-      "curvature-speed", &options.curvature_speed, -1e300, 1e300,
-      "mean-curvature flow: speed times the mean curvature, added likewise; a sphere of "
-      "radius R shrinks by SPEED / R");
+  program.options.length("normal-speed", &options.normal_speed,
+                         "speed along the vertex normals, added to vx vy vz if the mesh has them",
+                         true);
+  program.options.number("curvature-speed", &options.curvature_speed, -1e300, 1e300,
+                         "factor of a mean-curvature flow, which is also added; a sphere of radius "
+                         "R shrinks with speed NUMBER / R");
   program.options.number("time-step", &options.displace.time_step, -1e300, 1e300,
                          "time by which velocities are multiplied");
-  program.options.number("alpha", &options.displace.alpha, 0, 1e300,
-                         "clamp on the movement, as a fraction of the mean edge at the vertex");
+  program.options.number(
+      "alpha", &options.displace.alpha, 0, 1e300,
+      "largest movement of a vertex, as a fraction of the mean length of its edges");
   program.options.text("mask", &options.mask, "COLUMN",
-                       "multiply velocities by this vertex property; 0 holds a vertex fast");
+                       "multiply velocities by this vertex property; 0 fixes a vertex");
   options.keep_out.declare(program);
   program.epilog =
-      "Velocities are the vertex properties vx vy vz. Any program may compute them:\n"
+      "Velocities are the vertex properties vx vy vz. Any program can write them:\n"
       "  my-velocities < a.ply | tm-displace | tm-clean | tm-remesh > b.ply";
   program.example = "tm-displace --normal-speed 0.01 mesh.ply | tm-clean | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { move(run.document(), options, run); });

@@ -60,15 +60,16 @@ int main(int argc, char** argv) {
                         "Closes holes by smooth patches, never into a self-intersection"};
   program.input.soups = tool::Soups::joined;
   program.options.integer("max-edges", &choices.max_edges, 3, 1000000000,
-                          "leave holes with more edges open (default: none)");
-  program.options.length("max-diameter", &choices.max_diameter,
-                         "leave holes open whose box has a longer diagonal (default: none)");
-  program.options.flag("no-fair", &choices.no_fair,
-                       "do not make patches continue smoothly what is around");
+                          "leave holes with more than N edges open (default: no limit)");
+  program.options.length(
+      "max-diameter", &choices.max_diameter,
+      "leave holes open if the diagonal of their bounding box is longer (default: no limit)");
+  program.options.flag("no-fair", &choices.no_fair, "do not fair patches: leave them almost flat");
   program.options.flag("no-refine", &choices.no_refine,
-                       "add no vertices: flat patches of large triangles");
-  program.options.flag("allow-crossings", &choices.allow_self_intersections,
-                       "close also where every patch intersects the mesh, for tm-clean afterwards");
+                       "add no vertices: patches have few large triangles, and are not faired");
+  program.options.flag(
+      "allow-crossings", &choices.allow_self_intersections,
+      "also close holes for which every patch intersects the mesh; run tm-clean afterwards");
   program.example = "tm-fill part.ply > closed.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { fill_document(run.document(), choices, run); });

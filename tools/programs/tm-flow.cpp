@@ -30,16 +30,17 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-flow", "[OPTION]... NAME [INPUT] | --list",
                         "Writes the velocities of a flow as the vertex properties vx vy vz"};
-  program.words = {"NAME", "flow, see --list"};
+  program.words = {"NAME", "name of a flow; --list prints all names"};
   program.words.choices = tool::flow_names();
   program.input.is_absent = [&] { return choices.list; };
   program.output.is_mesh = [&] { return !choices.list; };
   program.options.flag("list", &choices.list, "print the flows, with the options of each")
       .affects_result = false;
-  program.options.number("time", &choices.time, -1e300, 1e300, "time of the velocities");
+  program.options.number("time", &choices.time, -1e300, 1e300,
+                         "time at which velocities are evaluated");
   program.options.number("span", &choices.span, 0, 1e300,
-                         "write the mean velocity of the flow's own step over this time, for flows "
-                         "by curvature; 0: the velocity at the time");
+                         "for flows by curvature: write the mean velocity of an implicit step over "
+                         "this time; 0: the velocity at --time");
   tool::declare_flow(program.options, choices.flow);
   program.example =
       "tm-flow deformation --time 0.1 mesh.ply | tm-displace --time-step 0.02 > next.ply";

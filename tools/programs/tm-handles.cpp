@@ -41,10 +41,11 @@ void handle_document(Document& document, const Choices& choices, tool::Run& run)
 int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-handles", "[OPTION]... [INPUT]",
-                        "Removes thin handles and closes narrow tunnels, for tm-clean"};
+                        "Removes thin handles and closes narrow tunnels, before tm-clean"};
   program.input.soups = tool::Soups::joined;
   program.options.length("max-length", &choices.max_length,
-                         "remove handles that a loop of this length goes around (default 5x)");
+                         "remove handles and tunnels that have a loop of at most this length "
+                         "around or through them (default 5x)");
   program.example = "tm-handles scan.ply | tm-clean > untied.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { handle_document(run.document(), choices, run); });

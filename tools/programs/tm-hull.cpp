@@ -22,16 +22,19 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   tool::declare_silhouettes(program, options.silhouettes);
-  program.options.numbers("box", &options.box, "X,Y,Z,X,Y,Z",
-                          "where to look: two corners; without it as far as the silhouettes reach");
+  program.options.numbers(
+      "box", &options.box, "X,Y,Z,X,Y,Z",
+      "two corners of the box that contains the hull (default: bounding box by the silhouettes)");
   program.options.integer("resolution", &options.resolution, 4, 4096,
-                          "cells along the longest side of the box");
-  program.options.length("edge", &options.edge, "or the size of a cell");
+                          "number of grid cells along the longest side of the box");
+  program.options.length("edge", &options.edge, "size of a grid cell, instead of --resolution");
   program.options.text("keep", &options.keep, "largest|all|SHARE",
-                       "which components: of at least this share of the largest one's volume");
+                       "components to keep: the largest, all, or those of at least this share of "
+                       "the largest one's volume");
   tool::declare_view_check(program, options.check, options.silhouettes.sources);
-  program.options.text("write-outlines", &options.outlines, "FOLDER",
-                       "also write there, as NAME.png, what the hull covers in each view");
+  program.options.text(
+      "write-outlines", &options.outlines, "FOLDER",
+      "also write the silhouette of the hull in each view to this folder, as NAME.png");
 }
 
 void make(const Options& options, tool::Run& run) {

@@ -74,13 +74,11 @@ int main(int argc, char** argv) {
       {"vertices", "faces", "edges", "components", "genus", "boundary_loops", "area", "volume",
        "bbox_min", "bbox_max", "edge_mean", "edge_min", "edge_max", "angle_min", "angle_min_mean",
        "valence6", "unit", "polygons"},
-      "print the value of this key only");
+      "print only the value of this key");
   program.input.may_keep_polygons = true;
-  program.options.flag("units", &with_unit,
-                       "also report the unit of lengths; unknown if there is none");
-  program.options.text(
-      "per-vertex", &per_vertex, "FILE",
-      "write the mesh with the property curvature: the mean curvature at each vertex");
+  program.options.flag("units", &with_unit, "also report the unit of lengths, or unknown");
+  program.options.text("per-vertex", &per_vertex, "FILE",
+                       "write the mesh with the vertex property curvature, the mean curvature");
   program.output.only_key = &key;
   program.settle = [&] { program.common.keep_polygons |= key == "polygons"; };
   program.example = "tm-info --get volume mesh.ply";

@@ -68,17 +68,18 @@ int main(int argc, char** argv) {
                         "Finds the pairs of faces that intersect",
                         {tool::Reads::mesh},
                         {tool::Writes::answer}};
-  program.options.flag("check", &options.check,
-                       "print the number of pairs; exit 1 where there are any, write no mesh");
+  program.options.flag(
+      "check", &options.check,
+      "print the number of pairs instead of the mesh; exit with 1 if there are any");
   program.options.flag(
       "any", &options.any,
-      "report only whether there are any, which is quick where there are; exit 1 likewise");
-  program.options.text("pairs", &options.pairs, "FILE", "write the pairs of face numbers as text");
+      "with --check: stop at the first pair, and report only whether there is one");
+  program.options.text("pairs", &options.pairs, "FILE", "write the pairs of face indices as text");
   program.options.text("segments", &options.segments, "FILE",
-                       "write the common segments as PLY edges");
+                       "write the segments in which faces intersect, as edges of a PLY file");
   program.options.flag(
       "refine", &options.refine,
-      "split faces along the intersections; source_face names where they come from");
+      "split faces along the intersections; source_face is the index of the input face");
   program.output.is_mesh = [&] { return !options.check && !options.any; };
   program.example = "tm-intersect --check mesh.ply";
   return program.run(argc, argv, [&](tool::Run& run) { intersect(run.document(), options, run); });

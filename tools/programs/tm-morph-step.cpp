@@ -70,22 +70,21 @@ int main(int argc, char** argv) {
                         "Moves a mesh one step towards a target"};
   program.options.text("target", &options.target, "FILE", "mesh or points to move towards")
       .is_needed = true;
-  program.options.choice(
-      "distance", &options.distance, {"auto", "surface", "points", "vertex"},
-      "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
-      "surface where it has faces, else points");
+  program.options.choice("distance", &options.distance, {"auto", "surface", "points", "vertex"},
+                         "distance to the target's faces, or to the tangent planes at its nearest "
+                         "vertices or vertex; auto: surface if it has faces, else points");
   program.options.number("time-step", &displace.time_step, 0, 1e300,
-                         "share of the distance to go in one step");
-  program.options.number("alpha", &displace.alpha, 0, 1e300,
-                         "clamp on the movement, as a fraction of the mean edge at the vertex");
-  program.options.text("mask", &options.step.mask, "COLUMN",
-                       "multiply velocities by this vertex property; 0 holds a vertex fast");
+                         "fraction of the distance to the target by which vertices move in a step");
   program.options.number(
-      "gap-edges", &options.step.gap_edges, 0, 1e6,
-      "write the vertex property 'size', for tm-remesh --size-field: so many edges "
-      "across the target's gaps and walls, at most 1x long; 0: do not");
+      "alpha", &displace.alpha, 0, 1e300,
+      "largest movement of a vertex, as a fraction of the mean length of its edges");
+  program.options.text("mask", &options.step.mask, "COLUMN",
+                       "multiply velocities by this vertex property; 0 fixes a vertex");
+  program.options.number("gap-edges", &options.step.gap_edges, 0, 1e6,
+                         "write the vertex property size for tm-remesh --size-field: edges with "
+                         "this number across gaps and walls of the target; 0: do not");
   program.options.text("write-target", &options.written_target, "FILE",
-                       "write the target as it is used: points with their normals");
+                       "write the prepared target, with estimated normals, for later steps");
   program.example =
       "tm-morph-step --target target.ply source.ply | tm-clean | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { step(run.document(), options, run); });

@@ -26,7 +26,9 @@ void note_missed(const OffsetResult& result, tool::Run& run) {
 
 void offset_document(Document& document, Choices& choices, tool::Run& run) {
   if (choices.thicken.has_value() == choices.distance.has_value())
-    throw UsageError("give either --distance, how far the surface moves, or --thicken");
+    throw UsageError(
+        "give either --distance, by which the surface moves, or --thicken, the thickness of a "
+        "sheet");
   const Scalar coordinate = document.style.coordinate;
   if (choices.thicken) tool::note_dropped_lists(drop_corner_lists(document.mesh.face_columns), run);
   if (choices.thicken)
@@ -52,18 +54,21 @@ int main(int argc, char** argv) {
                         "Moves a surface outwards or inwards by a distance"};
   program.input.soups = tool::Soups::joined;
   program.options.length("distance", &choices.distance,
-                         "how far: outwards, or inwards where negative", true);
-  program.options.flag("miter", &choices.miter,
-                       "keep corners sharp and faces as they are, instead of rounding");
-  program.options.length("thicken", &choices.thicken,
-                         "make an open sheet a solid that is this thick, instead");
+                         "distance of the offset surface: outwards, or inwards if negative", true);
+  program.options.flag(
+      "miter", &choices.miter,
+      "move the planes of all faces, so that corners stay sharp (default: round them)");
   program.options.length(
-      "edge", &choices.edge,
-      "edges are 0.7 to 1.5 times as long (default the mean edge, but at most half the "
-      "distance and a 60th of the diagonal)");
-  program.options.integer("iterations", &choices.offset.iterations, 1, 1000000, "at most so many");
+      "thicken", &choices.thicken,
+      "make a solid of this thickness from an open sheet, instead of --distance");
+  program.options.length("edge", &choices.edge,
+                         "make edges 0.7 to 1.5 times as long as this (default: the mean edge, but "
+                         "at most half the distance and a 60th of the diagonal)");
+  program.options.integer("iterations", &choices.offset.iterations, 1, 1000000,
+                          "maximum number of steps");
   program.epilog =
-      "A shell 2 thick: tm-offset --distance -2 a.ply | tm-stitch --flip | tm-cat a.ply -";
+      "Make a shell of thickness 2:\n"
+      "  tm-offset --distance -2 a.ply | tm-stitch --flip | tm-cat a.ply -";
   program.example = "tm-offset --distance 2% mesh.ply > larger.ply";
   return program.run(argc, argv,
                      [&](tool::Run& run) { offset_document(run.document(), choices, run); });

@@ -27,7 +27,8 @@ void report(const PhotoScene& scene, const PhotoStepsResult& result, tool::Run& 
   run.report("mean_share", result.last.mean_share);
   tool::note_new_normals(result.last.displaced.new_normals, run);
   run.report(entries_of(result.last.displaced));
-  if (result.lost_coverage) run.note("photographs compare less of the surface than before");
+  if (result.lost_coverage)
+    run.note("photographs can be compared on less of the surface than before");
 }
 
 void step(Document& document, const tool::PhotoOptions& options, tool::Run& run) {
@@ -52,7 +53,7 @@ int main(int argc, char** argv) {
                         "Moves a mesh towards agreement with calibrated photographs"};
   tool::declare_photo_step(program, options);
   program.epilog =
-      "One iteration of a reconstruction, which goes on from coarse to fine:\n"
+      "One iteration of a reconstruction, at a coarse scale:\n"
       "  tm-photo-step --cameras par.txt --images photos --scale 4 < a.ply |\n"
       "    tm-clean | tm-remesh > next.ply";
   program.example = "tm-photo-step --cameras par.txt --images photos --scale 4 hull.ply > next.ply";

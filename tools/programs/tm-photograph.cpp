@@ -29,32 +29,39 @@ struct Options {
 void declare(tool::Program& program, Options& options) {
   tool::PhotographFiles& files = options.files;
   program.options.text("cameras", &files.cameras, "WHERE",
-                       "the cameras; without them a ring is made");
+                       "file, folder or pattern of the cameras (default: a ring of cameras)");
   options.size_option = &program.options.text(
-      "size", &options.size, "WxH", "pixels of an image, if the camera file does not state them");
-  program.options.integer("ring", &options.ring, 1, 100000, "cameras around the mesh");
+      "size", &options.size, "WxH",
+      "width and height of an image in pixels, if the camera file does not state them");
+  program.options.integer("ring", &options.ring, 1, 100000,
+                          "number of cameras in the ring around the mesh");
   program.options.numbers("elevations", &options.elevations, "DEGREES,DEGREES",
-                          "of the ring's cameras above the horizon, in turn");
-  program.options.length("distance", &options.distance, "of the ring from the middle of the mesh");
+                          "elevations of the ring's cameras above the horizon, which alternate");
+  program.options.length("distance", &options.distance,
+                         "distance of the ring's cameras from the center of the mesh (default: the "
+                         "mesh nearly fills the images)");
   program.options.number("focal", &options.focal, 0.1, 1000,
-                         "focal length of the ring's cameras, per width");
-  program.options.text("write-images", &files.images, "FOLDER", "write NAME.png there");
+                         "focal length of the ring's cameras, divided by the width of the image");
+  program.options.text("write-images", &files.images, "FOLDER",
+                       "write the photographs to this folder, as NAME.png");
   program.options.text("write-silhouettes", &files.silhouettes, "FOLDER",
-                       "write masks NAME.png there");
-  program.options.choice("look", &files.look, {"texture", "shade"},
-                         "gray texture without shading, or as tm-render draws");
+                       "write masks to this folder, as NAME.png");
+  program.options.choice(
+      "look", &files.look, {"texture", "shade"},
+      "show a gray texture without shading, or shade the mesh as tm-render does");
   program.options.length("finest", &options.finest, "shortest wavelength of the texture");
   program.options.length("coarsest", &options.coarsest, "longest wavelength of the texture");
-  program.options.integer("waves", &files.waves, 1, 10000, "that make the texture");
+  program.options.integer("waves", &files.waves, 1, 10000, "number of waves that make the texture");
   PhotographOptions& sensor = files.sensor;
   program.options.number("noise", &sensor.noise, 0, 255,
-                         "standard deviation of the noise, as intensity from 0 to 255");
-  program.options.number("gain", &sensor.gain_spread, 0, 0.99,
-                         "random gain of up to +- this share");
+                         "standard deviation of the noise, in intensities from 0 to 255");
+  program.options.number(
+      "gain", &sensor.gain_spread, 0, 0.99,
+      "multiply each photograph by a random gain between 1 - NUMBER and 1 + NUMBER");
   program.options.number("offset", &sensor.offset_spread, 0, 255,
-                         "and shifted by up to this intensity");
+                         "add a random offset between -NUMBER and NUMBER to each photograph");
   program.options.text("compare-silhouettes", &files.masks, "WHERE",
-                       "report how well the mesh agrees with these masks");
+                       "report how well the silhouettes of the mesh agree with these masks");
   program.options.seed(&options.seed);
 }
 

@@ -62,7 +62,7 @@ std::vector<TimeStep> time_steps_of(const std::string& sequence) {
 
 std::string summary_of(const SequenceResult& result) {
   return counted(result.time_steps, "time step") + ", " + std::to_string(result.tracked) +
-         " tracked, " + std::to_string(result.accepted) + " as good as from the hull";
+         " tracked, " + std::to_string(result.accepted) + " accepted";
 }
 
 void reconstruct_movie(const tool::ReconstructChoices& choices,
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   tool::ReconstructChoices choices;
   tool::Program program{"tm-reconstruct",
                         "[OPTION]... --cameras WHERE --images WHERE -o OUT",
-                        "Reconstructs a closed surface from calibrated photographs",
+                        "Reconstructs a surface from calibrated photographs",
                         {tool::Reads::nothing},
                         {tool::Writes::evolved_mesh}};
   program.input.soups = tool::Soups::own;

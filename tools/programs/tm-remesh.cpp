@@ -55,7 +55,7 @@ void note_reference_edge(const tool::RemeshChoices& choices, const Document& doc
   const double reference = run.in().reference_edge();
   if (reference <= most_apart * mean && mean <= most_apart * reference) return;
   run.note("edges become " + significant(reference, 3) +
-           " long, as the comment tm:reference-edge " + "says, though their mean is " +
+           " long, as the comment tm:reference-edge " + "says, but their mean length is " +
            significant(mean, 3) + " now; measure it again with --reference-edge auto");
 }
 
@@ -87,7 +87,7 @@ void change(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   tool::RemeshChoices choices;
   tool::Program program{"tm-remesh", "[OPTION]... [INPUT]",
-                        "Keeps edges between two lengths and triangles round"};
+                        "Remeshes with edges between two lengths and well-shaped triangles"};
   program.input.soups = tool::Soups::joined;
   tool::declare_remeshing(program, choices);
   program.example = "tm-remesh --edge 2% rough.ply > fine.ply";

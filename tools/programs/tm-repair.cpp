@@ -67,19 +67,21 @@ void repair_document(Document& document, Choices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-repair", "[OPTION]... [INPUT]",
-                        "Makes a solid of any mesh by the least change, and says what changed"};
+                        "Makes a solid of any mesh with few changes, and reports them"};
   program.output.is_clean = true;
   program.input.soups = tool::Soups::own;
   program.input.keeps_bytes = true;
   program.options.flag("keep-open", &choices.options.keep_open,
-                       "leave holes open; all else as for a solid");
-  program.options.length("max-change", &choices.max_change,
-                         "refuse a result that is farther from the input (default: none)");
-  program.options.flag("dry-run", &choices.dry_run, "report what would be done; write no mesh")
+                       "leave holes open; all other steps are the same");
+  program.options.length(
+      "max-change", &choices.max_change,
+      "exit with 4 if the result is farther from the input than this (default: no limit)");
+  program.options
+      .flag("dry-run", &choices.dry_run, "report the steps that would be done, and write no mesh")
       .affects_result = false;
   program.options
       .flag("print-pipeline", &choices.print_pipeline,
-            "print the pipeline of filters that does the same, instead of the mesh")
+            "print a pipeline of filters with the same effect, instead of the mesh")
       .affects_result = false;
   tool::declare_repair_picture(program, choices.picture);
   program.example = "tm-repair model.stl > solid.ply";

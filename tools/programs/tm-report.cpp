@@ -16,13 +16,14 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   program.options.integer("every", &options.page.every, 1, 999999999,
-                          "of the frames take every so many, and the last");
-  program.options.text("color-by", &options.color_by, "PROPERTY",
-                       "color by this property at first; distance is that from the target");
+                          "use the first, every Nth and the last frame");
+  program.options.text(
+      "color-by", &options.color_by, "PROPERTY",
+      "property by which meshes are colored at first; distance is the distance from the target");
   program.options.choice("up", &options.up, {"auto", "x", "y", "z", "-x", "-y", "-z"},
-                         "the axis that points up; auto: in the photographs, else y");
+                         "axis that points up; auto: the upward axis of the photographs, else y");
   program.options.text("title", &options.title, "TEXT",
-                       "of the page (default: the names of the runs)");
+                       "title of the page (default: the names of the runs)");
 }
 
 void report(const Options& options, tool::Run& run) {

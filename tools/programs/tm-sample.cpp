@@ -15,7 +15,8 @@ struct Choices {
 
 void sample(Document& document, const Choices& choices, tool::Run& run) {
   if ((choices.count > 0) == choices.distance.has_value())
-    throw UsageError("give either --count or --distance: how many points, or how far apart");
+    throw UsageError(
+        "give either --count, the number of points, or --distance, their least distance");
   SampleOptions options;
   options.count = static_cast<std::size_t>(choices.count);
   if (choices.distance) {
@@ -37,11 +38,12 @@ void sample(Document& document, const Choices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-sample", "[OPTION]... --count N|--distance LENGTH [INPUT]",
-                        "Takes points with normals from a surface"};
-  program.options.integer("count", &choices.count, 0, 100000000, "so many points, evenly by area");
+                        "Samples points with normals on a surface"};
+  program.options.integer("count", &choices.count, 0, 100000000,
+                          "number of points, uniform by area");
   program.options.length(
       "distance", &choices.distance,
-      "instead a Poisson disk: no two points nearer than this, and no room for another");
+      "smallest distance between two points of a Poisson-disk sampling, instead of --count");
   program.options.seed(&choices.seed);
   program.example = "tm-sample --count 1000 mesh.ply > points.ply";
   return program.run(argc, argv, [&](tool::Run& run) { sample(run.document(), choices, run); });

@@ -53,9 +53,9 @@ std::string part_name(const Choices& c, std::size_t number, std::size_t count,
 void write_parts(const Document& document, const Choices& c, tool::Run& run) {
   const std::size_t count = connected_components(document.mesh).components.size();
   if (count > most_files)
-    throw GoalError("--split would write " + counted(count, "file") + ", and " +
-                    std::to_string(most_files) +
-                    " are the most: join a soup by tm-stitch, or state how many with --largest");
+    throw GoalError(
+        "--split would write " + counted(count, "file") + ", and " + std::to_string(most_files) +
+        " are the most: join a soup with tm-stitch, or keep fewer components with --largest");
   std::vector<Mesh> parts = split_components(document.mesh, component_size_of(c.by));
   for (std::size_t i = 0; i < count; ++i)
     run.out().write_mesh_file(
@@ -80,26 +80,27 @@ int main(int argc, char** argv) {
                         "Keeps the components or faces of a mesh that meet all conditions"};
   program.input.soups = tool::Soups::reported;
   program.input.may_keep_polygons = true;
-  program.options.integer("largest", &choices.largest, 1, 1000000000, "the N largest components");
+  program.options.integer("largest", &choices.largest, 1, 1000000000,
+                          "keep the N largest components");
   program.options.number("at-least", &choices.all.at_least, 0, 1e300,
-                         "components at least so large");
+                         "keep components of at least this size");
   program.options.choice("by", &choices.by, {"faces", "area", "volume"},
-                         "what makes a component large");
-  program.options.text(
-      "where", &choices.all.where, "CONDITION",
-      "faces by a property, such as 'intersections>0'; one of vertices at all corners");
+                         "measure of the size of a component");
+  program.options.text("where", &choices.all.where, "CONDITION",
+                       "keep faces by a property, such as 'intersections>0'; a vertex property "
+                       "must hold at all corners");
   program.options.numbers("box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
-                          "faces with all corners in this box");
-  program.options.numbers(
-      "around", &choices.around, "X,Y,Z",
-      "the component that contains this point, of nested ones the innermost; where "
-      "none does, the closest");
+                          "keep faces with all corners in this box");
+  program.options.numbers("around", &choices.around, "X,Y,Z",
+                          "keep the component that contains this point, the innermost if several "
+                          "do, the closest if none does");
   tool::declare_cut(program, choices.cut);
-  program.options.flag("invert", &choices.all.invert, "keep all other faces instead");
+  program.options.flag("invert", &choices.all.invert,
+                       "keep the faces that do not meet the conditions");
   program.options
       .text("split", &choices.split, "PREFIX",
-            "write each component of what is kept to PREFIX-001.ply and so on, the largest first, "
-            "and the whole to -o only where that is given")
+            "write each component of the result to PREFIX-001.ply and so on, the largest first; "
+            "write the whole result only if -o is given")
       .affects_result = false;
   program.output.is_mesh = [&] {
     return choices.split.empty() || program.options.find("output")->is_given;

@@ -69,27 +69,28 @@ int main(int argc, char** argv) {
   Options options;
   tool::Program program{
       "tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh", {tool::Reads::words}};
-  program.words = {"KIND [PARAMETER]...", "what to make, see below"};
+  program.words = {"KIND [PARAMETER]...", "kind of shape, see below"};
   program.words.choices = shape_kinds();
   program.options.integer("faces", &options.faces, 1, 1000000000,
-                          "how many, about (default 10000)");
-  program.options.length("edge", &options.edge, "or how long their edges are on average, about");
+                          "approximate number of faces (default 10000)");
+  program.options.length("edge", &options.edge,
+                         "approximate mean length of the edges, instead of --faces");
   program.options.length("radius", &options.radius,
-                         "of a sphere, of the ring of a torus or a knot");
-  program.options.length("tube", &options.tube, "of a torus or a knot: its radius");
-  program.options.length("gap", &options.gap, "between two spheres or tori; negative: they overlap",
-                         true);
-  program.options.length("neck", &options.neck, "of a dumbbell: its radius; negative: inverted",
-                         true);
-  program.options.integer("count", &options.count, 1, 1000000,
-                          "of many-spheres (40) or boxes (50)");
+                         "radius of a sphere, or of the ring of a torus or a knot");
+  program.options.length("tube", &options.tube, "radius of the tube of a torus or a knot");
+  program.options.length("gap", &options.gap,
+                         "distance between two spheres or tori; negative: they overlap", true);
+  program.options.length("neck", &options.neck,
+                         "radius of the neck of a dumbbell; negative: the neck is inverted", true);
+  program.options.integer(
+      "count", &options.count, 1, 1000000,
+      "number of spheres of many-spheres (default 40) or of boxes (default 50)");
   program.options.length("noise", &options.noise, "amplitude of smooth noise along the normals");
   program.options.seed(&options.seed);
-  program.options.numbers("center", &options.center, "X,Y,Z", "where to put the shape");
+  program.options.numbers("center", &options.center, "X,Y,Z", "position of the shape's origin");
   program.options.text("around", &options.around, "FILE",
-                       "a sphere around the bounding box of that mesh");
-  program.options.text("of", &options.of, "FILE",
-                       "a hull around the vertices of that mesh or these points");
+                       "make a sphere around the bounding box of the mesh in FILE");
+  program.options.text("of", &options.of, "FILE", "mesh or points for hull");
   program.epilog =
       "Kinds: sphere, dented, ellipsoid A B C, box A B C, cylinder RADIUS HEIGHT,\n"
       "cone RADIUS HEIGHT, hull, torus, genus N, torus-knot P Q, two-spheres, tori,\n"

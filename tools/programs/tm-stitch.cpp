@@ -30,17 +30,18 @@ int main(int argc, char** argv) {
                         "Joins a soup of triangles into a manifold mesh"};
   program.input.soups = tool::Soups::own;
   program.options.length("tolerance", &tolerance,
-                         "join vertices within this distance; 0 joins equal positions only");
+                         "join vertices within this distance; 0: join equal positions only");
   program.options.flag("orient", &options.orient,
-                       "turn faces so that neighbors agree; closed components then look outwards");
+                       "reverse faces so that neighbors agree; closed components that change are "
+                       "then oriented outwards");
   program.options.flag("drop-copies", &options.drop_copies,
                        "keep one of coincident faces with the same orientation");
+  program.options.flag("one-side", &options.one_side,
+                       "keep one side of a double-sided model: drop the reverses of faces, reverse "
+                       "faces so that neighbors agree, and orient closed components outwards");
   program.options.flag(
-      "one-side", &options.one_side,
-      "of a double-sided model: drop faces whose reverse is there, turn faces so that "
-      "neighbors agree, and closed components outwards");
-  program.options.flag("outwards", &options.outwards,
-                       "turn closed bodies that are inside out, together with their cavities");
+      "outwards", &options.outwards,
+      "reverse closed components that are inside out, together with all components inside them");
   program.options.flag("flip", &options.flip, "reverse all faces");
   program.example = "tm-stitch model.stl > joined.ply";
   return program.run(argc, argv, [&](tool::Run& run) {

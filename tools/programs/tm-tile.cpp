@@ -59,9 +59,10 @@ int main(int argc, char** argv) {
                         "Splits a mesh larger than memory for tm-clean, and joins the results",
                         {tool::Reads::words},
                         {tool::Writes::text}};
-  program.words = {"split MESH | join FOLDER", "write tiles of a mesh, or join them once clean"};
+  program.words = {"split MESH | join FOLDER",
+                   "write the tiles of a mesh, or join the cleaned tiles"};
   program.words.choices = {"join", "split"};
-  program.options.integer("tiles", &tiles, 1, 9999, "how many tiles to split into");
+  program.options.integer("tiles", &tiles, 1, 9999, "number of tiles");
   program.epilog =
       "tm-tile split huge.ply --tiles 16 -o tiles\n"
       "for tile in tiles/tile-*.ply; do tm-clean $tile -o ${tile/tile-/clean-}; done\n"

@@ -18,24 +18,23 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   program.options.flag("beside", &options.is_beside,
-                       "meshes side by side, not one after the other");
-  program.options.text("run", &options.run, "FOLDER",
-                       "no meshes, but a run that a loop writes there with its --run");
-  program.options.flag(
-      "serve", &options.is_served,
-      "print an address of this machine and serve the page there until Ctrl-C; frames of "
-      "a run appear as they are written");
-  program.options.integer("port", &options.port, 0, 65535, "of --serve; 0 is any that is free");
-  program.options.flag(
-      "open", &options.is_opened,
-      "open the page in the browser, as is done where standard output is a terminal");
+                       "show meshes side by side (default: one after the other)");
+  program.options.text(
+      "run", &options.run, "FOLDER",
+      "show the run in this folder, which a loop writes with --run, instead of meshes");
+  program.options.flag("serve", &options.is_served,
+                       "serve the page at an address of this machine until Ctrl-C, and print the "
+                       "address; new frames of a run appear");
+  program.options.integer("port", &options.port, 0, 65535, "port of --serve; 0: any free port");
+  program.options.flag("open", &options.is_opened,
+                       "open the page in the browser even if stdout is not a terminal");
   program.options.text("color-by", &options.color_by, "PROPERTY",
-                       "color by this property at first");
+                       "property by which meshes are colored at first");
   program.options.choice("up", &options.up, {"auto", "x", "y", "z", "-x", "-y", "-z"},
-                         "the axis that points up; auto: in the photographs, else y");
+                         "axis that points up; auto: the upward axis of the photographs, else y");
   program.options.text("title", &options.title, "TEXT",
-                       "of the page (default: the names of the meshes)");
-  program.epilog = "A morph as it goes on: tm-view --serve --run morph";
+                       "title of the page (default: the names of the meshes)");
+  program.epilog = "Show a morph in progress: tm-view --serve --run morph";
   program.input.is_absent = [&options] { return !options.run.empty(); };
 }
 

@@ -66,23 +66,22 @@ int main(int argc, char** argv) {
   Options options;
   tool::Program program{"tm-wrap",
                         "[OPTION]... [POINTS]",
-                        "Wraps points in a rough closed mesh",
+                        "Makes a rough closed mesh around points",
                         {tool::Reads::file}};
   program.options.choice(
       "method", &options.method, {"auto", "poisson", "alpha"},
-      "poisson needs normals; auto: poisson where there are normals, else alpha");
-  program.options.length(
-      "alpha", &options.alpha,
-      "of alpha: radius of the smallest ball that is kept out (default: as small as does "
-      "not get in between the points)");
+      "poisson needs normals; auto: poisson if the points have normals, else alpha");
+  program.options.length("alpha", &options.alpha,
+                         "for alpha: radius of the smallest ball that stays outside (default: the "
+                         "smallest that does not enter between points)");
   program.options.length("offset", &options.offset,
-                         "of alpha: how far from the points vertices are (default: an eighth of "
-                         "their spacing, at most 0.33%)");
+                         "for alpha: distance of the vertices from the points (default: an eighth "
+                         "of the points' spacing, at most 0.33%)");
   program.options.flag("keep-outliers", &options.keep_outliers,
-                       "wrap points that are far from all others or badly seen, too");
+                       "also wrap outliers, and points with large errors or short tracks");
   program.epilog =
-      "POINTS are PLY, OFF, COLMAP's points3D or lines of x y z [nx ny nz]; of a mesh, its "
-      "vertices.";
+      "POINTS is a PLY or OFF file, COLMAP's points3D, or a text with lines\n"
+      "x y z [nx ny nz]. If the file holds a mesh, the vertices are used.";
   program.example = "tm-sample --distance 2% mesh.ply | tm-wrap > wrapped.ply";
   return program.run(argc, argv, [&](tool::Run& run) { wrap(options, run); });
 }

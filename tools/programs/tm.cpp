@@ -80,13 +80,13 @@ int main(int argc, char** argv) {
                         "Lists the programs of the suite, or shows the man page of one",
                         {tool::Reads::words},
                         {tool::Writes::text}};
-  program.words = {"NAME", "of a program, with or without tm-; tm: what all share"};
+  program.words = {"NAME", "name of a program, with or without tm-; tm: what all programs share"};
   program.words.choices = all_names();
   program.example = "tm clean";
   return program.run(argc, argv, [](tool::Run& run) {
     const std::vector<std::string>& words = run.in().names();
     if (words.size() > 1)
-      throw UsageError("one NAME at most, but '" + words[1] + "' is a second one");
+      throw UsageError("at most one NAME can be given, but '" + words[1] + "' is a second one");
     const tool::Alias* alias = words.empty() ? nullptr : tool::alias_of(words[0]);
     if (alias != nullptr) run.note(words[0] + ": " + std::string(alias->command));
     if (!words.empty())

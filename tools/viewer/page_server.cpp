@@ -33,7 +33,7 @@ constexpr std::chrono::seconds patience{10};
 std::string random_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw_not_served("because there are no random numbers");
+    throw_not_served("because the system provides no random numbers");
   std::string token;
   for (const unsigned char byte : bytes) {
     constexpr std::string_view digits = "0123456789abcdef";
@@ -47,7 +47,7 @@ sockaddr* general(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&ad
 
 int listener_on(int port, int& bound) {
   const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (listener < 0) throw_not_served("because there is no socket");
+  if (listener < 0) throw_not_served("because the system provides no socket");
   const int yes = 1;
   setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   sockaddr_in address{};

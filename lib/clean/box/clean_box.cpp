@@ -118,7 +118,8 @@ void check_input(const Mesh& mesh, const CleanOptions& options) {
 // Rejects options that need the whole mesh. A tile defines its own box.
 void check_tile_options(const Tile& tile, const CleanOptions& options) {
   if (options.coordinate == Scalar::float32 && tile.coordinate != Scalar::float32)
-    throw UsageError("floats are coarser than the coordinates for which the tile was made");
+    throw UsageError(
+        "the tile was made for 64-bit coordinates: 32-bit floats are too coarse for its faces");
   const char* const refused = options.box                              ? "a box"
                               : options.method != ExteriorMethod::grow ? "the static test"
                               : options.outermost                      ? "outermost"
@@ -126,7 +127,8 @@ void check_tile_options(const Tile& tile, const CleanOptions& options) {
                               : options.separate > 0                   ? "separate"
                               : options.sources != CleanSources::none  ? "a source"
                                                                        : nullptr;
-  if (refused) throw UsageError(std::string(refused) + " is for whole meshes, not for a tile");
+  if (refused)
+    throw UsageError(std::string(refused) + " needs the whole mesh and cannot be used for a tile");
 }
 
 void drop_stale_columns(CleanResult& counts) {

@@ -68,7 +68,8 @@ Problem nothing_kept(const WeldedMesh& welded, bool has_surface, int winding_lev
             "no point has a winding number >= " + std::to_string(winding_level)};
   if (!has_surface) return nothing_enclosed(!welded.faces.empty());
   if (!welded.open_component.empty())
-    return {ErrorKind::other, "nothing of the open mesh is in front of all its parts"};
+    return {ErrorKind::other,
+            "every part of the open mesh lies behind another part: nothing is left"};
   return {ErrorKind::no_positive_winding,
           "no point has a winding number >= 1: the mesh is inside out, or the difference of its "
           "parts is empty"};

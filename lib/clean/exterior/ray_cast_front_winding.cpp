@@ -139,7 +139,7 @@ int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
   const int axis = axis_and_direction(source).first;
   throw GoalError("more than " + std::to_string(most_attempts / 2) + " edges line up along the " +
                   "xyz"[axis] + " axis at " + point_text(geometry.position(part[0])) +
-                  ": turn the mesh a little");
+                  ": rotate the mesh slightly");
 }
 
 RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin,

@@ -95,7 +95,7 @@ bool can_be_stitched(const Mesh& mesh) {
     throw InputError(problem.kind, problem.sentence + ": the mesh is not oriented", problem.data);
   const bool are_sheets = can_be_stitched(mesh);
   throw InputError(are_sheets ? ErrorKind::overlapping_sheets : ErrorKind::not_orientable,
-                   rest.sentence + ", and reversing sheets cannot change that", rest.data);
+                   rest.sentence + ", and reversing connected parts cannot change that", rest.data);
 }
 
 }  // namespace

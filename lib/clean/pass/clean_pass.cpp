@@ -194,7 +194,7 @@ CleanPass CleanPassRun::run() {
     find_exterior_growing(meetings);
   }
   if (std::find(kept_.begin(), kept_.end(), 1) == kept_.end() && chooses)
-    throw GoalError(ErrorKind::no_positive_winding, "no point belongs to the region");
+    throw GoalError(ErrorKind::no_positive_winding, "the result is empty: it encloses no point");
   if (std::find(kept_.begin(), kept_.end(), 1) == kept_.end())
     throw GoalError(nothing_kept(*welded_, has_surface_, options_.winding_level));
   if (options_.change_kept) options_.change_kept(arrangement_, kept_);

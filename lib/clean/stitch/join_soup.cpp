@@ -11,7 +11,7 @@ namespace {
   if (oriented.misoriented_edges == 0)
     throw InputError(ErrorKind::not_oriented, problem + ": the mesh is not oriented");
   throw InputError(ErrorKind::not_orientable,
-                   oriented.misorientation + ", and reversing sheets cannot change that");
+                   oriented.misorientation + ", and reversing connected parts cannot change that");
 }
 
 }  // namespace

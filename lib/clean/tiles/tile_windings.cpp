@@ -47,7 +47,7 @@ ReferencePoint TileWindings::of_box(std::size_t box) const {
   const auto any =
       std::find_if(rays_.begin(), rays_.end(), [&](const Ray& ray) { return ray.box == box; });
   throw GoalError("rays along the x axis meet edges or corners near " + point_text(any->from) +
-                  ": turn the mesh a little");
+                  ": rotate the mesh slightly");
 }
 
 }  // namespace transformesh

@@ -178,8 +178,8 @@ class CleanAndRemesh {
 void throw_if_vanished(const GoalError& error) {
   if (!is_nothing_left(error.kind()) || error.kind() == ErrorKind::component_too_small) return;
   throw GoalError(ErrorKind::surface_vanished,
-                  "nothing is inside the surface after this step: all of it has shrunk to nothing, "
-                  "or its walls are thinner than the step is long",
+                  "no surface is left after this step: it has shrunk to nothing, or its walls are "
+                  "thinner than the length of the step",
                   error.data());
 }
 

@@ -161,7 +161,7 @@ bool is_binary_stl_by_size(std::string_view bytes) {
 
 FileKind detect_format(const Source& source) {
   const std::string_view bytes = source.bytes;
-  if (bytes.empty()) source.fail("the input is empty: not a single byte of a mesh");
+  if (bytes.empty()) source.fail("the input is empty: it contains no mesh");
   if (const auto kind = kind_of_bytes(bytes)) return *kind;
   if (is_gzip(bytes)) source.fail("the input is compressed twice by gzip: expand it once");
   if (is_utf16(bytes))

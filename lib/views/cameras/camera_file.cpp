@@ -24,7 +24,7 @@ void check_names(const CameraList& list) {
 }
 
 CameraList parse(const Source& source, const std::string& stem) {
-  if (source.bytes.empty()) source.fail("the input is empty: not a single camera");
+  if (source.bytes.empty()) source.fail("the input is empty: it contains no cameras");
   if (const auto format = camera_format(source.bytes)) return reader_of(*format).read(source, stem);
   source.fail("not a camera file, starting with " + quoted(source.bytes.substr(0, 16)) + ": " +
               known_camera_formats());

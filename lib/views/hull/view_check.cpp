@@ -246,7 +246,7 @@ void Diagnosis::try_cameras() const {
   if (agree(views)) {
     throw InputError(
         ErrorKind::scene_behind_cameras,
-        "the scene lies behind every camera, as if the world of the cameras is left-handed");
+        "the scene lies behind every camera, as if the coordinates of the cameras are left-handed");
   }
   views = views_;
   for (View& view : views) {

@@ -52,7 +52,7 @@ const Format* format_of(std::string_view bytes) {
 
 IntensityRows decode(std::string_view bytes, const std::string& name, IntensityRows::Kind kind) {
   const Source source{bytes, name};
-  if (bytes.empty()) source.fail("the file is empty: not a single byte of an image");
+  if (bytes.empty()) source.fail("the file is empty: it contains no image");
   const Format* format = format_of(bytes);
   if (format == nullptr) {
     source.fail("not an image of a known format, starting with " + quoted(bytes.substr(0, 16)));

@@ -79,7 +79,7 @@ TEST_CASE("a region between a sheet and the outside of a solid is capped by the 
   CHECK(test::signed_volume(capped(hood, box(0, 4), SheetSide::outside)) == doctest::Approx(4));
   CHECK(refusal(hood, box(0, 4), SheetSide::inside).starts_with("the sheet ends inside the solid"));
   CHECK(refusal(test::reversed(hood), box(0, 4), SheetSide::outside) ==
-        "the region behind the sheet is not bounded");
+        "the region behind the sheet is not bounded: the sheet may be reversed");
   CHECK(refusal(plane(2), box(0, 4), SheetSide::outside)
             .starts_with("the sheet ends outside the solid"));
 }

@@ -118,7 +118,7 @@ TEST_CASE("a step that leaves nothing is named as the cause") {
     evolve(mesh, turning, unsmoothed());
     FAIL("the step turns the sphere inside out");
   } catch (const GoalError& error) {
-    CHECK(std::string(error.what()).starts_with("iteration 1: nothing is inside the surface"));
+    CHECK(std::string(error.what()).starts_with("iteration 1: no surface is left after this step"));
     CHECK(error.kind() == ErrorKind::surface_vanished);
   }
 }

@@ -38,7 +38,7 @@ TEST_CASE("joined documents keep the unit of the first, and differences are note
   second.style.comments = {"tm:unit meter"};
   CHECK(append(first, second) ==
         std::vector<std::string>{
-            "the units differ, millimeter and meter: numbers are joined as they are"});
+            "the units differ, millimeter and meter: coordinates are joined without conversion"});
   CHECK(first.style.comments == std::vector<std::string>{"tm:unit millimeter"});
   CHECK(append(second, Document()).empty());
 }

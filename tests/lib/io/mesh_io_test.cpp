@@ -165,7 +165,7 @@ TEST_CASE("mesh io: rounding to floats leaves floats only") {
 }
 
 TEST_CASE("mesh io: files that are no meshes are refused with their first bytes") {
-  CHECK(read_error("") == "the input is empty: not a single byte of a mesh (input)");
+  CHECK(read_error("") == "the input is empty: it contains no mesh (input)");
   CHECK(read_error("\x89PNG\r\n") ==
         "unknown mesh format, starting with '\\x89PNG\\x0d\\x0a': PLY, OFF, OBJ, STL, glTF, 3MF, "
         "VTK, "

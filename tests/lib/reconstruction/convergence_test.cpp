@@ -10,7 +10,7 @@ TEST_CASE("lost surface is reported before movement, and movement before late ch
   CHECK(ReconstructionFaults{1.4142, 1, false}.in_words(good).find(
             "after scale 1.4142 than before") != std::string::npos);
   CHECK(ReconstructionFaults{0, 1, false}.in_words(good) ==
-        "the surface was not at rest after the last sweep");
+        "the surface still moved in the last sweep");
   CHECK(ReconstructionFaults{0, 1, true}.in_words(good).find("vanished at scale 1.0000") !=
         std::string::npos);
 }

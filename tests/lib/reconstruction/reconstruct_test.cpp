@@ -296,12 +296,12 @@ TEST_CASE("an accurate start is returned as it is, a rough one is not") {
   const Run accurate = run_of(options, start);
   CHECK_FALSE(accurate.result.kept.empty());
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "the start is kept: " + accurate.result.kept);
+  CHECK(notes[0] == "the initial mesh is kept: " + accurate.result.kept);
   CHECK(accurate.result.restored == 1);
   CHECK(accurate.result.last.dissimilarity == accurate.result.first.dissimilarity);
   CHECK(largest_distance(accurate.document.mesh) < 1e-12);
   CHECK(accurate.result.faces == start.mesh.faces.size());
-  CHECK(summary_of(accurate.result).find("; the start is kept") != std::string::npos);
+  CHECK(summary_of(accurate.result).find("; the initial mesh is kept") != std::string::npos);
 
   const Document ball = ball_of(1.1);
   options.initial.clips_by_hull = false;

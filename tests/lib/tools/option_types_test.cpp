@@ -122,7 +122,8 @@ TEST_CASE("a bad value names the option, the value and what is allowed") {
   CHECK(refusal({"--length", "2m"}).starts_with("--length: '2m' is not a length"));
   CHECK(refusal({"--kind", "angel"}) ==
         "--kind: 'angel' is not known; did you mean 'angle'? (valence, angle)");
-  CHECK(refusal({"--point", "1,2"}).starts_with("--point: '1,2' is not 3 numbers with commas"));
+  CHECK(refusal({"--point", "1,2"})
+            .starts_with("--point: '1,2' is not 3 numbers separated by commas"));
   CHECK(refusal({"--point", "1,2,"}) == "--point: '' is not a number");
 }
 

@@ -175,7 +175,7 @@ TEST_CASE("outputs of one place and outputs that cannot be written are refused e
     make_file("late", "");
   };
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "--csv", "./out.ply"}, body) == 2);
-  CHECK(place.errors() == "tm-x: give either --output or --csv its own file, not both\n");
+  CHECK(place.errors() == "tm-x: --output and --csv have the same file: give each its own\n");
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "--csv", "-"}, body) == 2);
   CHECK(place.evolve({"t.ply", "-o", "none/out.ply"}, body) == 5);
   CHECK(place.errors() == "tm-x: cannot write 'none/out.ply': No such file or directory\n");

@@ -157,7 +157,7 @@ TEST_CASE("refused: a non-orientable mesh has its own kind of error") {
   CHECK(message.starts_with("faces "));
   CHECK(message.find(" traverse the edge from vertex ") != std::string::npos);
   CHECK(message.ends_with(
-      ", and only 1 in the opposite direction, and reversing sheets cannot change that"));
+      ", and only 1 in the opposite direction, and reversing connected parts cannot change that"));
   StitchOptions options;
   options.orient = true;
   Mesh apart = strip;
