@@ -2,17 +2,17 @@
 
 namespace transformesh::tool {
 void declare_cleaning(Program& program, CleanChoices& choices) {
-  program.options.choice("method", &choices.method, {"grow", "static"},
-                         "grow regions from seeds, or test every piece (slow reference)");
-  program.options.integer("level", &choices.winding_level, 1, 1000000,
+  program.options.named("method", &choices.clean.method,
+                        {{"grow", ExteriorMethod::grow}, {"static", ExteriorMethod::static_test}},
+                        "grow regions from seeds, or test every piece (slow reference)");
+  program.options.integer("level", &choices.clean.winding_level, 1, 1000000,
                           "keep the boundary of winding number >= N; 2 intersects two operands");
   program.options.flag("outermost", &choices.clean.outermost,
                        "drop components that bound cavities and what floats in them");
   program.options.length("separate", &choices.separate,
                          "move vertices that lie in one place this far apart; 0 leaves them");
-  program.options.numbers(
-      "box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
-      "clean the faces whose first vertex is in this box, and leave all others");
+  program.options.box("box", &choices.clean.box, "X0,Y0,Z0,X1,Y1,Z1",
+                      "clean the faces whose first vertex is in this box, and leave all others");
   program.options.flag("only", &choices.clean.only, "write the faces of the box alone");
   program.options.flag("merge-flat", &choices.clean.merge_flat,
                        "cover flat regions with few triangles where faces were cut");
@@ -26,15 +26,11 @@ void declare_cleaning(Program& program, CleanChoices& choices) {
 
 CleanOptions clean_options(const CleanChoices& choices, Run& run) {
   CleanOptions options = choices.clean;
-  options.method = choices.method == "grow" ? ExteriorMethod::grow : ExteriorMethod::static_test;
-  options.winding_level = static_cast<int>(choices.winding_level);
   options.separate = run.length(choices.separate);
   options.coordinate = run.document().style.coordinate;
   options.sources = choices.source_points  ? CleanSources::points
                     : choices.source_faces ? CleanSources::faces
                                            : CleanSources::none;
-  const std::vector<double>& b = choices.box;
-  if (!b.empty()) options.box = Box(Vec3(b.data()), Vec3(b.data() + 3));
   return options;
 }
 

@@ -12,8 +12,12 @@ void declare_movement(Program& program, MorphChoices& choices) {
                          "clamp on the movement, as a fraction of the mean edge at the vertex");
   program.options.number("time-step", &choices.options.step.displace.time_step, 0, 1e300,
                          "share of the distance to go in one step");
-  program.options.choice(
-      "distance", &choices.distance, {"auto", "surface", "points", "vertex"},
+  program.options.named(
+      "distance", &choices.options.step.distance,
+      {{"auto", std::nullopt},
+       {"surface", MorphDistance::surface},
+       {"points", MorphDistance::points},
+       {"vertex", MorphDistance::vertex}},
       "to the target's faces, or to the planes at its nearest vertices or vertex; auto: "
       "surface where it has faces, else points");
 }
@@ -26,8 +30,9 @@ void declare_edges(Program& program, MorphChoices& choices) {
       "gap-edges", &choices.options.step.gap_edges, 0, 1e6,
       "so many edges across the target's gaps and walls: shorter ones where it is "
       "narrow; 0: the same everywhere");
-  program.options.choice(
-      "features", &choices.features, {"auto", "on", "off"},
+  program.options.named(
+      "features", &choices.options.features,
+      {{"auto", Features::automatic}, {"on", Features::on}, {"off", Features::off}},
       "align vertices and edges with the target's sharp edges at the end; auto: where "
       "it has them, but not of a sequence");
   program.reference_edge();
@@ -37,22 +42,16 @@ void declare_edges(Program& program, MorphChoices& choices) {
       "mesh comes to rest");
 }
 
-std::optional<MorphDistance> distance_of(const std::string& name) {
-  if (name == "surface") return MorphDistance::surface;
-  if (name == "points") return MorphDistance::points;
-  if (name == "vertex") return MorphDistance::vertex;
-  return std::nullopt;
-}
-
 // Quotes a file name for a shell. A name that begins with a dash must not become an option.
 std::string file_word(const std::string& name) {
   return shell_word(name != "-" && name.starts_with('-') ? "./" + name : name);
 }
 
-std::string step_words(const MorphChoices& choices, const std::string& target) {
+std::string step_words(const MorphChoices& choices, const std::string& target, const Run& run) {
   const MorphStepOptions& step = choices.options.step;
-  return "tm-morph-step --no-provenance --target " + target + " --distance " + choices.distance +
-         " --alpha " + shortest_text(step.displace.alpha) + " --time-step " +
+  return "tm-morph-step --no-provenance --target " + target + " --distance " +
+         run.program().options.find("distance")->text() + " --alpha " +
+         shortest_text(step.displace.alpha) + " --time-step " +
          shortest_text(step.displace.time_step) + " --gap-edges " + shortest_text(step.gap_edges);
 }
 
@@ -96,9 +95,6 @@ void check_morph(const MorphChoices& choices, const Run& run) {
 
 MorphOptions morphing_of(const MorphChoices& choices, Run& run) {
   MorphOptions options = choices.options;
-  options.step.distance = distance_of(choices.distance);
-  if (choices.features != "auto")
-    options.features = choices.features == "on" ? Features::on : Features::off;
   options.iteration.reference_edge = run.in().reference_edge();
   options.iteration.remesh = RemeshOptions();
   read_smoothing(choices.smooth, options.iteration.remesh);
@@ -126,12 +122,12 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
     // The thickness of the target is measured once, because the measurement takes longer than an
     // iteration.
     const std::string measured = file_word(output + ".target.ply");
-    text += step_words(choices, target) + " --write-target " + measured + " -o /dev/null " + mesh +
-            '\n';
+    text += step_words(choices, target, run) + " --write-target " + measured + " -o /dev/null " +
+            mesh + '\n';
     target = measured;
   }
   text += "for iteration in $(seq " + std::to_string(choices.loop.iterations) + "); do\n";
-  text += "  " + step_words(choices, target) + ' ' + mesh + " |\n";
+  text += "  " + step_words(choices, target, run) + ' ' + mesh + " |\n";
   text += "    tm-clean --no-provenance --outermost |\n";
   text += "    " + remesh_words(choices) + " -o " + mesh + "\ndone\n";
   return text + "tm-clean --no-provenance --outermost -o " + mesh + ' ' + mesh + '\n';

@@ -19,8 +19,9 @@ void declare_places(Program& program, ReconstructChoices& choices) {
   program.options.text("images", &choices.sources.images, "WHERE", "photographs").is_needed = true;
   program.options.text("silhouettes", &choices.sources.silhouettes, "WHERE",
                        "masks: not black where the object is");
-  program.options.choice("silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
-                         "the object, or only some of it: then they pull outwards alone");
+  program.options.named("silhouettes-show", &choices.options.initial.meaning,
+                        {{"exact", SilhouetteMeaning::exact}, {"least", SilhouetteMeaning::least}},
+                        "the object, or only some of it: then they pull outwards alone");
   program.options.text(
       "threshold", &choices.threshold, "auto|LEVEL",
       "without masks: intensity above which photographs show the object (default auto; "
@@ -28,7 +29,7 @@ void declare_places(Program& program, ReconstructChoices& choices) {
 }
 
 void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
-  program.options.numbers(
+  program.options.box(
       "box", &choices.box, "X,Y,Z,X,Y,Z",
       "where the object is: two corners; what photographs show beside it is forgotten");
   program.options.text(
@@ -37,10 +38,11 @@ void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
       "without which it does not fill the silhouettes");
   program.options.text("start", &choices.options.initial.name, "FILE",
                        "begin with this mesh, not with the visual hull");
-  program.options.choice("clip", &choices.clip, {"hull", "nothing"},
-                         "of that mesh, keep what is within the hull of exact silhouettes, or all");
-  program.options.choice(
-      "hollows", &choices.hollows, {"auto", "closed"},
+  program.options.named("clip", &choices.options.initial.clips_by_hull,
+                        {{"hull", true}, {"nothing", false}},
+                        "of that mesh, keep what is within the hull of exact silhouettes, or all");
+  program.options.named(
+      "hollows", &choices.options.initial.opens_hollows, {{"auto", true}, {"closed", false}},
       "of the hull: where depth maps see into hollows that it closes, begin with them "
       "open, or leave all closed");
   program.options.text(
@@ -185,9 +187,6 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   ReconstructionOptions options = choices.options;
   InitialMeshOptions& initial = options.initial;
   initial.is_given = !initial.name.empty();
-  initial.clips_by_hull = choices.clip == "hull";
-  initial.opens_hollows = choices.hollows == "auto";
-  if (choices.silhouettes_show == "least") initial.meaning = SilhouetteMeaning::least;
   if (!choices.threshold.empty())
     initial.threshold = ThresholdOptions{.intensity = threshold_intensity(choices.threshold)};
   if (choices.keep != "auto") initial.keep = hull_share(choices.keep);
@@ -236,9 +235,9 @@ std::vector<View> checked_views(const ViewSources& sources, const ReconstructCho
   telling.on_note = [&run](const std::string& text) { run.note(text); };
   if (choices.is_preview) telling.reduction = preview_reduction;
   std::vector<View> views = views_from(telling);
-  const std::vector<double>& box = choices.box;
-  if (!box.empty()) keep_in_box(views, Box(Vec3(box.data()), Vec3(box.data() + 3)));
-  if (choices.silhouettes_show == "exact") check_views(views, choices.check, run);
+  if (choices.box) keep_in_box(views, *choices.box);
+  if (choices.options.initial.meaning == SilhouetteMeaning::exact)
+    check_views(views, choices.check, run);
   return views;
 }
 

@@ -16,11 +16,13 @@ void declare_picture(Program& program, RenderOptions& options) {
   program.options.text(
       "orbit", &options.orbit, "AZIMUTH,ELEVATION",
       "where the eye is, in degrees: moved to its right and upwards from the front");
-  program.options.choice("up", &options.up, {"x", "y", "z"}, "the axis that points up");
+  program.options.named("up", &picture.orbit.up, {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}},
+                        "the axis that points up");
   program.options.number("zoom", &picture.orbit.zoom, 0.001, 1000,
                          "2 shows everything twice as large");
-  program.options.choice(
-      "frame", &options.frame, {"each", "scale", "place"},
+  program.options.named(
+      "frame", &picture.framing,
+      {{"each", Framing::each}, {"scale", Framing::scale}, {"place", Framing::place}},
       "what fills a panel: its mesh, the scale of the largest, the box of all meshes");
   program.options.text("around", &options.around, "FILE",
                        "frame FILE's mesh in every panel instead");
@@ -33,7 +35,7 @@ void declare_picture(Program& program, RenderOptions& options) {
       "film", &options.film, 0, 86400,
       "write a movie of so many seconds that shows the meshes one after the other, with "
       "--frame place; 0: none");
-  program.options.integer("columns", &options.columns, 0, 10000,
+  program.options.integer("columns", &picture.columns, 0, 10000,
                           "panels in a row; 0 is all, with --views what fits best");
   program.options.text("color", &options.color, "COLOR",
                        "of the surface, as #rrggbb; without it the properties red, green and blue");
@@ -64,10 +66,6 @@ PictureOptions picture_of(const RenderOptions& options) {
   PictureOptions picture = options.picture;
   std::tie(picture.width, picture.height) = parse_size(options.size);
   std::tie(picture.orbit.azimuth_deg, picture.orbit.elevation_deg) = parse_orbit(options.orbit);
-  picture.orbit.up = options.up == "x" ? Axis::x : options.up == "y" ? Axis::y : Axis::z;
-  if (options.frame == "scale") picture.framing = Framing::scale;
-  if (options.frame == "place") picture.framing = Framing::place;
-  picture.columns = static_cast<int>(options.columns);
   picture.frames = std::max(options.frames, 1);
   if (!options.color.empty()) picture.shade.color.front = parse_color(options.color);
   if (!options.range.empty()) picture.range = {options.range[0], options.range[1]};
@@ -78,11 +76,12 @@ PictureOptions picture_of(const RenderOptions& options) {
 void check_film(const RenderOptions& options, const Program& program) {
   if (options.frames > 0)
     throw UsageError("--film has a picture of each mesh, and --frames a turn: give one of them");
-  if (options.frame != "place" && program.options.find("frame")->is_given)
+  const Option& frame = *program.options.find("frame");
+  if (options.picture.framing != Framing::place && frame.is_given)
     throw UsageError(
         "--film shows the bounding box of all meshes in every picture, as --frame "
         "place does: leave out --frame " +
-        options.frame);
+        frame.text());
 }
 
 void hold_still(const std::vector<const Mesh*>& meshes, const Mesh& corners,

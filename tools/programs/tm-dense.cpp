@@ -13,7 +13,7 @@ using namespace transformesh;
 
 struct Options {
   ViewSources sources;
-  std::vector<double> box;
+  std::optional<Box> box;
   std::optional<Length> edge;
 };
 
@@ -22,16 +22,15 @@ void declare(tool::Program& program, Options& options) {
       .text("cameras", &options.sources.cameras, "WHERE", "file, folder or pattern of cameras")
       .is_needed = true;
   program.options.text("images", &options.sources.images, "WHERE", "photographs").is_needed = true;
-  program.options.numbers("box", &options.box, "X,Y,Z,X,Y,Z",
-                          "where to look: two corners; without it around the sparse points, or "
-                          "the point at which the cameras look");
+  program.options.box("box", &options.box, "X,Y,Z,X,Y,Z",
+                      "where to look: two corners; without it around the sparse points, or "
+                      "the point at which the cameras look");
   program.options.length("edge", &options.edge, "size of a cell, instead of 1.5 pixels");
   tool::declare_reading(program, options.sources);
 }
 
 std::optional<Box> box_to_search(const Options& options, tool::Run& run) {
-  const std::vector<double>& box = options.box;
-  if (!box.empty()) return Box(Vec3(box.data()), Vec3(box.data() + 3));
+  if (options.box) return options.box;
   const std::vector<Vec3> points = sparse_points_beside(options.sources.cameras);
   run.report("sparse_points", points.size());
   return box_of_points(points);
