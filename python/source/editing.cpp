@@ -1,14 +1,9 @@
-/// Binds fill, handles, transform, align, select, split, sample and carry.
-#include <algorithm>
-
-#include "arguments.h"
+/// Binds fill, handles, transform, align, select, split, cut, section, sample and carry.
 #include "call.h"
 #include "io/comments.h"
-#include "python_mesh.h"
 #include "transformesh/align.h"
 #include "transformesh/carry.h"
 #include "transformesh/components.h"
-#include "transformesh/errors.h"
 #include "transformesh/fill.h"
 #include "transformesh/handles.h"
 #include "transformesh/sample.h"
@@ -18,51 +13,41 @@
 namespace transformesh::python {
 namespace {
 
-// --- fill ----------------------------------------------------------------------------------------
+// --- fill, handles -------------------------------------------------------------------------------
 
-MeshPointer fill_mesh(const PythonMesh& mesh, const std::optional<std::size_t>& max_edges,
-                      const std::optional<PythonLength>& max_diameter, bool refine, bool fair,
-                      bool allow_self_intersections, const py::object& progress) {
-  Document document = mesh.document;
-  Entries report = join_places(document.mesh);
+MeshPointer fill_mesh(Call& call) {
+  call.join();
   FillOptions options;
+  const auto max_edges = call.get<std::optional<std::size_t>>("max_edges");
   if (max_edges && *max_edges < 3) throw UsageError("max_edges: a hole has at least 3");
   options.max_edges = max_edges.value_or(options.max_edges);
-  options.max_diameter = Lengths(document)(max_diameter, options.max_diameter);
-  options.refine = refine;
-  options.fair = fair;
-  options.allow_self_intersections = allow_self_intersections;
-  options.coordinate = document.style.coordinate;
-  const FillResult result = without_lock(
-      progress, [&](const Progress& to) { return fill_holes(document.mesh, options, to); });
-  append(report, entries_of(result));
-  return mesh_of(std::move(document), report);
+  options.max_diameter = call.length("max_diameter", options.max_diameter);
+  call("refine", options.refine)("fair", options.fair);
+  call("allow_crossings", options.allow_self_intersections);
+  options.coordinate = call.document.style.coordinate;
+  return call.result(entries_of(
+      call.run([&](const Progress& to) { return fill_holes(call.document.mesh, options, to); })));
 }
 
-// --- handles -------------------------------------------------------------------------------------
-
-MeshPointer remove_handles_of(const PythonMesh& mesh, const PythonLength& max_length,
-                              const py::object& progress) {
-  Document document = mesh.document;
-  Entries report = join_places(document.mesh);
-  HandleOptions options;
-  options.max_length = Lengths(document)(max_length);
-  options.coordinate = document.style.coordinate;
-  const HandleResult result = without_lock(
-      progress, [&](const Progress& to) { return remove_handles(document.mesh, options, to); });
-  report.emplace_back("max_length", options.max_length);
-  append(report, entries_of(result));
-  report.emplace_back("genus", connected_components(document.mesh).genus());
-  return mesh_of(std::move(document), report);
+MeshPointer remove_handles_of(Call& call) {
+  call.join();
+  const HandleOptions options{call.length("max_length"), call.document.style.coordinate};
+  const HandleResult result =
+      call.run([&](const Progress& to) { return remove_handles(call.document.mesh, options, to); });
+  call.report.emplace_back("max_length", options.max_length);
+  append(call.report, entries_of(result));
+  return call.result({{"genus", connected_components(call.document.mesh).genus()}});
 }
 
 // --- transform -----------------------------------------------------------------------------------
 
-py::array_t<double> array_of(const Matrix4& matrix) {
+/// Adds the matrix to the report of the mesh.
+MeshPointer with_matrix(MeshPointer mesh, const Matrix4& matrix) {
   py::array_t<double> array({4, 4});
   for (Eigen::Index i = 0; i < 4; ++i)
     for (Eigen::Index j = 0; j < 4; ++j) array.mutable_at(i, j) = matrix(i, j);
-  return array;
+  mesh->report["matrix"] = array;
+  return mesh;
 }
 
 Matrix4 mirroring(const py::handle& value) {
@@ -95,31 +80,26 @@ Matrix4 step_of(const std::string& name, const py::handle& value, const Mesh& me
   return name == "center" ? centering(box) : fitting_unit_box(box);
 }
 
-MeshPointer transform_mesh(const PythonMesh& mesh, const py::kwargs& steps) {
-  Document document = mesh.document;
+MeshPointer transform_mesh(Call& call) {
   Matrix4 product = Matrix4::Identity();
-  for (const auto& [name, value] : steps)
+  for (const auto& [name, value] : call.get<py::dict>("steps"))
     if (!value.is_none())
-      product = step_of(py::cast<std::string>(name), value, document.mesh, product) * product;
+      product = step_of(py::cast<std::string>(name), value, call.document.mesh, product) * product;
   const TransformResult result =
-      without_lock(py::none(), [&](const Progress&) { return transform(document.mesh, product); });
-  scale_lengths(document.style.comments, result.scale);
-  py::dict report = dict_of(entries_of(result));
-  report["matrix"] = array_of(product);
-  return mesh_of(std::move(document), report);
+      call.run([&](const Progress&) { return transform(call.document.mesh, product); });
+  scale_lengths(call.document.style.comments, result.scale);
+  return with_matrix(call.result(entries_of(result)), product);
 }
 
 // --- align ---------------------------------------------------------------------------------------
 
-MeshPointer align_mesh(const PythonMesh& mesh, const PythonMesh& reference, std::size_t samples,
-                       int iterations, const py::object& progress) {
-  Document document = mesh.document;
-  const RegistrationResult result = without_lock(progress, [&](const Progress& to) {
-    return align(document.mesh, reference.document.mesh, {samples, iterations}, to);
-  });
-  py::dict report = dict_of(entries_of(result));
-  report["matrix"] = array_of(result.motion);
-  return mesh_of(std::move(document), report);
+MeshPointer align_mesh(Call& call) {
+  RegistrationOptions options;
+  call("samples", options.samples)("iterations", options.iterations);
+  const Mesh& reference = call.mesh("reference").document.mesh;
+  const RegistrationResult result = call.run(
+      [&](const Progress& to) { return align(call.document.mesh, reference, options, to); });
+  return with_matrix(call.result(entries_of(result)), result.motion);
 }
 
 // --- select, split -------------------------------------------------------------------------------
@@ -135,114 +115,105 @@ void set_where(const py::object& where, SelectionOptions& options) {
   }
 }
 
-MeshPointer select_faces_of(const PythonMesh& mesh, const std::optional<std::size_t>& largest,
-                            double at_least, const std::string& by, const py::object& where,
-                            const py::object& box, const py::object& around, bool invert) {
-  Document document = mesh.document;
+MeshPointer select_faces_of(Call& call) {
   SelectionOptions options;
-  options.largest = largest;
-  options.at_least = at_least;
-  options.by = component_size_of(by);
-  set_where(where, options);
-  options.box = optional_box(box);
-  options.around = optional_vector(around, "around");
-  options.invert = invert;
-  const SelectionResult result =
-      without_lock(py::none(), [&](const Progress&) { return select(document.mesh, options); });
-  return mesh_of(std::move(document), entries_of(result));
+  call("largest", options.largest)("at_least", options.at_least)("invert", options.invert);
+  options.by = component_size_of(call.get<std::string>("by"));
+  set_where(call["where"], options);
+  options.box = call.box();
+  options.around = call.vector("around");
+  return call.result(
+      entries_of(call.run([&](const Progress&) { return select(call.document.mesh, options); })));
 }
 
-std::vector<MeshPointer> split_mesh(const PythonMesh& mesh, const std::string& by) {
-  std::vector<Mesh> parts = without_lock(py::none(), [&](const Progress&) {
-    return split_components(mesh.document.mesh, component_size_of(by));
-  });
+std::vector<MeshPointer> split_mesh(Call& call) {
+  const Document& document = call.mesh("mesh").document;
+  const ComponentSize by = component_size_of(call.get<std::string>("by"));
   std::vector<MeshPointer> meshes;
-  for (Mesh& part : parts)
-    meshes.push_back(mesh_of({std::move(part), mesh.document.style, mesh.document.other_elements}));
+  for (Mesh& part : call.run([&](const Progress&) { return split_components(document.mesh, by); }))
+    meshes.push_back(mesh_of({std::move(part), document.style, document.other_elements}));
   return meshes;
+}
+
+// --- cut, section --------------------------------------------------------------------------------
+
+CutPlane plane_of(const Call& call) {
+  const std::vector<double> numbers = numbers_of(call["plane"], 4, "plane");
+  return {vector_of(numbers), numbers[3]};
+}
+
+MeshPointer cut_mesh(Call& call) {
+  const CutPlane at = plane_of(call);
+  const auto cap = call.get<bool>("cap");
+  Mesh& mesh = call.document.mesh;
+  call.run([&](const Progress& to) {
+    cap ? cut_closed(mesh, at, call.document.style.coordinate, to)
+        : static_cast<void>(cut_open(mesh, at));
+    return true;
+  });
+  return call.result();
+}
+
+py::array_t<double> section_of(Call& call) {
+  const CutPlane at = plane_of(call);
+  const Mesh& mesh = call.mesh("mesh").document.mesh;
+  const auto segments = call.run([&](const Progress&) { return plane_section(mesh, at); });
+  py::array_t<double> array({segments.size(), std::size_t{2}, std::size_t{3}});
+  double* to = array.mutable_data();
+  for (const auto& [from, end] : segments)
+    for (const Vec3* point : {&from, &end}) to = std::copy_n(point->data(), 3, to);
+  return array;
 }
 
 // --- sample --------------------------------------------------------------------------------------
 
-MeshPointer sample_mesh(const PythonMesh& mesh, std::size_t count,
-                        const std::optional<PythonLength>& distance, std::uint64_t seed,
-                        const py::object& progress) {
-  Document document = mesh.document;
-  if ((count > 0) == distance.has_value())
+MeshPointer sample_mesh(Call& call) {
+  SampleOptions options;
+  call("count", options.count)("seed", options.seed);
+  const bool has_distance = !call["distance"].is_none();
+  if ((options.count > 0) == has_distance)
     throw UsageError("give either count, the number of points, or distance, their least distance");
-  const SampleOptions options{count, Lengths(document)(distance, 0), seed};
-  if (distance && !(options.distance > 0)) throw UsageError("distance must be more than 0");
-  document.mesh = without_lock(
-      progress, [&](const Progress& to) { return sample_surface(document.mesh, options, to); });
+  options.distance = call.length("distance");
+  if (has_distance && !(options.distance > 0)) throw UsageError("distance must be more than 0");
+  Document& document = call.document;
+  document.mesh =
+      call.run([&](const Progress& to) { return sample_surface(document.mesh, options, to); });
 
   // The result has only points, as the output of tm-sample.
   document.other_elements.clear();
   document.style.element_order = {"vertex"};
   if (document.style.format == Format::off) document.style.format = Format::ply_little;
-  return mesh_of(std::move(document), Entries{{"points", document.mesh.positions.size()}});
+  return call.result({{"points", document.mesh.positions.size()}});
 }
 
 // --- carry ---------------------------------------------------------------------------------------
 
-MeshPointer carry(const py::args& meshes, const std::vector<std::string>& columns, bool closest) {
-  if (meshes.size() < 2)
-    throw UsageError("carry: the first mesh of a chain and the last are needed");
+MeshPointer carry(Call& call) {
   std::vector<const Mesh*> before;
-  for (const py::handle& mesh : meshes)
-    before.push_back(&py::cast<const PythonMesh&>(mesh).document.mesh);
+  for (const PythonMesh* mesh : call.meshes("carry")) before.push_back(&mesh->document.mesh);
+  if (before.size() < 2)
+    throw UsageError("carry: the first mesh of a chain and the last are needed");
   before.pop_back();
-  Document document = py::cast<const PythonMesh&>(meshes[meshes.size() - 1]).document;
-  const CarryResult result = without_lock(py::none(), [&](const Progress&) {
-    return carry_along(before, document.mesh, {columns, closest, {}});
-  });
-  return mesh_of(std::move(document), entries_of(result));
+  call.document = call.meshes("carry").back()->document;
+  CarryOptions options;
+  call("columns", options.columns)("closest", options.closest);
+  return call.result(entries_of(
+      call.run([&](const Progress&) { return carry_along(before, call.document.mesh, options); })));
 }
 
 }  // namespace
 
 void bind_editing(py::module_& module) {
-  using py::arg;
-  const py::object none = py::none();
-  module.def("fill", &fill_mesh, arg("mesh"), py::kw_only(), arg("max_edges") = none,
-             arg("max_diameter") = none, arg("refine") = true, arg("fair") = true,
-             arg("allow_crossings") = false, arg("progress") = none,
-             "Closes holes by smooth patches, never into a self-intersection unless "
-             "`allow_crossings` says "
-             "so; the report has what stays open. See tm-fill(1).");
-  module.def(
-      "handles", &remove_handles_of, arg("mesh"), py::kw_only(), arg("max_length") = "5x",
-      arg("progress") = none,
-      "Removes handles that a loop of at most this length goes around; the surface may intersect "
-      "itself there, for clean(). See tm-handles(1).");
-  module.def("transform", &transform_mesh, arg("mesh"),
-             "Moves, turns, scales and mirrors, in the order of the keywords: translate=(x, y, z), "
-             "rotate=(x, y, z, degrees), scale=factor, scale_axes=(x, y, z), mirror='x' or "
-             "(a, b, c, d), matrix=(4, 4) numbers, center=True, unit_box=True. The report has the "
-             "matrix of all. See tm-transform(1).");
-  module.def("align", &align_mesh, arg("mesh"), arg("reference"), py::kw_only(),
-             arg("samples") = RegistrationOptions().samples,
-             arg("iterations") = RegistrationOptions().iterations, arg("progress") = none,
-             "Turns and moves the mesh onto a reference that shows part of the same surface. The "
-             "report has the matrix, the share of the mesh that overlaps, and its root mean square "
-             "distance. See tm-align(1).");
-  module.def("select", &select_faces_of, arg("mesh"), py::kw_only(), arg("largest") = none,
-             arg("at_least") = 0.0, arg("by") = "faces", arg("where") = none, arg("box") = none,
-             arg("around") = none, arg("invert") = false,
-             "The faces that meet all conditions: of the `largest` components or those `at_least` "
-             "so large, `where` a property is such as 'label=2' or an array is true, in a `box` "
-             "((x, y, z), (x, y, z)), of the component `around` a point. See tm-select(1).");
-  module.def("split", &split_mesh, arg("mesh"), py::kw_only(), arg("by") = "faces",
-             "The components as a list of meshes, the largest by 'faces', 'area' or 'volume' "
-             "first. See tm-select(1).");
-  module.def("sample", &sample_mesh, arg("mesh"), arg("count") = 0, py::kw_only(),
-             arg("distance") = none, arg("seed") = 1, arg("progress") = none,
-             "Points with normals on the surface, `count` of them by area, or a Poisson disk "
-             "of that `distance`. See tm-sample(1).");
-  module.def("carry", &carry, py::kw_only(), arg("columns") = std::vector<std::string>(),
-             arg("closest") = false,
-             "Carries columns from the first mesh of a chain to the last: carry(first, between, "
-             "..., last), each made of the one before with source=True, or with `closest` near it. "
-             "`columns` names those to carry; without, all but normals. See tm-carry(1).");
+  define_filter(module, "fill", &fill_mesh);
+  define_filter(module, "handles", &remove_handles_of);
+  define_filter(module, "transform", &transform_mesh);
+  define_filter(module, "align", &align_mesh);
+  define_filter(module, "select", &select_faces_of);
+  define(module, "split", &split_mesh);
+  define_filter(module, "cut", &cut_mesh);
+  define(module, "section", &section_of);
+  define_filter(module, "sample", &sample_mesh);
+  define(module, "carry", &carry);
 }
 
 }  // namespace transformesh::python

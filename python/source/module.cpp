@@ -3,59 +3,8 @@
 
 #include "advice.h"
 #include "call.h"
-#include "io/comments.h"
-#include "io/length_basis.h"
-#include "python_mesh.h"
-#include "transformesh/errors.h"
 
 namespace transformesh::python {
-
-int threads = 0;
-
-Progress progress_to(const py::object& callback) {
-  return Progress([callback](std::string_view phase, double fraction) {
-    const py::gil_scoped_acquire locked;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (callback.is_none()) return true;
-    const py::object answer = callback(phase, fraction);
-    return answer.is_none() || py::cast<bool>(answer);
-  });
-}
-
-std::function<void(const std::string& message)> message_callback(const py::object& callback) {
-  if (callback.is_none()) return {};
-  return [callback](const std::string& message) {
-    const py::gil_scoped_acquire locked;
-    callback(message);
-  };
-}
-
-// --- Lengths -------------------------------------------------------------------------------------
-
-Lengths::Lengths(Document& document) : document_(document) {}
-
-Length parsed(const PythonLength& length) {
-  if (const auto* number = std::get_if<double>(&length)) return {*number, Length::Unit::absolute};
-  return parse_length(std::get<std::string>(length));
-}
-
-double Lengths::operator()(const PythonLength& length) {
-  const Length asked = parsed(length);
-  if (asked.unit == Length::Unit::reference_edge) return asked.resolve(0, reference_edge());
-  LengthBasis basis("");
-  basis.set_document(&document_);
-  return basis.resolve(asked);
-}
-
-double Lengths::reference_edge() {
-  LengthBasis basis("");
-  basis.set_document(&document_);
-  const double edge = basis.reference_edge();
-  set_reference_edge(document_.style.comments, edge);
-  return edge;
-}
-
-// --- Errors --------------------------------------------------------------------------------------
 
 namespace {
 
@@ -109,6 +58,13 @@ void translate(std::exception_ptr pointer) {
   }
 }
 
+py::none set_threads(Call& call) {
+  const auto count = call.get<int>("count");
+  if (count < 0 || count > 1024) throw UsageError("threads: from 0, one per core, to 1024");
+  threads = count;
+  return {};
+}
+
 }  // namespace
 
 void bind_errors(py::module_& module) {
@@ -138,18 +94,9 @@ PYBIND11_MODULE(_transformesh, module) {
   bind_filters(module);
   bind_remeshing(module);
   bind_editing(module);
-  bind_cuts(module);
   bind_measures(module);
   bind_pictures(module);
   bind_evolutions(module);
-  bind_flows(module);
   bind_views(module);
-  module.def(
-      "set_threads",
-      [](int count) {
-        if (count < 0 || count > 1024)
-          throw transformesh::UsageError("threads: from 0, one per core, to 1024");
-        threads = count;
-      },
-      py::arg("count"), "How many threads calls use; 0, the default, is one per core.");
+  define(module, "set_threads", &set_threads);
 }

@@ -5,20 +5,17 @@
 #include <iterator>
 #include <tuple>
 
-#include "arguments.h"
 #include "call.h"
 #include "page/run_page.h"
 #include "picture/ambient_occlusion.h"
 #include "picture/parse_picture_options.h"
 #include "picture/picture.h"
-#include "python_mesh.h"
-#include "transformesh/errors.h"
 
 namespace transformesh::python {
 namespace {
 
-Axis axis_of(const std::string& name) {
-  return std::array{Axis::x, Axis::y, Axis::z}[choice("up", name, {"x", "y", "z"})];
+Axis axis_of(const Call& call) {
+  return call.choice<Axis>("up", {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}});
 }
 
 // --- render --------------------------------------------------------------------------------------
@@ -76,40 +73,37 @@ std::vector<Image> draw(Scene& scene, int frames, bool has_occlusion, const Prog
   return images;
 }
 
-py::array render(const py::args& meshes, std::pair<int, int> size, std::pair<double, double> orbit,
-                 const std::string& up, double zoom, const std::string& frame,
-                 const std::optional<MeshPointer>& around, int views, int columns, int frames,
-                 const std::string& color, const std::string& color_by,
-                 const std::optional<std::pair<double, double>>& range,
-                 const std::string& highlight, const py::object& segments,
-                 const std::string& background, double crease_angle, bool ambient_occlusion,
-                 bool edges, const py::object& progress) {
+ShadeOptions shading(const Call& call) {
+  ShadeOptions shade;
+  const auto color = call.get<std::string>("color");
+  if (!color.empty()) shade.color.front = parse_color(color);
+  call("color_by", shade.color.by)("highlight", shade.color.highlight);
+  shade.segments = segments_of(call["segments"]);
+  shade.background = parse_background(call.get<std::string>("background"));
+  call("crease_angle", shade.crease_angle_deg)("edges", shade.draw_edges);
+  return shade;
+}
+
+py::array render(Call& call) {
   Scene scene;
-  for (const py::handle& mesh : meshes)
-    scene.meshes.push_back(&py::cast<const PythonMesh&>(mesh).document.mesh);
-  if (scene.meshes.empty()) throw UsageError("render: at least one mesh is needed");
+  for (const PythonMesh* mesh : call.meshes("render")) scene.meshes.push_back(&mesh->document.mesh);
+  const auto frames = call.get<int>("frames");
   if (frames < 0) throw UsageError("frames: from 1 on, or 0 for a single picture");
   PictureOptions& picture = scene.picture;
-  std::tie(picture.width, picture.height) = size;
-  std::tie(picture.orbit.azimuth_deg, picture.orbit.elevation_deg) = orbit;
-  picture.orbit.up = axis_of(up);
-  picture.orbit.zoom = zoom;
-  picture.framing = std::array{Framing::each, Framing::scale,
-                               Framing::place}[choice("frame", frame, {"each", "scale", "place"})];
-  if (around) picture.around = &(*around)->document.mesh;
-  picture.views = views;
-  picture.columns = columns;
-  picture.range = range;
-  if (!color.empty()) picture.shade.color.front = parse_color(color);
-  picture.shade.color.by = color_by;
-  picture.shade.color.highlight = highlight;
-  picture.shade.segments = segments_of(segments);
-  picture.shade.background = parse_background(background);
-  picture.shade.crease_angle_deg = crease_angle;
-  picture.shade.draw_edges = edges;
-  const std::vector<Image> images = without_lock(
-      progress, [&](const Progress& to) { return draw(scene, frames, ambient_occlusion, to); });
-  return array_of(images, frames > 0);
+  std::tie(picture.width, picture.height) = call.get<std::pair<int, int>>("size");
+  std::tie(picture.orbit.azimuth_deg, picture.orbit.elevation_deg) =
+      call.get<std::pair<double, double>>("orbit");
+  picture.orbit.up = axis_of(call);
+  picture.framing = call.choice<Framing>(
+      "frame", {{"each", Framing::each}, {"scale", Framing::scale}, {"place", Framing::place}});
+  if (!call["around"].is_none()) picture.around = &call.mesh("around").document.mesh;
+  call("zoom", picture.orbit.zoom)("views", picture.views)("columns", picture.columns);
+  call("range", picture.range);
+  picture.shade = shading(call);
+  const auto has_occlusion = call.get<bool>("ambient_occlusion");
+  return array_of(
+      call.run([&](const Progress& to) { return draw(scene, frames, has_occlusion, to); }),
+      frames > 0);
 }
 
 // --- report --------------------------------------------------------------------------------------
@@ -137,16 +131,18 @@ std::string viewer_page(const std::string& given) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-py::bytes report(const py::args& runs, std::size_t every, const std::string& title,
-                 const std::string& color_by, const std::string& up, const py::object& viewer,
-                 const py::object& progress) {
+py::bytes report(Call& call) {
   std::vector<std::string> folders;
-  for (const py::handle& run : runs) folders.push_back(path_text(run));
+  for (const py::handle& run : call.get<py::tuple>("runs")) folders.push_back(path_text(run));
   if (folders.empty()) throw UsageError("report: the folder of a run is needed");
+  const auto every = call.get<std::size_t>("every");
   if (every < 1) throw UsageError("every: from 1 on");
-  axis_of(up);
-  const std::string around = viewer_page(viewer.is_none() ? "" : path_text(viewer));
-  return without_lock(progress, [&](const Progress& to) {
+  axis_of(call);
+  const std::string around = viewer_page(call["viewer"].is_none() ? "" : call.path("viewer"));
+  const auto title = call.get<std::string>("title");
+  const auto color_by = call.get<std::string>("color_by");
+  const auto up = call.get<std::string>("up");
+  return call.run([&](const Progress& to) {
     Page page = read_runs_page(folders, {every}, to);
     if (!color_by.empty() && !has_column(page, color_by))
       throw UsageError("color_by: no mesh has a property '" + color_by + "' of numbers");
@@ -161,25 +157,8 @@ py::bytes report(const py::args& runs, std::size_t every, const std::string& tit
 }  // namespace
 
 void bind_pictures(py::module_& module) {
-  using py::arg;
-  const py::object none = py::none();
-  module.def("render", &render, py::kw_only(), arg("size") = std::make_pair(800, 600),
-             arg("orbit") = std::make_pair(30.0, 20.0), arg("up") = "y", arg("zoom") = 1.0,
-             arg("frame") = "each", arg("around") = none, arg("views") = 1, arg("columns") = 0,
-             arg("frames") = 0, arg("color") = "", arg("color_by") = "", arg("range") = none,
-             arg("highlight") = "", arg("segments") = none, arg("background") = "#f7f7f7,#d6d9de",
-             arg("crease_angle") = 40.0, arg("ambient_occlusion") = false, arg("edges") = false,
-             arg("progress") = none,
-             "A picture of meshes side by side as an array (height, width, 4) of red, green, blue, "
-             "alpha. `views` draws each mesh from so many sides, `frames` makes a movie around "
-             "them, (frames, height, width, 4). `color_by` names a column that colors stand for, "
-             "`range` the numbers at their ends; `segments` are lines (k, 2, 3). See "
-             "tm-render(1).");
-  module.def("report", &report, py::kw_only(), arg("every") = 1, arg("title") = "",
-             arg("color_by") = "", arg("up") = "y", arg("viewer") = none, arg("progress") = none,
-             "The bytes of an HTML page that shows runs, the folders that the loops' programs "
-             "write with --run, in 3D and over time. `viewer` is the page that shows them, where "
-             "it is not installed. See tm-report(1).");
+  define(module, "render", &render);
+  define(module, "report", &report);
 }
 
 }  // namespace transformesh::python

@@ -5,14 +5,12 @@
 #include <cmath>
 
 #include "advice.h"
-#include "arguments.h"
 #include "call.h"
 #include "clean/box/tile.h"
 #include "columns_binding.h"
 #include "io/formats/file_format.h"
 #include "io/streams/atomic_file.h"
 #include "io/streams/streams.h"
-#include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
 
 namespace transformesh::python {
@@ -111,10 +109,15 @@ MeshPointer parse(std::string_view bytes, const std::string& name, const ReadOpt
   return mesh_of(std::move(result.document));
 }
 
-MeshPointer read(const py::object& path, bool strict) {
-  const std::string name = path_text(path);
+MeshPointer read(Call& call) {
+  const std::string name = call.path("path");
   const Bytes bytes = read_all(name);
-  return parse(bytes.view(), name, {strict, input_folder(name)});
+  return parse(bytes.view(), name, {call.get<bool>("strict"), input_folder(name)});
+}
+
+MeshPointer parse_bytes(Call& call) {
+  const auto bytes = call.get<py::bytes>("bytes");
+  return parse(std::string_view(bytes), "the bytes", {call.get<bool>("strict")});
 }
 
 std::string bytes_of(const PythonMesh& self, const std::string& format, const std::string& name,
@@ -128,35 +131,15 @@ std::string bytes_of(const PythonMesh& self, const std::string& format, const st
   return std::move(result.bytes);
 }
 
-void write(const PythonMesh& self, const py::object& path, const std::string& format,
-           const std::string& scalar) {
-  const std::string name = path_text(path);
-  const std::string bytes = bytes_of(self, format, name, scalar);
-  const py::gil_scoped_release unlocked;
-  write_file(name, bytes);
-}
-
-void bind_files(py::module_& module) {
-  module.def(
-      "read", &read, py::arg("path"), py::kw_only(), py::arg("strict") = false,
-      "Reads PLY, OFF, OBJ or STL, distinguished by the first bytes. What is changed on the "
-      "way in, as polygons cut into triangles, is a warning. Values that are not finite and "
-      "lines that the format does not have are left out with a warning; strict refuses them.");
-  module.def(
-      "parse",
-      [](const py::bytes& bytes, bool strict) {
-        return parse(std::string_view(bytes), "the bytes", {strict});
-      },
-      py::arg("bytes"), py::kw_only(), py::arg("strict") = false,
-      "The mesh that a file of these bytes holds.");
-  module.def("write", &write, py::arg("mesh"), py::arg("path"), py::kw_only(),
-             py::arg("format") = "", py::arg("scalar") = "",
-             "Writes a file, complete or not at all. The name's ending decides on the format "
-             "(.ply .off .obj .stl .glb .vtp .3mf .xyz) unless `format` does: ply, ply-ascii, "
-             "ply-be, off, obj, "
-             "stl, glb, vtp, 3mf, xyz; else it is that of the file read, or binary PLY. `scalar` "
-             "is float or "
-             "double.");
+py::none write(Call& call) {
+  const std::string name = call.path("path");
+  const std::string bytes = bytes_of(call.mesh("mesh"), call.get<std::string>("format"), name,
+                                     call.get<std::string>("scalar"));
+  call.run([&](const Progress&) {
+    write_file(name, bytes);
+    return true;
+  });
+  return {};
 }
 
 }  // namespace
@@ -168,11 +151,6 @@ std::string path_text(const py::handle& path) {
 std::vector<Vec3> vectors_of(const py::array& array, const std::string& name) {
   check_rows(array, name);
   return holds<float>(array) ? read_vectors<float>(array) : read_vectors<double>(array);
-}
-
-py::array array_of(const std::vector<Vec3>& vectors) {
-  return py::array_t<double>({vectors.size(), std::size_t{3}},
-                             vectors.empty() ? nullptr : vectors.data()->data());
 }
 
 namespace {
@@ -204,6 +182,10 @@ MeshPointer mesh_of(Mesh mesh, const Entries& report) {
   return mesh_of(std::move(document), report);
 }
 
+namespace {
+
+/// Makes a mesh from positions (n, 3) and faces (m, 3), with the checks of a file. Copies the data
+/// once if types are doubles or floats, and 32- or 64-bit integers.
 MeshPointer make_mesh(const py::object& positions, const py::object& faces) {
   Mesh mesh;
   mesh.positions = vectors_of(py::array::ensure(positions), "positions");
@@ -213,6 +195,8 @@ MeshPointer make_mesh(const py::object& positions, const py::object& faces) {
   if (!faces.is_none()) mesh.faces = faces_of(py::array::ensure(faces), mesh.positions.size());
   return mesh_of(std::move(mesh));
 }
+
+}  // namespace
 
 void bind_mesh(py::module_& module) {
   bind_columns(module);
@@ -257,7 +241,9 @@ void bind_mesh(py::module_& module) {
       .def(py::pickle(
           [](const PythonMesh& self) { return py::bytes(write_mesh(self.document).bytes); },
           [](const py::bytes& bytes) { return parse(std::string_view(bytes), "the pickle", {}); }));
-  bind_files(module);
+  define(module, "read", &read);
+  define(module, "parse", &parse_bytes);
+  define(module, "write", &write);
 }
 
 }  // namespace transformesh::python

@@ -23,9 +23,6 @@ struct PythonMesh {
 };
 using MeshPointer = std::shared_ptr<PythonMesh>;
 
-/// Makes a mesh from positions (n, 3) and faces (m, 3), with the checks of a file. Copies the data
-/// once if types are doubles or floats, and 32- or 64-bit integers.
-MeshPointer make_mesh(const py::object& positions, const py::object& faces);
 /// Returns report entries by name. A list of numbers becomes a tuple, a length becomes text.
 py::dict dict_of(const Entries& entries);
 MeshPointer mesh_of(Document document, py::dict report = {});
@@ -36,7 +33,6 @@ MeshPointer mesh_of(Mesh mesh, const Entries& report = {});
 std::string path_text(const py::handle& path);
 /// Returns the rows of an array (n, 3). Throws InputError for other shapes.
 std::vector<Vec3> vectors_of(const py::array& array, const std::string& name);
-py::array array_of(const std::vector<Vec3>& vectors);
 
 /// Binds the class Mesh, and reading and writing.
 void bind_mesh(py::module_& module);

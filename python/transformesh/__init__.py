@@ -5,16 +5,7 @@ and return new meshes; what they did is in `mesh.report`. Lengths are numbers in
 mesh, or text as of the programs: '1%' of the box's diagonal, '0.7x' of the reference edge.
 """
 
-from ._transformesh import (
-    Cancelled,
-    Columns,
-    Error,
-    GoalError,
-    InputError,
-    Mesh,
-    OutputError,
-    UsageError,
-    __version__,
+from ._functions import (
     align,
     boolean,
     carry,
@@ -52,6 +43,17 @@ from ._transformesh import (
     thicken,
     transform,
     write,
+)
+from ._transformesh import (
+    Cancelled,
+    Columns,
+    Error,
+    GoalError,
+    InputError,
+    Mesh,
+    OutputError,
+    UsageError,
+    __version__,
 )
 
 __all__ = [name for name in dir() if not name.startswith("_")]

@@ -20,7 +20,7 @@ struct Values {
   std::optional<Length> optional_length;
   std::string text, choice = "one";
   std::vector<double> numbers;
-  long seed = 1;
+  std::uint64_t seed = 1;
 };
 
 class FuzzedProgram {

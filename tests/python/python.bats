@@ -41,16 +41,20 @@ PYTHON
   "$python" tutorial.py >log 2>&1 || fail "$(cat log)"
 }
 
-@test "every function has a type in the stubs and a docstring" {
-  "$python" - "$tm_build/python/transformesh/__init__.pyi" <<'PYTHON'
-import ast, sys
+@test "every function has types and a docstring" {
+  "$python" - "$tm_build/python/transformesh/_transformesh.pyi" <<'PYTHON'
+import ast, inspect, sys
 import transformesh
 
-stubs = {node.name for node in ast.parse(open(sys.argv[1]).read()).body
-         if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
-public = {name for name in transformesh.__all__}
-assert stubs == public, stubs ^ public
-for name in public:
+classes = {node.name for node in ast.parse(open(sys.argv[1]).read()).body if isinstance(node, ast.ClassDef)}
+functions = {name for name in transformesh.__all__ if inspect.isfunction(getattr(transformesh, name))}
+assert classes | functions == set(transformesh.__all__), (classes | functions) ^ set(transformesh.__all__)
+for name in transformesh.__all__:
     assert getattr(transformesh, name).__doc__, name
+for name in functions:
+    signature = inspect.signature(getattr(transformesh, name))
+    assert signature.return_annotation is not inspect.Signature.empty, name
+    for parameter in signature.parameters.values():
+        assert parameter.annotation is not inspect.Parameter.empty, (name, parameter)
 PYTHON
 }

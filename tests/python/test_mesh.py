@@ -1,6 +1,7 @@
 """Meshes as NumPy arrays: shared memory, checks, columns, files."""
 
 import gc
+import inspect
 import pathlib
 import pickle
 import re
@@ -169,9 +170,10 @@ def test_references_are_not_leaked():
 def test_functions_and_arguments_in_remedies_exist():
     source = pathlib.Path(__file__).parents[2] / "python" / "source" / "advice.cpp"
     remedies = [re.sub(r'"\s+"', "", text) for text in re.findall(r'"(?:[^"]|"\s+")*"', source.read_text())]
-    signatures = {name: getattr(tm, name).__doc__ or "" for name in dir(tm) if callable(getattr(tm, name))}
-    functions = {name for text in remedies for name in re.findall(r"(\w+)\(", text)}
-    assert {"fill", "stitch", "clean", "transform"} <= functions <= signatures.keys()
+    functions = {name: getattr(tm, name) for name in tm.__all__ if inspect.isfunction(getattr(tm, name))}
+    signatures = {name: f"{inspect.signature(function)} {function.__doc__}" for name, function in functions.items()}
+    named = {name for text in remedies for name in re.findall(r"(\w+)\(", text)}
+    assert {"fill", "stitch", "clean", "transform"} <= named <= signatures.keys()
     for text in remedies:
         for name, arguments in re.findall(r"(\w+)\(([^)]*)\)", text):
             for keyword in re.findall(r"(\w+)=", arguments):

@@ -18,9 +18,19 @@ namespace transformesh::tool {
 namespace {
 
 Value value_of(const auto& variable) { return variable; }
+Value value_of(const Vec3& point) { return std::vector<double>(point.begin(), point.end()); }
+Value value_of(const Box& box) {
+  std::vector<double> numbers(box.min().begin(), box.min().end());
+  numbers.insert(numbers.end(), box.max().begin(), box.max().end());
+  return numbers;
+}
 template <typename Held>
 Value value_of(const std::optional<Held>& variable) {
-  return variable ? Value(*variable) : Value("");
+  if (variable) return value_of(*variable);
+  if constexpr (std::is_same_v<Held, Vec3> || std::is_same_v<Held, Box>)
+    return std::vector<double>{};
+  else
+    return "";
 }
 
 auto* found_in(auto& options, const std::string& option) {
@@ -57,19 +67,36 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
   return joined;
 }
 
-// Adds an option. `read` converts the text of its value to the type of the variable, or throws.
-Option& add(std::deque<Option>& options, const std::string& names, const std::string& placeholder,
-            const std::string& help, auto* variable, auto read) {
+Option& add_option(std::deque<Option>& options, const std::string& names,
+                   const std::string& placeholder, const std::string& help,
+                   std::function<void(const std::string&)> assign, std::function<Value()> value) {
   Option& option = options.emplace_back();
   option.names = names;
   option.placeholder = placeholder;
   option.help = help;
-  option.assign = [=](const std::string& text) {
-    *variable = static_cast<std::decay_t<decltype(*variable)>>(read(text));
-  };
-  option.value = [=] { return value_of(*variable); };
+  option.assign = std::move(assign);
+  option.value = std::move(value);
   option.default_text = option.text();
   return option;
+}
+
+// Adds an option. `read` converts the text of its value to the type of the variable, or throws.
+Option& add(std::deque<Option>& options, const std::string& names, const std::string& placeholder,
+            const std::string& help, auto* variable, auto read) {
+  return add_option(
+      options, names, placeholder, help,
+      [=](const std::string& text) {
+        *variable = static_cast<std::decay_t<decltype(*variable)>>(read(text));
+      },
+      [=] { return value_of(*variable); });
+}
+
+std::vector<double> parse_numbers(const std::string& text, std::ptrdiff_t count) {
+  std::vector<double> numbers;
+  std::istringstream words(text + ',');
+  for (std::string word; std::getline(words, word, ',');) numbers.push_back(parse_finite(word));
+  if (std::ssize(numbers) == count) return numbers;
+  throw UsageError(quoted(text) + " is not " + std::to_string(count) + " numbers separated by commas");
 }
 
 [[noreturn]] void throw_unknown(const std::string& token, const std::deque<Option>& options) {
@@ -138,28 +165,47 @@ Option& OptionSet::text(const std::string& names, std::string* value,
 
 Option& OptionSet::choice(const std::string& names, std::string* value,
                           const std::vector<std::string>& words, const std::string& help) {
-  return add(options_, names, join(words, "|"), help, value, [=](const std::string& text) {
-    if (std::find(words.begin(), words.end(), text) != words.end()) return text;
+  return choice(
+      names, words, help, [=](const std::string& text) { *value = text; }, [=] { return *value; });
+}
+
+Option& OptionSet::choice(const std::string& names, const std::vector<std::string>& words,
+                          const std::string& help, const Assign& assign,
+                          const std::function<Value()>& value) {
+  const auto check = [=](const std::string& text) {
+    if (std::ranges::find(words, text) != words.end()) return assign(text);
     throw UsageError(quoted(text) + " is not known; did you mean " +
                      quoted(nearest_name(text, words)) + "? (" + join(words, ", ") + ")");
-  });
+  };
+  return add_option(options_, names, join(words, "|"), help, check, value);
 }
 
 Option& OptionSet::numbers(const std::string& names, std::vector<double>* value,
                            const std::string& placeholder, const std::string& help) {
   const auto count = std::count(placeholder.begin(), placeholder.end(), ',') + 1;
-  return add(options_, names, placeholder, help, value, [=](const std::string& text) {
-    std::vector<double> numbers;
-    std::istringstream words(text + ',');
-    for (std::string word; std::getline(words, word, ',');) numbers.push_back(parse_finite(word));
-    if (std::ssize(numbers) == count) return numbers;
-    throw UsageError(quoted(text) + " is not " + std::to_string(count) +
-                     " numbers separated by commas");
+  return add(options_, names, placeholder, help, value,
+             [=](const std::string& text) { return parse_numbers(text, count); });
+}
+
+Option& OptionSet::point(const std::string& names, PointOrNone value, const std::string& help) {
+  const auto read = [](const std::string& text) { return Vec3(parse_numbers(text, 3).data()); };
+  return std::visit(
+      [&](auto* variable) -> Option& {
+        return add(options_, names, "X,Y,Z", help, variable, read);
+      },
+      value);
+}
+
+Option& OptionSet::box(const std::string& names, std::optional<Box>* value,
+                       const std::string& placeholder, const std::string& help) {
+  return add(options_, names, placeholder, help, value, [](const std::string& text) {
+    const std::vector<double> corners = parse_numbers(text, 6);
+    return Box(Vec3(corners.data()), Vec3(corners.data() + 3));
   });
 }
 
 // NOLINTNEXTLINE(readability-non-const-parameter): the option writes to it
-Option& OptionSet::seed(long* value) {
+Option& OptionSet::seed(std::uint64_t* value) {
   return integer("seed", value, 0, std::numeric_limits<long>::max(), "seed of the random numbers");
 }
 

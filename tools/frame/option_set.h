@@ -1,14 +1,18 @@
 /// The options of a program. Help text and parsing use the same objects.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "entries/entries.h"
+#include "transformesh/measure.h"
 
 namespace transformesh::tool {
 
@@ -44,7 +48,8 @@ class OptionSet {
   Option& flag(const std::string& names, bool* value, const std::string& help);
   Option& number(const std::string& names, double* value, double minimum, double maximum,
                  const std::string& help);
-  using Integer = std::variant<int*, long*, std::size_t*, std::optional<long>*>;
+  using Integer =
+      std::variant<int*, long*, std::size_t*, std::optional<long>*, std::optional<std::size_t>*>;
   Option& integer(const std::string& names, Integer value, long minimum, long maximum,
                   const std::string& help);
   /// Adds an option whose value is a length, >= 0 unless `may_be_negative` is set.
@@ -57,12 +62,32 @@ class OptionSet {
   /// suggests the nearest word.
   Option& choice(const std::string& names, std::string* value,
                  const std::vector<std::string>& words, const std::string& help);
+  /// Adds an option whose value is one of several values, each named by a word.
+  template <typename T>
+  Option& named(const std::string& names, T* value,
+                const std::vector<std::pair<std::string, std::type_identity_t<T>>>& values,
+                const std::string& help) {
+    std::vector<std::string> words;
+    for (const auto& [word, named_value] : values) words.push_back(word);
+    using Named = std::pair<std::string, T>;
+    return choice(
+        names, words, help,
+        [=](const std::string& word) {
+          *value = std::ranges::find(values, word, &Named::first)->second;
+        },
+        [=] { return Value(std::ranges::find(values, *value, &Named::second)->first); });
+  }
   /// Adds an option whose value is numbers separated by commas, as many as in the placeholder, such
   /// as `X,Y,Z`. An empty vector means that there is no default.
   Option& numbers(const std::string& names, std::vector<double>* value,
                   const std::string& placeholder, const std::string& help);
+  /// Adds options whose values are a point, and a box with two opposite corners.
+  using PointOrNone = std::variant<Vec3*, std::optional<Vec3>*>;
+  Option& point(const std::string& names, PointOrNone value, const std::string& help);
+  Option& box(const std::string& names, std::optional<Box>* value, const std::string& placeholder,
+              const std::string& help);
   /// Adds --seed, which is the same in all programs.
-  Option& seed(long* value);
+  Option& seed(std::uint64_t* value);
   /// Adds --reference-edge, whose value is `auto` or a length.
   Option& reference_edge(std::string* value, const std::string& help);
 
@@ -82,6 +107,11 @@ class OptionSet {
   const Option& operator[](std::size_t i) const { return options_[i]; }
 
  private:
+  using Assign = std::function<void(const std::string& text)>;
+  Option& choice(const std::string& names, const std::vector<std::string>& words,
+                 const std::string& help, const Assign& assign,
+                 const std::function<Value()>& value);
+
   std::deque<Option> options_;
 };
 

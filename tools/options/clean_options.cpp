@@ -2,18 +2,19 @@
 
 namespace transformesh::tool {
 void declare_cleaning(Program& program, CleanChoices& choices) {
-  program.options.choice(
-      "method", &choices.method, {"grow", "static"},
+  program.options.named(
+      "method", &choices.clean.method,
+      {{"grow", ExteriorMethod::grow}, {"static", ExteriorMethod::static_test}},
       "grow regions from seeds, or test every piece of every face, which is slow");
   program.options.integer(
-      "level", &choices.winding_level, 1, 1000000,
+      "level", &choices.clean.winding_level, 1, 1000000,
       "keep the boundary of the points with winding number >= N; 2 intersects two bodies");
   program.options.flag("outermost", &choices.clean.outermost,
                        "drop components that bound cavities, and components inside cavities");
   program.options.length("separate", &choices.separate,
                          "move vertices with equal positions about this far apart; 0: off");
-  program.options.numbers("box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
-                          "clean only the faces whose first vertex is in this box");
+  program.options.box("box", &choices.clean.box, "X0,Y0,Z0,X1,Y1,Z1",
+                      "clean only the faces whose first vertex is in this box");
   program.options.flag("only", &choices.clean.only, "with --box: write only the faces of the box");
   program.options.flag("merge-flat", &choices.clean.merge_flat,
                        "retriangulate flat regions in which faces were cut, with few triangles");
@@ -28,15 +29,11 @@ void declare_cleaning(Program& program, CleanChoices& choices) {
 
 CleanOptions clean_options(const CleanChoices& choices, Run& run) {
   CleanOptions options = choices.clean;
-  options.method = choices.method == "grow" ? ExteriorMethod::grow : ExteriorMethod::static_test;
-  options.winding_level = static_cast<int>(choices.winding_level);
   options.separate = run.length(choices.separate);
   options.coordinate = run.document().style.coordinate;
   options.sources = choices.source_points  ? CleanSources::points
                     : choices.source_faces ? CleanSources::faces
                                            : CleanSources::none;
-  const std::vector<double>& b = choices.box;
-  if (!b.empty()) options.box = Box(Vec3(b.data()), Vec3(b.data() + 3));
   return options;
 }
 

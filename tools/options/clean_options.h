@@ -12,11 +12,8 @@ namespace transformesh::tool {
 /// Values of the options on the command line that are not directly stored in `clean`.
 struct CleanChoices {
   CleanOptions clean;
-  std::string method = "grow";
-  long winding_level = 1;
   bool source_faces = false, source_points = false;
   Length separate;
-  std::vector<double> box;
 };
 
 void declare_cleaning(Program& program, CleanChoices& choices);

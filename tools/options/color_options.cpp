@@ -65,7 +65,7 @@ void declare_texture(Program& program, ColorChoices& choices) {
   program.options.flag(
       "texture", &choices.has_texture,
       "make a texture: NAME.png beside -o NAME.obj or -o NAME.ply, or inside -o NAME.glb");
-  program.options.integer("texture-size", &choices.texture_size, 16, 32768,
+  program.options.integer("texture-size", &choices.atlas.most_size, 16, 32768,
                           "maximum width and height of the texture, in texels");
 }
 
@@ -91,9 +91,7 @@ void color(Document& document, std::span<const PictureView> views, const ColorCh
            Run& run) {
   ColorResult result;
   if (choices.has_texture) {
-    AtlasOptions options;
-    options.most_size = static_cast<int>(choices.texture_size);
-    const Atlas atlas = texture_surface(document.mesh, views, options, run.progress());
+    const Atlas atlas = texture_surface(document.mesh, views, choices.atlas, run.progress());
     place_picture(document, atlas.picture, run);
     result = atlas.color;
     run.report("texture_width", atlas.picture.width);

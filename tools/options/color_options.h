@@ -9,7 +9,7 @@ namespace transformesh::tool {
 
 struct ColorChoices {
   bool has_texture = false;
-  long texture_size = AtlasOptions().most_size;
+  AtlasOptions atlas;
 };
 
 /// Declares --texture and --texture-size.

@@ -8,11 +8,6 @@
 namespace transformesh::tool {
 namespace {
 
-std::optional<Vec3> vector_of(const std::vector<double>& numbers) {
-  if (numbers.empty()) return std::nullopt;
-  return Vec3(numbers[0], numbers[1], numbers[2]);
-}
-
 std::string line_of(const FlowKind& kind, std::size_t width) {
   std::string line = kind.name + std::string(width - kind.name.size(), ' ') + "  " + kind.summary;
   for (const std::string& parameter : kind.parameters)
@@ -23,17 +18,17 @@ std::string line_of(const FlowKind& kind, std::size_t width) {
 }  // namespace
 
 void declare_flow(OptionSet& options, FlowChoices& choices) {
-  options.number("speed", &choices.speed, -1e300, 1e300,
+  options.number("speed", &choices.flow.speed, -1e300, 1e300,
                  "factor by which velocities are multiplied");
   options
       .number("period", &choices.period, 0, 1e300,
               "time of one turn of rotation, or period of vortex and deformation (default: "
               "rotation 1, vortex 8, deformation 3)")
       .default_text.clear();
-  options.numbers("center", &choices.center, "X,Y,Z",
-                  "fixed point of rotation, shear and expansion (default 0.5,0.5,0.5)");
-  options.numbers("direction", &choices.direction, "X,Y,Z",
-                  "axis of rotation (default 0,0,1), or direction of translation (default 1,0,0)");
+  options.point("center", &choices.flow.center,
+                "fixed point of rotation, shear and expansion (default 0.5,0.5,0.5)");
+  options.point("direction", &choices.flow.direction,
+                "axis of rotation (default 0,0,1), or direction of translation (default 1,0,0)");
   options.text("column", &choices.column, "COLUMN",
                "vertex property by which the speed of normal is multiplied");
   options.text("grid", &choices.grid, "WHERE",
@@ -59,11 +54,8 @@ std::string flow_list() {
 }
 
 Flow flow_of(const std::string& name, const FlowChoices& choices) {
-  FlowOptions options;
-  options.speed = choices.speed;
+  FlowOptions options = choices.flow;
   if (choices.period > 0) options.period = choices.period;
-  options.center = vector_of(choices.center);
-  options.direction = vector_of(choices.direction);
   if (!choices.column.empty()) options.column = choices.column;
   options.grids = read_flow_grids(name, choices.grid, choices.grid_step);
   return make_flow(name, std::move(options));

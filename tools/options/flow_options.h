@@ -9,11 +9,10 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line.
+/// Values of the options on the command line that are not directly stored in `flow`.
 struct FlowChoices {
-  double speed = 1;
+  FlowOptions flow;
   double period = 0;  ///< period of the flow; 0: default of the flow
-  std::vector<double> center, direction;
   std::string column;
   std::string grid;      ///< files of grids (file_list.h)
   double grid_step = 0;  ///< time between two files; 0: the files state their times

@@ -13,9 +13,13 @@ void declare_movement(Program& program, MorphChoices& choices) {
       "largest movement of a vertex, as a fraction of the mean length of its edges");
   program.options.number("time-step", &choices.options.step.displace.time_step, 0, 1e300,
                          "fraction of the distance to the target by which vertices move in a step");
-  program.options.choice("distance", &choices.distance, {"auto", "surface", "points", "vertex"},
-                         "distance to the target's faces, or to the tangent planes at its nearest "
-                         "vertices or vertex; auto: surface if it has faces, else points");
+  program.options.named("distance", &choices.options.step.distance,
+                        {{"auto", std::nullopt},
+                         {"surface", MorphDistance::surface},
+                         {"points", MorphDistance::points},
+                         {"vertex", MorphDistance::vertex}},
+                        "distance to the target's faces, or to the tangent planes at its nearest "
+                        "vertices or vertex; auto: surface if it has faces, else points");
 }
 
 void declare_edges(Program& program, MorphChoices& choices) {
@@ -25,20 +29,15 @@ void declare_edges(Program& program, MorphChoices& choices) {
   program.options.number("gap-edges", &choices.options.step.gap_edges, 0, 1e6,
                          "number of edges across gaps and walls of the target, so that edges are "
                          "short only there; 0: the same length everywhere");
-  program.options.choice("features", &choices.features, {"auto", "on", "off"},
-                         "align the result with the target's sharp edges; auto: if the target has "
-                         "them, except in a sequence");
+  program.options.named(
+      "features", &choices.options.features,
+      {{"auto", Features::automatic}, {"on", Features::on}, {"off", Features::off}},
+      "align the result with the target's sharp edges; auto: if the target has "
+      "them, except in a sequence");
   program.reference_edge();
   program.options.integer(
       "scales", &choices.options.scales, 1, 10,
       "coarse to fine: begin with edges 2^(N-1) times as long, and halve them N-1 times");
-}
-
-std::optional<MorphDistance> distance_of(const std::string& name) {
-  if (name == "surface") return MorphDistance::surface;
-  if (name == "points") return MorphDistance::points;
-  if (name == "vertex") return MorphDistance::vertex;
-  return std::nullopt;
 }
 
 // Quotes a file name for a shell. A name that begins with a dash must not become an option.
@@ -46,10 +45,11 @@ std::string file_word(const std::string& name) {
   return shell_word(name != "-" && name.starts_with('-') ? "./" + name : name);
 }
 
-std::string step_words(const MorphChoices& choices, const std::string& target) {
+std::string step_words(const MorphChoices& choices, const std::string& target, const Run& run) {
   const MorphStepOptions& step = choices.options.step;
-  return "tm-morph-step --no-provenance --target " + target + " --distance " + choices.distance +
-         " --alpha " + shortest_text(step.displace.alpha) + " --time-step " +
+  return "tm-morph-step --no-provenance --target " + target + " --distance " +
+         run.program().options.find("distance")->text() + " --alpha " +
+         shortest_text(step.displace.alpha) + " --time-step " +
          shortest_text(step.displace.time_step) + " --gap-edges " + shortest_text(step.gap_edges);
 }
 
@@ -94,9 +94,6 @@ void check_morph(const MorphChoices& choices, const Run& run) {
 
 MorphOptions morphing_of(const MorphChoices& choices, Run& run) {
   MorphOptions options = choices.options;
-  options.step.distance = distance_of(choices.distance);
-  if (choices.features != "auto")
-    options.features = choices.features == "on" ? Features::on : Features::off;
   options.iteration.reference_edge = run.in().reference_edge();
   options.iteration.remesh = RemeshOptions();
   read_smoothing(choices.smooth, options.iteration.remesh);
@@ -124,12 +121,12 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
     // The thickness of the target is measured once, because the measurement takes longer than an
     // iteration.
     const std::string measured = file_word(output + ".target.ply");
-    text += step_words(choices, target) + " --write-target " + measured + " -o /dev/null " + mesh +
-            '\n';
+    text += step_words(choices, target, run) + " --write-target " + measured + " -o /dev/null " +
+            mesh + '\n';
     target = measured;
   }
   text += "for iteration in $(seq " + std::to_string(choices.loop.iterations) + "); do\n";
-  text += "  " + step_words(choices, target) + ' ' + mesh + " |\n";
+  text += "  " + step_words(choices, target, run) + ' ' + mesh + " |\n";
   text += "    tm-clean --no-provenance --outermost |\n";
   text += "    " + remesh_words(choices) + " -o " + mesh + "\ndone\n";
   return text + "tm-clean --no-provenance --outermost -o " + mesh + ' ' + mesh + '\n';

@@ -14,9 +14,7 @@ struct MorphChoices {
   std::string target;
   bool sequence = false;
   MorphOptions options;
-  std::string distance = "auto";
   std::string smooth = "0.1";
-  std::string features = "auto";
   bool print_pipeline = false;
   LoopChoices loop;
 };

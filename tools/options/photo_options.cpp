@@ -24,9 +24,10 @@ void declare_sources(Program& program, ViewSources& sources) {
 }
 
 void declare_comparison(Program& program, PhotoOptions& options) {
+  PhotoconsistencyOptions& photographs = options.steps.step.photographs;
   program.options.number("scale", &options.scale, 1, 1e3,
                          "factor by which photographs are reduced");
-  program.options.integer("pairs", &options.neighbors, 1, 1000,
+  program.options.integer("pairs", &options.pairs.neighbors, 1, 1000,
                           "maximum number of neighbors with which each view is compared");
   program.options.number("min-angle", &options.pairs.minimum_angle_deg, 0, 180,
                          "smallest angle between compared views, in degrees");
@@ -35,24 +36,28 @@ void declare_comparison(Program& program, PhotoOptions& options) {
   program.options.flag(
       "alternate", &options.steps.alternate,
       "compare each pair in one order only, and alternate the order from step to step");
-  program.options.integer("window", &options.window, 1, 5,
+  program.options.integer("window", &photographs.correlation.radius, 1, 5,
                           "radius of the compared windows, 1 to 5 pixels");
-  program.options.number("robust", &options.steps.step.photographs.correlation.robust, 0, 1e3,
+  program.options.number("robust", &photographs.correlation.robust, 0, 1e3,
                          "disagreement at which a window has a quarter of its usual weight; 0: all "
                          "windows have the same weight");
-  program.options.choice("interpolation", &options.interpolation, {"catmull-rom", "bilinear"},
-                         "interpolation of intensities between pixels");
+  program.options.named(
+      "interpolation", &photographs.interpolation,
+      {{"catmull-rom", Interpolation::catmull_rom}, {"bilinear", Interpolation::bilinear}},
+      "interpolation of intensities between pixels");
 }
 
 void declare_step(Program& program, PhotoOptions& options) {
   PhotoStepOptions& step = options.steps.step;
-  program.options.integer("iterations", &options.iterations, 1, 1000,
+  program.options.integer("iterations", &options.steps.iterations, 1, 1000,
                           "number of consecutive steps");
   program.options.number(
       "momentum", &options.steps.momentum, 0, 0.99,
       "fraction of the previous movement that is added to each step except the last");
-  program.options.choice("step", &options.rule, {"gauss-newton", "paper"},
-                         "rule for the length of a step");
+  program.options.named(
+      "step", &step.rule,
+      {{"gauss-newton", PhotoStepRule::gauss_newton}, {"paper", PhotoStepRule::gradient}},
+      "rule for the length of a step");
   program.options.number(
       "alpha", &step.alpha, 0, 1e300,
       "largest movement of a vertex, as a fraction of the mean length of its edges");
@@ -61,8 +66,9 @@ void declare_step(Program& program, PhotoOptions& options) {
       "gauss-newton: resistance to bending, where 1 is the usual pull of photographs");
   program.options.number("pull", &step.silhouettes, 0, 1e300,
                          "weight of the silhouettes, where 1 is the usual weight of photographs");
-  program.options.choice(
-      "silhouettes-show", &options.meaning, {"exact", "least"},
+  program.options.named(
+      "silhouettes-show", &step.meaning,
+      {{"exact", SilhouetteMeaning::exact}, {"least", SilhouetteMeaning::least}},
       "masks show the whole object, or only a part of it: then they only pull outwards");
   program.options.number("time-step", &step.time_step, 0, 1e300,
                          "paper: step size t, in units of length to the fourth power");
@@ -81,32 +87,21 @@ void declare_photo_step(Program& program, PhotoOptions& options) {
 }
 
 PhotoScene read_scene(const PhotoOptions& options, Run& run) {
-  PairOptions pairs = options.pairs;
+  const PairOptions& pairs = options.pairs;
   if (!(pairs.minimum_angle_deg < pairs.maximum_angle_deg)) {
     throw UsageError("--min-angle " + shortest_text(pairs.minimum_angle_deg) +
                      " is not below --max-angle " + shortest_text(pairs.maximum_angle_deg) +
                      ": no angle lies between them");
   }
-  pairs.neighbors = static_cast<std::size_t>(options.neighbors);
   ViewSources sources = options.sources;
   sources.on_note = [&run](const std::string& text) { run.note(text); };
   std::vector<View> views = views_from(sources);
   ViewCheck check;
-  if (options.meaning == "exact") check = check_views(views, options.check, run);
+  if (options.steps.step.meaning == SilhouetteMeaning::exact)
+    check = check_views(views, options.check, run);
   run.report("dropped_views", check.dropped.size());
   run.report("least_agreement", check.least_agreement);
   return photo_scene(views, options.scale, pairs);
-}
-
-PhotoStepsOptions steps_of(const PhotoOptions& options) {
-  PhotoStepsOptions steps = options.steps;
-  steps.iterations = static_cast<int>(options.iterations);
-  if (options.rule == "paper") steps.step.rule = PhotoStepRule::gradient;
-  if (options.meaning == "least") steps.step.meaning = SilhouetteMeaning::least;
-  PhotoconsistencyOptions& photographs = steps.step.photographs;
-  photographs.correlation.radius = static_cast<int>(options.window);
-  if (options.interpolation == "bilinear") photographs.interpolation = Interpolation::bilinear;
-  return steps;
 }
 
 }  // namespace transformesh::tool

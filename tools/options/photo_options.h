@@ -11,17 +11,11 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line that are not directly stored in `steps` and `pairs`.
+/// Values of the options on the command line.
 struct PhotoOptions {
   ViewSources sources;
   ViewCheckChoices check;
   double scale = 1;
-  long neighbors = static_cast<long>(PairOptions().neighbors);
-  long window = CorrelationOptions().radius;
-  long iterations = PhotoStepsOptions().iterations;
-  std::string rule = "gauss-newton";
-  std::string meaning = "exact";
-  std::string interpolation = "catmull-rom";
   PairOptions pairs;
   PhotoStepsOptions steps;
 };
@@ -31,7 +25,5 @@ void declare_photo_step(Program& program, PhotoOptions& options);
 /// Reads the views, and reduces them by the factor `scale`. Checks whether views with exact masks
 /// agree.
 PhotoScene read_scene(const PhotoOptions& options, Run& run);
-
-PhotoStepsOptions steps_of(const PhotoOptions& options);
 
 }  // namespace transformesh::tool

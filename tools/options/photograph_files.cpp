@@ -75,10 +75,9 @@ std::string write_photographs(const Mesh& mesh, const CameraRing& ring,
     if (!files.images.empty() || !files.silhouettes.empty())
       photograph = take_photograph(mesh, camera, texture, number, files.sensor);
     if (!files.images.empty()) {
-      const bool is_shaded = files.look == "shade";
       run.out().write_into(
           files.images, name,
-          write_png(is_shaded ? shade(mesh, camera) : picture_of(photograph.image)));
+          write_png(files.is_shaded ? shade(mesh, camera) : picture_of(photograph.image)));
     }
     if (!files.silhouettes.empty())
       run.out().write_into(files.silhouettes, name, write_png(picture_of(photograph.silhouette)));

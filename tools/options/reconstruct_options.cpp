@@ -22,8 +22,9 @@ void declare_places(Program& program, ReconstructChoices& choices) {
       .is_needed = true;
   program.options.text("silhouettes", &choices.sources.silhouettes, "WHERE",
                        "masks; pixels that are not black show the object");
-  program.options.choice(
-      "silhouettes-show", &choices.silhouettes_show, {"exact", "least"},
+  program.options.named(
+      "silhouettes-show", &choices.options.initial.meaning,
+      {{"exact", SilhouetteMeaning::exact}, {"least", SilhouetteMeaning::least}},
       "masks show the whole object, or only a part of it: then they only pull outwards");
   program.options.text(
       "threshold", &choices.threshold, "auto|LEVEL",
@@ -32,20 +33,21 @@ void declare_places(Program& program, ReconstructChoices& choices) {
 }
 
 void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
-  program.options.numbers("box", &choices.box, "X,Y,Z,X,Y,Z",
-                          "two corners of a box that contains the object; pixels that do not show "
-                          "the box become background");
+  program.options.box("box", &choices.box, "X,Y,Z,X,Y,Z",
+                      "two corners of a box that contains the object; pixels that do not show "
+                      "the box become background");
   program.options.text("keep", &choices.keep, "auto|largest|all|SHARE",
                        "components of the hull to keep; SHARE: those of at least this share of the "
                        "largest one's volume; auto: those needed to fill the silhouettes");
   program.options.text("start", &choices.options.initial.name, "FILE",
                        "begin with this mesh instead of the visual hull");
-  program.options.choice(
-      "clip", &choices.clip, {"hull", "nothing"},
+  program.options.named(
+      "clip", &choices.options.initial.clips_by_hull, {{"hull", true}, {"nothing", false}},
       "with --start: keep the part of the mesh inside the hull of exact silhouettes, or all of it");
-  program.options.choice("hollows", &choices.hollows, {"auto", "closed"},
-                         "hollows of the object that the hull fills; auto: begin with those open "
-                         "that depth maps show; closed: leave all filled");
+  program.options.named("hollows", &choices.options.initial.opens_hollows,
+                        {{"auto", true}, {"closed", false}},
+                        "hollows of the object that the hull fills; auto: begin with those open "
+                        "that depth maps show; closed: leave all filled");
   program.options.text("sequence", &choices.sequence, "WHERE",
                        "time steps: a file with a name per line, a folder of folders, or a "
                        "pattern; {} in other options stands for the name");
@@ -186,9 +188,6 @@ ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& 
   ReconstructionOptions options = choices.options;
   InitialMeshOptions& initial = options.initial;
   initial.is_given = !initial.name.empty();
-  initial.clips_by_hull = choices.clip == "hull";
-  initial.opens_hollows = choices.hollows == "auto";
-  if (choices.silhouettes_show == "least") initial.meaning = SilhouetteMeaning::least;
   if (!choices.threshold.empty())
     initial.threshold = ThresholdOptions{.intensity = threshold_intensity(choices.threshold)};
   if (choices.keep != "auto") initial.keep = hull_share(choices.keep);
@@ -237,9 +236,9 @@ std::vector<View> checked_views(const ViewSources& sources, const ReconstructCho
   telling.on_note = [&run](const std::string& text) { run.note(text); };
   if (choices.is_preview) telling.reduction = preview_reduction;
   std::vector<View> views = views_from(telling);
-  const std::vector<double>& box = choices.box;
-  if (!box.empty()) keep_in_box(views, Box(Vec3(box.data()), Vec3(box.data() + 3)));
-  if (choices.silhouettes_show == "exact") check_views(views, choices.check, run);
+  if (choices.box) keep_in_box(views, *choices.box);
+  if (choices.options.initial.meaning == SilhouetteMeaning::exact)
+    check_views(views, choices.check, run);
   return views;
 }
 

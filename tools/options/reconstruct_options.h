@@ -20,17 +20,14 @@ namespace transformesh::tool {
 struct ReconstructChoices {
   ViewSources sources;
   ReconstructionOptions options;
-  std::string silhouettes_show = "exact";
   std::string threshold;
   std::string keep = "auto";
-  std::string clip = "hull";
-  std::string hollows = "auto";
   std::string sequence;
   double track = SequenceOptions().track;
   std::string coarsest = "auto";
   std::string last_edge;
   std::string iterations = "auto";
-  std::vector<double> box;
+  std::optional<Box> box;
   bool is_preview = false;
   std::string window = "3";
   std::string pull = "auto";

@@ -80,10 +80,11 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
                          "the input by about this");
   program.options.integer("iterations", &remesh.iterations, 0, 1000,
                           "number of iterations; each splits, collapses, flips and smooths");
-  program.options.choice("only", &choices.only, {"all", "smooth"},
-                         "all: split, collapse, flip and smooth; smooth: only move vertices");
-  program.options.choice(
-      "flip", &choices.flip, {"valence", "angle", "none"},
+  program.options.named("only", &remesh.only_smooth, {{"all", false}, {"smooth", true}},
+                        "all: split, collapse, flip and smooth; smooth: only move vertices");
+  program.options.named(
+      "flip", &remesh.flip,
+      {{"valence", FlipRule::valence}, {"angle", FlipRule::angle}, {"none", FlipRule::none}},
       "flip edges towards six edges at a vertex, or if the smallest angle grows");
   program.options.text("smooth", &choices.smooth, "KIND",
                        "tangential (slides vertices, does not shrink), none, or the factor of the "
@@ -112,6 +113,8 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
 }
 
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run) {
+  const OptionSet& given = run.program().options;
+  if (choices.remesh.curved && !given.find("flip")->is_given) choices.remesh.flip = FlipRule::angle;
   RemeshOptions result = choices.remesh;
   const bool adapts = choices.adaptive.has_value();
   if (adapts) result.adaptive_error = run.length(*choices.adaptive);
@@ -121,11 +124,6 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   take_one_edge(choices);
   result.min_edge = edge_length(choices.min_edge, adapts ? 0.1 : 0.7, "--min-edge", has_sizes, run);
   result.max_edge = edge_length(choices.max_edge, adapts ? 5 : 1.5, "--max-edge", has_sizes, run);
-  result.only_smooth = choices.only == "smooth";
-  const OptionSet& given = run.program().options;
-  if (result.curved && !given.find("flip")->is_given) choices.flip = "angle";
-  if (choices.flip != "valence")
-    result.flip = choices.flip == "angle" ? FlipRule::angle : FlipRule::none;
   result.feature_angle_deg = feature_angle(choices.feature_angle, 0);
   result.coordinate = document.style.coordinate;
   result.keep_out = choices.keep_out.options(run);
@@ -145,9 +143,9 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
 DecimateOptions decimate_options(RemeshChoices& choices, const Document& document, Run& run) {
   refuse_others(run.program(), choices.faces ? "faces" : "error", "decimates",
                 {"faces", "error", "feature-angle", "keep-border", "source", "keep-out", "gap"});
-  DecimateOptions options{static_cast<std::size_t>(choices.faces.value_or(0)),
-                          feature_angle(choices.feature_angle, 180), choices.remesh.keep_border,
-                          document.style.coordinate, choices.keep_out.options(run)};
+  DecimateOptions options{choices.faces.value_or(0), feature_angle(choices.feature_angle, 180),
+                          choices.remesh.keep_border, document.style.coordinate,
+                          choices.keep_out.options(run)};
   if (choices.error) options.error = run.length(*choices.error);
   return options;
 }

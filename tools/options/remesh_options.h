@@ -16,13 +16,11 @@ namespace transformesh::tool {
 /// Values of the options on the command line that are not directly stored in `remesh`.
 struct RemeshChoices {
   /// Number of faces to which the mesh is decimated instead of remeshed.
-  std::optional<long> faces;
+  std::optional<std::size_t> faces;
   /// Mesh to whose sharp edges the input is aligned instead of remeshed.
   std::string align;
   std::optional<Length> error;  ///< largest error of decimation; may be combined with `faces`
   std::optional<Length> edge, min_edge, max_edge, adaptive, min_film, pinch;
-  std::string only = "all";
-  std::string flip = "valence";
   std::string smooth = "tangential";
   std::string feature_angle = "auto";
   std::vector<double> smooth_twice;

@@ -16,12 +16,15 @@ void declare_picture(Program& program, RenderOptions& options) {
   program.options.text(
       "orbit", &options.orbit, "AZIMUTH,ELEVATION",
       "direction of the camera in degrees, moved to its right and upwards from the front");
-  program.options.choice("up", &options.up, {"x", "y", "z"}, "axis that points up");
+  program.options.named("up", &picture.orbit.up, {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}},
+                        "axis that points up");
   program.options.number("zoom", &picture.orbit.zoom, 0.001, 1000,
                          "magnification; 2 shows everything twice as large");
-  program.options.choice("frame", &options.frame, {"each", "scale", "place"},
-                         "each: a mesh fills its panel; scale: all meshes have one scale; place: "
-                         "all panels show the box of all meshes");
+  program.options.named(
+      "frame", &picture.framing,
+      {{"each", Framing::each}, {"scale", Framing::scale}, {"place", Framing::place}},
+      "each: a mesh fills its panel; scale: all meshes have one scale; place: "
+      "all panels show the box of all meshes");
   program.options.text("around", &options.around, "FILE",
                        "use the view in which the mesh in FILE fills the panel");
   program.options.integer("views", &picture.views, 1, 1000,
@@ -33,7 +36,7 @@ void declare_picture(Program& program, RenderOptions& options) {
                          "write a movie of this many seconds that shows the meshes one after the "
                          "other, as with --frame place; 0: none");
   program.options.integer(
-      "columns", &options.columns, 0, 10000,
+      "columns", &picture.columns, 0, 10000,
       "number of panels in a row; 0: all, or the best number with --views of one mesh");
   program.options.text(
       "color", &options.color, "COLOR",
@@ -65,10 +68,6 @@ PictureOptions picture_of(const RenderOptions& options) {
   PictureOptions picture = options.picture;
   std::tie(picture.width, picture.height) = parse_size(options.size);
   std::tie(picture.orbit.azimuth_deg, picture.orbit.elevation_deg) = parse_orbit(options.orbit);
-  picture.orbit.up = options.up == "x" ? Axis::x : options.up == "y" ? Axis::y : Axis::z;
-  if (options.frame == "scale") picture.framing = Framing::scale;
-  if (options.frame == "place") picture.framing = Framing::place;
-  picture.columns = static_cast<int>(options.columns);
   picture.frames = std::max(options.frames, 1);
   if (!options.color.empty()) picture.shade.color.front = parse_color(options.color);
   if (!options.range.empty()) picture.range = {options.range[0], options.range[1]};
@@ -81,11 +80,12 @@ void check_film(const RenderOptions& options, const Program& program) {
     throw UsageError(
         "--film shows meshes one after the other, and --frames moves around a mesh: give one of "
         "them");
-  if (options.frame != "place" && program.options.find("frame")->is_given)
+  const Option& frame = *program.options.find("frame");
+  if (options.picture.framing != Framing::place && frame.is_given)
     throw UsageError(
         "--film shows the bounding box of all meshes in every picture, as --frame "
         "place does: leave out --frame " +
-        options.frame);
+        frame.text());
 }
 
 void hold_still(const std::vector<const Mesh*>& meshes, const Mesh& corners,

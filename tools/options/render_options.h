@@ -13,14 +13,11 @@ namespace transformesh::tool {
 struct RenderOptions {
   std::string size = "800x600";
   std::string orbit = "30,20";
-  std::string up = "y";
-  std::string frame = "each";
   std::string around;
   std::string color;
   std::string background = "#f7f7f7,#d6d9de";
   std::string segments;
   std::vector<double> range;
-  long columns = 0;
   int frames = 0;
   double film = 0;  ///< seconds; 0 for none
   bool occlusion = false;

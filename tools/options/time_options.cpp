@@ -74,8 +74,10 @@ void declare_time(Program& program, TimeChoices& choices) {
   options.text("time-step", &choices.span, "NUMBER|auto",
                "with --time: span of each step (default auto: as long as --max-move permits); with "
                "--step: factor by which vx vy vz are multiplied (default 1)");
-  options.choice("integrator", &choices.integrator, {"euler", "midpoint", "rk4"},
-                 "Runge-Kutta method of order 1, 2 or 4");
+  options.named(
+      "integrator", &choices.options.integrator,
+      {{"euler", Integrator::euler}, {"midpoint", Integrator::midpoint}, {"rk4", Integrator::rk4}},
+      "Runge-Kutta method of order 1, 2 or 4");
   options.number("max-move", &choices.options.max_move, 1e-6, 1e6,
                  "with --time-step auto: largest movement of a vertex in a step, as a multiple of "
                  "the mean length of its edges");
@@ -124,8 +126,6 @@ TimeOptions time_options_of(const TimeChoices& choices, Run& run) {
     options.span = number_of(choices.span);
     if (!(options.span > 0)) throw UsageError("--time-step: with --time, a step needs a span > 0");
   }
-  if (choices.integrator != "midpoint")
-    options.integrator = choices.integrator == "rk4" ? Integrator::rk4 : Integrator::euler;
   if (!options.bodies.empty()) options.gap = run.length(gap_of(choices.contact));
   if (choices.tolerance) options.tolerance = run.length(*choices.tolerance);
   return options;

@@ -18,7 +18,6 @@ struct TimeChoices {
   FlowChoices flow_options;
   bool persistent = false;
   std::string span;
-  std::string integrator = "midpoint";
   TimeOptions options;
   std::optional<Length> tolerance;
   std::string contact = "gap:0.05x";

@@ -20,7 +20,7 @@ struct Options {
   ViewSources sources;  ///< paths of images, and options for reading them
   bool list = false;
   bool json = false;
-  long neighbors = static_cast<long>(PairOptions().neighbors);
+  std::size_t neighbors = PairOptions().neighbors;
   std::vector<double> center;
 };
 
@@ -50,7 +50,7 @@ CameraList read(const std::string& where, const Options& options, tool::Run& run
 
 std::string table(CameraList list, const Options& options, tool::Run& run) {
   const tool::CameraTable table =
-      tool::table_of(std::move(list), options.center, static_cast<std::size_t>(options.neighbors));
+      tool::table_of(std::move(list), options.center, options.neighbors);
   if (table.is_center_assumed)
     run.note(
         "one camera alone determines no depth: the scene's center is taken one unit in front of "

@@ -14,8 +14,7 @@ struct Options {
   bool is_signed = false;
   Length distance{0.01, Length::Unit::diagonal};
   std::optional<Length> within;
-  long samples = static_cast<long>(CompareOptions().samples);
-  long seed = static_cast<long>(CompareOptions().seed);
+  CompareOptions compare;
 };
 
 // Writes the mesh with the distance of each vertex.
@@ -45,11 +44,9 @@ void compare_with_reference(const Options& options, tool::Run& run) {
     throw UsageError("--signed needs --per-vertex, which writes the distances");
   const Mesh reference = read_reference(options, run);
   run.in().set_basis(diagonal_of(bounding_box(reference)));
-  CompareOptions library_options;
-  library_options.samples = static_cast<std::size_t>(options.samples);
-  library_options.seed = static_cast<std::uint64_t>(options.seed);
-  library_options.distance = run.length(options.distance);
-  const Comparison found = compare(run.document().mesh, reference, library_options, run.progress());
+  CompareOptions how = options.compare;
+  how.distance = run.length(options.distance);
+  const Comparison found = compare(run.document().mesh, reference, how, run.progress());
 
   run.report(entries_of(found));
   if (!options.per_vertex.empty()) write_distances(reference, options, run);
@@ -77,9 +74,9 @@ int main(int argc, char** argv) {
       "write the mesh with the vertex property distance, the distance from the reference");
   program.options.flag("signed", &options.is_signed,
                        "with --per-vertex: distances are negative inside the reference");
-  program.options.integer("samples", &options.samples, 0, 1000000000,
+  program.options.integer("samples", &options.compare.samples, 0, 1000000000,
                           "number of sample points on each surface, in addition to the vertices");
-  program.options.seed(&options.seed);
+  program.options.seed(&options.compare.seed);
   program.example = "tm-compare --get hausdorff result.ply target.ply";
   return program.run(argc, argv, [&](tool::Run& run) { compare_with_reference(options, run); });
 }

@@ -13,7 +13,7 @@ using namespace transformesh;
 
 struct Options {
   ViewSources sources;
-  std::vector<double> box;
+  std::optional<Box> box;
   std::optional<Length> edge;
 };
 
@@ -25,16 +25,19 @@ void declare(tool::Program& program, Options& options) {
       .text("images", &options.sources.images, "WHERE",
             "file, folder or pattern of the photographs")
       .is_needed = true;
-  program.options.numbers("box", &options.box, "X,Y,Z,X,Y,Z",
-                          "two corners of the box to search (default: around the sparse points, or "
-                          "around the point at which the cameras look)");
+  program.options
+      .text("images", &options.sources.images, "WHERE",
+            "file, folder or pattern of the photographs")
+      .is_needed = true;
+  program.options.box("box", &options.box, "X,Y,Z,X,Y,Z",
+                      "two corners of the box to search (default: around the sparse points, or "
+                      "around the point at which the cameras look)");
   program.options.length("edge", &options.edge, "size of a grid cell (default: 1.5 pixels)");
   tool::declare_reading(program, options.sources);
 }
 
 std::optional<Box> box_to_search(const Options& options, tool::Run& run) {
-  const std::vector<double>& box = options.box;
-  if (!box.empty()) return Box(Vec3(box.data()), Vec3(box.data() + 3));
+  if (options.box) return options.box;
   const std::vector<Vec3> points = sparse_points_beside(options.sources.cameras);
   run.report("sparse_points", points.size());
   return box_of_points(points);

@@ -12,7 +12,7 @@ using namespace transformesh;
 
 struct Choices {
   std::optional<Length> max_diameter;
-  std::optional<long> max_edges;
+  std::optional<std::size_t> max_edges;
   bool no_refine = false;
   bool no_fair = false;
   bool allow_self_intersections = false;
@@ -40,7 +40,7 @@ void note_open(const FillResult& result, const Mesh& mesh, tool::Run& run) {
 
 void fill_document(Document& document, const Choices& choices, tool::Run& run) {
   FillOptions options;
-  if (choices.max_edges) options.max_edges = static_cast<std::size_t>(*choices.max_edges);
+  if (choices.max_edges) options.max_edges = *choices.max_edges;
   if (choices.max_diameter) options.max_diameter = run.length(*choices.max_diameter);
   options.refine = !choices.no_refine;
   options.fair = !choices.no_fair;

@@ -13,8 +13,7 @@ using namespace transformesh;
 struct Options {
   tool::SilhouetteOptions silhouettes;
   tool::ViewCheckChoices check;
-  std::vector<double> box;
-  long resolution = 100;
+  HullOptions hull;
   std::optional<Length> edge;
   std::string keep = "largest";
   std::string outlines;  ///< output folder for outlines
@@ -22,10 +21,10 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   tool::declare_silhouettes(program, options.silhouettes);
-  program.options.numbers(
-      "box", &options.box, "X,Y,Z,X,Y,Z",
+  program.options.box(
+      "box", &options.hull.box, "X,Y,Z,X,Y,Z",
       "two corners of the box that contains the hull (default: bounding box by the silhouettes)");
-  program.options.integer("resolution", &options.resolution, 4, 4096,
+  program.options.integer("resolution", &options.hull.resolution, 4, 4096,
                           "number of grid cells along the longest side of the box");
   program.options.length("edge", &options.edge, "size of a grid cell, instead of --resolution");
   program.options.text("keep", &options.keep, "largest|all|SHARE",
@@ -38,12 +37,9 @@ void declare(tool::Program& program, Options& options) {
 }
 
 void make(const Options& options, tool::Run& run) {
-  HullOptions hull;
-  hull.resolution = static_cast<int>(options.resolution);
+  HullOptions hull = options.hull;
   hull.keep = tool::hull_share(options.keep);
   std::vector<View> views = tool::views_with_silhouettes(options.silhouettes, run);
-  const std::vector<double>& box = options.box;
-  if (!box.empty()) hull.box = Box(Vec3(box.data()), Vec3(box.data() + 3));
   const ViewCheck check = tool::check_views(views, options.check, run);
   if (!hull.box) hull.box = silhouette_box(views);
   run.in().set_basis(diagonal_of(*hull.box));

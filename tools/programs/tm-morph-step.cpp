@@ -17,7 +17,6 @@ using namespace transformesh;
 struct Options {
   std::string target;
   std::string written_target;
-  std::string distance = "auto";
   MorphStepOptions step;
 };
 
@@ -50,9 +49,6 @@ void step(Document& document, Options options, tool::Run& run) {
   if (options.step.gap_edges > 0) options.step.largest_size = run.in().reference_edge();
   const Target target = target_of(options, run);
   run.say().note_all(check_source(document.mesh, target, input_name(run.in().name())));
-  if (options.distance == "surface") options.step.distance = MorphDistance::surface;
-  if (options.distance == "points") options.step.distance = MorphDistance::points;
-  if (options.distance == "vertex") options.step.distance = MorphDistance::vertex;
   const MorphStepResult result = morph_step(document.mesh, target, options.step, run.progress());
   run.report("distance", name_of(result.distance));
   run.report(entries_of(result));
@@ -70,9 +66,13 @@ int main(int argc, char** argv) {
                         "Moves a mesh one step towards a target"};
   program.options.text("target", &options.target, "FILE", "mesh or points to move towards")
       .is_needed = true;
-  program.options.choice("distance", &options.distance, {"auto", "surface", "points", "vertex"},
-                         "distance to the target's faces, or to the tangent planes at its nearest "
-                         "vertices or vertex; auto: surface if it has faces, else points");
+  program.options.named("distance", &options.step.distance,
+                        {{"auto", std::nullopt},
+                         {"surface", MorphDistance::surface},
+                         {"points", MorphDistance::points},
+                         {"vertex", MorphDistance::vertex}},
+                        "distance to the target's faces, or to the tangent planes at its nearest "
+                        "vertices or vertex; auto: surface if it has faces, else points");
   program.options.number("time-step", &displace.time_step, 0, 1e300,
                          "fraction of the distance to the target by which vertices move in a step");
   program.options.number(

@@ -35,7 +35,7 @@ void step(Document& document, const tool::PhotoOptions& options, tool::Run& run)
   refuse_touching_borders(document.mesh);
   run.progress()("read views");
   const PhotoScene scene = tool::read_scene(options, run);
-  const PhotoStepsOptions steps = tool::steps_of(options);
+  const PhotoStepsOptions& steps = options.steps;
   const PhotoStepsResult result = photo_steps(document.mesh, scene, steps, run.progress());
   report(scene, result, run);
   const bool has_time_step = steps.step.rule == PhotoStepRule::gradient;

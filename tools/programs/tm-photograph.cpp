@@ -17,13 +17,11 @@ struct Options {
   tool::PhotographFiles files;
   std::string size = "320x240";
   const tool::Option* size_option = nullptr;
-  long ring = 16;
-  std::vector<double> elevations = {18, -12};
+  CameraRing ring;
   double focal = 3.4;
   std::optional<Length> distance;
   Length finest = parse_length("2%");
   Length coarsest = parse_length("20%");
-  long seed = 1;
 };
 
 void declare(tool::Program& program, Options& options) {
@@ -33,9 +31,9 @@ void declare(tool::Program& program, Options& options) {
   options.size_option = &program.options.text(
       "size", &options.size, "WxH",
       "width and height of an image in pixels, if the camera file does not state them");
-  program.options.integer("ring", &options.ring, 1, 100000,
+  program.options.integer("ring", &options.ring.count, 1, 100000,
                           "number of cameras in the ring around the mesh");
-  program.options.numbers("elevations", &options.elevations, "DEGREES,DEGREES",
+  program.options.numbers("elevations", &options.ring.elevations_deg, "DEGREES,DEGREES",
                           "elevations of the ring's cameras above the horizon, which alternate");
   program.options.length("distance", &options.distance,
                          "distance of the ring's cameras from the center of the mesh (default: the "
@@ -46,12 +44,12 @@ void declare(tool::Program& program, Options& options) {
                        "write the photographs to this folder, as NAME.png");
   program.options.text("write-silhouettes", &files.silhouettes, "FOLDER",
                        "write masks to this folder, as NAME.png");
-  program.options.choice(
-      "look", &files.look, {"texture", "shade"},
-      "show a gray texture without shading, or shade the mesh as tm-render does");
+  program.options.named("look", &files.is_shaded, {{"texture", false}, {"shade", true}},
+                        "show a gray texture without shading, or shade the mesh as tm-render does");
   program.options.length("finest", &options.finest, "shortest wavelength of the texture");
   program.options.length("coarsest", &options.coarsest, "longest wavelength of the texture");
-  program.options.integer("waves", &files.waves, 1, 10000, "number of waves that make the texture");
+  program.options.integer("waves", &files.texture.waves, 1, 10000,
+                          "number of waves that make the texture");
   PhotographOptions& sensor = files.sensor;
   program.options.number("noise", &sensor.noise, 0, 255,
                          "standard deviation of the noise, in intensities from 0 to 255");
@@ -62,7 +60,7 @@ void declare(tool::Program& program, Options& options) {
                          "add a random offset between -NUMBER and NUMBER to each photograph");
   program.options.text("compare-silhouettes", &files.masks, "WHERE",
                        "report how well the silhouettes of the mesh agree with these masks");
-  program.options.seed(&options.seed);
+  program.options.seed(&sensor.seed);
 }
 
 // Throws InputError if products of lengths in the cameras would overflow or vanish.
@@ -78,18 +76,15 @@ void photograph(Options& options, tool::Run& run) {
   const Box box = bounding_box(mesh);
   check_size(diagonal_of(box));
   run.in().set_basis(diagonal_of(box));
-  CameraRing ring;
+  CameraRing& ring = options.ring;
   std::tie(ring.width, ring.height) = parse_size(options.size);
-  ring.count = static_cast<int>(options.ring);
-  ring.elevations_deg = options.elevations;
   ring.focal_length = options.focal * ring.width;
   ring.center = box.min() + (box.max() - box.min()) / 2;
   ring.distance =
       options.distance ? run.length(*options.distance) : distance_for(mesh.positions, ring);
-  options.files.texture = {static_cast<int>(options.files.waves), run.length(options.finest),
-                           run.length(options.coarsest), static_cast<std::uint64_t>(options.seed)};
+  options.files.texture = {options.files.texture.waves, run.length(options.finest),
+                           run.length(options.coarsest), options.files.sensor.seed};
   options.files.size_is_given = options.size_option->is_given;
-  options.files.sensor.seed = static_cast<std::uint64_t>(options.seed);
   run.out().set_bytes(tool::write_photographs(mesh, ring, options.files, run));
 }
 

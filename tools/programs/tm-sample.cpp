@@ -9,21 +9,17 @@ using namespace transformesh;
 
 struct Choices {
   std::optional<Length> distance;
-  long count = 0;
-  long seed = 1;
+  SampleOptions sample;
 };
 
 void sample(Document& document, const Choices& choices, tool::Run& run) {
-  if ((choices.count > 0) == choices.distance.has_value())
-    throw UsageError(
-        "give either --count, the number of points, or --distance, their least distance");
-  SampleOptions options;
-  options.count = static_cast<std::size_t>(choices.count);
+  SampleOptions options = choices.sample;
+  if ((options.count > 0) == choices.distance.has_value())
+    throw UsageError("give either --count or --distance: how many points, or how far apart");
   if (choices.distance) {
     options.distance = run.length(*choices.distance);
     if (!(options.distance > 0)) throw UsageError("--distance must be more than 0");
   }
-  options.seed = static_cast<std::uint64_t>(choices.seed);
   document.mesh = sample_surface(document.mesh, options, run.progress());
   run.report("points", document.mesh.positions.size());
 
@@ -38,13 +34,13 @@ void sample(Document& document, const Choices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-sample", "[OPTION]... --count N|--distance LENGTH [INPUT]",
-                        "Samples points with normals on a surface"};
-  program.options.integer("count", &choices.count, 0, 100000000,
+                        "Takes points with normals from a surface"};
+  program.options.integer("count", &choices.sample.count, 0, 100000000,
                           "number of points, uniform by area");
   program.options.length(
       "distance", &choices.distance,
       "smallest distance between two points of a Poisson-disk sampling, instead of --count");
-  program.options.seed(&choices.seed);
+  program.options.seed(&choices.sample.seed);
   program.example = "tm-sample --count 1000 mesh.ply > points.ply";
   return program.run(argc, argv, [&](tool::Run& run) { sample(run.document(), choices, run); });
 }

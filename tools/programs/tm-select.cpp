@@ -12,26 +12,12 @@ namespace {
 using namespace transformesh;
 
 struct Choices {
-  std::optional<long> largest;
-  std::string by = "faces";
-  std::vector<double> box, around;
   std::string split;
   tool::CutChoices cut;
   SelectionOptions all;
 };
 
 constexpr std::size_t most_files = 9999;
-
-Vec3 vector_of(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
-
-SelectionOptions options_of(const Choices& c) {
-  SelectionOptions options = c.all;
-  options.by = component_size_of(c.by);
-  if (c.largest) options.largest = static_cast<std::size_t>(*c.largest);
-  if (!c.box.empty()) options.box = {vector_of(c.box.data()), vector_of(c.box.data() + 3)};
-  if (!c.around.empty()) options.around = vector_of(c.around.data());
-  return options;
-}
 
 void report(const SelectionResult& result, tool::Run& run) {
   run.report(entries_of(result));
@@ -53,10 +39,10 @@ std::string part_name(const Choices& c, std::size_t number, std::size_t count,
 void write_parts(const Document& document, const Choices& c, tool::Run& run) {
   const std::size_t count = connected_components(document.mesh).components.size();
   if (count > most_files)
-    throw GoalError(
-        "--split would write " + counted(count, "file") + ", and " + std::to_string(most_files) +
-        " are the most: join a soup with tm-stitch, or keep fewer components with --largest");
-  std::vector<Mesh> parts = split_components(document.mesh, component_size_of(c.by));
+    throw GoalError("--split would write " + counted(count, "file") + ", and " +
+                    std::to_string(most_files) +
+                    " are the most: join a soup by tm-stitch, or state how many with --largest");
+  std::vector<Mesh> parts = split_components(document.mesh, c.all.by);
   for (std::size_t i = 0; i < count; ++i)
     run.out().write_mesh_file(
         part_name(c, i + 1, count, run.program().common.format),
@@ -66,7 +52,7 @@ void write_parts(const Document& document, const Choices& c, tool::Run& run) {
 
 void select_document(Document& document, const Choices& choices, tool::Run& run) {
   tool::check_cut(choices.cut, choices.all.invert);
-  report(select(document.mesh, options_of(choices)), run);
+  report(select(document.mesh, choices.all), run);
   tool::cut_document(document, choices.cut, run);
   if (!choices.split.empty()) write_parts(document, choices, run);
   if (!run.program().writes_mesh()) run.out().write_nothing();
@@ -80,20 +66,23 @@ int main(int argc, char** argv) {
                         "Keeps the components or faces of a mesh that meet all conditions"};
   program.input.soups = tool::Soups::reported;
   program.input.may_keep_polygons = true;
-  program.options.integer("largest", &choices.largest, 1, 1000000000,
+  program.options.integer("largest", &choices.all.largest, 1, 1000000000,
                           "keep the N largest components");
   program.options.number("at-least", &choices.all.at_least, 0, 1e300,
                          "keep components of at least this size");
-  program.options.choice("by", &choices.by, {"faces", "area", "volume"},
-                         "measure of the size of a component");
+  program.options.named("by", &choices.all.by,
+                        {{"faces", ComponentSize::faces},
+                         {"area", ComponentSize::area},
+                         {"volume", ComponentSize::volume}},
+                        "measure of the size of a component");
   program.options.text("where", &choices.all.where, "CONDITION",
                        "keep faces by a property, such as 'intersections>0'; a vertex property "
                        "must hold at all corners");
-  program.options.numbers("box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
-                          "keep faces with all corners in this box");
-  program.options.numbers("around", &choices.around, "X,Y,Z",
-                          "keep the component that contains this point, the innermost if several "
-                          "do, the closest if none does");
+  program.options.box("box", &choices.all.box, "X0,Y0,Z0,X1,Y1,Z1",
+                      "keep faces with all corners in this box");
+  program.options.point("around", &choices.all.around,
+                        "keep the component that contains this point, the innermost if several "
+                        "do, the closest if none does");
   tool::declare_cut(program, choices.cut);
   program.options.flag("invert", &choices.all.invert,
                        "keep the faces that do not meet the conditions");

@@ -8,10 +8,8 @@ namespace {
 using namespace transformesh;
 
 struct Options {
-  std::optional<long> faces, count;
+  ShapeOptions shape;
   std::optional<Length> edge, radius, tube, gap, neck, noise;
-  long seed = 1;
-  std::vector<double> center = {0, 0, 0};
   std::string around, of;
 };
 
@@ -19,7 +17,7 @@ struct Options {
 ShapeOptions plain_options(const Options& options, tool::Run& run) {
   const std::vector<std::string>& words = run.in().names();
   if (words.empty()) throw UsageError("no KIND given: sphere, for example; see --help");
-  ShapeOptions shape;
+  ShapeOptions shape = options.shape;
   shape.kind = words[0];
   const std::string nearest = nearest_name(shape.kind, shape_kinds());
   if (nearest != shape.kind) {
@@ -28,10 +26,6 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
                                                    : "'; list all kinds with --help"));
   }
   shape.parameters.assign(words.begin() + 1, words.end());
-  shape.faces = options.faces;
-  shape.count = options.count;
-  shape.seed = static_cast<std::uint64_t>(options.seed);
-  shape.center = {options.center[0], options.center[1], options.center[2]};
   if (!options.around.empty()) shape.around = bounding_box(run.in().read(options.around).mesh);
   if ((shape.kind == "hull") == options.of.empty())
     throw UsageError("hull and --of FILE need each other: FILE holds the mesh or the points");
@@ -71,7 +65,7 @@ int main(int argc, char** argv) {
       "tm-shape", "[OPTION]... KIND [PARAMETER]...", "Makes a closed mesh", {tool::Reads::words}};
   program.words = {"KIND [PARAMETER]...", "kind of shape, see below"};
   program.words.choices = shape_kinds();
-  program.options.integer("faces", &options.faces, 1, 1000000000,
+  program.options.integer("faces", &options.shape.faces, 1, 1000000000,
                           "approximate number of faces (default 10000)");
   program.options.length("edge", &options.edge,
                          "approximate mean length of the edges, instead of --faces");
@@ -83,11 +77,11 @@ int main(int argc, char** argv) {
   program.options.length("neck", &options.neck,
                          "radius of the neck of a dumbbell; negative: the neck is inverted", true);
   program.options.integer(
-      "count", &options.count, 1, 1000000,
+      "count", &options.shape.count, 1, 1000000,
       "number of spheres of many-spheres (default 40) or of boxes (default 50)");
   program.options.length("noise", &options.noise, "amplitude of smooth noise along the normals");
-  program.options.seed(&options.seed);
-  program.options.numbers("center", &options.center, "X,Y,Z", "position of the shape's origin");
+  program.options.seed(&options.shape.seed);
+  program.options.point("center", &options.shape.center, "position of the shape's origin");
   program.options.text("around", &options.around, "FILE",
                        "make a sphere around the bounding box of the mesh in FILE");
   program.options.text("of", &options.of, "FILE", "mesh or points for hull");

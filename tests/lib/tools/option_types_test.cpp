@@ -19,6 +19,9 @@ struct Values {
   std::string kind = "valence";
   std::string file;
   std::vector<double> point;
+  bool is_exact = false;
+  std::optional<Vec3> center;
+  std::optional<Box> box;
 };
 
 // A program with an option of each kind.
@@ -33,6 +36,9 @@ struct Sample {
     program.options.choice("kind", &values.kind, {"valence", "angle"}, "a kind");
     program.options.text("file", &values.file, "FILE", "a file");
     program.options.numbers("point", &values.point, "X,Y,Z", "a point");
+    program.options.named("show", &values.is_exact, {{"least", false}, {"exact", true}}, "a word");
+    program.options.point("center", &values.center, "another point");
+    program.options.box("box", &values.box, "X,Y,Z,X,Y,Z", "a box");
   }
   std::vector<std::string> parse(const std::vector<std::string>& arguments) {
     const auto words = program.options.parse(arguments);
@@ -94,6 +100,25 @@ TEST_CASE("the text of an option is that of its variable, and the default stays"
   CHECK(sample.program.options.find("number")->default_text == "0.5");
   CHECK(sample.text("number") == "0.25");
   CHECK(sample.text("point") == "1,2.5,3");
+}
+
+TEST_CASE("words, points and boxes set the values that they stand for") {
+  Sample sample;
+  CHECK(sample.text("show") == "least");
+  CHECK(sample.text("center") == "");
+  CHECK(sample.text("box") == "");
+  CHECK(std::get<std::vector<double>>(sample.program.options.find("box")->value()).empty());
+  sample.parse({"--show", "exact", "--center", "1,-2,0.5", "--box", "0,1,2,3,4.5,6"});
+  CHECK(sample.values.is_exact);
+  CHECK(*sample.values.center == Vec3(1, -2, 0.5));
+  CHECK(sample.values.box->min() == Vec3(0, 1, 2));
+  CHECK(sample.values.box->max() == Vec3(3, 4.5, 6));
+  CHECK(sample.text("show") == "exact");
+  CHECK(sample.text("center") == "1,-2,0.5");
+  CHECK(sample.text("box") == "0,1,2,3,4.5,6");
+  CHECK(refusal({"--show", "exakt"}) ==
+        "--show: 'exakt' is not known; did you mean 'exact'? (least, exact)");
+  CHECK(refusal({"--box", "1,2,3"}) == "--box: '1,2,3' is not 6 numbers with commas");
 }
 
 TEST_CASE("an unknown option names the nearest") {
