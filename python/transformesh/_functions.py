@@ -546,7 +546,7 @@ def reconstruct(
     on_pass: Optional[Callable[[str], object]] = None,
     progress: Progress = None,
 ) -> Mesh:
-    """Reconstructs a closed surface from calibrated photographs: files, folders or patterns. Views
+    """Reconstructs a surface from calibrated photographs: files, folders or patterns. Views
     are checked as of hull(). What went wrong on the way, as a surface that exploded and was
     begun anew, is a warning; the report has the keys of the program's. See tm-reconstruct(1)."""
     return _transformesh.reconstruct(**locals())
