@@ -76,7 +76,7 @@ refused() {
   tm-shape box 1 1 3 --faces 1000 | tm-transform --scale-axes 1,1,2 -o box.ply
   tm-stitch --flip box.ply -o inverted.ply
   tm-convert -o inverted.stl inverted.ply
-  refused "reverse a mesh that is inside out with tm-stitch --flip" inverted.ply
+  refused "if the mesh is inside out, reverse it with tm-stitch --flip" inverted.ply
   tm-stitch --flip inverted.ply | tm-clean -o solid.ply
   is_solid solid.ply 6
   tm-stitch -q --flip inverted.stl | tm-clean -o solid.ply
