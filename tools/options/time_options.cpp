@@ -141,8 +141,9 @@ void check_integrator(const Flow& flow, const TimeChoices& choices, const Progra
   if (!flow.motion.displacement) return;
   for (const char* name : {"integrator", "tolerance"})
     if (program.options.find(name)->is_given)
-      throw UsageError("the flow '" + choices.flow + "' has implicit steps of its own, without --" +
-                       name + ": --max-move or --time-step limits their span");
+      throw UsageError("the flow '" + choices.flow +
+                       "' has implicit steps and does not support --" + name +
+                       ": limit their span with --max-move or --time-step");
 }
 
 void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
