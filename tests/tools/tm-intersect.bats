@@ -58,6 +58,7 @@ load ../helpers/common
 }
 
 @test "--any and outputs that need all pairs exclude each other" {
+  cd "$BATS_TEST_TMPDIR"
   tm-shape sphere --faces 200 -o ball.ply
   for option in --refine "--pairs pairs.txt" "--segments segments.ply"; do
     # shellcheck disable=SC2086
