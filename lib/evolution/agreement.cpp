@@ -34,12 +34,12 @@ std::string topology_fault(const Topology& topology, const Topology& expected, c
 
 std::string distance_fault(const Farthest& of_mesh, const Farthest& of_target, double longest) {
   if (of_mesh.distance > longest / 2) {
-    return "up to " + significant(of_mesh.distance, 3) +
+    return "the mesh is up to " + significant(of_mesh.distance, 3) +
            " away from the target, more than half the longest edge," + at_place(of_mesh.point);
   }
   if (of_target.distance > longest) {
-    return "parts of the target are missed by up to " + significant(of_target.distance, 3) +
-           ", more than the longest edge," + at_place(of_target.point);
+    return "parts of the target are up to " + significant(of_target.distance, 3) +
+           " away from the mesh, more than the longest edge," + at_place(of_target.point);
   }
   return {};
 }

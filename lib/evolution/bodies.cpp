@@ -19,7 +19,8 @@ namespace {
 std::map<double, std::vector<Index>> faces_by_number(const Mesh& mesh, const std::string& column) {
   const Column* numbers = mesh.face_columns.find(column);
   if (numbers == nullptr || numbers->list_count_type)
-    throw InputError("the mesh has no face property '" + column + "' that numbers its bodies");
+    throw InputError("the mesh has no face property '" + column +
+                     "' with the number of the body of each face");
   std::map<double, std::vector<Index>> faces;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     faces[numbers->values[f]].push_back(static_cast<Index>(f));

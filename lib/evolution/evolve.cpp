@@ -87,11 +87,11 @@ class EvolveLoop : public Loop {
 }  // namespace
 
 std::string clamps_in_words(const EvolveResult& result, double alpha) {
-  return "vertices moved less far than their velocities prescribe in " +
+  return "movements of up to " + percent_text(result.clamped_share) +
+         " % of the vertices are clamped to " + shortest_text(alpha) + " of the mean edge in " +
          std::to_string(result.clamped_iterations) + " of " +
-         counted(result.iterations, "iteration") + ", at most " +
-         percent_text(result.clamped_share) + " % of them: clamped to " + shortest_text(alpha) +
-         " of the mean edge";
+         counted(result.iterations, "iteration") +
+         ": vertices moved less far than their velocities prescribe";
 }
 
 EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options,

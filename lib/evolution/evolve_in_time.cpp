@@ -45,7 +45,7 @@ void check(const TimeOptions& options) {
   if (!options.bodies.empty() && !(options.gap > 0))
     throw UsageError("the gap between bodies that must not meet must be a positive length");
   if (!options.bodies.empty() && options.keep_volume)
-    throw UsageError("volumes cannot be kept if bodies are kept apart");
+    throw UsageError("the volume cannot be kept if there are several bodies");
   if (options.tolerance > 0 && options.integrator == Integrator::euler)
     throw UsageError(
         "Euler's method has no embedded method that estimates the error: use midpoint "

@@ -26,7 +26,8 @@ namespace {
 using Loop = std::vector<Index>;
 
 void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& options) {
-  if (options.max_edges < 3) throw UsageError("a hole has at least 3 edges");
+  if (options.max_edges < 3)
+    throw UsageError("a hole has at least 3 edges: the limit must be 3 or more");
   if (!(options.max_diameter > 0)) throw UsageError("the largest diameter must be greater than 0");
   if (!found.is_manifold() || !found.is_oriented())
     throw InputError(prefixed("holes are filled only in oriented manifolds, but ",

@@ -13,10 +13,10 @@ inline std::vector<std::string> notes_of(const FlowCounts& counts) {
   std::vector<std::string> notes;
   if (counts.outside > 0)
     notes.push_back(counted(counts.outside, "vertex") +
-                    " outside of the grid took the value of its nearest point");
+                    " outside of the grid took the value at the nearest point of the grid");
   if (counts.is_time_outside)
     notes.emplace_back(
-        "a time before the first grid, or after the last one, took the values of that grid");
+        "for times before the first grid or after the last one, the values of that grid are used");
   return notes;
 }
 

@@ -19,10 +19,9 @@ SourcePoints places_on(const Mesh& before, const Mesh& mesh, std::size_t number,
   if (has_source_points(mesh))
     return read_source_points(mesh, before.faces.size(), name_in(options, number - 1));
   if (options.closest) return closest_source_points(before, mesh);
-  throw InputError(
-      ErrorKind::no_source_points,
-      name_in(options, number) + " does not state where its vertices and faces come from",
-      {.name = name_in(options, number)});
+  throw InputError(ErrorKind::no_source_points,
+                   name_in(options, number) + " has no source points of its vertices and faces",
+                   {.name = name_in(options, number)});
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ def test_carry(crossing, tmp_path):
     near = tm.carry(first, tm.Mesh(last.positions, last.faces), columns=["label"], closest=True)
     assert near.report == {"vertex_columns": 0, "face_columns": 1}
     assert same(tm.carry(first, between, last, columns=["label"], closest=True), "tm-carry", *words, stdin=b"")
-    with pytest.raises(tm.InputError, match="mesh 2 does not state where its vertices and faces come from"):
+    with pytest.raises(tm.InputError, match="mesh 2 has no source points of its vertices and faces"):
         tm.carry(first, tm.Mesh(last.positions, last.faces))
 
 

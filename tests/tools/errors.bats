@@ -60,7 +60,7 @@ takes() {
   tm-stitch -q --flip ball.ply -o inside_out.ply
   run --separate-stderr tm-clean inside_out.ply
   assert_status 4
-  [ "$stderr" = "tm-clean: no point has a winding number >= 1: the mesh is inside out, or the difference of its parts is empty; reverse a mesh that is inside out with tm-stitch --flip" ]
+  [ "$stderr" = "tm-clean: no point has a winding number >= 1: the mesh is inside out, or the difference of its parts is empty; if the mesh is inside out, reverse it with tm-stitch --flip" ]
   tm-stitch -q --flip inside_out.ply | tm-clean >/dev/null
 
   tm-convert -o soup.stl ball.ply

@@ -76,7 +76,7 @@ refused() {
   tm-shape box 1 1 3 --faces 1000 | tm-transform --scale-axes 1,1,2 -o box.ply
   tm-stitch --flip box.ply -o inverted.ply
   tm-convert -o inverted.stl inverted.ply
-  refused "reverse a mesh that is inside out with tm-stitch --flip" inverted.ply
+  refused "if the mesh is inside out, reverse it with tm-stitch --flip" inverted.ply
   tm-stitch --flip inverted.ply | tm-clean -o solid.ply
   is_solid solid.ply 6
   tm-stitch -q --flip inverted.stl | tm-clean -o solid.ply
@@ -101,7 +101,7 @@ refused() {
   printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >two.off
   for file in one.off two.off; do
     tm-fill -q --allow-crossings "$file" -o filled.off
-    refused "sheet with tm-sample and tm-wrap --method alpha" filled.off
+    refused "with tm-sample and tm-wrap --method alpha" filled.off
     tm-sample -q --count 5000 filled.off | tm-wrap -q --method alpha -o body.ply
     tm-checkmanifold --closed --intersections body.ply
   done

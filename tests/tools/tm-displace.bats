@@ -34,7 +34,7 @@ moving_tetrahedron() { # VX VY VZ
   [[ $output == "0 0 0.7071067811865476 "* || $output == "0 0 0.7071067811865475 "* ]]
   [ "$(value clamped r.json)" -eq 4 ]
   run --separate-stderr tm-displace --alpha 0.5 in.ply -o out.ply
-  [ "$stderr" = "tm-displace: 4 of 4 vertices clamped to 0.5 of the mean edge at the vertex, 0.707 at most; use a smaller --time-step, or a larger --alpha" ]
+  [ "$stderr" = "tm-displace: movements of 4 of 4 vertices are clamped to 0.5 of the mean edge at the vertex; the largest movement is 0.707; use a smaller --time-step, or a larger --alpha" ]
   run --separate-stderr tm-displace --alpha 200 in.ply -o out.ply
   [ -z "$stderr" ]
 }

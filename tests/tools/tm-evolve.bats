@@ -61,7 +61,7 @@ AWK
     assert_status 0
   }
   squeeze --iterations 8 --time-step 0.025
-  [[ $stderr == *"tm-evolve: vertices moved less far than their velocities prescribe in 8 of 8 iterations, at most "*" % of them: clamped to 0.2 of the mean edge; use a smaller --time-step and more --iterations, or a larger --alpha"* ]] ||
+  [[ $stderr == *"tm-evolve: movements of up to "*" % of the vertices are clamped to 0.2 of the mean edge in 8 of 8 iterations: vertices moved less far than their velocities prescribe; use a smaller --time-step and more --iterations, or a larger --alpha"* ]] ||
     fail "$stderr"
   [ "$(value clamped_iterations r.json)" -eq 8 ]
   value clamped_share r.json | awk '{ exit !($1 > 0.1 && $1 <= 1) }'

@@ -78,7 +78,7 @@ uniform_vti() {
   tm-shape sphere --radius 1.5 --faces 500 -o outside.ply
   run --separate-stderr tm-flow grid --grid wind.vti --report r.json outside.ply -o flow.ply
   assert_status 0
-  [[ $stderr == *" vertices outside of the grid took the value of its nearest point" ]]
+  [[ $stderr == *" vertices outside of the grid took the value at the nearest point of the grid" ]]
   expected=$(rows flow.ply | awk '{ for (i = 1; i <= 3; ++i) if ($i > 1 || $i < -1) { ++n; next } } END { print n }')
   [ "$(jq .result.outside r.json)" -eq "$expected" ]
 }

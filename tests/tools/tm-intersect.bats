@@ -56,3 +56,15 @@ load ../helpers/common
     [ "$output" = "pairs: ${mesh#*:}" ]
   done
 }
+
+@test "--any and outputs that need all pairs exclude each other" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape sphere --faces 200 -o ball.ply
+  for option in --refine "--pairs pairs.txt" "--segments segments.ply"; do
+    # shellcheck disable=SC2086
+    run --separate-stderr tm-intersect --any $option ball.ply
+    [ "$status" -eq 2 ]
+    [[ $stderr == *"--any stops at the first pair: leave out --refine, --pairs and --segments" ]]
+  done
+  tm-intersect --any ball.ply
+}

@@ -303,7 +303,7 @@ frames_are_piped() {
   tm-shape sphere --around hollow.ply --faces 1000 -o start.ply
   run --separate-stderr tm-morph start.ply --target hollow.ply -o out.ply --report r.json --csv log.csv
   assert_status 0
-  [[ $stderr == *"1 component of the target bounds a cavity or floats in one, and is ignored"* ]]
+  [[ $stderr == *"1 component of the target is a cavity or lies in one, and is ignored"* ]]
   [ "$(value converged r.json)" = true ]
   [ "$(value target_left_out r.json)" -eq 1 ]
   below "$(value max_distance_from_target r.json)" 0.1

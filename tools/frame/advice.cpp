@@ -21,7 +21,7 @@ constexpr std::array table{
     Advice{Kind::one_sided, "",
            "cut it open with tm-stitch without --orient, then close its borders with tm-fill "
            "--allow-crossings"},
-    Advice{Kind::not_manifold, "", "orient it with tm-stitch --orient"},
+    Advice{Kind::not_manifold, "", "stitch and orient it with tm-stitch --orient"},
     Advice{Kind::self_intersections, "", "remove self-intersections with tm-clean"},
     Advice{Kind::inside_out, "", "reverse it with tm-stitch --flip"},
     Advice{Kind::double_sided, "",
@@ -36,26 +36,25 @@ constexpr std::array table{
         Kind::canceling_faces, "keep-open",
         "keep a sheet open with --keep-open; or wrap it with tm-sample and tm-wrap --method alpha"},
     Advice{Kind::canceling_faces, "double",
-           "wrap a sheet with tm-sample and tm-wrap --method alpha; for a shape that is small or "
-           "far from the origin, give --double or move it to the origin"},
+           "if the mesh is a sheet, wrap it with tm-sample and tm-wrap --method alpha; if it is "
+           "small or far from the origin, give --double or move it to the origin"},
     Advice{Kind::canceling_faces, "",
-           "wrap a sheet with tm-sample and tm-wrap --method alpha; for a shape that is small or "
-           "far from the origin, run tm-convert --double first or move it to the origin"},
-    Advice{
-        Kind::no_area, "double",
-        "for a shape that is small or far from the origin, give --double or move it to the origin"},
+           "if the mesh is a sheet, wrap it with tm-sample and tm-wrap --method alpha; if it is "
+           "small or far from the origin, run tm-convert --double first or move it to the origin"},
+    Advice{Kind::no_area, "double",
+           "if the shape is small or far from the origin, give --double or move it to the origin"},
     Advice{Kind::no_area, "",
-           "for a shape that is small or far from the origin, run tm-convert --double first or "
-           "move it to the origin"},
+           "if the shape is small or far from the origin, run tm-convert --double first or move it "
+           "to the origin"},
     Advice{Kind::no_positive_winding, "",
-           "reverse a mesh that is inside out with tm-stitch --flip"},
+           "if the mesh is inside out, reverse it with tm-stitch --flip"},
     Advice{Kind::component_too_small, "min-edge", "use a smaller --min-edge"},
     Advice{Kind::thinner_than_rounding, "double",
-           "wrap a sheet with tm-sample and tm-wrap --method alpha; for a shape that is small or "
-           "far from the origin, give --double or move it to the origin"},
+           "if the mesh is a sheet, wrap it with tm-sample and tm-wrap --method alpha; if it is "
+           "small or far from the origin, give --double or move it to the origin"},
     Advice{Kind::thinner_than_rounding, "",
-           "wrap a sheet with tm-sample and tm-wrap --method alpha; for a shape that is small or "
-           "far from the origin, run tm-convert --double first or move it to the origin"},
+           "if the mesh is a sheet, wrap it with tm-sample and tm-wrap --method alpha; if it is "
+           "small or far from the origin, run tm-convert --double first or move it to the origin"},
     Advice{Kind::float_rounding_failed, "double",
            "write doubles (--double), or merge close vertices there (tm-stitch --tolerance)"},
     Advice{Kind::float_rounding_failed, "",

@@ -13,10 +13,10 @@ namespace transformesh::tool {
 inline void note_clamped(const DisplaceResult& result, double alpha, const std::string& remedy,
                          Run& run) {
   if (result.clamped == 0) return;
-  run.note(std::to_string(result.clamped) + " of " +
-           counted(run.document().mesh.positions.size(), "vertex") + " clamped to " +
-           text_of(alpha) + " of the mean edge at the vertex, " +
-           significant(result.max_displacement, 3) + " at most; " + remedy);
+  run.note("movements of " + std::to_string(result.clamped) + " of " +
+           counted(run.document().mesh.positions.size(), "vertex") + " are clamped to " +
+           text_of(alpha) + " of the mean edge at the vertex; the largest movement is " +
+           significant(result.max_displacement, 3) + "; " + remedy);
 }
 
 }  // namespace transformesh::tool

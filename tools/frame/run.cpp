@@ -25,7 +25,8 @@ void Run::start() {
   const CommonValues& values = program_.common;
   out_.check_name();
   if (values.json && program_.writes_mesh())
-    throw UsageError("--json needs a report on standard output");
+    throw UsageError(
+        "--json needs standard output, where the mesh is written: give --report FILE instead");
   if (program_.is_evolution()) {
     if (program_.writes_mesh()) out_.set_style(document());
     return;

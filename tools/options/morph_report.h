@@ -27,7 +27,7 @@ inline std::string fault_of(const MorphResult& result, const Program& program) {
   if (fault.empty()) return fault;
   const bool was_limited = result.stop == MorphStop::iteration_limit;
   return fault + ": " +
-         (was_limited ? "take more --iterations" : advice_for(result.cause, program));
+         (was_limited ? "allow more with --iterations" : advice_for(result.cause, program));
 }
 
 inline std::string summary(const MorphResult& result, const Mesh& mesh, const Program& program) {
@@ -46,8 +46,9 @@ inline void report_morph(const MorphResult& result, Run& run) {
   run.report(entries);
   if (result.left_out > 0)
     run.note(counted(result.left_out, "component") + " of the target " +
-             (result.left_out == 1 ? "bounds a cavity" : "bound cavities") +
-             " or floats in one, and is ignored: an evolving surface cannot keep a cavity");
+             (result.left_out == 1 ? "is a cavity or lies in one, and is ignored"
+                                   : "are cavities or lie in them, and are ignored") +
+             ": an evolving surface cannot keep a cavity");
 }
 
 inline void report_tracking(const TrackResult& result, const Mesh& mesh, Run& run) {

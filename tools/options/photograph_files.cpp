@@ -52,7 +52,8 @@ void compare_silhouettes(const Mesh& mesh, const PhotographFiles& files, Run& ru
   const std::vector<View> views = views_from({files.cameras, "", files.masks});
   const std::vector<double> agreements = silhouette_agreements(mesh, views);
   for (std::size_t i = 0; i < views.size(); ++i)
-    run.say().detail(views[i].name + ": silhouettes agree by " + shortest_text(agreements[i]));
+    run.say().detail(views[i].name + ": agreement of the silhouettes " +
+                     shortest_text(agreements[i]));
   const double sum = std::accumulate(agreements.begin(), agreements.end(), 0.0);
   run.report("silhouette_agreement", sum / static_cast<double>(views.size()));
   run.report("least_silhouette_agreement", *std::min_element(agreements.begin(), agreements.end()));

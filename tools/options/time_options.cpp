@@ -141,8 +141,9 @@ void check_integrator(const Flow& flow, const TimeChoices& choices, const Progra
   if (!flow.motion.displacement) return;
   for (const char* name : {"integrator", "tolerance"})
     if (program.options.find(name)->is_given)
-      throw UsageError("the flow '" + choices.flow + "' has implicit steps of its own, without --" +
-                       name + ": --max-move or --time-step limits their span");
+      throw UsageError("the flow '" + choices.flow +
+                       "' has implicit steps and does not support --" + name +
+                       ": limit their span with --max-move or --time-step");
 }
 
 void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
@@ -154,9 +155,10 @@ void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
   if (choices.options.keep_volume &&
       std::abs(result.volume_drift) > 1e-9 * std::abs(result.volume)) {
     const bool is_float = run.document().style.coordinate == Scalar::float32;
-    run.note("volume that could not be restored: " + significant(result.volume_drift, 3) +
-             (is_float ? "; 32-bit coordinates round it: run tm-convert --double first"
-                       : "; it was lost or gained where the surface merged, split or vanished"));
+    run.note("the volume differs by " + significant(result.volume_drift, 3) +
+             ", which could not be restored" +
+             (is_float ? ": 32-bit coordinates are rounded; run tm-convert --double first"
+                       : ": it changed where the surface merged, split or vanished"));
   }
 }
 

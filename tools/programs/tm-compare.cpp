@@ -33,10 +33,11 @@ Mesh read_reference(const Options& options, tool::Run& run) {
   const std::size_t most = options.reference.empty() ? 2 : 1;
   if (documents.size() > most)
     throw UsageError("one mesh is compared with one reference, but '" + run.in().names()[most] +
-                     "' is one more");
+                     "' is an additional input");
   if (!options.reference.empty()) return run.in().read(options.reference).mesh;
   if (documents.size() == 2) return std::move(documents[1].mesh);
-  throw UsageError("name two files, a mesh and the reference, or the latter with --reference");
+  throw UsageError(
+      "name two files, a mesh and a reference, or give the reference with --reference");
 }
 
 void compare_with_reference(const Options& options, tool::Run& run) {

@@ -35,7 +35,7 @@ void count_per_face(Mesh& mesh, const std::vector<FacePair>& pairs) {
 
 void check_together(const Options& options) {
   if (options.any && (options.refine || !options.pairs.empty() || !options.segments.empty()))
-    throw UsageError("--any, which stops at the first pair, needs --check");
+    throw UsageError("--any stops at the first pair: leave out --refine, --pairs and --segments");
 }
 
 void intersect(Document& document, const Options& options, tool::Run& run) {
@@ -71,9 +71,9 @@ int main(int argc, char** argv) {
   program.options.flag(
       "check", &options.check,
       "print the number of pairs instead of the mesh; exit with 1 if there are any");
-  program.options.flag(
-      "any", &options.any,
-      "with --check: stop at the first pair, and report only whether there is one");
+  program.options.flag("any", &options.any,
+                       "report only whether there are any pairs; stop at the first pair, and exit "
+                       "with 1 if there is one");
   program.options.text("pairs", &options.pairs, "FILE", "write the pairs of face indices as text");
   program.options.text("segments", &options.segments, "FILE",
                        "write the segments in which faces intersect, as edges of a PLY file");

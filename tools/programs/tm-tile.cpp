@@ -24,7 +24,8 @@ void split(const std::string& path, std::optional<long> tiles, tool::Run& run) {
               {"largest_tile", result.largest_tile},
               {"empty_tiles", result.empty_tiles}});
   if (result.empty_tiles > 0)
-    run.note(counted(result.empty_tiles, "tile") + " without faces of their own");
+    run.note(counted(result.empty_tiles, "tile") +
+             (result.empty_tiles == 1 ? " has no face of its own" : " have no faces of their own"));
 }
 
 void join(const std::string& folder, tool::Run& run) {
