@@ -84,7 +84,7 @@ def build_module(config_settings):
 
 def package_files(build):
     """Yields (name in the wheel, bytes) of the package."""
-    for name in ('__init__.py', '_functions.py', '_transformesh.pyi', 'py.typed'):
+    for name in ('__init__.py', '_advice.py', '_errors.py', '_functions.py', '_transformesh.pyi', 'py.typed'):
         yield f'{NAME}/{name}', (ROOT / 'python' / NAME / name).read_bytes()
     for module in sorted((build / 'wheel' / NAME).glob('_transformesh.*.so')):
         check_libraries(module)

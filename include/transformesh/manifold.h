@@ -37,7 +37,4 @@ ManifoldReport check_manifold(const Mesh& mesh);
 /// The sentence has face and vertex indices and coordinates; it is empty if there is no problem.
 Problem manifold_problem(const Mesh& mesh, const ManifoldReport& report, bool closed);
 
-/// Returns the sentence of manifold_problem().
-std::string describe_problem(const Mesh& mesh, const ManifoldReport& report, bool closed);
-
 }  // namespace transformesh

@@ -4,7 +4,6 @@
 
 #include "clean/certify/certify.h"
 #include "geometry/numbers/predicates.h"
-#include "mesh/touching_borders.h"
 #include "support/counted.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -32,14 +31,6 @@ Problem problem_without_area(const std::vector<Index>& faces) {
           {.faces = {faces[0]}, .counts = {faces.size()}}};
 }
 
-/// Returns the problem with a more precise kind: if borders coincide, the faces there share no
-/// vertices, and the mesh has no hole.
-Problem border_problem(const Mesh& mesh, Problem problem) {
-  if (problem.kind == ErrorKind::not_closed && count_touching_borders(mesh) > 0)
-    problem.kind = ErrorKind::not_joined;
-  return problem;
-}
-
 void certify_mesh(const Mesh& mesh, const CheckMeshOptions& options, const Progress& progress,
                   MeshCheck& check) {
   CertifyOptions how;
@@ -63,8 +54,7 @@ MeshCheck check_mesh(const Mesh& mesh, const CheckMeshOptions& options, const Pr
   const Components parts = connected_components(mesh);
   check.components = parts.components.size();
   check.genus = parts.genus();
-  check.problems.push_back(
-      border_problem(mesh, manifold_problem(mesh, check.manifold, options.closed)));
+  check.problems.push_back(manifold_problem(mesh, check.manifold, options.closed));
   if (options.intersections || options.certified != nullptr) {
     check.intersections = find_intersections(mesh, progress);
     check.problems.push_back(problem_of(*check.intersections));

@@ -6,6 +6,7 @@
 
 #include "geometry/search/closest_point.h"
 #include "mesh/adjacency.h"
+#include "mesh/local_measures.h"
 #include "mesh/surface_columns.h"
 #include "support/parallel.h"
 #include "transformesh/errors.h"
@@ -18,11 +19,6 @@ constexpr std::size_t places_per_task = 1024;  ///< affects time only
 constexpr const char* face_name = source_point_names[0];
 constexpr const char* u_name = source_point_names[1];
 constexpr const char* v_name = source_point_names[2];
-
-Vec3 face_middle(const Mesh& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return mesh.positions[a] / 3 + mesh.positions[b] / 3 + mesh.positions[c] / 3;
-}
 
 double share(double part, double whole) {
   return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0;

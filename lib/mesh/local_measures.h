@@ -10,6 +10,12 @@ namespace transformesh {
 /// Returns the positions of the vertices that faces use, in their order.
 std::vector<Vec3> used_positions(const Mesh& mesh);
 
+/// Returns the mean of the corners of a face.
+inline Vec3 face_middle(const Mesh& mesh, Index face) {
+  const auto& [a, b, c] = mesh.faces[face];
+  return mesh.positions[a] / 3 + mesh.positions[b] / 3 + mesh.positions[c] / 3;
+}
+
 /// Returns a third of the area of the faces around each vertex.
 std::vector<double> vertex_areas(const Mesh& mesh);
 

@@ -119,8 +119,4 @@ Problem manifold_problem(const Mesh& mesh, const ManifoldReport& report, bool cl
   return {};
 }
 
-std::string describe_problem(const Mesh& mesh, const ManifoldReport& report, bool closed) {
-  return manifold_problem(mesh, report, closed).sentence;
-}
-
 }  // namespace transformesh

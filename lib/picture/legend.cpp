@@ -44,10 +44,6 @@ constexpr std::array<Glyph, 14> font{{
     {'e', {"     ", "     ", " ### ", "#   #", "#####", "#    ", " ### "}},
 }};
 
-Pixel pixel_of(const Color& color, std::uint8_t alpha = 255) {
-  return {srgb_byte(color[0]), srgb_byte(color[1]), srgb_byte(color[2]), alpha};
-}
-
 int dot_size(int width, int height) {
   return std::max(1, std::min(width, height) / pixels_per_dot);
 }

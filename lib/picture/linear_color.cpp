@@ -46,4 +46,8 @@ std::uint8_t srgb_byte(float light) {
   return static_cast<std::uint8_t>(bytes[static_cast<std::size_t>(place + 0.5F)] + 0.5F);
 }
 
+Pixel pixel_of(const Color& color, std::uint8_t alpha) {
+  return {srgb_byte(color[0]), srgb_byte(color[1]), srgb_byte(color[2]), alpha};
+}
+
 }  // namespace transformesh

@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "transformesh/image.h"
+
 namespace transformesh {
 
 using Color = Eigen::Vector3f;
@@ -16,6 +18,7 @@ double srgb_of_light(float light);
 Color color_of_srgb(double red, double green, double blue);
 /// Returns the nearest sRGB value from 0 to 255.
 std::uint8_t srgb_byte(float light);
+Pixel pixel_of(const Color& color, std::uint8_t alpha = 255);
 
 /// Background of a picture: a linear gradient from the top row to the bottom row.
 struct Background {

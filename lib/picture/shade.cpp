@@ -100,15 +100,11 @@ class Shader {
       if (covered == 0) return {0, 0, 0, 0};
       const auto alpha =
           static_cast<std::uint8_t>(std::lround(255 * covered / static_cast<float>(samples)));
-      return opaque(sum / covered, alpha);
+      return pixel_of(sum / covered, alpha);
     }
     const Color behind = (1 - dark) * background.at(y, camera_.height / options_.samples);
     const Color all = sum + static_cast<float>(samples - hits) * behind;
-    return opaque(all / static_cast<float>(samples), 255);
-  }
-
-  static Pixel opaque(const Color& color, std::uint8_t alpha) {
-    return {srgb_byte(color[0]), srgb_byte(color[1]), srgb_byte(color[2]), alpha};
+    return pixel_of(all / static_cast<float>(samples));
   }
 
   /// Fraction of the key light on the face of the last sample in a pixel.

@@ -20,13 +20,6 @@ bool is_in_range(const Eigen::MatrixXd& numbers) {
 
 }  // namespace
 
-bool is_number(std::string_view word) {
-  const char* first = word.data();
-  const char* last = first + word.size();
-  double value = 0;
-  return parse_number(first, last, value) == Parsed::ok && first == last;
-}
-
 std::string place_of(const TextRows& rows, const Source& source) {
   return source.name + " line " + std::to_string(source.line_of(rows.place()));
 }

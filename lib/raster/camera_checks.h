@@ -9,8 +9,6 @@
 
 namespace transformesh {
 
-bool is_number(std::string_view word);
-
 /// Returns the name of the source and the line that is read, for example `dino_par.txt line 3`.
 std::string place_of(const TextRows& rows, const Source& source);
 

@@ -1,4 +1,5 @@
-/// Remedies for problems of the library, which name Python functions and arguments.
+/// Remedies for problems of the library, which name Python functions and arguments: the table of
+/// transformesh/_advice.py.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 namespace transformesh::python {
 
 /// Returns the remedy for problems of that kind; empty if there is none.
-const char* advice_for(ErrorKind kind);
+std::string advice_for(ErrorKind kind);
 
 /// Returns "sentence; remedy", or the sentence if there is no remedy.
 std::string with_advice(const Problem& problem);

@@ -138,7 +138,6 @@ void define(py::module_& module, const char* name, Result (*function)(Call&)) {
 void define_filter(py::module_& module, const char* name, MeshPointer (*function)(Call&));
 
 /// Add the parts of the module.
-void bind_errors(py::module_& module);
 void bind_filters(py::module_& module);
 void bind_remeshing(py::module_& module);
 void bind_editing(py::module_& module);

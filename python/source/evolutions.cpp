@@ -4,11 +4,11 @@
 
 #include "advice.h"
 #include "call.h"
-#include "evolution/loop/record.h"
 #include "evolution/recorded_loops.h"
 #include "step/morph_check.h"
 #include "step/target_file.h"
 #include "transformesh/evolve.h"
+#include "transformesh/evolve_in_time.h"
 #include "transformesh/mesh_io.h"
 #include "transformesh/morph.h"
 
@@ -62,10 +62,8 @@ MeshPointer evolve_mesh(Call& call) {
   const Step step = step_along(
       [&](const Mesh& now, const Progress&) { return velocities_by(velocity, now); }, displace);
   const LoopOptions loop = loop_of(call, call.get<std::size_t>("iterations"));
-  const EvolveResult result = call.run([&](const Progress& to) {
-    Record record;
-    return evolve(call.document, step, options, loop, record, to);
-  });
+  const EvolveResult result =
+      call.run([&](const Progress& to) { return evolve(call.document, step, options, loop, to); });
   if (result.clamped_iterations > 0)
     warn({clamps_in_words(result, displace.alpha) +
           "; use a smaller time_step and more iterations, or a larger alpha"});
@@ -123,8 +121,7 @@ MeshPointer evolve_mesh_in_time(Call& call) {
   }};
   const LoopOptions loop = loop_of(call, std::numeric_limits<std::size_t>::max());
   const TimeResult result = call.run([&](const Progress& to) {
-    Record record;
-    return evolve_in_time(call.document, motion, in_time, options, loop, record, to);
+    return evolve_in_time(call.document, motion, in_time, options, loop, to);
   });
   const MeshPointer mesh = call.result(entries_of(result));
   if (options.finds_events) mesh->report["events"] = list_of(result.evolution.events);
@@ -163,12 +160,10 @@ MeshPointer morph_mesh(Call& call) {
     return reading;
   });
   warn(with_advice(warnings));
-  const MorphResult result = call.run([&](const Progress& to) {
-    Record record;
-    return morph(call.document, read, options, loop, record, to);
-  });
+  const MorphResult result =
+      call.run([&](const Progress& to) { return morph(call.document, read, options, loop, to); });
   call.report = entries_of(result);
-  return call.result({{"remedy", std::string(advice_for(result.cause.kind))}});
+  return call.result({{"remedy", advice_for(result.cause.kind)}});
 }
 
 }  // namespace

@@ -5,22 +5,12 @@
 #include "call.h"
 
 namespace transformesh::python {
-
 namespace {
 
-/// Adds an exception class with two bases: one of this module (`own`) and one of Python
-/// (`builtin`).
-PyObject* add_error(py::module_& module, const char* name, PyObject* own, PyObject* builtin,
-                    const char* about) {
-  const std::string full = std::string("transformesh.") + name;
-  const py::tuple bases = own == nullptr ? py::make_tuple(py::handle(builtin))
-                                         : py::make_tuple(py::handle(own), py::handle(builtin));
-  PyObject* error = PyErr_NewExceptionWithDoc(full.c_str(), about, bases.ptr(), nullptr);
-  module.add_object(name, error);
-  return error;
+/// Returns the exception class of that name in transformesh/_errors.py.
+py::object error_class(const char* name) {
+  return py::module_::import("transformesh._errors").attr(name);
 }
-
-PyObject *usage_error, *input_error, *goal_error, *output_error, *cancelled;
 
 /// Returns the data of an error as a dict.
 py::dict dict_of(const ErrorData& data) {
@@ -35,26 +25,27 @@ py::dict dict_of(const ErrorData& data) {
   return result;
 }
 
-void raise(PyObject* type, const Error& error) {
-  const py::object exception = py::handle(type)(with_advice(error.problem()));
+void raise(const char* name, const Error& error) {
+  const py::object type = error_class(name);
+  const py::object exception = type(with_advice(error.problem()));
   exception.attr("kind") = name_of(error.kind());
   exception.attr("data") = dict_of(error.data());
-  PyErr_SetObject(type, exception.ptr());
+  PyErr_SetObject(type.ptr(), exception.ptr());
 }
 
 void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
   } catch (const UsageError& error) {
-    raise(usage_error, error);
+    raise("UsageError", error);
   } catch (const InputError& error) {
-    raise(input_error, error);
+    raise("InputError", error);
   } catch (const GoalError& error) {
-    raise(goal_error, error);
+    raise("GoalError", error);
   } catch (const OutputError& error) {
-    raise(output_error, error);
+    raise("OutputError", error);
   } catch (const CancelledError& error) {
-    PyErr_SetString(cancelled, error.what());
+    PyErr_SetString(error_class("Cancelled").ptr(), error.what());
   }
 }
 
@@ -66,30 +57,12 @@ py::none set_threads(Call& call) {
 }
 
 }  // namespace
-
-void bind_errors(py::module_& module) {
-  PyObject* base = add_error(module, "Error", nullptr, PyExc_Exception, "Any refusal.");
-  py::setattr(base, "kind", py::str(name_of(ErrorKind::other)));
-  py::setattr(base, "data", py::dict());
-  usage_error = add_error(module, "UsageError", base, PyExc_ValueError,
-                          "An argument that makes no sense; programs exit with 2.");
-  input_error = add_error(module, "InputError", base, PyExc_ValueError,
-                          "A mesh or a file that is not what the operation needs; exit code 3.");
-  goal_error =
-      add_error(module, "GoalError", base, PyExc_RuntimeError, "There is no result; exit code 4.");
-  output_error = add_error(module, "OutputError", base, PyExc_OSError,
-                           "A file could not be written; exit code 5.");
-  cancelled = add_error(module, "Cancelled", base, PyExc_RuntimeError,
-                        "The progress callback returned False.");
-  py::register_exception_translator(translate);
-}
-
 }  // namespace transformesh::python
 
 PYBIND11_MODULE(_transformesh, module) {
   using namespace transformesh::python;
   module.attr("__version__") = TM_VERSION;
-  bind_errors(module);
+  py::register_exception_translator(translate);
   bind_mesh(module);
   bind_filters(module);
   bind_remeshing(module);

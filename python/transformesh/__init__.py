@@ -5,6 +5,7 @@ and return new meshes; what they did is in `mesh.report`. Lengths are numbers in
 mesh, or text as of the programs: '1%' of the box's diagonal, '0.7x' of the reference edge.
 """
 
+from ._errors import Cancelled, Error, GoalError, InputError, OutputError, UsageError
 from ._functions import (
     align,
     boolean,
@@ -44,16 +45,6 @@ from ._functions import (
     transform,
     write,
 )
-from ._transformesh import (
-    Cancelled,
-    Columns,
-    Error,
-    GoalError,
-    InputError,
-    Mesh,
-    OutputError,
-    UsageError,
-    __version__,
-)
+from ._transformesh import Columns, Mesh, __version__
 
 __all__ = [name for name in dir() if not name.startswith("_")]

@@ -77,7 +77,7 @@ bool is_enclosed_nothing(const std::string& message) {
 }
 
 std::string problem_of(const Mesh& input, const Mesh& output, const Trial& trial, double spacings) {
-  const std::string manifold = describe_problem(output, check_manifold(output), true);
+  const std::string manifold = manifold_problem(output, check_manifold(output), true).sentence;
   if (!manifold.empty()) return "WRONG " + manifold;
   const std::size_t pairs = find_intersections(output).size();
   if (pairs > 0) return "WRONG " + std::to_string(pairs) + " crossings";

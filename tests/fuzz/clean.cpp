@@ -43,7 +43,7 @@ void check_floats(const Mesh& mesh) {
 void check_result(const Mesh& input, const CleanResult& result, const CleanOptions& options,
                   bool is_closed) {
   const Mesh& mesh = result.mesh;
-  const std::string problem = describe_problem(mesh, check_manifold(mesh), is_closed);
+  const std::string problem = manifold_problem(mesh, check_manifold(mesh), is_closed).sentence;
   demand(problem.empty(), problem);
   demand(find_intersections(mesh).empty(), "crossings are left");
   demand(!result.changed || degenerate_faces(mesh).empty(), "faces without area are left");

@@ -27,7 +27,7 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
     check_intensities(image);
     const GrayImage size = decode_size(bytes, name);
     demand(size.width == image.width && size.height == image.height, "another size");
-    const GrayImage silhouette = decode_silhouette(bytes, name);
+    const GrayImage silhouette = decode_mask(bytes, name).silhouette;
     demand(silhouette.pixels.size() == image.pixels.size(), "a silhouette of another size");
   } catch (const InputError&) {
   }

@@ -57,7 +57,8 @@ Topology topology_of(const Mesh& mesh) {
 }
 
 void check_result(const Mesh& mesh, const RemeshResult& result, const Topology& before) {
-  const std::string problem = describe_problem(mesh, check_manifold(mesh), before.is_closed);
+  const std::string problem =
+      manifold_problem(mesh, check_manifold(mesh), before.is_closed).sentence;
   demand(problem.empty(), problem);
   demand(find_intersections(mesh).empty(), "a crossing was made");
   const Topology after = topology_of(mesh);

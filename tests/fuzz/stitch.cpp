@@ -29,7 +29,7 @@ void transformesh::fuzz::run_target(std::string_view bytes) {
   // A sheet with its reverse is closed; one side of it is left.
   const bool stays_closed =
       is_closed && options.tolerance == 0 && !options.one_side && !options.drop_copies;
-  const std::string problem = describe_problem(mesh, report, stays_closed);
+  const std::string problem = manifold_problem(mesh, report, stays_closed).sentence;
   demand(problem.empty(), problem);
   // These have several borders each.
   if (result.misoriented_edges + result.split_edges > 0) return;

@@ -46,7 +46,10 @@ PYTHON
 import ast, inspect, sys
 import transformesh
 
-classes = {node.name for node in ast.parse(open(sys.argv[1]).read()).body if isinstance(node, ast.ClassDef)}
+compiled = {node.name for node in ast.parse(open(sys.argv[1]).read()).body if isinstance(node, ast.ClassDef)}
+errors = {name for name in transformesh.__all__ if inspect.isclass(getattr(transformesh, name))
+          and issubclass(getattr(transformesh, name), transformesh.Error)}
+classes = compiled | errors
 functions = {name for name in transformesh.__all__ if inspect.isfunction(getattr(transformesh, name))}
 assert classes | functions == set(transformesh.__all__), (classes | functions) ^ set(transformesh.__all__)
 for name in transformesh.__all__:

@@ -7,6 +7,7 @@
 #include "geometry/search/bvh.h"
 #include "mesh/adjacency.h"
 #include "mesh/coordinate_spacing.h"
+#include "mesh/local_measures.h"
 #include "support/elementary/arctangent.h"
 
 namespace transformesh {
@@ -76,11 +77,6 @@ double side_of(const Cone& cone, const Vec3& direction) {
     nearest = point;
   }
   return normal.dot(direction - nearest);
-}
-
-Vec3 centroid(const Mesh& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return mesh.positions[a] / 3 + mesh.positions[b] / 3 + mesh.positions[c] / 3;
 }
 
 bool lies_in_tetrahedron(const Vec3& point, const std::array<Vec3, 4>& corners) {
@@ -175,7 +171,7 @@ class Separator {
     for (const Index copy : copies) {
       if (copy == vertex) continue;
       for (const Index f : faces_at_[copy]) {
-        const Vec3 direction = centroid(mesh_, f) - mesh_.positions[vertex];
+        const Vec3 direction = face_middle(mesh_, f) - mesh_.positions[vertex];
         (side_of(cone, direction.stableNormalized()) > 0 ? in_front : behind) = true;
       }
     }
@@ -252,7 +248,7 @@ class Separator {
                                       mesh_.positions[face[(i + 1) % 3]],
                                       mesh_.positions[face[(i + 2) % 3]]};
       for (const Index g : near) {
-        if (lies_in_tetrahedron(centroid(mesh_, g), swept)) return true;
+        if (lies_in_tetrahedron(face_middle(mesh_, g), swept)) return true;
       }
     }
     return false;

@@ -33,14 +33,8 @@ class Bvh {
   void set_groups(std::span<const Index> group_of_box);
 
   using Pair = std::pair<Index, Index>;
-  using Accept = std::function<bool(Index, Index)>;
-  /// Returns all pairs of overlapping boxes with first < second for which `accept` returns true,
-  /// sorted. `accept` is called in unspecified order, from several threads at once.
-  std::vector<Pair> overlapping_pairs(const Accept& accept) const;
-  /// Returns all pairs (box of this, box of other) for which `accept` returns true, sorted.
-  std::vector<Pair> overlapping_pairs(const Bvh& other, const Accept& accept) const;
-
-  /// Calls visit(list, pairs) for all pairs of overlapping boxes, in portions. Several lists are
+  /// Calls visit(list, pairs) for all pairs of overlapping boxes with first < second, in portions.
+  /// Several lists are
   /// processed concurrently. The portions of one list are visited sequentially, in an order that is
   /// always the same. Before that, calls `prepare` with the number of lists.
   using Prepare = std::function<void(std::size_t lists)>;
@@ -55,7 +49,6 @@ class Bvh {
 
  private:
   class PairSearch;
-  std::vector<Pair> collect_pairs(const PairSearch& search, const Accept& accept) const;
   void add_links(const SimplexLinks& links, std::span<const Index> faces);
   Index add_common_links(std::span<const Index> rows);
   /// Returns the links of box `place` of a layer, or null.

@@ -1,12 +1,11 @@
-// Finds the pairs of overlapping boxes of one or two hierarchies, which are descended
-// simultaneously. Cost: O(n + k) for k pairs of usual boxes. Parallel; the lists of pairs do not
-// depend on the number of threads.
+// Finds the pairs of overlapping boxes of a hierarchy, by a descent into pairs of its boxes. Cost:
+// O(n + k) for k pairs of usual boxes. Parallel; the lists of pairs do not depend on the number of
+// threads.
 #include <algorithm>
 #include <cstdint>
 
 #include "geometry/search/bvh.h"
 #include "geometry/search/quad_overlap.h"
-#include "geometry/search/sort_pairs.h"
 #include "support/parallel.h"
 
 namespace transformesh {
@@ -95,18 +94,14 @@ class PlacePairs {
 
 }  // namespace
 
-/// Descends two trees simultaneously, layer by layer. Both may be the same tree.
+/// Descends from the root to pairs of boxes, layer by layer.
 class Bvh::PairSearch {
  public:
-  PairSearch(const Bvh& here, const Bvh& there)
-      : here_(here),
-        there_(there),
-        is_self_(&here == &there),
-        has_links_(!here.links_.empty() && !there.links_.empty()),
-        has_groups_(is_self_ && !here.groups_.empty()) {}
+  explicit PairSearch(const Bvh& tree) : tree_(tree) {}
 
   void run(const Prepare& prepare, const VisitPairs& visit) const {
-    std::vector<Task> tasks = first_tasks();
+    std::vector<Task> tasks;
+    if (!tree_.empty()) tasks.push_back({tree_.layers_.size() - 1, 0, 0});
     while (!tasks.empty() && tasks.size() < task_count && tasks[0].layer > 0)
       tasks = refined(tasks);
     prepare(tasks.size());
@@ -125,20 +120,9 @@ class Bvh::PairSearch {
   }
 
  private:
-  /// Returns the pairs of the roots. If one tree is deeper, its quads on the layer of the other's
-  /// root are used.
-  std::vector<Task> first_tasks() const {
-    if (here_.empty() || there_.empty()) return {};
-    const std::size_t layer = std::min(here_.layers_.size(), there_.layers_.size()) - 1;
-    std::vector<Task> tasks;
-    for (Index i = 0; i < here_.layers_[layer].size(); ++i)
-      for (Index j = 0; j < there_.layers_[layer].size(); ++j) tasks.push_back({layer, i, j});
-    return tasks;
-  }
-
   /// Clears the bits of pairs within one group. Returns false if no pair is left.
   bool leave_out_groups(const Task& task, std::array<unsigned, 4>& counting) const {
-    const std::vector<GroupQuad>& groups = here_.groups_[task.layer];
+    const std::vector<GroupQuad>& groups = tree_.groups_[task.layer];
     const auto same = turned_group_masks(groups[task.first], groups[task.second]);
     for (std::size_t turn = 0; turn < 4; ++turn) counting[turn] &= ~same[turn];
     return (counting[0] | counting[1] | counting[2] | counting[3]) != 0;
@@ -146,24 +130,24 @@ class Bvh::PairSearch {
 
   /// Writes the overlaps of a task as places in its layer, and returns their end.
   PlacePair* list_overlaps_of(const Task& task, PlacePair* to) const {
-    const bool is_same = is_self_ && task.first == task.second;
-    auto counting = !is_same ? all_pairs : task.layer == 0 ? different_inside : pairs_inside;
-    if (has_groups_ && !leave_out_groups(task, counting)) return to;
-    PlacePair* end = list_overlaps(here_.layers_[task.layer][task.first],
-                                   there_.layers_[task.layer][task.second],
+    auto counting = task.first != task.second ? all_pairs
+                    : task.layer == 0         ? different_inside
+                                              : pairs_inside;
+    if (!tree_.groups_.empty() && !leave_out_groups(task, counting)) return to;
+    const std::vector<BoxQuad>& quads = tree_.layers_[task.layer];
+    PlacePair* end = list_overlaps(quads[task.first], quads[task.second],
                                    place_pair(4 * task.first, 4 * task.second), counting, to);
-    if (!has_links_) return end;
+    if (tree_.links_.empty()) return end;
     return std::remove_if(to, end, [&](PlacePair places) {
-      return are_apart(here_.links_of(task.layer, first_of(places)),
-                       there_.links_of(task.layer, second_of(places)));
+      return are_apart(tree_.links_of(task.layer, first_of(places)),
+                       tree_.links_of(task.layer, second_of(places)));
     });
   }
 
   /// Returns the task for two places, on the layer below.
-  Task task_below(std::size_t layer, PlacePair places) const {
+  static Task task_below(std::size_t layer, PlacePair places) {
     const Index i = first_of(places), j = second_of(places);
-    if (is_self_) return {layer - 1, std::min(i, j), std::max(i, j)};
-    return {layer - 1, i, j};
+    return {layer - 1, std::min(i, j), std::max(i, j)};
   }
 
   std::vector<Task> refined(const std::vector<Task>& tasks) const {
@@ -191,46 +175,21 @@ class Bvh::PairSearch {
       descend(task_below(task.layer, *places), found, flush);
   }
 
-  /// Converts places to box indices; for one tree the smaller index is first.
+  /// Converts places to box indices, of which the smaller is first.
   void name_boxes(std::span<const PlacePair> places, std::vector<Pair>& pairs) const {
     pairs.resize(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const Index first = here_.order_[first_of(places[i])];
-      const Index second = there_.order_[second_of(places[i])];
-      const bool swaps = is_self_ && second < first;
-      pairs[i] = {swaps ? second : first, swaps ? first : second};
+      const Index first = tree_.order_[first_of(places[i])];
+      const Index second = tree_.order_[second_of(places[i])];
+      pairs[i] = {std::min(first, second), std::max(first, second)};
     }
   }
 
-  const Bvh& here_;
-  const Bvh& there_;
-  bool is_self_;
-  bool has_links_;
-  bool has_groups_;
+  const Bvh& tree_;
 };
 
 void Bvh::visit_pairs(const Prepare& prepare, const VisitPairs& visit) const {
-  PairSearch(*this, *this).run(prepare, visit);
-}
-
-std::vector<Pair> Bvh::collect_pairs(const PairSearch& search, const Accept& accept) const {
-  std::vector<std::vector<Pair>> lists;
-  search.run([&](std::size_t count) { lists.resize(count); },
-             [&](std::size_t list, std::span<const Pair> pairs) {
-               for (const auto& [first, second] : pairs)
-                 if (accept(first, second)) lists[list].emplace_back(first, second);
-             });
-  std::vector<Pair> pairs = joined(lists);
-  sort_pairs(pairs, order_.size());
-  return pairs;
-}
-
-std::vector<Pair> Bvh::overlapping_pairs(const Accept& accept) const {
-  return collect_pairs(PairSearch(*this, *this), accept);
-}
-
-std::vector<Pair> Bvh::overlapping_pairs(const Bvh& other, const Accept& accept) const {
-  return collect_pairs(PairSearch(*this, other), accept);
+  PairSearch(*this).run(prepare, visit);
 }
 
 }  // namespace transformesh

@@ -23,13 +23,6 @@ std::string with_blanks(std::string_view text) {
   return result;
 }
 
-bool is_number(std::string_view word) {
-  const char* first = word.data();
-  const char* last = first + word.size();
-  double value = 0;
-  return parse_number(first, last, value) == Parsed::ok && first == last;
-}
-
 /// Returns the name of the column for a name in a header.
 std::string column_of(std::string_view word) {
   std::string name;

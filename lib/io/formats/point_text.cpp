@@ -22,13 +22,6 @@ bool has_off_name(const Source& source) {
   return name.ends_with(".off") || name.ends_with(".OFF");
 }
 
-bool is_number(std::string_view word) {
-  const char* first = word.data();
-  const char* last = first + word.size();
-  double value = 0;
-  return parse_number(first, last, value) == Parsed::ok && first == last;
-}
-
 // Returns the number of words in the row, three or six. Throws InputError for any other number.
 std::size_t row_length(const TextRows& rows) {
   const std::size_t length = rows.words_left();

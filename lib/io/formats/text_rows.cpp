@@ -5,6 +5,13 @@
 
 namespace transformesh {
 
+bool is_number(std::string_view word) {
+  const char* first = word.data();
+  const char* last = first + word.size();
+  double value = 0;
+  return parse_number(first, last, value) == Parsed::ok && first == last;
+}
+
 TextRows::TextRows(const Source& source, std::size_t start, Rules rules)
     : source_(&source),
       rules_(rules),

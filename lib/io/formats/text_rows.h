@@ -12,6 +12,9 @@
 
 namespace transformesh {
 
+/// True if the whole word is a number.
+bool is_number(std::string_view word);
+
 class TextRows {
  public:
   struct Rules {

@@ -67,8 +67,9 @@ FourNormals four_normals(std::span<const Vec3> normals) {
           Floats{needed_length(a), needed_length(b), needed_length(c), needed_length(d)}};
 }
 
-/// The cones of four normals, with the same rounding as cone_of(): products with 0 and 1 are left
-/// out of its sums.
+/// Returns the cones of four normals. Bit k is set if direction k is in front of the face, bit 16 +
+/// k if the opposite direction is. Rounding to single precision is harmless, because it is far
+/// smaller than the margin of least_cosine.
 Words cones_of_four(const FourNormals& n) {
   Words front{};
   Words back{};
@@ -154,28 +155,6 @@ void find_cones(std::span<const Vec3> normals, std::span<NormalCone> cones) {
     for (std::size_t k = 0; k < std::min<std::size_t>(4, normals.size() - i); ++k)
       cones[i + k] = static_cast<NormalCone>(four[k]);
   }
-}
-
-/// Bit k is set if direction k is in front of the face, bit 16 + k if the opposite direction is.
-/// Rounding to single precision is harmless, because it is far smaller than the margin of
-/// least_cosine.
-NormalCone cone_of(const Vec3& normal) {
-  const double length = normal.norm();
-  if (!(length > smallest && length < largest)) return 0;
-  const auto x = static_cast<float>(normal.x());
-  const auto y = static_cast<float>(normal.y());
-  const auto z = static_cast<float>(normal.z());
-  const float least = least_cosine * static_cast<float>(length);
-  Words front{};
-  Words back{};
-  for (const FourDirections& four : directions_tested) {
-    const Floats along = four.x * x + four.y * y + four.z * z;
-    const Floats needed = four.length * least;
-    front |= (along > needed) & four.bits;
-    back |= (along < -needed) & four.bits;
-  }
-  const Words both = front | back << 16;
-  return static_cast<NormalCone>(both[0] | both[1] | both[2] | both[3]);
 }
 
 Direction nearest_direction(NormalCone cone, const Vec3& vector) {

@@ -32,11 +32,8 @@ inline Vec3 reliable_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return normal.squaredNorm() < least_squared_sine * lengths ? Vec3(Vec3::Zero()) : normal;
 }
 
-/// Returns the directions that are clearly in front of a face with this normal. Returns no
-/// direction if the length of the normal is not between 1e-30 and 1e30.
-NormalCone cone_of(const Vec3& normal);
-/// Returns the intersection of the cones of all normals; several times as fast as cone_of() for
-/// each normal.
+/// Returns the directions that are clearly in front of faces with all these normals. Returns no
+/// direction if the length of a normal is not between 1e-30 and 1e30.
 NormalCone common_cone(std::span<const Vec3> normals);
 /// Returns the common cone of `count` normals, which are stored in pairs.
 NormalCone common_cone(std::span<const NormalPair> pairs, std::size_t count);

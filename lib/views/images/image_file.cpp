@@ -84,10 +84,6 @@ Mask decode_mask(std::string_view bytes, const std::string& name) {
   return mask_of(rows.take(), rows.take_alpha());
 }
 
-GrayImage decode_silhouette(std::string_view bytes, const std::string& name) {
-  return decode_mask(bytes, name).silhouette;
-}
-
 Image picture_of(const GrayImage& image) {
   Image picture(image.width, image.height);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {

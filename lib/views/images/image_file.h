@@ -28,9 +28,6 @@ GrayImage decode_size(std::string_view bytes, const std::string& name);
 /// does.
 Mask decode_mask(std::string_view bytes, const std::string& name);
 
-/// Returns the silhouette of decode_mask().
-GrayImage decode_silhouette(std::string_view bytes, const std::string& name);
-
 /// Converts to an opaque gray picture. Intensities are rounded and clamped to [0, 255].
 Image picture_of(const GrayImage& image);
 

@@ -28,7 +28,7 @@ TEST_CASE("closed shapes pass every check") {
     CHECK(report.is_oriented());
     CHECK(report.is_closed());
     CHECK(report.boundary_loops == 0);
-    CHECK(describe_problem(mesh, report, true).empty());
+    CHECK(manifold_problem(mesh, report, true).sentence.empty());
   }
 }
 
@@ -38,8 +38,8 @@ TEST_CASE("a border is fine unless the mesh has to be closed") {
   CHECK(report.is_manifold());
   CHECK(report.border_halfedges.size() == 12);
   CHECK(report.boundary_loops == 1);
-  CHECK(describe_problem(mesh, report, false).empty());
-  CHECK(describe_problem(mesh, report, true).find("only one face (the first of 12") !=
+  CHECK(manifold_problem(mesh, report, false).sentence.empty());
+  CHECK(manifold_problem(mesh, report, true).sentence.find("only one face (the first of 12") !=
         std::string::npos);
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("three faces on an edge are found with its vertices") {
   CHECK(report.nonmanifold_edges == std::vector<Index>{0});
   CHECK(report.nonmanifold_vertices == std::vector<Index>{0, 1});
   CHECK(report.misoriented_edges.empty());
-  CHECK(describe_problem(mesh, report, false) ==
+  CHECK(manifold_problem(mesh, report, false).sentence ==
         "the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 1, 1) of face 0 has more than two "
         "faces");
 }
@@ -60,7 +60,7 @@ TEST_CASE("two cones that meet in their tips share a singular vertex") {
   CHECK(report.nonmanifold_edges.empty());
   CHECK(report.nonmanifold_vertices == std::vector<Index>{0});
   CHECK(report.boundary_loops == 2);
-  CHECK(describe_problem(mesh, report, false) ==
+  CHECK(manifold_problem(mesh, report, false).sentence ==
         "the faces around vertex 0 at (0, 0, 0) do not form one umbrella");
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("misoriented faces affect the orientation only") {
   CHECK(report.misoriented_edges == std::vector<Index>{0});
   CHECK(report.border_halfedges.size() == 4);
   CHECK(report.boundary_loops == 1);
-  CHECK(!describe_problem(mesh, report, false).empty());
+  CHECK(!manifold_problem(mesh, report, false).sentence.empty());
 
   // The Moebius strip is a non-orientable manifold with one border.
   const Mesh strip = triangles(5, {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}});
@@ -91,7 +91,7 @@ TEST_CASE("faces that name a vertex twice spoil the manifold, equal positions do
   const ManifoldReport report = check_manifold(mesh);
   CHECK(report.collapsed_faces == std::vector<Index>{4});
   CHECK_FALSE(report.is_manifold());
-  CHECK(describe_problem(mesh, report, false) == "face 4 uses a vertex twice");
+  CHECK(manifold_problem(mesh, report, false).sentence == "face 4 uses a vertex twice");
 }
 
 TEST_CASE("isolated vertices are listed and affect nothing else") {
@@ -99,7 +99,7 @@ TEST_CASE("isolated vertices are listed and affect nothing else") {
   mesh.positions.emplace_back(7, 7, 7);
   const ManifoldReport report = check_manifold(mesh);
   CHECK(report.isolated_vertices == std::vector<Index>{8});
-  CHECK(describe_problem(mesh, report, true).empty());
+  CHECK(manifold_problem(mesh, report, true).sentence.empty());
   CHECK(check_manifold(Mesh{}).is_manifold());
 }
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "helpers/random.h"
@@ -14,7 +15,17 @@ using namespace transformesh;
 
 namespace {
 
-constexpr auto every_pair = [](Index, Index) { return true; };
+std::vector<Bvh::Pair> pairs_of(const Bvh& bvh) {
+  std::vector<std::vector<Bvh::Pair>> lists;
+  bvh.visit_pairs([&](std::size_t count) { lists.resize(count); },
+                  [&](std::size_t list, std::span<const Bvh::Pair> pairs) {
+                    lists[list].insert(lists[list].end(), pairs.begin(), pairs.end());
+                  });
+  std::vector<Bvh::Pair> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
 
 bool touch(const FloatBox& a, const FloatBox& b) {
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -27,15 +38,6 @@ std::vector<Bvh::Pair> pairs_by_search(const std::vector<FloatBox>& boxes) {
   for (Index i = 0; i < boxes.size(); ++i)
     for (Index j = i + 1; j < boxes.size(); ++j)
       if (touch(boxes[i], boxes[j])) pairs.emplace_back(i, j);
-  return pairs;
-}
-
-std::vector<Bvh::Pair> pairs_by_search(const std::vector<FloatBox>& here,
-                                       const std::vector<FloatBox>& there) {
-  std::vector<Bvh::Pair> pairs;
-  for (Index i = 0; i < here.size(); ++i)
-    for (Index j = 0; j < there.size(); ++j)
-      if (touch(here[i], there[j])) pairs.emplace_back(i, j);
   return pairs;
 }
 
@@ -66,33 +68,15 @@ std::vector<FloatBox> lattice_boxes(std::uint64_t seed, std::size_t count) {
 TEST_CASE("pairs agree with a search for any number of boxes") {
   for (std::size_t count = 0; count < 40; ++count) {
     const auto boxes = lattice_boxes(count, count);
-    CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
+    CHECK(pairs_of(Bvh(boxes)) == pairs_by_search(boxes));
     CHECK(Bvh(boxes).empty() == (count == 0));
   }
   for (const double size : {0.0, 0.02, 0.1, 1.0}) {
     const auto boxes = random_boxes(7, 1500, size);
-    CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
+    CHECK(pairs_of(Bvh(boxes)) == pairs_by_search(boxes));
   }
   const auto boxes = lattice_boxes(3, 1500);
-  CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
-}
-
-TEST_CASE("pairs between two trees agree with a search, whatever their heights") {
-  const std::size_t counts[] = {0, 1, 3, 5, 70, 1200};
-  for (const std::size_t m : counts)
-    for (const std::size_t n : counts) {
-      const auto here = lattice_boxes(m + 1, m);
-      const auto there = lattice_boxes(n + 2, n);
-      CHECK(Bvh(here).overlapping_pairs(Bvh(there), every_pair) == pairs_by_search(here, there));
-    }
-}
-
-TEST_CASE("only accepted pairs are listed, and asked for with the smaller index first") {
-  const auto boxes = lattice_boxes(4, 800);
-  const auto accept = [](Index i, Index j) { return i < j && (i + j) % 7 == 0; };
-  auto expected = pairs_by_search(boxes);
-  std::erase_if(expected, [&](const Bvh::Pair& pair) { return !accept(pair.first, pair.second); });
-  CHECK(Bvh(boxes).overlapping_pairs(accept) == expected);
+  CHECK(pairs_of(Bvh(boxes)) == pairs_by_search(boxes));
 }
 
 TEST_CASE("boxes at the ends of the float range and beyond are paired") {
@@ -103,12 +87,12 @@ TEST_CASE("boxes at the ends of the float range and beyond are paired") {
       const Vec3 low = random.point(-10, 10);
       boxes.push_back(float_box(scale * low, scale * (low + random.point(0, 2))));
     }
-    CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
+    CHECK(pairs_of(Bvh(boxes)) == pairs_by_search(boxes));
   }
   constexpr float infinity = std::numeric_limits<float>::infinity();
   std::vector<FloatBox> boxes = lattice_boxes(5, 50);
   boxes.emplace_back(Eigen::Vector3f::Constant(-infinity), Eigen::Vector3f::Constant(infinity));
-  CHECK(Bvh(boxes).overlapping_pairs(every_pair) == pairs_by_search(boxes));
+  CHECK(pairs_of(Bvh(boxes)) == pairs_by_search(boxes));
 }
 
 TEST_CASE("boxes of one group are not paired, those of none are") {
@@ -123,16 +107,18 @@ TEST_CASE("boxes of one group are not paired, those of none are") {
         if (group_of[i] == no_index || group_of[i] != group_of[j]) expected.emplace_back(i, j);
       Bvh bvh(boxes);
       bvh.set_groups(group_of);
-      CHECK(bvh.overlapping_pairs(every_pair) == expected);
+      CHECK(pairs_of(bvh) == expected);
     }
   }
 }
 
 TEST_CASE("many equal boxes do not make the tree deep") {
   const std::vector<FloatBox> boxes(10000, float_box(Vec3::Zero(), Vec3::Ones()));
-  const auto pairs = Bvh(boxes).overlapping_pairs([](Index, Index j) { return j == 9999; });
-  REQUIRE(pairs.size() == 9999);
-  for (Index i = 0; i < pairs.size(); ++i) CHECK(pairs[i] == Bvh::Pair(i, 9999));
+  std::atomic<std::size_t> count = 0;
+  Bvh(boxes).visit_pairs(
+      [](std::size_t) {},
+      [&](std::size_t, std::span<const Bvh::Pair> pairs) { count += pairs.size(); });
+  CHECK(count == std::size_t{10000} * 9999 / 2);
 }
 
 TEST_CASE("pairs are the same for any number of threads") {
@@ -140,7 +126,7 @@ TEST_CASE("pairs are the same for any number of threads") {
   std::vector<std::vector<Bvh::Pair>> results;
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
-    results.push_back(Bvh(mesh).overlapping_pairs(every_pair));
+    results.push_back(pairs_of(Bvh(mesh)));
   }
   CHECK(results[0] == pairs_by_search(face_boxes(mesh)));
   CHECK(results[1] == results[0]);

@@ -24,6 +24,8 @@ int count_within(const Vec3& normal, double cosine) {
   return count;
 }
 
+NormalCone cone_of(const Vec3& normal) { return common_cone(std::span(&normal, 1)); }
+
 }  // namespace
 
 TEST_CASE("a normal is in the cones of directions within 88 degrees") {

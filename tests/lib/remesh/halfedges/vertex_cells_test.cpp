@@ -41,7 +41,10 @@ void check_boxes(const EditableMesh& mesh, const VertexCells& cells, Random& ran
 
 NormalCone cone_at(const EditableMesh& mesh, Index vertex) {
   NormalCone cone = all_directions;
-  mesh.for_each_outgoing(vertex, [&](Index h) { cone &= cone_of(mesh.face_normal(h / 3)); });
+  mesh.for_each_outgoing(vertex, [&](Index h) {
+    const Vec3 normal = mesh.face_normal(h / 3);
+    cone &= common_cone(std::span(&normal, 1));
+  });
   return cone;
 }
 

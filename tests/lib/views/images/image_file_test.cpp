@@ -70,10 +70,10 @@ TEST_CASE("files that are no images are refused with their first bytes") {
 }
 
 TEST_CASE("pixels with any sample above zero are inside a silhouette") {
-  const GrayImage deep = decode_silhouette(std::string("P5 2 1 65535\n\0\1\0\0", 17), "a.pgm");
+  const GrayImage deep = decode_mask(std::string("P5 2 1 65535\n\0\1\0\0", 17), "a.pgm").silhouette;
   CHECK(deep.at(0, 0) == 255);
   CHECK(deep.at(1, 0) == 0);
-  const GrayImage color = decode_silhouette("P3 2 1 255 0 0 1 0 0 0", "a.ppm");
+  const GrayImage color = decode_mask("P3 2 1 255 0 0 1 0 0 0", "a.ppm").silhouette;
   CHECK(color.at(0, 0) == 255);
   CHECK(color.at(1, 0) == 0);
   // Transparency is the mask if it varies, and is ignored if it does not.
@@ -81,7 +81,7 @@ TEST_CASE("pixels with any sample above zero are inside a silhouette") {
   CHECK(cut_out.rule == MaskRule::alpha);
   CHECK(cut_out.silhouette.at(0, 0) == 255);
   CHECK(cut_out.silhouette.at(1, 0) == 0);
-  const GrayImage opaque = decode_silhouette(png_of({4, 8}, 2, 1, {0, 255, 9, 255}), "a.png");
+  const GrayImage opaque = decode_mask(png_of({4, 8}, 2, 1, {0, 255, 9, 255}), "a.png").silhouette;
   CHECK(opaque.at(0, 0) == 0);
   CHECK(opaque.at(1, 0) == 255);
 }
