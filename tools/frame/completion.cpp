@@ -127,10 +127,12 @@ std::string zsh_action(const Candidates& candidates) {
 std::string zsh_option(const Option& option) {
   const std::string letter = letter_of(option);
   const std::string name = "--" + option.name();
-  std::string rest = "[" + replaced(option.help, "[]:\\", "\\") + "]";
-  if (!option.is_flag())
-    rest +=
-        ":" + replaced(option.placeholder, ":\\", "\\") + ":" + zsh_action(candidates_of(option));
+  std::string rest = "[";
+  rest += replaced(option.help, "[]:\\", "\\") + "]";
+  if (!option.is_flag()) {
+    rest += ":";
+    rest += replaced(option.placeholder, ":\\", "\\") + ":" + zsh_action(candidates_of(option));
+  }
   if (letter.empty()) return "  " + in_quotes(name + rest) + " \\\n";
   return "  '(-" + letter + " " + name + ")'{-" + letter + "," + name + "}" + in_quotes(rest) +
          " \\\n";

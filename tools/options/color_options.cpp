@@ -36,7 +36,7 @@ void add_material(Document& document, const std::string& picture, Run& run) {
     return comment.starts_with("tm:mtllib ") || comment.starts_with("tm:material ");
   });
   comments.push_back("tm:mtllib " + name_of_file(path));
-  comments.push_back(std::string("tm:material 1 ") + material);
+  comments.emplace_back("tm:material 1 ").append(material);
   Column& column =
       document.mesh.face_columns.get("material", Scalar::int32, document.mesh.faces.size());
   std::fill(column.values.begin(), column.values.end(), 1);

@@ -9,7 +9,7 @@
 #include "helpers/random.h"
 #include "helpers/sampled_distance.h"
 #include "helpers/shapes.h"
-#include "remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
 #include "transformesh/decimate.h"
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "helpers/shapes.h"
-#include "remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 

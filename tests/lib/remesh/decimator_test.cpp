@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "helpers/shapes.h"
-#include "remesh_checks.h"
+#include "lib/remesh/remesh_checks.h"
 #include "transformesh/components.h"
 #include "transformesh/intersect.h"
 #include "transformesh/measure.h"

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "flat_shapes.h"
 #include "helpers/shapes.h"
+#include "lib/clean/flat/flat_shapes.h"
 #include "mesh/adjacency.h"
 
 namespace transformesh {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "flat_shapes.h"
 #include "helpers/shapes.h"
+#include "lib/clean/flat/flat_shapes.h"
 #include "mesh/adjacency.h"
 #include "mesh/coordinate_spacing.h"
 

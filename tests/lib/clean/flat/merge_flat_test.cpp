@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "flat_shapes.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 #include "helpers/shapes.h"
+#include "lib/clean/flat/flat_shapes.h"
 #include "mesh/coordinate_spacing.h"
 #include "transformesh/clean.h"
 #include "transformesh/intersect.h"
