@@ -1,9 +1,15 @@
 #include "mesh/adjacency.h"
 
 #include <algorithm>
+#include <atomic>
+
+#include "support/numbered_selection.h"
+#include "support/parallel.h"
 
 namespace transformesh {
 namespace {
+
+constexpr std::size_t things_per_task = 8192;  ///< affects time only
 
 /// Calls visit(vertex) once for each distinct vertex of the face.
 template <class Visit>
@@ -14,25 +20,43 @@ void for_each_distinct_corner(const Face& face, const Visit& visit) {
 }
 
 /// True if the faces at each vertex form a single umbrella. Pre: every halfedge has an opposite.
+/// Walks around each vertex once, from any of its halfedges. These walks reach all halfedges only
+/// if no vertex has a second umbrella.
 bool has_single_umbrellas(const Mesh& mesh, std::span<const Index> opposites) {
-  // 1 for each outgoing halfedge that was reached.
-  std::vector<char> is_reached(opposites.size(), 0);
-  std::vector<char> has_umbrella(mesh.positions.size(), 0);
-  for (Index first = 0; first < opposites.size(); ++first) {
-    if (is_reached[first]) continue;
-    char& is_second = has_umbrella[halfedge_source(mesh, first)];
-    if (is_second) return false;
-    is_second = 1;
-    for (Index h = first; !is_reached[h]; h = opposites[previous_halfedge(h)]) is_reached[h] = 1;
-  }
-  return true;
+  std::vector<Index> outgoing(mesh.positions.size(), no_index);
+  parallel_for(mesh.faces.size(), things_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f)
+      for (std::size_t i = 0; i < 3; ++i)
+        std::atomic_ref(outgoing[mesh.faces[f][i]])
+            .store(static_cast<Index>(3 * f + i), std::memory_order_relaxed);
+  });
+  std::atomic<std::size_t> reached = 0;
+  parallel_for(outgoing.size(), things_per_task, [&](std::size_t first, std::size_t last) {
+    std::size_t count = 0;
+    for (std::size_t v = first; v < last; ++v) {
+      if (outgoing[v] == no_index) continue;
+      Index h = outgoing[v];
+      do {
+        h = opposites[previous_halfedge(h)];
+        ++count;
+      } while (h != outgoing[v]);
+    }
+    reached += count;
+  });
+  return reached == opposites.size();
 }
 
 }  // namespace
 
+bool is_closed_manifold(const Mesh& mesh, std::span<const Index> opposites) {
+  const bool is_closed = NumberedSelection(opposites.size(), [&](std::size_t h) {
+                           return opposites[h] == no_index;
+                         }).size() == 0;
+  return is_closed && has_single_umbrellas(mesh, opposites);
+}
+
 std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, std::vector<Index> opposites) {
-  const bool is_closed = std::find(opposites.begin(), opposites.end(), no_index) == opposites.end();
-  if (!is_closed || !has_single_umbrellas(mesh, opposites)) return std::nullopt;
+  if (!is_closed_manifold(mesh, opposites)) return std::nullopt;
   return opposites;
 }
 

@@ -15,6 +15,10 @@ namespace transformesh {
 /// position. O(n); deterministic.
 std::vector<Index> opposite_halfedges(const Mesh& mesh);
 
+/// True if the mesh is a closed oriented manifold. `opposites` are those of opposite_halfedges().
+/// Parallel. O(n).
+bool is_closed_manifold(const Mesh& mesh, std::span<const Index> opposites);
+
 /// Returns `opposites` if the mesh is a closed oriented manifold, otherwise nothing.
 std::optional<std::vector<Index>> closed_opposites(const Mesh& mesh, std::vector<Index> opposites);
 

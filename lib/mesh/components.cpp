@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "mesh/connected_minima.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
 #include "mesh/umbrellas.h"
@@ -95,26 +96,12 @@ Components connected_components(const Mesh& mesh) {
 
 // In a manifold, faces of one component are connected across edges.
 Connectivity connect(std::vector<Index> opposites) {
-  const std::size_t faces = opposites.size() / 3;
-  std::vector<Index> component_of(faces, no_index);
-  std::vector<Index> stack;
-  Index component = 0;
-  const auto reach = [&](Index face) {
-    if (component_of[face] != no_index) return;
-    component_of[face] = component;
-    stack.push_back(face);
-  };
-  for (Index seed = 0; seed < faces; ++seed) {
-    if (component_of[seed] != no_index) continue;
-    reach(seed);
-    while (!stack.empty()) {
-      const Index face = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * face; h < 3 * face + 3; ++h) reach(opposites[h] / 3);
-    }
-    ++component;
-  }
-  return {std::move(opposites), component, std::move(component_of)};
+  RawVector<Index> of_face =
+      connected_minima(opposites.size() / 3, [&](Index face, const auto& visit) {
+        for (Index h = 3 * face; h < 3 * face + 3; ++h) visit(opposites[h] / 3);
+      });
+  const std::size_t count = number_components(of_face, [](Index) { return true; }).size();
+  return {std::move(opposites), count, {of_face.begin(), of_face.end()}};
 }
 
 Components connected_components(const Mesh& mesh, const Connectivity& connectivity) {

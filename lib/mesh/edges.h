@@ -1,13 +1,14 @@
 /// The undirected edges of a mesh, each with its halfedges. Vertices are identified by index, not
 /// by position. A halfedge from a vertex to itself (in a face with a repeated vertex) is ignored.
 /// Edges are sorted by their smaller vertex, then by their larger one; the halfedges of an edge are
-/// in ascending order. Cost: O(n) for vertices of bounded valence, O(n log n) at worst;
+/// in ascending order. Parallel. Cost: O(n) for vertices of bounded valence, O(n log n) at worst;
 /// deterministic.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "support/raw_vector.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {
@@ -24,8 +25,8 @@ class Edges {
   }
 
  private:
-  std::vector<Index> halfedges_;
-  std::vector<Index> offsets_{0};
+  RawVector<Index> halfedges_;
+  RawVector<Index> offsets_ = RawVector<Index>(1, 0);
 };
 
 /// Returns, for every halfedge, the other halfedge of its edge if the edge has exactly two

@@ -2,36 +2,61 @@
 
 #include <algorithm>
 
+#include "mesh/connected_minima.h"
 #include "mesh/disjoint_sets.h"
+#include "support/parallel.h"
 
 namespace transformesh {
+namespace {
+
+constexpr std::size_t umbrellas_per_task = 8192;  ///< affects time only
+
+/// Calls visit(corner) for the corners at the same vertex in the faces across both edges of a
+/// corner. If two halfedges of an edge start at the same vertex, their sources are neighbors, and
+/// so are their targets. Otherwise each source is the neighbor of the other's target.
+template <bool is_oriented, class Visit>
+void for_each_neighbor(std::span<const Face> faces, std::span<const Index> across, Index corner,
+                       const Visit& visit) {
+  const auto have_same_direction = [&](Index h, Index other) {
+    return !is_oriented && faces[h / 3][h % 3] == faces[other / 3][other % 3];
+  };
+  const Index out = across[corner];
+  if (out != no_index) visit(have_same_direction(corner, out) ? out : next_halfedge(out));
+  const Index before = previous_halfedge(corner), in = across[before];
+  if (in != no_index) visit(have_same_direction(before, in) ? next_halfedge(in) : in);
+}
+
+template <bool is_oriented>
+Umbrellas find(std::span<const Face> faces, std::span<const Index> across,
+               std::span<const char> included) {
+  Umbrellas umbrellas;
+  umbrellas.of_corner = connected_minima(across.size(), [&](Index corner, const auto& visit) {
+    for_each_neighbor<is_oriented>(faces, across, corner, visit);
+  });
+  umbrellas.first_corner = number_components(umbrellas.of_corner, [&](Index corner) {
+    return included.empty() || included[corner / 3] != 0;
+  });
+  umbrellas.vertex_of.resize(umbrellas.first_corner.size());
+  parallel_for(umbrellas.vertex_of.size(), umbrellas_per_task,
+               [&](std::size_t first, std::size_t last) {
+                 for (std::size_t u = first; u < last; ++u) {
+                   const Index corner = umbrellas.first_corner[u];
+                   umbrellas.vertex_of[u] = faces[corner / 3][corner % 3];
+                 }
+               });
+  return umbrellas;
+}
+
+}  // namespace
 
 Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> across,
                          std::span<const char> included) {
-  // If two halfedges of an edge start at the same vertex, their sources are joined, and so are
-  // their targets. Otherwise each source is joined with the other's target.
-  DisjointSets corners(3 * faces.size());
-  for (Index h = 0; h < across.size(); ++h) {
-    const Index other = across[h];
-    if (other == no_index || other < h) continue;
-    const bool have_same_direction = faces[h / 3][h % 3] == faces[other / 3][other % 3];
-    corners.join(h, have_same_direction ? other : next_halfedge(other));
-    corners.join(next_halfedge(h), have_same_direction ? next_halfedge(other) : other);
-  }
+  return find<false>(faces, across, included);
+}
 
-  Umbrellas umbrellas;
-  umbrellas.of_corner.assign(3 * faces.size(), no_index);
-  for (Index corner = 0; corner < umbrellas.of_corner.size(); ++corner) {
-    if (!included.empty() && !included[corner / 3]) continue;
-    const Index first = corners.find(corner);
-    if (first == corner) {
-      umbrellas.of_corner[corner] = static_cast<Index>(umbrellas.vertex_of.size());
-      umbrellas.vertex_of.push_back(faces[corner / 3][corner % 3]);
-    } else {
-      umbrellas.of_corner[corner] = umbrellas.of_corner[first];
-    }
-  }
-  return umbrellas;
+Umbrellas find_oriented_umbrellas(std::span<const Face> faces, std::span<const Index> across,
+                                  std::span<const char> included) {
+  return find<true>(faces, across, included);
 }
 
 Umbrellas find_umbrellas(const Mesh& mesh, const Edges& edges) {

@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "mesh/edges.h"
+#include "support/raw_vector.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {
 
 struct Umbrellas {
   /// Umbrella of each corner 3 * face + i; no_index if its face is left out.
-  std::vector<Index> of_corner;
-  std::vector<Index> vertex_of;  ///< vertex of each umbrella, in order of their first corners
+  RawVector<Index> of_corner;
+  RawVector<Index> vertex_of;     ///< vertex of each umbrella, in order of their first corners
+  RawVector<Index> first_corner;  ///< smallest corner of each umbrella
 };
 
 /// Finds the umbrellas. `across` holds for each halfedge the halfedge with which the surface
@@ -22,6 +24,10 @@ struct Umbrellas {
 /// included[face] = 0 are left out; an empty list includes all.
 Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> across,
                          std::span<const char> included = {});
+
+/// The same if halfedges across an edge always have opposite directions; faster.
+Umbrellas find_oriented_umbrellas(std::span<const Face> faces, std::span<const Index> across,
+                                  std::span<const char> included = {});
 
 /// Finds the umbrellas of a mesh whose surface continues across edges with exactly two faces, of
 /// any orientation.

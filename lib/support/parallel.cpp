@@ -1,7 +1,11 @@
 #include "support/parallel.h"
 
+#include <sys/types.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -60,6 +64,9 @@ class Loop {
     if (error_) std::rethrow_exception(error_);
   }
 
+  std::size_t helpers = 0;  ///< workers that process ranges; guarded by the mutex of the workers
+  std::condition_variable has_no_helpers;
+
  private:
   // Keeps the error of the lowest range. All lower ranges have been taken already, so the result
   // does not depend on the timing of threads.
@@ -88,26 +95,92 @@ void wait_for(Threads& threads) {
   ++working_threads;
 }
 
-/// Works on the loop with up to `wanted` more threads, if they are allowed and the system can
-/// create them. A nested loop uses threads that other loops no longer need, so no loop waits for a
-/// thread. Starting a thread takes about 10 us, which is less than a thread that spins between two
-/// loops would take.
-void work_together(Loop& loop, std::size_t wanted) {
-  std::vector<std::jthread> helpers;
-  helpers.reserve(wanted);
-  while (helpers.size() < wanted && take_thread()) {
+/// Threads that wait for loops. Programs run hundreds of short loops; waking a thread takes less
+/// than starting one. A loop does not wait for workers that have not begun when its last range is
+/// taken, which matters on a machine that is busy. Workers are never joined: they end with the
+/// process.
+class Workers {
+ public:
+  static Workers& instance() {
+    static Workers& workers = *new Workers;
+    return workers;
+  }
+
+  /// Offers the loop to `count` workers.
+  void offer(Loop& loop, std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    forget_parent_process();
+    offers_.insert(offers_.end(), count, &loop);
+    while (idle_ < offers_.size() && start()) {
+    }
+    for (std::size_t i = 0; i < count; ++i) has_offers_.notify_one();
+  }
+
+  /// Withdraws the offers that no worker has taken, and waits for the others. The waiting thread
+  /// does not count as working, so that nested loops of the helpers may use another thread instead.
+  void finish(Loop& loop) {
+    std::unique_lock lock(mutex_);
+    for (std::size_t left = std::erase(offers_, &loop); left > 0; --left) give_thread_back();
+    if (loop.helpers == 0) return;
+    give_thread_back();
+    loop.has_no_helpers.wait(lock, [&] { return loop.helpers == 0; });
+    ++working_threads;
+  }
+
+ private:
+  // Starts a worker, which counts as idle at once. Returns false if the system refuses.
+  bool start() {
     try {
-      helpers.emplace_back([&loop] {
-        loop.work();
-        give_thread_back();
-      });
+      std::thread([this] { run(); }).detach();
     } catch (const std::system_error&) {
+      return false;
+    }
+    ++idle_;
+    return true;
+  }
+
+  void run() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      has_offers_.wait(lock, [&] { return !offers_.empty(); });
+      Loop& loop = *offers_.back();
+      offers_.pop_back();
+      --idle_;
+      ++loop.helpers;
+      lock.unlock();
+      loop.work();
+      lock.lock();
       give_thread_back();
-      break;
+      ++idle_;
+      if (--loop.helpers == 0) loop.has_no_helpers.notify_one();
     }
   }
+
+  // Workers do not exist in a process that was forked.
+  void forget_parent_process() {
+    if (process_ == getpid()) return;
+    process_ = getpid();
+    idle_ = 0;
+    offers_.clear();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable has_offers_;
+  std::vector<Loop*> offers_;  ///< a loop for each worker that may join it
+  std::size_t idle_ = 0;       ///< workers that wait for offers, or start
+  pid_t process_ = getpid();
+};
+
+/// Works on the loop with up to `wanted` more threads, if they are allowed and the system can
+/// create them. A nested loop uses threads that other loops no longer need, so no loop waits for a
+/// thread.
+void work_together(Loop& loop, std::size_t wanted) {
+  std::size_t helpers = 0;
+  while (helpers < wanted && take_thread()) ++helpers;
+  if (helpers == 0) return loop.work();
+  Workers::instance().offer(loop, helpers);
   loop.work();
-  if (!helpers.empty()) wait_for(helpers);
+  Workers::instance().finish(loop);
 }
 
 }  // namespace

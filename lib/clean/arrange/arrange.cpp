@@ -5,6 +5,7 @@
 #include "clean/arrange/unify_points.h"
 #include "mesh/location_text.h"
 #include "support/number.h"
+#include "support/numbered_selection.h"
 #include "support/parallel.h"
 #include "transformesh/errors.h"
 #include "transformesh/length.h"
@@ -15,36 +16,38 @@ namespace {
 // A plane is triangulated inside a scaffold triangle whose corners reach 12 times the extent of the
 // coplanar faces. With this limit, the coordinates of the scaffold do not overflow.
 constexpr double largest_coordinate = 1e306;
-constexpr std::size_t planes_per_task = 4;  ///< planes cut in one task; affects time only
+constexpr std::size_t planes_per_task = 4;     ///< planes cut in one task; affects time only
+constexpr std::size_t planes_per_block = 512;  ///< planes joined in one task; affects time only
 
-// Reserves room for all pieces, and for all sources except copies. Reallocation takes longer than
-// adding the entries.
-void reserve_pieces(const WeldedMesh& welded, const std::vector<PlaneCut>& cuts,
-                    Arrangement& result) {
-  std::size_t pieces = welded.faces.size(), sources = pieces;
-  for (const PlaneCut& cut : cuts) {
-    pieces += cut.facets.size();
-    sources += cut.sources.size();
-  }
-  result.pieces.reserve(pieces);
-  result.sources.reserve(sources);
-}
-
+// Adds the whole faces, and reserves room for all pieces and for all sources except copies.
 void add_whole_pieces(const WeldedMesh& welded, const Planes& planes,
-                      const std::vector<char>& is_left_out, Arrangement& result) {
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (!planes.is_whole(f) || (!is_left_out.empty() && is_left_out[f])) continue;
-    result.pieces.push_back({welded.faces[f], static_cast<Index>(result.sources.size()), 1, 1});
-    result.sources.push_back({f, false});
+                      const std::vector<PlaneCut>& cuts, const std::vector<char>& is_left_out,
+                      Arrangement& result) {
+  std::size_t cut_pieces = 0, cut_sources = 0;
+  for (const PlaneCut& cut : cuts) {
+    cut_pieces += cut.facets.size();
+    cut_sources += cut.sources.size();
   }
-  result.whole_pieces = result.pieces.size();
+  const NumberedSelection whole(welded.faces.size(), [&](std::size_t f) {
+    return planes.is_whole(static_cast<Index>(f)) && (is_left_out.empty() || !is_left_out[f]);
+  });
+  result.whole_pieces = whole.size();
+  result.pieces.reserve(whole.size() + cut_pieces);
+  result.sources.reserve(whole.size() + cut_sources);
+  result.pieces.resize(whole.size());
+  result.sources.resize(whole.size());
+  whole.visit([&](std::size_t f, std::size_t p) {
+    result.pieces[p] = {welded.faces[f], static_cast<Index>(p), 1, 1, false, 0};
+    result.sources[p] = {static_cast<Index>(f), false};
+  });
 }
 
 // Lists the copies of each face (faces with the same three points), to add them as sources.
 class Copies {
  public:
-  explicit Copies(const WeldedMesh& welded)
-      : welded_(welded), next_(welded.faces.size(), no_index) {
+  explicit Copies(const WeldedMesh& welded) : welded_(welded) {
+    if (!welded.has_copies) return;
+    next_.assign(welded.faces.size(), no_index);
     std::vector<Index> last(welded.faces.size(), no_index);
     for (Index f = 0; f < welded.faces.size(); ++f) {
       const Index first = welded.first_copy[f];
@@ -55,7 +58,8 @@ class Copies {
 
   /// Adds the copies of the sources at `begin` and after; sorts the sources from `begin` on by
   /// face.
-  void add(std::vector<PieceSource>& sources, std::size_t begin) const {
+  void add(RawVector<PieceSource>& sources, std::size_t begin) const {
+    if (next_.empty()) return;
     const std::size_t end = sources.size();
     for (std::size_t s = begin; s < end; ++s) {
       const PieceSource source = sources[s];
@@ -76,58 +80,100 @@ class Copies {
   }
 
   const WeldedMesh& welded_;
-  std::vector<Index> next_;  ///< index of the next copy of each face, or no_index
+  std::vector<Index> next_;  ///< index of the next copy of each face, or no_index; empty if none
+};
+
+/// Pieces and sources of a block of planes. First sources are relative to these sources.
+struct CutPieces {
+  RawVector<Piece> pieces;
+  RawVector<PieceSource> sources;
 };
 
 // Adds the sources of a facet: only open faces for an open piece, only closed faces for a closed
 // one.
-void add_sources(const PlaneCut& cut, std::size_t facet, const Copies& copies, bool is_open,
-                 Arrangement& result) {
-  const std::size_t first = result.sources.size();
-  result.sources.insert(result.sources.end(), cut.sources.begin() + cut.source_offsets[facet],
-                        cut.sources.begin() + cut.source_offsets[facet + 1]);
-  copies.add(result.sources, first);
-  if (result.welded->open_component.empty()) return;
+void add_sources(const WeldedMesh& welded, const PlaneCut& cut, std::size_t facet,
+                 const Copies& copies, bool is_open, RawVector<PieceSource>& sources) {
+  const std::size_t first = sources.size();
+  sources.insert(sources.end(), cut.sources.begin() + cut.source_offsets[facet],
+                 cut.sources.begin() + cut.source_offsets[facet + 1]);
+  copies.add(sources, first);
+  if (welded.open_component.empty()) return;
   const auto is_other = [&](const PieceSource& source) {
-    return result.welded->is_open(source.face) != is_open;
+    return welded.is_open(source.face) != is_open;
   };
-  result.sources.erase(std::remove_if(result.sources.begin() + static_cast<std::ptrdiff_t>(first),
-                                      result.sources.end(), is_other),
-                       result.sources.end());
+  sources.erase(
+      std::remove_if(sources.begin() + static_cast<std::ptrdiff_t>(first), sources.end(), is_other),
+      sources.end());
 }
 
-void add_cut_pieces(const PlaneCut& cut, const std::vector<Index>& ids, const Copies& copies,
-                    Arrangement& result) {
+// Reverses the orientation of a piece with these sources.
+void reverse(Piece& piece, std::span<PieceSource> sources) {
+  std::swap(piece.corners[1], piece.corners[2]);
+  for (PieceSource& source : sources) source.reversed = !source.reversed;
+}
+
+void add_cut_pieces(const WeldedMesh& welded, const PlaneCut& cut, const std::vector<Index>& ids,
+                    const Copies& copies, CutPieces& result) {
   for (std::size_t i = 0; i < cut.facets.size(); ++i) {
     const Face& v = cut.facets[i];
     const OpenFacet open = cut.open.empty() ? OpenFacet{false, 0} : cut.open[i];
-    const auto first = static_cast<Index>(result.sources.size());
-    add_sources(cut, i, copies, open.is_open, result);
-    const auto count = static_cast<std::uint32_t>(result.sources.size() - first);
-    Piece piece{{ids[v[0]], ids[v[1]], ids[v[2]]}, first, count, 0, open.is_open, open.front};
-    for (const PieceSource& source : result.sources_of(piece)) {
-      piece.multiplicity += source.reversed ? -1 : 1;
-    }
+    const std::size_t first = result.sources.size();
+    add_sources(welded, cut, i, copies, open.is_open, result.sources);
+    const std::span<PieceSource> sources = std::span(result.sources).subspan(first);
+    Piece piece{{ids[v[0]], ids[v[1]], ids[v[2]]},
+                static_cast<Index>(first),
+                static_cast<std::uint32_t>(sources.size()),
+                0,
+                open.is_open,
+                open.front};
+    for (const PieceSource& source : sources) piece.multiplicity += source.reversed ? -1 : 1;
     // Orient the piece like the majority of its sources.
     if (piece.multiplicity < 0) {
       piece.multiplicity = -piece.multiplicity;
-      reverse_piece(result, piece);
+      reverse(piece, sources);
     }
     result.pieces.push_back(piece);
   }
 }
 
+// Appends the pieces of all blocks, with their sources.
+void append(const std::vector<CutPieces>& blocks, Arrangement& result) {
+  struct Place {
+    std::size_t piece, source;
+  };
+  std::vector<Place> places;
+  Place next{result.pieces.size(), result.sources.size()};
+  for (const CutPieces& block : blocks) {
+    places.push_back(next);
+    next.piece += block.pieces.size();
+    next.source += block.sources.size();
+  }
+  result.pieces.resize(next.piece);
+  result.sources.resize(next.source);
+  parallel_for(blocks.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b) {
+      std::copy(blocks[b].sources.begin(), blocks[b].sources.end(),
+                result.sources.begin() + static_cast<std::ptrdiff_t>(places[b].source));
+      Piece* piece = result.pieces.data() + places[b].piece;
+      for (const Piece& of_block : blocks[b].pieces) {
+        *piece = of_block;
+        piece++->first_source += static_cast<Index>(places[b].source);
+      }
+    }
+  });
+}
+
 }  // namespace
 
 void reverse_piece(Arrangement& arrangement, Piece& piece) {
-  std::swap(piece.corners[1], piece.corners[2]);
-  for (std::uint32_t s = 0; s < piece.source_count; ++s) {
-    bool& is_reversed = arrangement.sources[piece.first_source + s].reversed;
-    is_reversed = !is_reversed;
-  }
+  reverse(piece, std::span(arrangement.sources).subspan(piece.first_source, piece.source_count));
 }
 
 void refuse_overflow(const WeldedMesh& welded) {
+  const NumberedSelection large(welded.points.size(), [&](std::size_t p) {
+    return !(welded.points[p].cwiseAbs().maxCoeff() <= largest_coordinate);
+  });
+  if (large.size() == 0) return;
   for (const Vec3& point : welded.points) {
     if (point.cwiseAbs().maxCoeff() <= largest_coordinate) continue;
     throw InputError(ErrorKind::coordinates_too_large,
@@ -144,11 +190,15 @@ Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Pla
   result.welded = welded;
   UnifiedPoints unified = unify_points(*welded, cuts);
   result.cut_points = std::move(unified.cut_points);
-  reserve_pieces(*welded, cuts, result);
-  add_whole_pieces(*welded, planes, is_left_out, result);
+  add_whole_pieces(*welded, planes, cuts, is_left_out, result);
   const Copies copies(*welded);
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-    add_cut_pieces(cuts[i], unified.ids[i], copies, result);
+  std::vector<CutPieces> blocks((cuts.size() + planes_per_block - 1) / planes_per_block);
+  parallel_for(blocks.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b)
+      for (std::size_t i = b * planes_per_block; i < (b + 1) * planes_per_block; ++i)
+        if (i < cuts.size()) add_cut_pieces(*welded, cuts[i], unified.ids[i], copies, blocks[b]);
+  });
+  append(blocks, result);
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "clean/arrange/cut_plane.h"
 #include "clean/intersect/welded_mesh.h"
 #include "geometry/numbers/exact_point.h"
+#include "support/raw_vector.h"
 #include "transformesh/control.h"
 #include "transformesh/intersect.h"
 
@@ -24,17 +25,17 @@ struct Piece {
   std::int32_t multiplicity;  ///< Number of sources minus number of reversed sources. The winding
                               ///< number grows by this amount from front to back. Never negative; 0
                               ///< if the sources cancel out.
-  bool is_open = false;       ///< true if all sources belong to open components; false if none does
+  bool is_open;               ///< true if all sources belong to open components; false if none does
   /// Winding number of the closed part in front of the piece. Set by arrange_exterior(): for whole
   /// pieces, and for all pieces if the mesh has open components.
-  std::int32_t front = 0;
+  std::int32_t front;
 };
 
 struct Arrangement {
   std::shared_ptr<const WeldedMesh> welded;
   std::vector<ExactPoint> cut_points;  ///< point `i` is `cut_points[i - welded->points.size()]`
-  std::vector<Piece> pieces;           ///< whole faces in mesh order, then the pieces of cut faces
-  std::vector<PieceSource> sources;
+  RawVector<Piece> pieces;             ///< whole faces in mesh order, then the pieces of cut faces
+  RawVector<PieceSource> sources;
   std::size_t whole_pieces = 0;
 
   ExactGeometry geometry() const { return {welded->points, welded->faces}; }

@@ -1,8 +1,10 @@
 #include "clean/arrange/planes.h"
 
 #include <numeric>
+#include <optional>
 
 #include "mesh/disjoint_sets.h"
+#include "support/numbered_selection.h"
 
 namespace transformesh {
 namespace {
@@ -24,35 +26,44 @@ void file(std::size_t buckets, const ForEach& for_each, std::vector<Index>& offs
 
 Planes::Planes(const WeldedMesh& welded, const std::vector<Meeting>& meetings)
     : all_meetings_(meetings), plane_of_(welded.faces.size(), no_index) {
+  find_cut_faces(welded);
   number_planes(welded);
   file_faces(welded);
   file_meetings();
 }
 
-// The root of each set is its least face; hence planes are numbered in the order of their first
-// faces.
-void Planes::number_planes(const WeldedMesh& welded) {
-  DisjointSets sets(welded.faces.size());
+// Lists the faces that are cut, ascending: those with meetings or copies.
+void Planes::find_cut_faces(const WeldedMesh& welded) {
   std::vector<char> is_cut(welded.faces.size(), 0);
-  for (const Meeting& meeting : all_meetings_) {
-    is_cut[meeting.first] = is_cut[meeting.second] = 1;
-    if (meeting.contacts.coplanar) sets.join(meeting.first, meeting.second);
-  }
-  for (Index f = 0; f < welded.faces.size(); ++f) {
+  for (const Meeting& meeting : all_meetings_) is_cut[meeting.first] = is_cut[meeting.second] = 1;
+  for (Index f = 0; welded.has_copies && f < welded.faces.size(); ++f) {
     const Index first = welded.first_copy[f];
     if (first != f) is_cut[first] = is_cut[f] = 1;
   }
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (!is_cut[f]) continue;
-    const Index first = welded.first_copy[f] == f ? sets.find(f) : welded.first_copy[f];
+  cut_faces_ =
+      NumberedSelection(is_cut.size(), [&](std::size_t f) { return is_cut[f] != 0; }).list();
+}
+
+// The root of each set is its least face; hence planes are numbered in the order of their first
+// faces.
+void Planes::number_planes(const WeldedMesh& welded) {
+  std::optional<DisjointSets> sets;
+  for (const Meeting& meeting : all_meetings_) {
+    if (!meeting.contacts.coplanar) continue;
+    if (!sets) sets.emplace(welded.faces.size());
+    sets->join(meeting.first, meeting.second);
+  }
+  for (const Index f : cut_faces_) {
+    const bool is_copy = welded.first_copy[f] != f;
+    const Index first = is_copy ? welded.first_copy[f] : sets ? sets->find(f) : f;
     plane_of_[f] = first == f ? static_cast<Index>(count_++) : plane_of_[first];
   }
 }
 
 void Planes::file_faces(const WeldedMesh& welded) {
   const auto for_each = [&](const auto& visit) {
-    for (Index f = 0; f < plane_of_.size(); ++f)
-      if (!is_whole(f) && welded.first_copy[f] == f) visit(plane_of_[f], f);
+    for (const Index f : cut_faces_)
+      if (welded.first_copy[f] == f) visit(plane_of_[f], f);
   };
   file(count_, for_each, face_offsets_, faces_);
 }

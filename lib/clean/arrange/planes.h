@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clean/intersect/contacts.h"
+#include "support/raw_vector.h"
 
 namespace transformesh {
 
@@ -31,14 +32,17 @@ class Planes {
   /// Returns the plane of a face, or no_index if the face stays whole.
   Index plane_of(Index face) const { return plane_of_[face]; }
   bool is_whole(Index face) const { return plane_of_[face] == no_index; }
+  std::size_t whole_faces() const { return plane_of_.size() - cut_faces_.size(); }
 
  private:
+  void find_cut_faces(const WeldedMesh& welded);
   void number_planes(const WeldedMesh& welded);
   void file_faces(const WeldedMesh& welded);
   void file_meetings();
 
   const std::vector<Meeting>& all_meetings_;
   std::vector<Index> plane_of_;
+  RawVector<Index> cut_faces_;  ///< ascending
   std::size_t count_ = 0;
   std::vector<Index> face_offsets_, faces_;
   std::vector<Index> meeting_offsets_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/corners.h"
+#include "support/numbered_selection.h"
 
 namespace transformesh {
 namespace {
@@ -29,10 +30,32 @@ int direction(const ExactGeometry& geometry, const ExactPoint& from, const Exact
 }  // namespace
 
 WindingJumps::WindingJumps(const WeldedMesh& welded, const Planes& planes)
-    : welded_(welded), planes_(planes), edge_of_(3 * welded.faces.size(), no_index) {
-  for (std::size_t e = 0; e < welded_.edges.size(); ++e)
-    for (const Index h : welded_.edges.halfedges(e)) edge_of_[h] = static_cast<Index>(e);
-  count_copies();
+    : welded_(welded), planes_(planes) {
+  list_singular_edges();
+  if (welded_.has_copies || !welded_.open_component.empty()) count_copies();
+}
+
+void WindingJumps::list_singular_edges() {
+  const Edges& edges = welded_.edges;
+  const NumberedSelection singular(edges.size(), [&](std::size_t e) {
+    return welded_.opposites[edges.halfedges(e).front()] == no_index;
+  });
+  for (const Index e : singular.list())
+    for (const Index h : edges.halfedges(e)) singular_edge_of_.emplace_back(h, e);
+  std::sort(singular_edge_of_.begin(), singular_edge_of_.end());
+}
+
+template <class Visit>
+void WindingJumps::for_each_at_edge(Index halfedge, const Visit& visit) const {
+  const Index opposite = welded_.opposites[halfedge];
+  if (opposite != no_index) {
+    visit(std::min(halfedge, opposite));
+    visit(std::max(halfedge, opposite));
+    return;
+  }
+  const auto found = std::lower_bound(singular_edge_of_.begin(), singular_edge_of_.end(),
+                                      std::pair(halfedge, Index{0}));
+  for (const Index h : welded_.edges.halfedges(found->second)) visit(h);
 }
 
 void WindingJumps::count_copies() {
@@ -74,16 +97,16 @@ void WindingJumps::over_edge(Index face, Index i, Index plane,
                              std::vector<WindingJump>& jumps) const {
   const Index from = welded_.faces[face][i];
   const Triangle t = welded_.triangle(plane);
-  for (const Index h : welded_.edges.halfedges(edge_of_[3 * face + i])) {
+  for_each_at_edge(3 * face + i, [&](Index h) {
     const Index other = h / 3;
-    if (welded_.first_copy[other] != other) continue;
-    if (planes_.plane_of(other) == planes_.plane_of(plane)) continue;
+    if (welded_.first_copy[other] != other) return;
+    if (planes_.plane_of(other) == planes_.plane_of(plane)) return;
     const Face& corners = welded_.faces[other];
     const Vec3& apex = welded_.points[corners[next_corner(next_corner(h % 3))]];
-    if (orient3d(t[0], t[1], t[2], apex) <= 0) continue;
+    if (orient3d(t[0], t[1], t[2], apex) <= 0) return;
     const int along = corners[h % 3] == from ? 1 : -1;
     jumps.push_back({other, -along * multiplicity(other)});
-  }
+  });
 }
 
 }  // namespace transformesh

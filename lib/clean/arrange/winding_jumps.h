@@ -3,6 +3,7 @@
 /// components do not change w: w is the winding number of the closed part. Exact; deterministic.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "clean/arrange/planes.h"
@@ -41,11 +42,16 @@ class WindingJumps {
  private:
   const WeldedMesh& welded_;
   const Planes& planes_;
+  void list_singular_edges();
   void count_copies();
+  /// Calls visit(halfedge) for the halfedges of the edge of a halfedge, ascending.
+  template <class Visit>
+  void for_each_at_edge(Index halfedge, const Visit& visit) const;
 
   std::vector<int> multiplicities_;  ///< multiplicity of each first copy; empty if all are 1
   std::vector<char> has_open_copy_;  ///< one for each first copy; empty if all faces are closed
-  std::vector<Index> edge_of_;       ///< edge of each halfedge
+  /// Each halfedge without an opposite, with its edge; ascending.
+  std::vector<std::pair<Index, Index>> singular_edge_of_;
 };
 
 }  // namespace transformesh

@@ -76,15 +76,15 @@ Axis axis_between(const Mesh& mesh, Index u, Index v) {
 
 }  // namespace
 
-Index halfedge_source(const std::vector<Piece>& pieces, Index h) {
+Index halfedge_source(std::span<const Piece> pieces, Index h) {
   return pieces[h / 3].corners[h % 3];
 }
 
-Index halfedge_target(const std::vector<Piece>& pieces, Index h) {
+Index halfedge_target(std::span<const Piece> pieces, Index h) {
   return pieces[h / 3].corners[(h % 3 + 1) % 3];
 }
 
-bool is_forward(const std::vector<Piece>& pieces, Index h) {
+bool is_forward(std::span<const Piece> pieces, Index h) {
   return halfedge_source(pieces, h) < halfedge_target(pieces, h);
 }
 

@@ -14,11 +14,11 @@ namespace transformesh {
 /// Returns the edges of the pieces with a nonzero `included` entry.
 Edges piece_edges(const Arrangement& arrangement, const std::vector<char>& included);
 
-Index halfedge_source(const std::vector<Piece>& pieces, Index halfedge);
-Index halfedge_target(const std::vector<Piece>& pieces, Index halfedge);
+Index halfedge_source(std::span<const Piece> pieces, Index halfedge);
+Index halfedge_target(std::span<const Piece> pieces, Index halfedge);
 
 /// True if the halfedge runs from the smaller to the larger point or vertex index.
-bool is_forward(const std::vector<Piece>& pieces, Index halfedge);
+bool is_forward(std::span<const Piece> pieces, Index halfedge);
 inline bool is_forward(std::span<const Face> faces, Index halfedge) {
   return faces[halfedge / 3][halfedge % 3] < faces[halfedge / 3][(halfedge % 3 + 1) % 3];
 }

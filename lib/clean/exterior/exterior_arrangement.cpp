@@ -6,17 +6,26 @@
 
 #include "clean/exterior/exterior_cut.h"
 #include "clean/exterior/region_growing_winding.h"
+#include "support/numbered_selection.h"
 #include "support/parallel.h"
 
 namespace transformesh {
 namespace {
 
-constexpr std::size_t planes_per_task = 4;  ///< affects time only
+constexpr std::size_t planes_per_task = 4;     ///< affects time only
+constexpr std::size_t things_per_task = 4096;  ///< affects time only
 constexpr int unknown = std::numeric_limits<int>::min();
 
 /// True if exactly one of the two winding numbers is below the level.
 bool parts(int front, int behind, int winding_level) {
   return (front < winding_level) != (behind < winding_level);
+}
+
+template <class Body>
+void for_each_index(std::size_t count, const Body& body) {
+  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) body(i);
+  });
 }
 
 /// Chooses the exterior facets of a plane that is cut in full.
@@ -147,11 +156,11 @@ class ExteriorArranger {
 
 std::vector<char> ExteriorArranger::find_visible_planes() const {
   std::vector<char> is_visible(planes_.size());
-  for (std::size_t i = 0; i < planes_.size(); ++i) {
+  for_each_index(planes_.size(), [&](std::size_t i) {
     const bool is_hidden =
         !options_.arranges_everything && windings_.is_hidden(planes_[i], options_.winding_level);
     is_visible[i] = is_complete(planes_[i].faces[0]) && !is_hidden ? 1 : 0;
-  }
+  });
   return is_visible;
 }
 
@@ -161,30 +170,29 @@ bool ExteriorArranger::has_hidden_planes() const {
 }
 
 std::size_t ExteriorArranger::count_without_corner() const {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < planes_.size(); ++i) {
-    const Index face = planes_[i].faces[0];
-    const bool has_corner = windings_.at(face, 0) || windings_.at(face, 1) || windings_.at(face, 2);
-    count += is_visible_[i] && !has_corner ? 1 : 0;
-  }
-  return count;
+  const auto has_none = [&](std::size_t i) {
+    const Index f = planes_[i].faces[0];
+    return is_visible_[i] && !windings_.at(f, 0) && !windings_.at(f, 1) && !windings_.at(f, 2);
+  };
+  return NumberedSelection(planes_.size(), has_none).size();
 }
 
 void ExteriorArranger::cut_planes(std::size_t first, std::size_t last) {
   ExteriorCutter cutter(*welded_, planes_, jumps_, windings_, ray_, options_.winding_level);
   FacetChooser chooser(windings_, ray_, options_.winding_level);
+  bool has_surface = false;
   for (std::size_t i = first; i < last; ++i) {
     if (!is_visible_[i]) continue;
     auto cut = options_.arranges_everything ? std::nullopt : cutter.cut(planes_[i]);
     if (cut) {
-      has_surface_ = true;
+      has_surface = true;
       cuts_[i] = std::move(*cut);
     } else {
       cut_in_full(i, chooser);
     }
   }
   rays_ += cutter.rays() + chooser.rays();
-  if (chooser.has_surface()) has_surface_ = true;
+  if (has_surface || chooser.has_surface()) has_surface_ = true;
 }
 
 void ExteriorArranger::cut_in_full(std::size_t i, FacetChooser& chooser) {
@@ -208,12 +216,12 @@ bool ExteriorArranger::arranges_whole(Index face) const {
 }
 
 void ExteriorArranger::describe_whole_pieces(Arrangement& arrangement) const {
-  for (std::size_t p = 0; p < arrangement.whole_pieces; ++p) {
+  for_each_index(arrangement.whole_pieces, [&](std::size_t p) {
     Piece& piece = arrangement.pieces[p];
     const Index face = arrangement.sources_of(piece).front().face;
     piece.is_open = welded_->is_open(face);
     piece.front = *windings_.at(face, 0);
-  }
+  });
 }
 
 std::vector<char> ExteriorArranger::find_kept(const Arrangement& arrangement) const {
@@ -222,9 +230,10 @@ std::vector<char> ExteriorArranger::find_kept(const Arrangement& arrangement) co
                          : parts(piece.front, piece.front + 1, options_.winding_level);
   };
   std::vector<char> kept(arrangement.pieces.size(), 1);
-  for (std::size_t p = 0; p < kept.size(); ++p)
+  for_each_index(kept.size(), [&](std::size_t p) {
     if (p < arrangement.whole_pieces || arrangement.pieces[p].is_open)
       kept[p] = is_kept(arrangement.pieces[p]) ? 1 : 0;
+  });
   std::size_t p = arrangement.whole_pieces;
   for (const std::vector<char>& of_plane : chosen_)
     for (const char is_chosen : of_plane) kept[p++] = is_chosen;
@@ -238,12 +247,12 @@ ExteriorArrangement ExteriorArranger::arrange(const Progress& progress) {
   progress("arrange", 0.9);
 
   ExteriorArrangement result;
-  std::vector<char> is_left_out(welded_->faces.size(), 0);
-  for (Index f = 0; f < is_left_out.size(); ++f) {
-    if (!planes_.is_whole(f)) continue;
-    ++result.whole_faces;
-    is_left_out[f] = arranges_whole(f) ? 0 : 1;
-  }
+  std::vector<char> is_left_out(welded_->faces.size());
+  for_each_index(is_left_out.size(), [&](std::size_t i) {
+    const auto f = static_cast<Index>(i);
+    is_left_out[f] = planes_.is_whole(f) && !arranges_whole(f) ? 1 : 0;
+  });
+  result.whole_faces = planes_.whole_faces();
   result.rays = rays_;
   result.has_surface = result.whole_faces > 0 || has_hidden_planes() || has_surface_;
   result.arrangement = join_cuts(welded_, planes_, cuts_, is_left_out);

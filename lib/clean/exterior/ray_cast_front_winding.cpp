@@ -5,12 +5,14 @@
 #include <string>
 
 #include "mesh/location_text.h"
+#include "support/numbered_selection.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {
 
-constexpr int most_attempts = 20000;  // the square of an attempt fits into an int
+constexpr int most_attempts = 20000;          // the square of an attempt fits into an int
+constexpr std::size_t faces_per_task = 4096;  ///< affects time only
 /// Up to this number of rays, no tree is built; affects time only.
 constexpr std::size_t few_rays = 8;
 /// Number of reference points that are tried for one origin. Up to three of them may be in the
@@ -18,9 +20,10 @@ constexpr std::size_t few_rays = 8;
 constexpr int references_per_origin = 4;
 
 Bvh build_bvh(const WeldedMesh& welded) {
-  std::vector<FloatBox> boxes;
-  boxes.reserve(welded.faces.size());
-  for (Index f = 0; f < welded.faces.size(); ++f) boxes.push_back(welded.box(f));
+  std::vector<FloatBox> boxes(welded.faces.size());
+  parallel_for(boxes.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) boxes[f] = welded.box(static_cast<Index>(f));
+  });
   return Bvh(boxes);
 }
 
@@ -75,12 +78,13 @@ RayCastFrontWinding::RayCastFrontWinding(const WeldedMesh& welded, std::size_t r
 void RayCastFrontWinding::visit_overlaps(const Vec3& low, const Vec3& high,
                                          const std::function<bool(Index)>& visit) const {
   if (!bvh_.empty()) return bvh_.visit_overlaps(welded_.frame.box(low, high), visit);
-  for (Index i = 0; i < welded_.faces.size(); ++i) {
-    const Triangle t = welded_.triangle(i);
-    if ((t[0].cwiseMin(t[1]).cwiseMin(t[2]).array() <= high.array()).all() &&
-        (t[0].cwiseMax(t[1]).cwiseMax(t[2]).array() >= low.array()).all() && !visit(i))
-      return;
-  }
+  const NumberedSelection overlapping(welded_.faces.size(), [&](std::size_t f) {
+    const Triangle t = welded_.triangle(static_cast<Index>(f));
+    return (t[0].cwiseMin(t[1]).cwiseMin(t[2]).array() <= high.array()).all() &&
+           (t[0].cwiseMax(t[1]).cwiseMax(t[2]).array() >= low.array()).all();
+  });
+  for (const Index face : overlapping.list())
+    if (!visit(face)) return;
 }
 
 int RayCastFrontWinding::in_front_of(const Arrangement& arrangement, const Piece& piece) const {

@@ -1,8 +1,10 @@
 #include "clean/exterior/region_growing_winding.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "clean/arrange/cut_plane.h"
+#include "mesh/connected_minima.h"
 #include "mesh/corners.h"
 #include "support/parallel.h"
 
@@ -15,48 +17,62 @@ constexpr std::size_t planes_per_task = 256;  ///< affects time only
 constexpr std::size_t few = 8;
 constexpr std::size_t many = 1000;
 
-/// Returns for each halfedge its opposite halfedge, if the edge has exactly two faces with opposite
-/// directions.
-std::vector<Index> oriented_neighbors(const WeldedMesh& welded, const Edges& edges) {
-  std::vector<Index> across = neighbors_across(edges, welded.faces.size());
-  for (Index h = 0; h < across.size(); ++h) {
-    const Index other = across[h];
-    if (other != no_index && welded.faces[h / 3][h % 3] == welded.faces[other / 3][other % 3])
-      across[h] = no_index;
-  }
-  return across;
-}
-
 }  // namespace
 
 RegionGrowingWinding::RegionGrowingWinding(const WeldedMesh& welded, const Planes& planes,
                                            const WindingJumps& jumps, const Surroundings* around)
-    : welded_(welded),
-      planes_(planes),
-      jumps_(jumps),
-      around_(around),
-      cut_faces_(planes.size()),
-      across_(oriented_neighbors(welded, welded.edges)),
-      front_(3 * welded.faces.size(), unknown) {
+    : welded_(welded), planes_(planes), jumps_(jumps), around_(around), across_(welded.opposites) {
   const auto& open = welded.open_component;
-  if (!open.empty() && std::find(open.begin(), open.end(), no_index) == open.end()) {
-    std::fill(front_.begin(), front_.end(), 0);  // no face is closed
-    return;
-  }
+  has_no_closed_face_ =
+      !open.empty() && std::find(open.begin(), open.end(), no_index) == open.end();
+  if (has_no_closed_face_) return;
+  cut_faces_.resize(planes.size());
   parallel_for(planes.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) cut_faces_[i] = trace(planes[i]);
   });
+  front_.assign(3 * planes.size(), unknown);
   if (around_) leave_out_incomplete();
+  find_regions();
+  list_neighbors();
   grow();
   if (around_) grow_from_cut_faces();
 }
 
 // Faces that meet an incomplete face may be outside the part and change the winding number w there.
 void RegionGrowingWinding::leave_out_incomplete() {
-  for (Index h = 0; h < across_.size(); ++h) {
-    if (across_[h] != no_index && (!is_complete(h / 3) || !is_complete(across_[h] / 3)))
-      across_[h] = no_index;
+  complete_across_ = welded_.opposites;
+  for (Index h = 0; h < complete_across_.size(); ++h) {
+    Index& across = complete_across_[h];
+    if (across != no_index && (!is_complete(h / 3) || !is_complete(across / 3))) across = no_index;
   }
+  across_ = complete_across_;
+}
+
+void RegionGrowingWinding::find_regions() {
+  region_of_ = connected_minima(welded_.faces.size(), [&](Index face, const auto& visit) {
+    if (!planes_.is_whole(face)) return;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h)
+      if (across_[h] != no_index && planes_.is_whole(across_[h] / 3)) visit(across_[h] / 3);
+  });
+  first_face_ = number_components(region_of_, [&](Index face) { return planes_.is_whole(face); });
+  region_front_.assign(first_face_.size(), unknown);
+}
+
+// Lists the halfedges of cut faces across which there is a region, by region (counting sort).
+void RegionGrowingWinding::list_neighbors() {
+  const auto for_each = [&](const auto& visit) {
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      const Index face = planes_[i].faces[0];
+      for (Index h = 3 * face; h < 3 * face + 3; ++h)
+        if (across_[h] != no_index && planes_.is_whole(across_[h] / 3))
+          visit(region_of_[across_[h] / 3], h);
+    }
+  };
+  cut_offsets_.assign(first_face_.size() + 2, 0);
+  for_each([&](Index region, Index) { ++cut_offsets_[region + 2]; });
+  std::partial_sum(cut_offsets_.begin(), cut_offsets_.end(), cut_offsets_.begin());
+  cut_at_.resize(cut_offsets_.back());
+  for_each([&](Index region, Index h) { cut_at_[cut_offsets_[region + 1]++] = h; });
 }
 
 RegionGrowingWinding::CutFace RegionGrowingWinding::trace(const Plane& plane) const {
@@ -112,14 +128,17 @@ Index RegionGrowingWinding::seed_near(Index face) const {
 // Casts rays from whole faces only. A cut face is tested more easily after it is cut.
 void RegionGrowingWinding::grow() {
   std::optional<RayCastFrontWinding> ray;
-  for (Index f = 0; f < welded_.faces.size(); ++f) {
-    if (!planes_.is_whole(f) || front_[3 * f] != unknown || !is_complete(f)) continue;
+  for (Index region = 0; region < first_face_.size(); ++region) {
+    const Index f = first_face_[region];
+    if (region_front_[region] != unknown || !is_complete(f)) continue;
     if (rays_ % few == 0 && rays_ <= few) ray.emplace(welded_, rays_ == 0 ? 1 : many, around_);
     const ExactGeometry geometry(welded_.points, welded_.faces);
     const Index seed = seed_near(f);
     const auto& [a, b, c] = welded_.faces[seed];
     ++rays_;
-    spread(f, 0, ray->in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, seed));
+    visit_region(region,
+                 ray->in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, seed));
+    spread();
   }
 }
 
@@ -131,10 +150,11 @@ void RegionGrowingWinding::grow_from_cut_faces() {
     if (planes_.is_whole(f) || !is_complete(f) || welded_.first_copy[f] != f) continue;
     const CutFace& cut = cut_faces_[planes_.plane_of(f)];
     for (Index i = 0; i < 3; ++i) {
-      if (cut.is_met[i] || front_[3 * f + i] != unknown) continue;
+      if (cut.is_met[i] || at(f, i)) continue;
       if (!ray) ray.emplace(welded_, many, around_);
       ++rays_;
-      spread(f, i, cast_at_corner(*ray, f, i));
+      visit_corner(f, i, cast_at_corner(*ray, f, i));
+      spread();
     }
   }
 }
@@ -149,50 +169,55 @@ int RegionGrowingWinding::cast_at_corner(const RayCastFrontWinding& ray, Index f
   return w;
 }
 
-void RegionGrowingWinding::spread(Index face, Index at, int w) {
-  visit_corner(face, at, w);
-  while (!stack_.empty()) {
-    const Index corner = stack_.back();
-    stack_.pop_back();
-    const Index f = corner / 3, i = corner % 3;
-    const int here = front_[corner];
-    if (planes_.is_whole(f)) {
-      for (Index k = 0; k < 3; ++k) {
-        const Index out = across_[3 * f + k];
-        if (out == no_index) continue;
-        visit_corner(out / 3, out % 3, here);
-        if (!planes_.is_whole(out / 3)) visit_corner(out / 3, next_corner(out % 3), here);
-      }
-      continue;
-    }
-    step_across(f, i, here);
-    const CutFace& cut = cut_faces_[planes_.plane_of(f)];
-    const Index before = previous_corner(i);
-    visit_corner(f, next_corner(i), here + cut.along[i]);
-    visit_corner(f, before, here - cut.along[before]);
+void RegionGrowingWinding::spread() {
+  while (!region_stack_.empty() || !corner_stack_.empty()) {
+    const bool is_region = corner_stack_.empty();
+    std::vector<Index>& stack = is_region ? region_stack_ : corner_stack_;
+    const Index top = stack.back();
+    stack.pop_back();
+    is_region ? spread_from_region(top) : spread_from_corner(top);
   }
 }
 
-// A whole face has the same winding number w at all corners.
+void RegionGrowingWinding::spread_from_region(Index region) {
+  const int w = region_front_[region];
+  for (Index k = cut_offsets_[region]; k < cut_offsets_[region + 1]; ++k) {
+    const Index face = cut_at_[k] / 3, i = cut_at_[k] % 3;
+    visit_corner(face, i, w);
+    visit_corner(face, next_corner(i), w);
+  }
+}
+
+// Propagates the winding number w along the edges of a cut face, and to both neighbors of the face
+// at the corner, next to the common edges.
+void RegionGrowingWinding::spread_from_corner(Index corner) {
+  const Index face = corner / 3, i = corner % 3, before = previous_corner(i);
+  const int w = at_cut_face(face, i);
+  const Index out = across_[3 * face + i], in = across_[3 * face + before];
+  if (out != no_index) visit_face(out / 3, next_corner(out % 3), w);
+  if (in != no_index) visit_face(in / 3, in % 3, w);
+  const CutFace& cut = cut_faces_[planes_.plane_of(face)];
+  visit_corner(face, next_corner(i), w + cut.along[i]);
+  visit_corner(face, before, w - cut.along[before]);
+}
+
+// A whole face has the same winding number w as its region.
+void RegionGrowingWinding::visit_face(Index face, Index i, int w) {
+  planes_.is_whole(face) ? visit_region(region_of_[face], w) : visit_corner(face, i, w);
+}
+
+void RegionGrowingWinding::visit_region(Index region, int w) {
+  if (region_front_[region] != unknown) return;
+  region_front_[region] = w;
+  region_stack_.push_back(region);
+}
+
 void RegionGrowingWinding::visit_corner(Index face, Index i, int w) {
-  if (front_[3 * face + i] != unknown) return;
-  if (planes_.is_whole(face)) {
-    for (Index k = 0; k < 3; ++k) front_[3 * face + k] = w;
-    stack_.push_back(3 * face + i);
-    return;
-  }
-  if (cut_faces_[planes_.plane_of(face)].is_met[i] || welded_.first_copy[face] != face) return;
-  front_[3 * face + i] = w;
-  stack_.push_back(3 * face + i);
-}
-
-// Propagates the winding number w to both neighbors of the face at the corner, next to the common
-// edges.
-void RegionGrowingWinding::step_across(Index face, Index i, int w) {
-  const Index out = across_[3 * face + i];
-  if (out != no_index) visit_corner(out / 3, next_corner(out % 3), w);
-  const Index in = across_[3 * face + previous_corner(i)];
-  if (in != no_index) visit_corner(in / 3, in % 3, w);
+  const Index plane = planes_.plane_of(face);
+  int& front = front_[3 * plane + i];
+  if (front != unknown || cut_faces_[plane].is_met[i] || welded_.first_copy[face] != face) return;
+  front = w;
+  corner_stack_.push_back(3 * face + i);
 }
 
 // On the straight line from a corner to any point of the face, the winding number w changes only at

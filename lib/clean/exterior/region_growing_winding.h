@@ -2,18 +2,21 @@
 /// closed part in front of each face, including open faces, near each corner. Two neighbors have
 /// the same w in front, next to their common edge. Along an edge, w changes at closed faces that
 /// intersect the edge. A ray gives w in front of one whole face of each connected component (paper
-/// 3.2.1). In a part of a mesh, incomplete faces do not propagate w. There, a cut face gets its own
-/// ray if it is not connected to a whole face. Cost: O(n + k) for k pairs, and a ray per component.
-/// Exact; deterministic.
+/// 3.2.1). Hence w is found once for each region of connected whole faces, and at each corner of
+/// the cut faces between them; only the regions are found in parallel. In a part of a mesh,
+/// incomplete faces do not propagate w. There, a cut face gets its own ray if it is not connected
+/// to a whole face. Cost: O(n + k) for k pairs, and a ray per component. Exact; deterministic.
 #pragma once
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "clean/arrange/planes.h"
 #include "clean/arrange/winding_jumps.h"
 #include "clean/exterior/ray_cast_front_winding.h"
+#include "support/raw_vector.h"
 
 namespace transformesh {
 
@@ -26,7 +29,8 @@ class RegionGrowingWinding {
   /// Returns the winding number w in front of a face near its corner `i`. Returns nothing if other
   /// faces meet the corner, or if the face is not connected to a whole face.
   std::optional<int> at(Index face, Index i) const {
-    const int w = front_[3 * face + i];
+    if (has_no_closed_face_) return 0;
+    const int w = planes_.is_whole(face) ? region_front_[region_of_[face]] : at_cut_face(face, i);
     return w == unknown ? std::nullopt : std::optional(w);
   }
   /// True if the face of a plane certainly has no part with winding number w < winding level in
@@ -42,26 +46,42 @@ class RegionGrowingWinding {
     std::array<bool, 3> is_met{};  ///< true if other faces meet corner i
   };
 
+  int at_cut_face(Index face, Index i) const {
+    return welded_.first_copy[face] == face ? front_[3 * planes_.plane_of(face) + i] : unknown;
+  }
   CutFace trace(const Plane& plane) const;
   void trace_meeting(const Meeting& meeting, Index face, CutFace& cut) const;
   bool is_complete(Index face) const { return !around_ || around_->is_complete[face]; }
   void leave_out_incomplete();
+  void find_regions();
+  void list_neighbors();
   void grow();
   void grow_from_cut_faces();
   int cast_at_corner(const RayCastFrontWinding& ray, Index face, Index i) const;
   Index seed_near(Index face) const;
-  void spread(Index face, Index i, int w);
+  void spread();
+  void spread_from_region(Index region);
+  void spread_from_corner(Index corner);
+  void visit_face(Index face, Index i, int w);
+  void visit_region(Index region, int w);
   void visit_corner(Index face, Index i, int w);
-  void step_across(Index face, Index i, int w);
 
   const WeldedMesh& welded_;
   const Planes& planes_;
   const WindingJumps& jumps_;
-  const Surroundings* around_;      ///< null for a whole mesh
-  std::vector<CutFace> cut_faces_;  ///< one for each plane
-  std::vector<Index> across_;       ///< opposite halfedge of each halfedge, or no_index
-  std::vector<int> front_;          ///< winding number in front of the face at each corner
-  std::vector<Index> stack_;        ///< corners whose neighbors have to be visited
+  const Surroundings* around_;          ///< null for a whole mesh
+  bool has_no_closed_face_ = false;     ///< true if w is 0 everywhere
+  std::vector<CutFace> cut_faces_;      ///< one for each plane
+  std::vector<Index> complete_across_;  ///< opposite halfedges without those of incomplete faces
+  std::span<const Index> across_;       ///< opposite halfedge of each halfedge, or no_index
+  RawVector<Index> region_of_;          ///< region of each face; no_index for a cut face
+  RawVector<Index> first_face_;         ///< least face of each region
+  std::vector<Index> cut_at_;        ///< halfedges of cut faces at each region, one after the other
+  std::vector<Index> cut_offsets_;   ///< first of these of each region
+  std::vector<int> region_front_;    ///< winding number in front of each region
+  std::vector<int> front_;           ///< winding number in front of each cut face at its corners
+  std::vector<Index> region_stack_;  ///< regions whose neighbors have to be visited
+  std::vector<Index> corner_stack_;  ///< corners of cut faces whose neighbors have to be visited
   std::size_t rays_ = 0;
 };
 

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/point_bounds.h"
 #include "support/parallel.h"
 #include "transformesh/mesh.h"
 
@@ -36,20 +37,18 @@ class CornerCells {
       : per_axis_(per_axis), cells_(points.size()) {
     constexpr std::size_t points_per_task = 8192;  // affects time only
     if (points.empty()) return;
-    Vec3 low = points[0], high = low;
-    for (const Vec3& point : points) {
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
+    const auto [low, high] =
+        bounds_of_points(points.size(), [&](std::size_t i) -> const Vec3& { return points[i]; });
     const double per_length = (per_axis - 1) / (high - low).maxCoeff();
     is_usable_ = std::isfinite(per_length) && per_length > 0;
     if (!is_usable_) return;
-    parallel_for(cells_.size(), points_per_task, [&](std::size_t first, std::size_t last) {
-      for (std::size_t v = first; v < last; ++v)
-        for (int axis = 0; axis < 3; ++axis)
-          cells_[v][static_cast<std::size_t>(axis)] =
-              static_cast<std::uint8_t>((points[v][axis] - low[axis]) * per_length);
-    });
+    parallel_for(cells_.size(), points_per_task,
+                 [&, low = low](std::size_t first, std::size_t last) {
+                   for (std::size_t v = first; v < last; ++v)
+                     for (int axis = 0; axis < 3; ++axis)
+                       cells_[v][static_cast<std::size_t>(axis)] =
+                           static_cast<std::uint8_t>((points[v][axis] - low[axis]) * per_length);
+                 });
   }
 
   /// False if the mesh has no extent, or if the extent overflows.

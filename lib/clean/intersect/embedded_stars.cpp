@@ -1,10 +1,22 @@
 #include "clean/intersect/embedded_stars.h"
 
-#include <algorithm>
+#include <atomic>
 #include <bit>
+#include <utility>
+
+#include "support/parallel.h"
 
 namespace transformesh {
 namespace {
+
+constexpr std::size_t things_per_task = 8192;  ///< affects time only
+
+template <class Body>
+void for_each_index(std::size_t count, const Body& body) {
+  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) body(i);
+  });
+}
 
 // Returns for each wanted point the axis directions in which all its faces have positive projected
 // area. Returns no direction if an edge of the point does not have exactly two faces with opposite
@@ -12,17 +24,33 @@ namespace {
 std::vector<AxisDirections> find_common_directions(const WeldedMesh& welded,
                                                    std::span<const char> is_wanted) {
   std::vector<AxisDirections> common(welded.points.size());
-  for (std::size_t p = 0; p < common.size(); ++p)
-    common[p] = is_wanted[p] ? all_axis_directions : 0;
-  for (std::size_t f = 0; f < welded.faces.size(); ++f) {
+  for_each_index(common.size(),
+                 [&](std::size_t p) { common[p] = is_wanted[p] ? all_axis_directions : 0; });
+  const auto keep = [&](Index point, AxisDirections directions) {
+    const std::atomic_ref at(common[point]);
+    const AxisDirections known = at.load(std::memory_order_relaxed);
+    if ((known & directions) != known) at.fetch_and(directions, std::memory_order_relaxed);
+  };
+  for_each_index(welded.faces.size(), [&](std::size_t f) {
     const Face& face = welded.faces[f];
-    if ((common[face[0]] | common[face[1]] | common[face[2]]) == 0) continue;
+    if (!is_wanted[face[0]] && !is_wanted[face[1]] && !is_wanted[face[2]]) return;
     for (std::size_t i = 0; i < 3; ++i) {
-      common[face[i]] &= welded.directions[f].looks;
-      if (welded.opposites[3 * f + i] == no_index) common[face[i]] = common[face[(i + 1) % 3]] = 0;
+      keep(face[i], welded.directions[f].looks);
+      if (welded.opposites[3 * f + i] != no_index) continue;
+      keep(face[i], 0);
+      keep(face[(i + 1) % 3], 0);
     }
-  }
+  });
   return common;
+}
+
+// Counts up to 2.
+void count_turn(char& turns) {
+  const std::atomic_ref shared(turns);
+  char known = shared.load(std::memory_order_relaxed);
+  while (known < 2 && !shared.compare_exchange_weak(known, static_cast<char>(known + 1),
+                                                    std::memory_order_relaxed)) {
+  }
 }
 
 }  // namespace
@@ -39,15 +67,16 @@ std::vector<char> find_embedded_stars(const WeldedMesh& welded, std::span<const 
     const int up = (way / 2 + 2) % 3;
     const double height = welded.points[point][up];
     const bool crosses = welded.points[from][up] <= height && height < welded.points[to][up];
-    turns[point] = static_cast<char>(std::min(2, turns[point] + (crosses ? 1 : 0)));
+    if (crosses) count_turn(turns[point]);
   };
-  for (const auto& [a, b, c] : welded.faces) {
+  for_each_index(welded.faces.size(), [&](std::size_t f) {
+    const auto& [a, b, c] = welded.faces[f];
     if (directions[a] != 0) cross_ray(a, b, c);
     if (directions[b] != 0) cross_ray(b, c, a);
     if (directions[c] != 0) cross_ray(c, a, b);
-  }
-  for (std::size_t p = 0; p < turns.size(); ++p)
-    turns[p] = directions[p] != 0 && turns[p] == 1 ? 1 : 0;
+  });
+  for_each_index(turns.size(),
+                 [&](std::size_t p) { turns[p] = directions[p] != 0 && turns[p] == 1 ? 1 : 0; });
   return turns;
 }
 

@@ -1,8 +1,11 @@
 #include "clean/intersect/faces_to_search.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "clean/intersect/corner_cells.h"
+#include "support/numbered_selection.h"
+#include "support/parallel.h"
 
 namespace transformesh {
 namespace {
@@ -15,13 +18,24 @@ constexpr std::size_t most_cells_per_face = 16;
 constexpr unsigned most_cells_per_axis = 253;
 constexpr Index several = no_index - 1;  ///< marks a cell with faces of several regions or of none
 
-std::vector<Index> first_copies(const WeldedMesh& welded) {
-  std::vector<Index> firsts;
-  firsts.reserve(welded.faces.size());
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (welded.first_copy[f] == f) firsts.push_back(f);
+constexpr std::size_t things_per_task = 8192;  ///< affects time only
+
+template <class Body>
+void for_each_index(std::size_t count, const Body& body) {
+  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
+    for (auto i = static_cast<Index>(first); i < last; ++i) body(i);
+  });
+}
+
+RawVector<Index> first_copies(const WeldedMesh& welded) {
+  if (!welded.has_copies) {
+    RawVector<Index> all(welded.faces.size());
+    for_each_index(all.size(), [&](Index f) { all[f] = f; });
+    return all;
   }
-  return firsts;
+  return NumberedSelection(welded.faces.size(),
+                           [&](std::size_t f) { return welded.first_copy[f] == f; })
+      .list();
 }
 
 unsigned cells_per_axis(std::size_t cells) {
@@ -52,10 +66,14 @@ class RegionGrid {
     return cell(range.low[0], range.low[1], range.low[2]);
   }
 
+  /// Enters a face of a region, or of several. The result does not depend on the order.
   void enter(Index cell, Index region) {
-    Index& at = region_at_[cell];
-    if (at == no_index) occupied_.push_back(cell);
-    at = at == no_index || at == region ? region : several;
+    const std::atomic_ref at(region_at_[cell]);
+    Index known = at.load(std::memory_order_relaxed);
+    while (known != region && known != several) {
+      const Index wanted = known == no_index ? region : several;
+      if (at.compare_exchange_weak(known, wanted, std::memory_order_relaxed)) return;
+    }
   }
   void enter_large(const CellRange& range) {
     for (std::size_t x = range.low[0]; x <= range.high[0]; ++x)
@@ -66,56 +84,59 @@ class RegionGrid {
   /// Marks the cells that have faces of several regions in the cell itself or in an adjacent cell.
   std::vector<char> find_crowded() const {
     std::vector<char> is_crowded(region_at_.size(), 0);
-    for (const Index cell : occupied_) {
+    for_each_index(region_at_.size(), [&](Index cell) {
       const Index region = region_at_[cell];
+      if (region == no_index) return;
       bool found = region == several;
       for (const std::size_t x : {cell - side_ * side_, cell + 0U, cell + side_ * side_})
         for (const std::size_t y : {x - side_, x, x + side_})
           for (const std::size_t z : {y - 1, y, y + 1})
             found |= region_at_[z] != no_index && region_at_[z] != region;
       is_crowded[cell] = found ? 1 : 0;
-    }
+    });
     return is_crowded;
   }
 
  private:
   Index side_;  ///< cells per axis, including a margin of one cell at each end
   std::vector<Index> region_at_;
-  std::vector<Index> occupied_;
 };
 
 }  // namespace
 
-std::vector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> regions) {
-  std::vector<Index> faces = first_copies(welded);
-  const auto count = static_cast<std::size_t>(std::count(regions.begin(), regions.end(), no_index));
-  if (count > regions.size() / 2) return faces;
+RawVector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> regions) {
+  RawVector<Index> faces = first_copies(welded);
+  const std::size_t without = NumberedSelection(regions.size(), [&](std::size_t f) {
+                                return regions[f] == no_index;
+                              }).size();
+  if (without > regions.size() / 2) return faces;
   const unsigned per_axis = cells_per_axis(faces.size());
   const CornerCells cells(welded.points, per_axis);
   if (!cells.is_usable()) return faces;
 
   RegionGrid grid(per_axis);
-  std::vector<Index> cell_of(faces.size(), no_index);  // lowest cell; no_index for large faces
-  std::size_t cells_left = most_cells_per_face * faces.size();
-  for (std::size_t i = 0; i < faces.size(); ++i) {
+  RawVector<Index> cell_of(faces.size());  // lowest cell; no_index for large faces
+  const NumberedSelection large(faces.size(), [&](std::size_t i) {
     const CellRange range = cells.around(welded.faces[faces[i]]);
-    if (is_usual(range)) {
-      cell_of[i] = grid.lowest_cell(range);
-      grid.enter(cell_of[i], regions[faces[i]] == no_index ? several : regions[faces[i]]);
-    } else {
-      if (range.size() > cells_left) return faces;
-      cells_left -= range.size();
-      grid.enter_large(range);
-    }
+    cell_of[i] = is_usual(range) ? grid.lowest_cell(range) : no_index;
+    const Index region = regions[faces[i]];
+    if (cell_of[i] != no_index) grid.enter(cell_of[i], region == no_index ? several : region);
+    return cell_of[i] == no_index;
+  });
+  std::size_t cells_left = most_cells_per_face * faces.size();
+  for (const Index i : large.list()) {
+    const CellRange range = cells.around(welded.faces[faces[i]]);
+    if (range.size() > cells_left) return faces;
+    cells_left -= range.size();
+    grid.enter_large(range);
   }
   const std::vector<char> is_crowded = grid.find_crowded();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    faces[kept] = faces[i];
-    kept += cell_of[i] == no_index || is_crowded[cell_of[i]] ? 1 : 0;
-  }
-  faces.resize(kept);
-  return faces;
+  const NumberedSelection kept(faces.size(), [&](std::size_t i) {
+    return cell_of[i] == no_index || is_crowded[cell_of[i]] != 0;
+  });
+  RawVector<Index> result(kept.size());
+  kept.visit([&](std::size_t i, std::size_t n) { result[n] = faces[i]; });
+  return result;
 }
 
 }  // namespace transformesh

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "clean/intersect/welded_mesh.h"
+#include "support/raw_vector.h"
 
 namespace transformesh {
 
 /// Returns the first copy of each face, in ascending order, without faces that cannot intersect
 /// others. A face of an intersection-free region (intersection_free_regions.h) is left out if no
 /// other region and no face without region is near. If more than half of the faces have no region,
-/// no face is left out. O(n); deterministic.
-std::vector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> regions);
+/// no face is left out. O(n); parallel; deterministic.
+RawVector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> regions);
 
 }  // namespace transformesh

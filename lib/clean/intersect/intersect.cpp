@@ -51,13 +51,6 @@ std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> 
   return boxes;
 }
 
-bool has_copies(const WeldedMesh& welded) {
-  for (Index f = 0; f < welded.faces.size(); ++f) {
-    if (welded.first_copy[f] != f) return true;
-  }
-  return false;
-}
-
 // Returns for each first copy the list of all its copies, including itself, ascending.
 std::vector<std::vector<Index>> list_copies(const WeldedMesh& welded) {
   std::vector<std::vector<Index>> copies(welded.faces.size());
@@ -67,7 +60,7 @@ std::vector<std::vector<Index>> list_copies(const WeldedMesh& welded) {
 
 // Expands pairs of first copies to all pairs of copies, and adds the pairs of copies of one face.
 std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<FacePair> pairs) {
-  if (!has_copies(welded)) return pairs;
+  if (!welded.has_copies) return pairs;
   const auto copies = list_copies(welded);
   std::vector<FacePair> result;
   for (const auto& [f, g] : pairs) {
@@ -89,9 +82,10 @@ std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<Face
 namespace {
 
 std::vector<Index> regions_of(std::span<const Index> faces, std::span<const Index> regions) {
-  std::vector<Index> result;
-  result.reserve(faces.size());
-  for (const Index f : faces) result.push_back(regions[f]);
+  std::vector<Index> result(faces.size());
+  parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) result[i] = regions[faces[i]];
+  });
   return result;
 }
 
@@ -125,7 +119,7 @@ void add_meetings(const WeldedMesh& welded, std::span<const FacePair> pairs,
 // Finds the meetings of the faces of high-valence stars.
 std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded,
                                                 const HighValenceStars& stars,
-                                                const std::vector<Index>& others,
+                                                std::span<const Index> others,
                                                 const std::vector<char>& is_embedded,
                                                 const std::vector<Index>& regions) {
   std::vector<FacePair> pairs = stars.find_pairs(others);
@@ -170,9 +164,10 @@ std::vector<std::vector<Meeting>> box_meetings(const WeldedMesh& welded, const B
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
   progress("intersect");
   IntersectionFreeRegions regions = find_intersection_free_regions(welded);
-  std::vector<Index> faces = find_faces_to_search(welded, regions.of_face);
+  RawVector<Index> faces = find_faces_to_search(welded, regions.of_face);
   const SimplexLinks links = find_simplex_links(welded.points, welded.faces);
   const std::vector<char> is_crowded = HighValenceStars::crowded_points(welded, links);
+  // Empty unless a point or an edge is crowded.
   for (std::size_t p = 0; p < is_crowded.size(); ++p) regions.is_seam[p] |= is_crowded[p];
   std::vector<char> is_embedded;
   HighValenceStars stars;
@@ -201,6 +196,7 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
 }
 
 std::size_t count_pairs(const WeldedMesh& welded, const std::vector<Meeting>& meetings) {
+  if (!welded.has_copies) return meetings.size();
   std::vector<std::size_t> copies(welded.faces.size(), 0);
   for (const Index first : welded.first_copy) ++copies[first];
   std::size_t count = 0;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <numeric>
 #include <utility>
 
+#include "support/numbered_selection.h"
 #include "support/parallel.h"
+#include "support/raw_vector.h"
+#include "transformesh/control.h"
 
 namespace transformesh {
 namespace {
@@ -20,7 +22,9 @@ std::uint64_t hash(const Vec3& p) {
     h *= 0xff51afd7ed558ccdULL;
     h ^= h >> 32;
   }
-  return h;
+  // Without a further step, points that differ in the sign of z only have the same lower bits.
+  h *= 0xc4ceb9fe1a85ec53ULL;
+  return h ^ h >> 32;
 }
 
 Face sorted(Face face) {
@@ -41,25 +45,37 @@ std::uint64_t hash(const Face& face) {
 /// the cache, so only few items need a lookup in a table.
 class SingleHashes {
  public:
-  explicit SingleHashes(std::size_t count)
-      : mask_(std::bit_ceil(bits_each * count + word) - 1),
+  explicit SingleHashes(const RawVector<std::uint64_t>& hashes)
+      : mask_(std::bit_ceil(bits_each * hashes.size() + word) - 1),
         once_(mask_ / word + 1),
-        twice_(once_.size()) {}
-
-  void add(std::uint64_t hash) {
-    const std::uint64_t bit = std::uint64_t{1} << (hash % word);
-    const std::size_t place = (hash & mask_) / word;
-    twice_[place] |= once_[place] & bit;
-    once_[place] |= bit;
+        twice_(once_.size()) {
+    // Each thread adds the hashes of a part of the words, and skips all others.
+    const std::size_t parts = hashes.size() > things_per_task ? allowed_thread_count() : 1;
+    parallel_for(parts, 1, [&](std::size_t from, std::size_t to) {
+      const std::size_t first = from * once_.size() / parts;
+      const std::size_t count = to * once_.size() / parts - first;
+      for (const std::uint64_t hash : hashes)
+        if (place_of(hash) - first < count) add(hash);
+    });
   }
+
   bool is_single(std::uint64_t hash) const {
-    return (twice_[(hash & mask_) / word] >> (hash % word) & 1) == 0;
+    return (twice_[place_of(hash)] >> (hash % word) & 1) == 0;
   }
 
  private:
   /// Bits per item. With fewer bits, more hashes that occur once seem to be repeated.
   static constexpr std::size_t bits_each = 16;
   static constexpr std::size_t word = 64;  ///< bits per word
+
+  std::size_t place_of(std::uint64_t hash) const { return (hash & mask_) / word; }
+  void add(std::uint64_t hash) {
+    const std::uint64_t bit = std::uint64_t{1} << (hash % word);
+    const std::size_t place = place_of(hash);
+    twice_[place] |= once_[place] & bit;
+    once_[place] |= bit;
+  }
+
   std::size_t mask_;
   std::vector<std::uint64_t> once_, twice_;
 };
@@ -85,30 +101,32 @@ class FirstOfEqual {
   std::vector<Index> slots_;
 };
 
-// Marks the points that may have duplicates.
-std::vector<char> find_repeated(const std::vector<Vec3>& points) {
-  std::vector<std::uint64_t> hash_of(points.size());
-  parallel_for(points.size(), things_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) hash_of[i] = hash(points[i]);
+template <class Body>
+void for_each_index(std::size_t count, const Body& body) {
+  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
+    for (auto i = static_cast<Index>(first); i < last; ++i) body(i);
   });
-  SingleHashes hashes(points.size());
-  for (const std::uint64_t hash : hash_of) hashes.add(hash);
-  std::vector<char> is_repeated(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    is_repeated[i] = hashes.is_single(hash_of[i]) ? 0 : 1;
-  return is_repeated;
+}
+
+// Lists the points that may have duplicates, ascending.
+RawVector<Index> find_repeated(const std::vector<Vec3>& points) {
+  RawVector<std::uint64_t> hash_of(points.size());
+  for_each_index(points.size(), [&](Index i) { hash_of[i] = hash(points[i]); });
+  const SingleHashes hashes(hash_of);
+  const NumberedSelection repeated(points.size(),
+                                   [&](std::size_t i) { return !hashes.is_single(hash_of[i]); });
+  return repeated.list();
 }
 
 // Returns for each vertex the first vertex at the same position. The hash alone decides for most
 // vertices.
 std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions, bool& has_repeats) {
-  const std::vector<char> is_repeated = find_repeated(positions);
-  FirstOfEqual vertices(std::count(is_repeated.begin(), is_repeated.end(), 1));
+  const RawVector<Index> repeated = find_repeated(positions);
+  FirstOfEqual vertices(repeated.size());
   std::vector<Index> first(positions.size());
-  std::iota(first.begin(), first.end(), Index{0});
+  for_each_index(first.size(), [&](Index v) { first[v] = v; });
   has_repeats = false;
-  for (Index v = 0; v < positions.size(); ++v) {
-    if (!is_repeated[v]) continue;
+  for (const Index v : repeated) {
     first[v] = vertices.find(hash(positions[v]), v,
                              [&](Index other) { return positions[other] == positions[v]; });
     has_repeats |= first[v] != v;
@@ -122,53 +140,61 @@ void number_points(const Mesh& mesh, WeldedMesh& welded) {
   welded.vertex_of = find_first_vertices(positions, has_repeats);
   welded.point_of = welded.vertex_of;
   if (has_repeats) {
-    Index count = 0;
-    for (Index v = 0; v < positions.size(); ++v) {
-      const Index first = welded.vertex_of[v];
-      welded.point_of[v] = first == v ? count : welded.point_of[first];
-      welded.vertex_of[count] = v;
-      count += first == v ? 1 : 0;
-    }
-    welded.vertex_of.resize(count);
+    const std::vector<Index> first = welded.vertex_of;
+    const NumberedSelection points(first.size(), [&](std::size_t v) { return first[v] == v; });
+    welded.vertex_of.resize(points.size());
+    points.visit([&](std::size_t v, std::size_t point) {
+      welded.point_of[v] = static_cast<Index>(point);
+      welded.vertex_of[point] = static_cast<Index>(v);
+    });
+    for_each_index(first.size(), [&](Index v) {
+      if (first[v] != v) welded.point_of[v] = welded.point_of[first[v]];
+    });
   }
   welded.points.resize(welded.vertex_of.size());
-  for (std::size_t p = 0; p < welded.points.size(); ++p)
+  for_each_index(welded.points.size(), [&](Index p) {
     welded.points[p] = positions[welded.vertex_of[p]] + Vec3::Zero();
+  });
 }
 
-// Computes `opposites`, and marks the faces that may have copies. Copies share each edge, with the
-// same opposite corner. All faces at an edge of more than two faces are marked.
-std::vector<char> find_opposites(WeldedMesh& welded) {
+// Computes `opposites`, and lists the faces that may have copies, ascending. Copies share each
+// edge, with the same opposite corner. All faces at an edge of more than two faces are listed.
+RawVector<Index> find_opposites(WeldedMesh& welded) {
   std::vector<char> is_repeated(welded.faces.size(), 0);
-  welded.opposites.assign(3 * welded.faces.size(), no_index);
+  welded.opposites.resize(3 * welded.faces.size());
   const auto corner = [&](Index h, Index i) { return welded.faces[h / 3][(h + i) % 3]; };
   const auto mark = [&](Index h) {
     std::atomic_ref(is_repeated[h / 3]).store(1, std::memory_order_relaxed);
   };
-  parallel_for(welded.edges.size(), things_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t e = first; e < last; ++e) {
-      const auto halfedges = welded.edges.halfedges(e);
-      if (halfedges.size() == 1) continue;
-      const Index h = halfedges[0], other = halfedges[1];
-      if (halfedges.size() == 2 && corner(h, 0) != corner(other, 0)) {
-        welded.opposites[h] = other;
-        welded.opposites[other] = h;
-      }
-      if (halfedges.size() == 2 && corner(h, 2) != corner(other, 2)) continue;
-      std::for_each(halfedges.begin(), halfedges.end(), mark);
+  for_each_index(welded.edges.size(), [&](Index e) {
+    const auto halfedges = welded.edges.halfedges(e);
+    const Index h = halfedges.front(), other = halfedges.back();
+    if (halfedges.size() == 2 && corner(h, 0) != corner(other, 0)) {
+      welded.opposites[h] = other;
+      welded.opposites[other] = h;
+    } else {
+      for (const Index single : halfedges) welded.opposites[single] = no_index;
     }
+    if (halfedges.size() == 1) return;
+    if (halfedges.size() == 2 && corner(h, 2) != corner(other, 2)) return;
+    std::for_each(halfedges.begin(), halfedges.end(), mark);
   });
-  return is_repeated;
+  const NumberedSelection repeated(is_repeated.size(),
+                                   [&](std::size_t f) { return is_repeated[f] != 0; });
+  return repeated.list();
 }
 
 void find_copies(WeldedMesh& welded) {
   const std::vector<Face>& faces = welded.faces;
-  const std::vector<char> is_repeated = find_opposites(welded);
-  FirstOfEqual copies(std::count(is_repeated.begin(), is_repeated.end(), 1));
+  const RawVector<Index> repeated = find_opposites(welded);
+  FirstOfEqual copies(repeated.size());
+  welded.has_copies = false;
   welded.first_copy.resize(faces.size());
-  for (Index f = 0; f < faces.size(); ++f) {
+  for_each_index(faces.size(), [&](Index f) { welded.first_copy[f] = f; });
+  for (const Index f : repeated) {
     const auto is_copy = [&](Index other) { return sorted(faces[other]) == sorted(faces[f]); };
-    welded.first_copy[f] = is_repeated[f] ? copies.find(hash(faces[f]), f, is_copy) : f;
+    welded.first_copy[f] = copies.find(hash(faces[f]), f, is_copy);
+    welded.has_copies |= welded.first_copy[f] != f;
   }
 }
 
@@ -193,22 +219,19 @@ WeldedMesh weld(const Mesh& mesh) {
   WeldedMesh welded;
   number_points(mesh, welded);
   welded.frame = BoxFrame(welded.points);
-  std::vector<Face> by_points(mesh.faces.size());
+  welded.faces.resize(mesh.faces.size());
   std::vector<char> has_area(mesh.faces.size());
   welded.directions.resize(mesh.faces.size());
-  parallel_for(mesh.faces.size(), things_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f) {
-      const auto& [a, b, c] = mesh.faces[f];
-      const Face face{welded.point_of[a], welded.point_of[b], welded.point_of[c]};
-      by_points[f] = face;
-      welded.directions[f] = directions_of_face(welded.points[face[0]], welded.points[face[1]],
-                                                welded.points[face[2]]);
-      has_area[f] = is_degenerate(welded, face, welded.directions[f]) ? 0 : 1;
-    }
+  welded.face_of.resize(mesh.faces.size());
+  for_each_index(mesh.faces.size(), [&](Index f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    const Face face{welded.point_of[a], welded.point_of[b], welded.point_of[c]};
+    welded.faces[f] = face;
+    welded.directions[f] =
+        directions_of_face(welded.points[face[0]], welded.points[face[1]], welded.points[face[2]]);
+    has_area[f] = is_degenerate(welded, face, welded.directions[f]) ? 0 : 1;
+    welded.face_of[f] = f;
   });
-  welded.faces = std::move(by_points);
-  welded.face_of.resize(welded.faces.size());
-  std::iota(welded.face_of.begin(), welded.face_of.end(), Index{0});
   if (std::count(has_area.begin(), has_area.end(), 0) > 0) {
     keep_marked(has_area, welded.faces);
     keep_marked(has_area, welded.face_of);

@@ -21,6 +21,7 @@ struct WeldedMesh {
   std::vector<FaceDirections> directions;  ///< axis directions of each face
   /// Per face: the first face with the same three points, in any order.
   std::vector<Index> first_copy;
+  bool has_copies = false;  ///< true if `first_copy` of a face is another face
   Edges edges;
   /// Per halfedge: the halfedge in the opposite direction, if the edge has no other halfedges;
   /// otherwise no_index.

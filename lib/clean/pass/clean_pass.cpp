@@ -71,7 +71,7 @@ class CleanPassRun {
   const CleanPassOptions& options_;
   const Progress& progress_;
   std::shared_ptr<WeldedMesh> welded_;
-  std::optional<std::vector<Index>> opposites_;  ///< opposite halfedges; set for a closed manifold
+  bool is_closed_manifold_ = false;  ///< true only if welding changes nothing
   Borders borders_;
   Arrangement arrangement_;
   std::vector<char> kept_;  ///< 1 for each piece that is kept
@@ -83,8 +83,8 @@ class CleanPassRun {
 void CleanPassRun::find_borders_or_none() {
   const bool is_as_given = welded_->points.size() == mesh_.positions.size() &&
                            welded_->faces.size() == mesh_.faces.size();
-  if (is_as_given) opposites_ = closed_opposites(mesh_, welded_->opposites);
-  if (opposites_) return;
+  is_closed_manifold_ = is_as_given && is_closed_manifold(mesh_, welded_->opposites);
+  if (is_closed_manifold_) return;
   borders_ = options_.check_orientation ? find_oriented_borders(*welded_, mesh_)
                                         : find_borders(*welded_, mesh_);
 }
@@ -92,10 +92,9 @@ void CleanPassRun::find_borders_or_none() {
 // Returns true if a mesh without intersections is a closed manifold and all its faces are exterior,
 // which one ray per component decides. Then arranging and stitching are unnecessary.
 bool CleanPassRun::find_all_exterior() {
-  if (!opposites_) return false;
+  if (!is_closed_manifold_) return false;
   progress_("arrange");
-  Connectivity connectivity = connect(std::move(*opposites_));
-  opposites_.reset();
+  Connectivity connectivity = connect(std::move(welded_->opposites));
   const std::size_t count = connectivity.components;
   const RayCastFrontWinding ray(*welded_, count);
   const ExactGeometry geometry(welded_->points, welded_->faces);
@@ -104,7 +103,10 @@ bool CleanPassRun::find_all_exterior() {
     if (connectivity.component_of[f] != seen) continue;
     const auto& [a, b, c] = welded_->faces[f];
     const int w = ray.in_front_of({geometry.given(a), geometry.given(b), geometry.given(c)}, f);
-    if (w >= options_.winding_level || w + 1 < options_.winding_level) return false;
+    if (w >= options_.winding_level || w + 1 < options_.winding_level) {
+      welded_->opposites = std::move(connectivity.opposites);
+      return false;
+    }
     ++seen;
   }
   pass_.rays = count;

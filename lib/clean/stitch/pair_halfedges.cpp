@@ -3,9 +3,12 @@
 #include <map>
 
 #include "clean/exterior/angular_order.h"
+#include "support/parallel.h"
 
 namespace transformesh {
 namespace {
+
+constexpr std::size_t edges_per_task = 4096;  ///< affects time only
 
 // In angular order, the inside is between a backward piece and the forward piece after it. Hence
 // pieces are matched like brackets on a circle.
@@ -42,8 +45,7 @@ std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& 
                                       const AngularSort& sort,
                                       std::span<const Index> component_of) {
   std::vector<Index> opposite(3 * faces.size(), no_index);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto halfedges = edges.halfedges(e);
+  const auto pair = [&](std::span<const Index> halfedges) {
     if (halfedges.size() > 2) {
       const std::vector<Index> sorted = sort(halfedges);
       if (!component_of.empty()) pair_components(faces, sorted, component_of, opposite);
@@ -53,7 +55,10 @@ std::vector<Index> pair_across_inside(std::span<const Face> faces, const Edges& 
       opposite[halfedges[0]] = halfedges[1];
       opposite[halfedges[1]] = halfedges[0];
     }
-  }
+  };
+  parallel_for(edges.size(), edges_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t e = first; e < last; ++e) pair(edges.halfedges(e));
+  });
   return opposite;
 }
 

@@ -13,7 +13,7 @@
 namespace transformesh {
 
 /// Sorts the halfedges of one edge by angle: counter-clockwise, viewed against the direction from
-/// the smaller to the larger point.
+/// the smaller to the larger point. Called from several threads.
 using AngularSort = std::function<std::vector<Index>(std::span<const Index> halfedges)>;
 
 /// Returns the opposite of each halfedge, or no_index on a border. At a singular edge, two pieces

@@ -79,7 +79,7 @@ void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
 // vertex; the others get copies, which follow all vertices. Returns the number of copies.
 std::size_t separate_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
   std::vector<char> is_taken(mesh.positions.size(), 0);
-  std::vector<Index> vertex_of = umbrellas.vertex_of;
+  RawVector<Index> vertex_of = umbrellas.vertex_of;
   std::vector<Index> copies;
   for (Index& v : vertex_of) {
     if (!is_taken[v]) {

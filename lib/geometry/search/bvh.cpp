@@ -83,17 +83,21 @@ Index Bvh::add_common_links(std::span<const Index> rows) {
 void Bvh::set_groups(std::span<const Index> group_of_box) {
   groups_.clear();
   std::vector<Index> groups(order_.size());
-  for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = group_of_box[order_[i]];
+  parallel_for(groups.size(), quads_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) groups[i] = group_of_box[order_[i]];
+  });
   for (const auto& layer : layers_) {
     std::vector<GroupQuad> quads(layer.size());
     std::vector<Index> above(quads.size());
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-      std::array<Index, 4>& group = quads[q].group;
-      group.fill(groups[4 * q]);
-      std::copy_n(&groups[4 * q], std::min(groups.size() - 4 * q, group.size()), group.data());
-      const bool is_one = group[1] == group[0] && group[2] == group[0] && group[3] == group[0];
-      above[q] = is_one ? group[0] : no_index;
-    }
+    parallel_for(quads.size(), quads_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t q = first; q < last; ++q) {
+        std::array<Index, 4>& group = quads[q].group;
+        group.fill(groups[4 * q]);
+        std::copy_n(&groups[4 * q], std::min(groups.size() - 4 * q, group.size()), group.data());
+        const bool is_one = group[1] == group[0] && group[2] == group[0] && group[3] == group[0];
+        above[q] = is_one ? group[0] : no_index;
+      }
+    });
     groups_.push_back(std::move(quads));
     groups = std::move(above);
   }

@@ -50,6 +50,22 @@ Vec3 exponents(const Vec3& p) {
   return {exponent_and_fraction(p[0]), exponent_and_fraction(p[1]), exponent_and_fraction(p[2])};
 }
 
+// Returns half of the largest distance from the origin along an axis. Halves do not overflow.
+double half_extent(std::span<const Vec3> points, const Vec3& origin) {
+  std::vector<double> largest((points.size() + boxes_per_task - 1) / boxes_per_task, 0);
+  parallel_for(largest.size(), 1, [&](std::size_t from, std::size_t to) {
+    for (std::size_t b = from; b < to; ++b) {
+      const std::size_t first = b * boxes_per_task;
+      double size = 0;
+      for (const Vec3& point :
+           points.subspan(first, std::min(boxes_per_task, points.size() - first)))
+        size = std::max(size, (point / 2 - origin / 2).cwiseAbs().maxCoeff());
+      largest[b] = size;
+    }
+  });
+  return *std::max_element(largest.begin(), largest.end());
+}
+
 }  // namespace
 
 // The code has no branches, because rounding up or down is unpredictable and boxes are created in
@@ -74,9 +90,7 @@ FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
 BoxFrame::BoxFrame(std::span<const Vec3> points) {
   if (points.empty()) return;
   origin_ = middle_of_most(points);
-  double size = 0;
-  for (const Vec3& point : points)
-    size = std::max(size, (point / 2 - origin_ / 2).cwiseAbs().maxCoeff());
+  const double size = half_extent(points, origin_);
   if (size > 0) scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(size)));
   for (int axis = 0; axis < 3; ++axis)
     is_wide_ |= quantile(points, 0.25, [&](const Vec3& p) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
+#include <utility>
 
+#include "mesh/point_bounds.h"
 #include "support/parallel.h"
+#include "support/raw_vector.h"
 
 namespace transformesh {
 namespace {
@@ -95,16 +97,11 @@ std::uint64_t leading_index(const std::array<std::uint32_t, 3>& cell) {
 class Cells {
  public:
   explicit Cells(std::span<const FloatBox> boxes) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    auto [x0, y0, z0] = std::array{infinity, infinity, infinity};
-    auto [x1, y1, z1] = std::array{-infinity, -infinity, -infinity};
-    for (const FloatBox& box : boxes) {
-      const auto [x, y, z] = center(box);
-      x0 = std::min(x0, x), y0 = std::min(y0, y), z0 = std::min(z0, z);
-      x1 = std::max(x1, x), y1 = std::max(y1, y), z1 = std::max(z1, z);
-    }
-    low_ = {x0, y0, z0};
-    const double side = std::max({0.0, x1 - x0, y1 - y0, z1 - z0});
+    if (boxes.empty()) return;
+    const auto [low, high] =
+        bounds_of_points(boxes.size(), [&](std::size_t i) { return center(boxes[i]); });
+    low_ = {low[0], low[1], low[2]};
+    const double side = std::max(0.0, (high - low).maxCoeff());
     if (side > 0) cells_per_length_ = largest / side;
   }
 
@@ -134,33 +131,36 @@ class HilbertSort {
 
   std::vector<Index> order() {
     make_keys();
-    sort_by_leading_bits();
-    sort_runs();
+    if (keys_.size() < few) {
+      sort(0, keys_.size());
+    } else {
+      sort_in_parts();
+    }
     std::vector<Index> order(keys_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = box_of(keys_[i]);
+    parallel_for(order.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) order[i] = box_of(keys_[i]);
+    });
     return order;
   }
 
  private:
   using Key = std::uint64_t;
   static constexpr int coarse_bits = 12;  ///< bits per axis in a key
-  static constexpr int digit_bits = 12;   ///< bits per pass of the radix sort
-  /// Different digits of a radix sort.
-  static constexpr std::size_t digits = std::size_t{1} << digit_bits;
-  static constexpr int key_bits = 64;           ///< bits of a sorting key
-  static constexpr std::size_t few = 1024;      ///< fewer keys are sorted by comparison
-  static constexpr std::size_t many = 1 << 20;  ///< more keys take a third pass
+  static constexpr int part_bits = 12;    ///< leading bits of a key that select its part
+  static constexpr std::size_t parts = std::size_t{1} << part_bits;  ///< number of parts
+  static constexpr int key_bits = 64;                                ///< bits of a sorting key
+  static constexpr int digit_bits = 8;               ///< bits per pass of the sort within a part
+  static constexpr std::size_t few = 1024;           ///< fewer keys are sorted as a whole
+  static constexpr std::size_t few_in_part = 64;     ///< fewer keys are sorted by comparison
+  static constexpr std::size_t block = 16384;        ///< keys of a block; affects time only
+  static constexpr std::size_t parts_per_task = 16;  ///< affects time only
 
   Index box_of(Key key) const { return static_cast<Index>(key & index_mask_); }
   std::pair<std::uint64_t, Index> full_place(Key key) const {
     const Index box = box_of(key);
     return {hilbert_index(cells_(boxes_[box])), box};
   }
-  int passes() const { return keys_.size() < few ? 0 : keys_.size() < many ? 2 : 3; }
-  Key leading_mask() const {
-    const int bits = passes() * digit_bits;
-    return bits == 0 ? 0 : ~Key{0} << (key_bits - bits);
-  }
+  static std::size_t part_of(Key key) { return key >> (key_bits - part_bits); }
 
   void make_keys() {
     constexpr int shift = key_bits - static_cast<int>(axes) * coarse_bits;
@@ -171,40 +171,77 @@ class HilbertSort {
     });
   }
 
-  // Radix sort: stable counting sorts, starting with the least significant digit.
-  void sort_by_leading_bits() {
-    std::vector<Key> sorted(passes() > 0 ? keys_.size() : 0);
-    for (int pass = passes(); pass > 0; --pass) {
-      const int shift = key_bits - pass * digit_bits;
-      std::array<std::uint32_t, digits + 1> slot{};
-      for (const Key key : keys_) ++slot[(key >> shift & (digits - 1)) + 1];
-      for (std::size_t i = 1; i < slot.size(); ++i) slot[i] += slot[i - 1];
-      for (const Key key : keys_) sorted[slot[key >> shift & (digits - 1)]++] = key;
-      keys_.swap(sorted);
+  // Moves keys to the parts of their leading bits, by a counting sort of blocks, and sorts each
+  // part.
+  void sort_in_parts() {
+    const std::size_t blocks = (keys_.size() + block - 1) / block;
+    std::vector<Index> slots(blocks * parts, 0);
+    const auto for_each_key = [&](const auto& visit) {
+      parallel_for(blocks, 1, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from * block; i < std::min(keys_.size(), to * block); ++i)
+          visit(keys_[i], slots[i / block * parts + part_of(keys_[i])]);
+      });
+    };
+    for_each_key([](Key, Index& count) { ++count; });
+    std::vector<std::size_t> begin(parts + 1, 0);
+    Index next = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+      for (std::size_t b = 0; b < blocks; ++b) next += std::exchange(slots[b * parts + part], next);
+      begin[part + 1] = next;
+    }
+    RawVector<Key> sorted(keys_.size());
+    for_each_key([&](Key key, Index& slot) { sorted[slot++] = key; });
+    keys_.swap(sorted);
+    parallel_for(parts, parts_per_task, [&](std::size_t first, std::size_t last) {
+      for (std::size_t part = first; part < last; ++part) sort(begin[part], begin[part + 1]);
+    });
+  }
+
+  // Sorts keys, and then runs of keys that differ in the box only by their full positions.
+  void sort(std::size_t begin, std::size_t end) {
+    const std::span<Key> keys = std::span(keys_).subspan(begin, end - begin);
+    if (keys.size() >= few_in_part) {
+      sort_by_digits(keys);
+      constexpr Key sorted_bits = ~Key{0} << (key_bits - part_bits - 2 * digit_bits);
+      for_each_run(keys, sorted_bits,
+                   [](std::span<Key> run) { std::sort(run.begin(), run.end()); });
+    } else {
+      std::sort(keys.begin(), keys.end());
+    }
+    for_each_run(keys, ~index_mask_, [this](std::span<Key> run) {
+      std::sort(run.begin(), run.end(),
+                [this](Key a, Key b) { return full_place(a) < full_place(b); });
+    });
+  }
+
+  // Calls visit(run) for each run of several keys that are equal in the bits of the mask.
+  template <class Visit>
+  static void for_each_run(std::span<Key> keys, Key mask, const Visit& visit) {
+    for (std::size_t first = 0, last = 0; first < keys.size(); first = last) {
+      last = first + 1;
+      while (last < keys.size() && ((keys[last] ^ keys[first]) & mask) == 0) ++last;
+      if (last - first > 1) visit(keys.subspan(first, last - first));
     }
   }
 
-  bool comes_before(Key a, Key b) const {
-    return ((a ^ b) & ~index_mask_) != 0 ? a < b : full_place(a) < full_place(b);
-  }
-
-  /// Sorts runs of keys that are equal in the bits sorted so far.
-  void sort_runs() {
-    const Key mask = leading_mask();
-    const auto begin = keys_.begin();
-    for (std::size_t first = 0, last = 0; first < keys_.size(); first = last) {
-      last = first + 1;
-      while (last < keys_.size() && ((keys_[last] ^ keys_[first]) & mask) == 0) ++last;
-      if (last - first > 1)
-        std::sort(begin + static_cast<std::ptrdiff_t>(first),
-                  begin + static_cast<std::ptrdiff_t>(last),
-                  [this](Key a, Key b) { return comes_before(a, b); });
+  // Sorts keys by the two digits after the bits of their part, with stable counting sorts.
+  static void sort_by_digits(std::span<Key> keys) {
+    constexpr std::size_t digits = std::size_t{1} << digit_bits;  // values of a digit
+    thread_local std::vector<Key> sorted;
+    sorted.resize(std::max(sorted.size(), keys.size()));
+    for (int pass = 2; pass > 0; --pass) {
+      const int shift = key_bits - part_bits - pass * digit_bits;
+      std::array<std::uint32_t, digits + 1> slot{};
+      for (const Key key : keys) ++slot[(key >> shift & (digits - 1)) + 1];
+      for (std::size_t i = 1; i < slot.size(); ++i) slot[i] += slot[i - 1];
+      for (const Key key : keys) sorted[slot[key >> shift & (digits - 1)]++] = key;
+      std::copy_n(sorted.begin(), keys.size(), keys.begin());
     }
   }
 
   std::span<const FloatBox> boxes_;
   Cells cells_;
-  std::vector<Key> keys_;
+  RawVector<Key> keys_;
   Key index_mask_;
 };
 

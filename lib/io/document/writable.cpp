@@ -1,5 +1,6 @@
 #include "io/document/writable.h"
 
+#include "io/document/finite_positions.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
@@ -18,6 +19,7 @@ void check_columns(const Columns& columns, std::size_t rows, const std::string& 
 }
 
 void check_finite(const Mesh& mesh) {
+  if (are_finite(mesh.positions)) return;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     if (mesh.positions[i].allFinite()) continue;
     throw GoalError("vertex " + std::to_string(i) +

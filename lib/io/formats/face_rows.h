@@ -15,6 +15,12 @@ namespace transformesh {
 class FaceRows {
  public:
   void reserve(std::size_t faces) { triangles_.reserve(faces); }
+  /// Appends triangles.
+  void add(std::vector<Face> triangles) {
+    rows_ += static_cast<std::uint32_t>(triangles.size());
+    if (triangles_.empty()) return triangles_.swap(triangles);
+    triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
+  }
   /// Appends a triangle. The function is inline because readers call it in tight loops.
   void add(const Face& triangle) {
     triangles_.push_back(triangle);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/document/finite_positions.h"
 #include "io/document/scalar.h"
 #include "support/counted.h"
 
@@ -49,11 +50,10 @@ void zero_group(const Group& group, const Source& source, const std::string& wha
 void drop_points_not_finite(Mesh& mesh, std::size_t dropped_faces, const std::string& format,
                             std::vector<std::string>& notes) {
   std::vector<std::uint32_t> kept;
-  const auto is_finite = [](const Vec3& position) { return position.allFinite(); };
-  if (std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite)) return;
+  if (are_finite(mesh.positions)) return;
   std::vector<Index> number(mesh.positions.size(), no_index);
   for (Index v = 0; v < number.size(); ++v) {
-    if (!is_finite(mesh.positions[v])) continue;
+    if (!mesh.positions[v].allFinite()) continue;
     number[v] = static_cast<Index>(kept.size());
     mesh.positions[kept.size()] = mesh.positions[v];
     kept.push_back(v);

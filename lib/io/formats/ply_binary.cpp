@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <atomic>
 
+#include "io/document/finite_positions.h"
 #include "io/document/scalar.h"
 #include "io/document/scalar_bytes.h"
 #include "io/formats/ply_table.h"
+#include "support/atomic_minimum.h"
 #include "support/counted.h"
+#include "support/parallel.h"
 
 namespace transformesh {
 namespace {
@@ -71,32 +75,40 @@ class FixedRows {
   /// Decodes the value at `offset` of every row to every `step`-th double.
   void decode(Scalar type, std::size_t offset, double* to, std::size_t step) const {
     with_scalar(type, [&](auto zero) {
-      const char* from = first_ + offset;
-      for (std::size_t row = 0; row < count_; ++row, from += stride_, to += step) {
-        *to = static_cast<double>(load_scalar<decltype(zero)>(from, swapped_));
-      }
+      parallel_for(count_, rows_per_task, [&](std::size_t first, std::size_t last) {
+        const char* from = first_ + offset + first * stride_;
+        for (std::size_t row = first; row < last; ++row, from += stride_)
+          to[row * step] = static_cast<double>(load_scalar<decltype(zero)>(from, swapped_));
+      });
     });
   }
 
-  /// Appends the triangles of rows whose index list is at `offset`, up to the first row that is not
+  /// Adds the triangles of rows whose index list is at `offset`, up to the first row that is not
   /// a triangle or has an index out of range. Returns the number of triangles.
   template <class T>
   std::size_t decode_triangles(std::size_t offset, std::uint64_t vertex_count,
                                FaceRows& polygons) const {
     const auto limit = static_cast<Index>(
         std::min<std::uint64_t>(vertex_count, std::uint64_t{std::numeric_limits<T>::max()} + 1));
-    const char* from = first_ + offset;
-    polygons.reserve(count_);
-    for (std::size_t row = 0; row < count_; ++row, from += stride_) {
-      const Face face{corner<T>(from, 0), corner<T>(from, 1), corner<T>(from, 2)};
-      const bool in_range = face[0] < limit && face[1] < limit && face[2] < limit;
-      if (*from != 3 || !in_range) return row;
-      polygons.add(face);
-    }
-    return count_;
+    std::vector<Face> triangles(count_);
+    std::atomic<std::size_t> first_other = count_;
+    parallel_for(count_, rows_per_task, [&](std::size_t first, std::size_t last) {
+      const char* from = first_ + offset + first * stride_;
+      for (std::size_t row = first; row < last; ++row, from += stride_) {
+        const Face face{corner<T>(from, 0), corner<T>(from, 1), corner<T>(from, 2)};
+        const bool in_range = face[0] < limit && face[1] < limit && face[2] < limit;
+        if (*from != 3 || !in_range) return lower_to(first_other, row);
+        triangles[row] = face;
+      }
+    });
+    triangles.resize(first_other);
+    polygons.add(std::move(triangles));
+    return first_other;
   }
 
  private:
+  static constexpr std::size_t rows_per_task = 8192;  ///< affects time only
+
   template <class T>
   Index corner(const char* list, std::size_t i) const {
     return static_cast<Index>(load_scalar<T>(list + 1 + i * sizeof(T), swapped_));
@@ -129,6 +141,7 @@ void decode_columns(const FixedRows& rows, std::size_t count, PlyTable& table) {
 }
 
 void check_positions(const Source& source, const char* place, const PlyTable& table) {
+  if (are_finite(table.positions)) return;
   const std::size_t stride = table.row_size(0);
   for (std::size_t row = 0; row < table.positions.size(); ++row) {
     if (table.positions[row].allFinite()) continue;

@@ -6,10 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <new>
 
+#include "support/atomic_minimum.h"
+#include "support/parallel.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
@@ -64,6 +67,25 @@ std::size_t first_read_size(int descriptor) {
   return std::min(static_cast<std::size_t>(status.st_size) + 1, std::size_t{1} << 30);
 }
 
+// Reads the start of a regular file of this size in blocks, by several threads. Returns the number
+// of bytes up to the first block that could not be read; reading continues there.
+std::size_t read_blocks(int descriptor, std::size_t size, char* to) {
+  std::atomic<std::size_t> complete = size;
+  parallel_for((size + block - 1) / block, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t place = first * block; place < std::min(size, last * block);) {
+      const std::size_t wanted = std::min(size, last * block) - place;
+      const ssize_t got = pread(descriptor, to + place, wanted, static_cast<off_t>(place));
+      if (got > 0) {
+        place += static_cast<std::size_t>(got);
+      } else if (got == 0 || errno != EINTR) {
+        return lower_to(complete, place);
+      }
+    }
+  });
+  lseek(descriptor, static_cast<off_t>(complete.load()), SEEK_SET);
+  return complete;
+}
+
 }  // namespace
 
 char* Bytes::reserve(std::size_t size) {
@@ -97,6 +119,11 @@ Bytes read_all(const std::string& path) {
   widen_pipe(descriptor.number());
   Bytes bytes;
   std::size_t wanted = first_read_size(descriptor.number());
+  if (path != "-" && wanted > block) {
+    const std::size_t size = wanted - 1;
+    bytes.grow(read_blocks(descriptor.number(), size, bytes.reserve(wanted)));
+    wanted -= bytes.view().size();
+  }
   while (true) {
     char* end = bytes.reserve(wanted);
     const ssize_t got = read(descriptor.number(), end, wanted);

@@ -1,4 +1,5 @@
-/// Bytes from and to files, pipes and terminals. No function seeks or relies on a file size.
+/// Bytes from and to files, pipes and terminals. Only named regular files are read by several
+/// threads; no function relies on a file size.
 #pragma once
 
 #include <cstdlib>

@@ -17,7 +17,7 @@ namespace {
 /// Returns the number of faces to search. Checks that all other faces have no intersection.
 std::size_t count_to_search(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
-  const std::vector<Index> faces =
+  const RawVector<Index> faces =
       find_faces_to_search(welded, find_intersection_free_regions(welded).of_face);
   CHECK(std::is_sorted(faces.begin(), faces.end()));
   std::size_t meetings = 0;

@@ -9,6 +9,8 @@
 #include "helpers/random.h"
 #include "helpers/shape_options.h"
 #include "helpers/shapes.h"
+#include "transformesh/control.h"
+#include "transformesh/intersect.h"
 
 // The oracle is the exact test of two faces.
 namespace transformesh {
@@ -89,6 +91,36 @@ TEST_CASE("whatever the surface, faces of a region do not meet") {
     count_in_regions(test::workload(kind, 800));
   CHECK(in_regions > faces / 4);
   CHECK(in_regions < faces);
+}
+
+TEST_CASE("regions of several threads cover as many faces, and the same pairs meet") {
+  const Mesh mesh = test::workload("two-spheres", 300'000);
+  std::vector<std::vector<FacePair>> pairs;
+  for (const int threads : {1, 2, 5}) {
+    CAPTURE(threads);
+    const ThreadLimit limit(threads);
+    const IntersectionFreeRegions regions = find_intersection_free_regions(weld(mesh));
+    CHECK(std::count(regions.of_face.begin(), regions.of_face.end(), no_index) < 3000);
+    pairs.push_back(find_intersections(mesh));
+  }
+  CHECK(pairs[0].size() > 1000);
+  CHECK(pairs[1] == pairs[0]);
+  CHECK(pairs[2] == pairs[0]);
+}
+
+TEST_CASE("faces in random order have regions, too, for any number of threads") {
+  Mesh mesh = test::workload("two-spheres", 300'000);
+  const std::size_t pairs = find_intersections(mesh).size();
+  test::Random random(1);
+  for (std::size_t f = mesh.faces.size(); f > 1; --f)
+    std::swap(mesh.faces[f - 1], mesh.faces[random.below(f)]);
+  for (const int threads : {1, 4}) {
+    CAPTURE(threads);
+    const ThreadLimit limit(threads);
+    const IntersectionFreeRegions regions = find_intersection_free_regions(weld(mesh));
+    CHECK(std::count(regions.of_face.begin(), regions.of_face.end(), no_index) < 3000);
+    CHECK(find_intersections(mesh).size() == pairs);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,109 @@
+/// Connected components of a graph on 0 .. n - 1, found by several threads. The smallest element
+/// represents its component, so that the result does not depend on the threads.
+///
+/// Reference: Jayadharini Jaiganesh, Martin Burtscher, "A High-Performance Connected Components
+/// Implementation for GPUs", 2018. Each element first points to its smallest neighbor; only edges
+/// that this leaves out are joined by compare and swap.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <utility>
+
+#include "support/numbered_selection.h"
+#include "support/parallel.h"
+#include "support/raw_vector.h"
+#include "transformesh/mesh.h"
+
+namespace transformesh {
+
+constexpr std::size_t elements_per_task = 8192;  ///< affects time only
+
+/// Union-find without locks. Parents are smaller than their children, so there are no cycles.
+class SharedSets {
+ public:
+  explicit SharedSets(std::size_t size) : parent_(size) {}
+
+  /// Sets the first parent of an element; must be called once for each element before find().
+  void set_parent(Index element, Index parent) { parent_[element] = parent; }
+
+  Index find(Index element) {
+    Index parent = at(element).load(std::memory_order_relaxed);
+    while (parent != element) {
+      const Index above = at(parent).load(std::memory_order_relaxed);
+      if (above != parent) at(element).store(above, std::memory_order_relaxed);
+      element = parent;
+      parent = above;
+    }
+    return element;
+  }
+
+  void join(Index first, Index second) {
+    first = find(first);
+    second = find(second);
+    while (first != second) {
+      if (second < first) std::swap(first, second);
+      Index expected = second;
+      if (at(second).compare_exchange_strong(expected, first, std::memory_order_relaxed)) return;
+      second = find(expected);
+      first = find(first);
+    }
+  }
+
+ private:
+  std::atomic_ref<Index> at(Index element) { return std::atomic_ref(parent_[element]); }
+
+  RawVector<Index> parent_;
+};
+
+/// Returns for each element the smallest element that is connected with it. neighbors(element,
+/// visit) calls visit(neighbor) for each neighbor; an element must be a neighbor of its neighbors.
+/// Close to O(n).
+template <class Neighbors>
+RawVector<Index> connected_minima(std::size_t size, const Neighbors& neighbors) {
+  const auto for_each = [&](const auto& body) {
+    parallel_for(size, elements_per_task, [&](std::size_t first, std::size_t last) {
+      for (auto i = static_cast<Index>(first); i < last; ++i) body(i);
+    });
+  };
+  const auto least_neighbor = [&](Index i) {
+    Index least = i;
+    neighbors(i, [&](Index neighbor) { least = neighbor < least ? neighbor : least; });
+    return least;
+  };
+  SharedSets sets(size);
+  for_each([&](Index i) { sets.set_parent(i, least_neighbor(i)); });
+  for_each([&](Index i) {
+    const Index least = least_neighbor(i);
+    neighbors(i, [&](Index neighbor) {
+      if (neighbor < i && neighbor != least) sets.join(i, neighbor);
+    });
+  });
+  RawVector<Index> minima(size);
+  for_each([&](Index i) { minima[i] = sets.find(i); });
+  return minima;
+}
+
+/// Numbers the components in the order of their smallest elements, which must be `minima` of their
+/// elements; replaces the entry of each element by the number of its component. Elements for which
+/// is_included(element) is false get no_index; a component is included or left out as a whole.
+/// Returns the smallest elements of the components.
+template <class IsIncluded>
+RawVector<Index> number_components(RawVector<Index>& minima, const IsIncluded& is_included) {
+  const NumberedSelection selection(minima.size(), [&](std::size_t i) {
+    return minima[i] == i && is_included(static_cast<Index>(i));
+  });
+  RawVector<Index> smallest(selection.size());
+  RawVector<Index> number_of(minima.size());
+  selection.visit([&](std::size_t i, std::size_t number) {
+    smallest[number] = static_cast<Index>(i);
+    number_of[i] = static_cast<Index>(number);
+  });
+  parallel_for(minima.size(), elements_per_task, [&](std::size_t first, std::size_t last) {
+    for (auto i = static_cast<Index>(first); i < last; ++i)
+      minima[i] = is_included(i) ? number_of[minima[i]] : no_index;
+  });
+  return smallest;
+}
+
+}  // namespace transformesh
