@@ -21,7 +21,7 @@ advice = {
     "double_sided_sheet": "keep one side of a double-sided sheet, open, with stitch(one_side=True)",
     "canceling_faces": _FAR_AWAY,
     "no_area": _FAR_AWAY,
-    "no_positive_winding": "reverse a mesh that is inside out with stitch(flip=True)",
+    "no_positive_winding": "if the mesh is inside out, reverse it with stitch(flip=True)",
     "component_too_small": "use a smaller min_edge",
     "thinner_than_rounding": _FAR_AWAY,
     "float_rounding_failed": "merge close vertices there with stitch(tolerance=LENGTH)",
@@ -35,11 +35,14 @@ advice = {
         "ask for more faces, or use clean() first: edges near self-intersections are not "
         "collapsed"
     ),
-    "meets_keep_out": "subtract that surface from the mesh first",
+    "meets_keep_out": (
+        "enlarge that surface with offset(), and subtract it from the mesh with boolean()"
+    ),
     "bad_reference_edge": "remove it from the mesh's comments",
     "no_velocity": "give velocities, normal_speed or curvature_speed",
-    "no_source_points": "make them with source=True, or use the closest places with closest=True",
+    "no_source_points": "make them with source=True, or use the closest points with closest=True",
     "no_color_property": "name the property with color_by",
+    "surface_vanished": "shorten the steps with max_move or time_step, or end earlier",
     "target_open": "close its holes first with fill()",
     "target_not_solid": (
         "the target is open, not manifold or self-intersecting: clean() it, or fill() its holes"
