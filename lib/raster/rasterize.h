@@ -41,7 +41,7 @@ enum class Sides { both, outside };
 
 FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both);
 
-/// Rasterizes one band of rows at a time, for pictures that are not stored as a whole. Takes 24
+/// Rasterizes one band of rows at a time, for pictures that are not stored as a whole. Takes 40
 /// bytes per vertex and 4 per visible face.
 class BandRasterizer {
  public:
@@ -58,13 +58,17 @@ class BandRasterizer {
   /// Draws `rows_per_band` rows to `rows`, which must be empty and as wide as the picture. Rows
   /// below the picture stay empty. Thread-safe.
   void draw(std::size_t band, FacePixel* rows) const;
+  /// Draws the rows of a band that are in `part`, which must contain the columns of box(). `pixels`
+  /// has the pixels of `part`, row by row; those of the band must be empty. Thread-safe.
+  void draw(std::size_t band, const PixelBox& part, FacePixel* pixels) const;
 
  private:
   void sort_faces(const Camera& camera, Sides sides);
 
   const Mesh& mesh_;
   int width_, height_, rows_per_band_;
-  std::vector<Vec3> projected_;  ///< projected vertices
+  std::vector<Vec3> projected_;         ///< projected vertices
+  std::vector<Eigen::Array2d> pixels_;  ///< their pixels; arbitrary behind the camera
   PixelBox box_;
   std::vector<std::vector<Index>> faces_;  ///< faces that touch each band, ascending
 };

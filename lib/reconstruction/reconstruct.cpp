@@ -335,9 +335,12 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
 }
 
 void ReconstructionLoop::judge(Document& document, const Progress& progress) {
-  const SurfaceMeasures start = photographs_.measures(given_.mesh, progress);
+  const bool is_given = options_.initial.is_given;
+  const SurfaceMeasures start = is_given
+                                    ? photographs_.measures(given_.mesh, progress)
+                                    : photographs_.measures_without_doubt(given_.mesh, progress);
   SurfaceMeasures end = photographs_.measures(document.mesh, progress);
-  if (options_.initial.is_given) end = best_of(start, std::move(end), document, progress);
+  if (is_given) end = best_of(start, std::move(end), document, progress);
   result_.first = start.windows;
   result_.last = end.windows;
   result_.first_agreement = start.mean_outline();

@@ -18,7 +18,7 @@ namespace {
 
 // Chosen resolution of the comparison. Time grows with the square of the image side and the cube of
 // the hull resolution.
-constexpr double largest_side_px = 320;  ///< largest side of shrunk photographs
+constexpr double largest_side_px = 160;  ///< largest side of shrunk photographs
 constexpr int hull_resolution = 48;      ///< cells along the longest side of the box
 constexpr double share_to_keep = 0.1;    ///< HullOptions::keep, against phantoms
 /// Number of candidates below the dividing threshold. Each is 2^(1/4) times smaller than the one
@@ -69,7 +69,7 @@ std::optional<double> hull_agreement(const std::vector<View>& views) {
   } catch (const InputError&) {
     return std::nullopt;
   }
-  const std::vector<double> agreements = silhouette_agreements(hull, views);
+  const std::vector<double> agreements = silhouette_agreements(hull, views, Sides::outside);
   return std::accumulate(agreements.begin(), agreements.end(), 0.0) /
          static_cast<double>(agreements.size());
 }

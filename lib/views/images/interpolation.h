@@ -45,7 +45,8 @@ struct CubicWeights {
   Eigen::Array4f intensity;
   Eigen::Array4f slope;
 
-  explicit CubicWeights(float t) {
+  // Inlined, because calls took a fifth of the time of an interpolation.
+  [[gnu::always_inline]] explicit CubicWeights(float t) {
     const Eigen::Array4f c1(-0.5F, 0, 0.5F, 0);
     const Eigen::Array4f c2(1, -2.5F, 2, -0.5F);
     const Eigen::Array4f c3(-0.5F, 1.5F, -1.5F, 0.5F);
