@@ -53,10 +53,6 @@ struct FaceSetup {
 using Corners = std::array<Vec3, 3>;
 using PixelPlace = Eigen::Array2d;
 
-Corners corners_of(const Face& face, const std::vector<Vec3>& projected) {
-  return {projected[face[0]], projected[face[1]], projected[face[2]]};
-}
-
 /// Returns the integers in [low, high] that are pixels of a row or column.
 Range pixels_between(double low, double high, int size) {
   if (!(low <= high)) return {};
@@ -82,21 +78,6 @@ Bounds bounds_of(const Face& face, const Corners& corners, const std::vector<Pix
   const PixelPlace high = a.max(b).max(c);
   return {pixels_between(low.x(), high.x(), width), pixels_between(low.y(), high.y(), height)};
 }
-
-/// Decides which faces are drawn. If only outsides are drawn, these are the faces whose projected
-/// corners have a determinant of `sign`.
-struct Drawn {
-  bool is_both = true;
-  double sign = 0;
-
-  Drawn(const Camera& camera, Sides sides)
-      : is_both(sides == Sides::both),
-        sign(camera.projection.leftCols<3>().determinant() > 0 ? -1 : 1) {}
-  bool operator()(const Corners& corners) const {
-    if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return false;
-    return is_both || sign * corners[0].dot(corners[1].cross(corners[2])) > 0;
-  }
-};
 
 void unite(Range& range, const Range& other) {
   if (range.first > range.last) range = other;
@@ -152,28 +133,40 @@ EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
   return functions_of(a, b, c);
 }
 
+bool BandRasterizer::Drawn::operator()(const Corners& corners) const {
+  if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return false;
+  return is_both || sign * corners[0].dot(corners[1].cross(corners[2])) > 0;
+}
+
 BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
                                Sides sides)
     : mesh_(mesh),
       width_(camera.width),
       height_(camera.height),
       rows_per_band_(rows_per_band),
+      is_drawn_{sides == Sides::both, camera.projection.leftCols<3>().determinant() > 0 ? -1.0 : 1.0},
       projected_(mesh.positions.size()),
-      pixels_(mesh.positions.size()) {
+      pixels_(mesh.positions.size()),
+      faces_(static_cast<std::size_t>((height_ + rows_per_band_ - 1) / rows_per_band_)) {
   parallel_for(projected_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       projected_[v] = camera.project(mesh.positions[v]);
       pixels_[v] = projected_[v].head<2>().array() / projected_[v].z();
     }
   });
-  sort_faces(camera, sides);
+  if (is_whole())
+    bound_vertices();
+  else
+    sort_faces();
+}
+
+Corners BandRasterizer::corners_of(const Face& face) const {
+  return {projected_[face[0]], projected_[face[1]], projected_[face[2]]};
 }
 
 // Sorts faces into the bands of rows that they touch, in face order. Faces are set up again when
 // they are drawn, because stored setups would take several times the memory of the mesh.
-void BandRasterizer::sort_faces(const Camera& camera, Sides sides) {
-  faces_.resize(static_cast<std::size_t>((height_ + rows_per_band_ - 1) / rows_per_band_));
-  const Drawn is_drawn(camera, sides);
+void BandRasterizer::sort_faces() {
   Bounds all;
   std::vector<Bounds> some;
   for (std::size_t start = 0; start < mesh_.faces.size(); start += faces_at_once) {
@@ -181,8 +174,8 @@ void BandRasterizer::sort_faces(const Camera& camera, Sides sides) {
     parallel_for(some.size(), items_per_task, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Face& face = mesh_.faces[start + i];
-        const Corners corners = corners_of(face, projected_);
-        if (is_drawn(corners)) some[i] = bounds_of(face, corners, pixels_, width_, height_);
+        const Corners corners = corners_of(face);
+        if (is_drawn_(corners)) some[i] = bounds_of(face, corners, pixels_, width_, height_);
       }
     });
     for (std::size_t i = 0; i < some.size(); ++i) {
@@ -197,6 +190,24 @@ void BandRasterizer::sort_faces(const Camera& camera, Sides sides) {
   box_ = {all.columns.first, all.columns.last + 1, all.rows.first, all.rows.last + 1};
 }
 
+// Finds the box of the vertices, which contains that of the faces.
+void BandRasterizer::bound_vertices() {
+  PixelPlace low(HUGE_VAL, HUGE_VAL);
+  PixelPlace high = -low;
+  bool is_in_front = true;
+  for (std::size_t v = 0; v < pixels_.size(); ++v) {
+    low = low.min(pixels_[v]);
+    high = high.max(pixels_[v]);
+    is_in_front = is_in_front && projected_[v].z() > 0;
+  }
+  box_ = {0, width_, 0, height_};
+  if (!is_in_front) return;
+  const Range columns = pixels_between(low.x(), high.x(), width_);
+  const Range rows = pixels_between(low.y(), high.y(), height_);
+  const bool is_empty = Bounds{columns, rows}.is_empty();
+  box_ = is_empty ? PixelBox() : PixelBox{columns.first, columns.last + 1, rows.first, rows.last + 1};
+}
+
 void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {
   const int first = static_cast<int>(band) * rows_per_band_;
   draw(band, {0, width_, first, first + rows_per_band_}, rows);
@@ -206,18 +217,28 @@ void BandRasterizer::draw(std::size_t band, const PixelBox& part, FacePixel* pix
   const int start = static_cast<int>(band) * rows_per_band_;
   const int first = std::max(start, part.first_row);
   const int last = std::min(start + rows_per_band_, part.end_row) - 1;
-  for (const Index f : faces_[band]) {
-    const Face& face = mesh_.faces[f];
-    const Corners corners = corners_of(face, projected_);
-    FaceSetup setup;
-    setup.bounds = bounds_of(face, corners, pixels_, width_, height_);
-    setup.functions = functions_of(corners[0], corners[1], corners[2]);
-    if (!(setup.functions.depth_numerator > 0)) continue;
-    const Range& own = setup.bounds.rows;
-    for (int y = std::max(first, own.first); y <= std::min(last, own.last); ++y) {
-      const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(y - part.first_row) * part.columns();
-      draw_row(setup, f, y, pixels + row, part.first_column);
-    }
+  if (is_whole()) {
+    for (Index face = 0; face < mesh_.faces.size(); ++face)
+      draw_face(face, first, last, part, pixels);
+  } else {
+    for (const Index face : faces_[band]) draw_face(face, first, last, part, pixels);
+  }
+}
+
+/// Draws the rows of a face from `first` to `last`.
+void BandRasterizer::draw_face(Index face, int first, int last, const PixelBox& part,
+                               FacePixel* pixels) const {
+  const Corners corners = corners_of(mesh_.faces[face]);
+  if (!is_drawn_(corners)) return;
+  FaceSetup setup;
+  setup.bounds = bounds_of(mesh_.faces[face], corners, pixels_, width_, height_);
+  if (setup.bounds.is_empty()) return;
+  setup.functions = functions_of(corners[0], corners[1], corners[2]);
+  if (!(setup.functions.depth_numerator > 0)) return;
+  const Range& own = setup.bounds.rows;
+  for (int y = std::max(first, own.first); y <= std::min(last, own.last); ++y) {
+    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(y - part.first_row) * part.columns();
+    draw_row(setup, face, y, pixels + row, part.first_column);
   }
 }
 

@@ -17,14 +17,18 @@ using Point = Eigen::Vector2f;
 bool is_inside(float intensity) { return intensity > contour_intensity; }
 
 struct Segment {
-  Point start, end;
+  Point start, along;
+  float inverse;  ///< 1 / squared length; 0 if the length is 0
+
+  Segment(const Point& from, const Point& to) : start(from), along(to - from) {
+    const float squared_length = along.squaredNorm();
+    inverse = squared_length > 0 ? 1 / squared_length : 0.0F;
+  }
 
   float squared_distance(const Point& point) const {
-    const Point along = end - start;
-    const float squared_length = along.squaredNorm();
-    float share = squared_length > 0 ? (point - start).dot(along) / squared_length : 0.0F;
-    share = std::clamp(share, 0.0F, 1.0F);
-    return (start + share * along - point).squaredNorm();
+    const Point way = point - start;
+    const float share = std::clamp(way.dot(along) * inverse, 0.0F, 1.0F);
+    return (share * along - way).squaredNorm();
   }
 };
 

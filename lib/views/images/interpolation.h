@@ -45,7 +45,6 @@ struct CubicWeights {
   Eigen::Array4f intensity;
   Eigen::Array4f slope;
 
-  // Inlined, because calls took a fifth of the time of an interpolation.
   [[gnu::always_inline]] explicit CubicWeights(float t) {
     const Eigen::Array4f c1(-0.5F, 0, 0.5F, 0);
     const Eigen::Array4f c2(1, -2.5F, 2, -0.5F);
@@ -56,7 +55,7 @@ struct CubicWeights {
 };
 
 template <>
-inline Sample sample<Interpolation::catmull_rom>(const GrayImage& image, int column, int row,
+[[gnu::always_inline]] inline Sample sample<Interpolation::catmull_rom>(const GrayImage& image, int column, int row,
                                                  float s, float t, float along_x, float along_y) {
   const CubicWeights across(s);
   const CubicWeights down(t);

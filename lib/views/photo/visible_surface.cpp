@@ -147,7 +147,9 @@ const VisibleSurface& SeenViews::surface(std::size_t view, VisibleSurface& room)
 
 void SeenViews::see(std::size_t view, VisibleSurface& seen) const {
   const Camera camera = camera_of(views_[view]);
-  const BandRasterizer bands(mesh_, camera, rows_per_band, Sides::outside);
+  // Packed views are large and few at a time, so that their bands are drawn in parallel.
+  const int rows = views_[view].image.is_packed() ? rows_per_band : std::max(camera.height, 1);
+  const BandRasterizer bands(mesh_, camera, rows, Sides::outside);
   const PixelBox& box = seen.box = bands.box();
   seen.faces.pixels.clear();
   resize(seen.faces, box);
