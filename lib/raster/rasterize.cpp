@@ -59,8 +59,8 @@ Range pixels_between(double low, double high, int size) {
   low = std::max(low, 0.0);
   high = std::min(high, size - 1.0);
   if (!(low <= high)) return {};
-  // Both are not negative, so that truncation rounds down. std::ceil and std::floor would be calls of
-  // the C library on processors without SSE 4.1.
+  // Both are not negative, so that truncation rounds down. std::ceil and std::floor would be calls
+  // of the C library on processors without SSE 4.1.
   const int below = static_cast<int>(low);
   return {below < low ? below + 1 : below, static_cast<int>(high)};
 }
@@ -144,7 +144,8 @@ BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_
       width_(camera.width),
       height_(camera.height),
       rows_per_band_(rows_per_band),
-      is_drawn_{sides == Sides::both, camera.projection.leftCols<3>().determinant() > 0 ? -1.0 : 1.0},
+      is_drawn_{sides == Sides::both,
+                camera.projection.leftCols<3>().determinant() > 0 ? -1.0 : 1.0},
       projected_(mesh.positions.size()),
       pixels_(mesh.positions.size()),
       faces_(static_cast<std::size_t>((height_ + rows_per_band_ - 1) / rows_per_band_)) {
@@ -205,7 +206,8 @@ void BandRasterizer::bound_vertices() {
   const Range columns = pixels_between(low.x(), high.x(), width_);
   const Range rows = pixels_between(low.y(), high.y(), height_);
   const bool is_empty = Bounds{columns, rows}.is_empty();
-  box_ = is_empty ? PixelBox() : PixelBox{columns.first, columns.last + 1, rows.first, rows.last + 1};
+  box_ =
+      is_empty ? PixelBox() : PixelBox{columns.first, columns.last + 1, rows.first, rows.last + 1};
 }
 
 void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {

@@ -6,16 +6,9 @@
 #include "support/number.h"
 
 namespace transformesh {
-namespace {
 
 /// PairOptions::spread above scale 1.
 constexpr double near_spread = 1.5;
-/// PhotoStepsOptions::least_change of a sweep: a hundredth in 8 steps, which is the limit of
-/// ScaleRule from one sweep to the next. On the dino the loss changed by 0.1 % after the fourth step
-/// of a sweep at scales below 2. Half and twice the value were not measured.
-constexpr double least_change = 0.0025;
-
-}  // namespace
 
 Photographs::Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
                          const InitialState& initial_state)
@@ -24,13 +17,14 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       spends_views_(options.spends_views),
       pairs_(options.pairs),
       near_pairs_(options.pairs),
-      steps_{.step = options.step},
+      steps_{.step = options.step,
+             .momentum = options.momentum,
+             .least_change = options.iterations ? 0 : change_at_rest},
       pull_(options.pull),
       are_outlines_(initial_state.outlined.has_value()),
       windows_(options.windows) {
   near_pairs_.spread = near_spread;
   steps_.iterations = options.iterations.value_or(initial_state.coarsest ? 8 : 5);
-  steps_.momentum = options.momentum;
   steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.initial.meaning;
 }
 
@@ -57,7 +51,6 @@ PhotoStepsResult Photographs::sweep(Mesh& mesh, double scale, const SweepForces&
                                     const Progress& progress) {
   PhotoStepsOptions options = steps_at(scale);
   options.alternate = true;
-  options.least_change = least_change;
   options.iterations = forces.iterations.value_or(options.iterations);
   options.step.photographs.correlation.robust = forces.loss;
   options.step.stiffness *= forces.stiffness;
@@ -73,14 +66,11 @@ PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
   return photo_steps(mesh, at(scale), options, progress).first;
 }
 
-SurfaceMeasures Photographs::measures_without_doubt(const Mesh& mesh, const Progress& progress) {
-  return {look(mesh, 1, false, progress), {}, outlines(mesh, 1)};
-}
-
-SurfaceMeasures Photographs::measures(const Mesh& mesh, const Progress& progress) {
-  SurfaceMeasures result = measures_without_doubt(mesh, progress);
-  result.doubt =
-      surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_at(1).step.photographs, progress);
+SurfaceMeasures Photographs::measures(const Mesh& mesh, bool with_doubt, const Progress& progress) {
+  SurfaceMeasures result{look(mesh, 1, false, progress), {}, outlines(mesh, 1)};
+  if (with_doubt)
+    result.doubt = surface_doubt(mesh, at(1), steps_.step.least_cosine,
+                                 steps_at(1).step.photographs, progress);
   return result;
 }
 

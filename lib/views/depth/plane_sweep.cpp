@@ -167,7 +167,9 @@ bool Sweep::mark_inside(double depth) {
       const Eigen::Vector3f site = from + static_cast<float>(x) * step;
       if (!(site.minCoeff() >= 0)) continue;
       if (!(site.array() < ends).all()) continue;
-      const auto node = [&](int axis) { return static_cast<std::size_t>(static_cast<int>(site[axis])); };
+      const auto node = [&](int axis) {
+        return static_cast<std::size_t>(static_cast<int>(site[axis]));
+      };
       if (!(hull_.values[hull_.index(node(0), node(1), node(2))] < margin)) continue;
       is_inside_[index(x, y)] = 1;
       first_row_ = std::min(first_row_, y);

@@ -67,8 +67,8 @@ double limit_px(const PinholeCamera& camera, const Box& box, double spacing) {
   const Projection projection = camera.projection();
   double nearest = std::numeric_limits<double>::infinity();
   for (int corner = 0; corner < 8; ++corner)
-    nearest = std::min(nearest, (projection.leftCols<3>() * corner_of(box, corner)).z() +
-                                    projection.col(3).z());
+    nearest = std::min(
+        nearest, (projection.leftCols<3>() * corner_of(box, corner)).z() + projection.col(3).z());
   if (!(nearest > 0)) return std::numeric_limits<double>::infinity();
   return most_cells * spacing * camera.focal_length() / nearest + 2 * distance_slack_px;
 }

@@ -55,8 +55,8 @@ struct CubicWeights {
 };
 
 template <>
-[[gnu::always_inline]] inline Sample sample<Interpolation::catmull_rom>(const GrayImage& image, int column, int row,
-                                                 float s, float t, float along_x, float along_y) {
+[[gnu::always_inline]] inline Sample sample<Interpolation::catmull_rom>(
+    const GrayImage& image, int column, int row, float s, float t, float along_x, float along_y) {
   const CubicWeights across(s);
   const CubicWeights down(t);
   Eigen::Array4f intensity = Eigen::Array4f::Zero();

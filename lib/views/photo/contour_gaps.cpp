@@ -96,8 +96,9 @@ struct RimVertex {
 /// True if the bilinear interpolation of the distances around pixel (x, y) is clearly negative.
 template <class Distances>
 bool is_deep_inside(const Distances& distances, int x, int y) {
-  // Distances of neighbors differ by up to the square root of 2, and by some hundredths more because
-  // they are approximate. Another half pixel is for rounding to a pixel, and one is the slack.
+  // Distances of neighbors differ by up to the square root of 2, and by some hundredths more
+  // because they are approximate. Another half pixel is for rounding to a pixel, and one is the
+  // slack.
   constexpr float deep_px = -4;
   return x >= 0 && y >= 0 && x < distances.width && y < distances.height &&
          distances.at(x, y) < deep_px;
@@ -126,8 +127,7 @@ void add_view(const Mesh& mesh, const View& view, const VisibleDepths& depths,
     if (!std::isfinite(gap)) continue;
     if (gap >= 0) {
       if (is_exact) gaps.outside[v] = std::max(gaps.outside[v], gap);
-    } else if (!is_inner &&
-               borders_on_background(depths, view.image, x, y, q.z(), q.z() / focal)) {
+    } else if (!is_inner && borders_on_background(depths, view.image, x, y, q.z(), q.z() / focal)) {
       rim.push_back({v, gap});
       is_marked[v] = 1;
     }
