@@ -17,9 +17,8 @@ namespace transformesh {
 namespace {
 
 // Chosen resolution of the comparison. Time grows with the square of the image side and the cube of
-// the hull resolution. Images of 320 pixels took more than a quarter of the time of the whole
-// reconstruction of synthetic16, although their pixels are much smaller than the cells of the hull.
-constexpr double largest_side_px = 160;  ///< largest side of shrunk photographs
+// the hull resolution.
+constexpr double largest_side_px = 320;  ///< largest side of shrunk photographs
 constexpr int hull_resolution = 48;      ///< cells along the longest side of the box
 constexpr double share_to_keep = 0.1;    ///< HullOptions::keep, against phantoms
 /// Number of candidates below the dividing threshold. Each is 2^(1/4) times smaller than the one
