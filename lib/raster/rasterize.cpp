@@ -8,7 +8,21 @@
 #include "support/parallel.h"
 
 namespace transformesh {
+
 namespace {
+
+// A call per face took as long as the computation.
+[[gnu::always_inline]] inline EdgeFunctions functions_of(const Vec3& a, const Vec3& b,
+                                                         const Vec3& c) {
+  EdgeFunctions functions;
+  const Vec3 across_a = b.cross(c);
+  const double determinant = a.dot(across_a);
+  if (!(std::abs(determinant) > 0)) return functions;
+  const double sign = determinant > 0 ? 1 : -1;
+  functions.edge = {sign * across_a, sign * c.cross(a), sign * a.cross(b)};
+  functions.depth_numerator = std::abs(determinant);
+  return functions;
+}
 
 constexpr int usual_rows_per_band = 16;       ///< affects time only
 constexpr int columns_worth_narrowing = 8;    ///< narrower bounds are not worth narrowed()
@@ -37,10 +51,7 @@ struct FaceSetup {
 };
 
 using Corners = std::array<Vec3, 3>;
-
-Corners corners_of(const Face& face, const std::vector<Vec3>& projected) {
-  return {projected[face[0]], projected[face[1]], projected[face[2]]};
-}
+using PixelPlace = Eigen::Array2d;
 
 /// Returns the integers in [low, high] that are pixels of a row or column.
 Range pixels_between(double low, double high, int size) {
@@ -48,46 +59,24 @@ Range pixels_between(double low, double high, int size) {
   low = std::max(low, 0.0);
   high = std::min(high, size - 1.0);
   if (!(low <= high)) return {};
-  return {static_cast<int>(std::ceil(low)), static_cast<int>(std::floor(high))};
+  // Both are not negative, so that truncation rounds down. std::ceil and std::floor would be calls
+  // of the C library on processors without SSE 4.1.
+  const int below = static_cast<int>(low);
+  return {below < low ? below + 1 : below, static_cast<int>(high)};
 }
 
 /// Returns the bounds of the image of a face; the whole image if the face reaches behind the
-/// camera.
-Bounds bounds_of(const Corners& corners, int width, int height) {
-  Eigen::Array2d low(0, 0);
-  Eigen::Array2d high(width - 1, height - 1);
-  if (corners[0].z() > 0 && corners[1].z() > 0 && corners[2].z() > 0) {
-    low.setConstant(HUGE_VAL);
-    high.setConstant(-HUGE_VAL);
-    for (const Vec3& corner : corners) {
-      const Eigen::Array2d pixel = corner.head<2>().array() / corner.z();
-      low = low.min(pixel);
-      high = high.max(pixel);
-    }
-  }
+/// camera. `pixels` has the pixel of each vertex.
+Bounds bounds_of(const Face& face, const Corners& corners, const std::vector<PixelPlace>& pixels,
+                 int width, int height) {
+  if (!(corners[0].z() > 0 && corners[1].z() > 0 && corners[2].z() > 0))
+    return {{0, width - 1}, {0, height - 1}};
+  const PixelPlace& a = pixels[face[0]];
+  const PixelPlace& b = pixels[face[1]];
+  const PixelPlace& c = pixels[face[2]];
+  const PixelPlace low = a.min(b).min(c);
+  const PixelPlace high = a.max(b).max(c);
   return {pixels_between(low.x(), high.x(), width), pixels_between(low.y(), high.y(), height)};
-}
-
-/// Decides which faces are drawn. If only outsides are drawn, these are the faces whose projected
-/// corners have a determinant of `sign`.
-struct Drawn {
-  bool is_both = true;
-  double sign = 0;
-
-  Drawn(const Camera& camera, Sides sides)
-      : is_both(sides == Sides::both),
-        sign(camera.projection.leftCols<3>().determinant() > 0 ? -1 : 1) {}
-  bool operator()(const Corners& corners) const {
-    if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return false;
-    return is_both || sign * corners[0].dot(corners[1].cross(corners[2])) > 0;
-  }
-};
-
-FaceSetup set_up(const Corners& corners, int width, int height) {
-  FaceSetup setup;
-  setup.functions = edge_functions(corners[0], corners[1], corners[2]);
-  if (setup.functions.depth_numerator > 0) setup.bounds = bounds_of(corners, width, height);
-  return setup;
 }
 
 void unite(Range& range, const Range& other) {
@@ -111,7 +100,8 @@ Range narrowed(Range columns, const std::array<double, 3>& slope,
   return {static_cast<int>(std::ceil(low)), static_cast<int>(std::floor(high))};
 }
 
-void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row) {
+/// Draws the pixels of a face in row `y`. `row` begins at column `left`.
+void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row, int left) {
   std::array<double, 3> slope;
   std::array<double, 3> start;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -126,10 +116,12 @@ void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row) {
     const double e0 = slope[0] * x + start[0];
     const double e1 = slope[1] * x + start[1];
     const double e2 = slope[2] * x + start[2];
+    // A single branch, because half of the pixels of a small face are outside, in no pattern.
+    if (!((e0 >= 0) & (e1 >= 0) & (e2 >= 0))) continue;
     const double sum = e0 + e1 + e2;
-    if (!(e0 >= 0 && e1 >= 0 && e2 >= 0 && sum > 0)) continue;
+    if (!(sum > 0)) continue;
     const auto depth = static_cast<float>(setup.functions.depth_numerator / sum);
-    FacePixel& pixel = row[x];
+    FacePixel& pixel = row[x - left];
     if (pixel.face != no_index && !(depth < pixel.depth)) continue;
     pixel = {face, depth, {static_cast<float>(e0 / sum), static_cast<float>(e1 / sum)}};
   }
@@ -138,14 +130,12 @@ void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row) {
 }  // namespace
 
 EdgeFunctions edge_functions(const Vec3& a, const Vec3& b, const Vec3& c) {
-  EdgeFunctions functions;
-  const Vec3 across_a = b.cross(c);
-  const double determinant = a.dot(across_a);
-  if (!(std::abs(determinant) > 0)) return functions;
-  const double sign = determinant > 0 ? 1 : -1;
-  functions.edge = {sign * across_a, sign * c.cross(a), sign * a.cross(b)};
-  functions.depth_numerator = std::abs(determinant);
-  return functions;
+  return functions_of(a, b, c);
+}
+
+bool BandRasterizer::Drawn::operator()(const Corners& corners) const {
+  if (corners[0].z() <= 0 && corners[1].z() <= 0 && corners[2].z() <= 0) return false;
+  return is_both || sign * corners[0].dot(corners[1].cross(corners[2])) > 0;
 }
 
 BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
@@ -154,26 +144,39 @@ BandRasterizer::BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_
       width_(camera.width),
       height_(camera.height),
       rows_per_band_(rows_per_band),
-      projected_(mesh.positions.size()) {
+      is_drawn_{sides == Sides::both,
+                camera.projection.leftCols<3>().determinant() > 0 ? -1.0 : 1.0},
+      projected_(mesh.positions.size()),
+      pixels_(mesh.positions.size()),
+      faces_(static_cast<std::size_t>((height_ + rows_per_band_ - 1) / rows_per_band_)) {
   parallel_for(projected_.size(), items_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) projected_[v] = camera.project(mesh.positions[v]);
+    for (std::size_t v = first; v < last; ++v) {
+      projected_[v] = camera.project(mesh.positions[v]);
+      pixels_[v] = projected_[v].head<2>().array() / projected_[v].z();
+    }
   });
-  sort_faces(camera, sides);
+  if (is_whole())
+    bound_vertices();
+  else
+    sort_faces();
+}
+
+Corners BandRasterizer::corners_of(const Face& face) const {
+  return {projected_[face[0]], projected_[face[1]], projected_[face[2]]};
 }
 
 // Sorts faces into the bands of rows that they touch, in face order. Faces are set up again when
 // they are drawn, because stored setups would take several times the memory of the mesh.
-void BandRasterizer::sort_faces(const Camera& camera, Sides sides) {
-  faces_.resize(static_cast<std::size_t>((height_ + rows_per_band_ - 1) / rows_per_band_));
-  const Drawn is_drawn(camera, sides);
+void BandRasterizer::sort_faces() {
   Bounds all;
   std::vector<Bounds> some;
   for (std::size_t start = 0; start < mesh_.faces.size(); start += faces_at_once) {
     some.assign(std::min(faces_at_once, mesh_.faces.size() - start), {});
     parallel_for(some.size(), items_per_task, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        const Corners corners = corners_of(mesh_.faces[start + i], projected_);
-        if (is_drawn(corners)) some[i] = bounds_of(corners, width_, height_);
+        const Face& face = mesh_.faces[start + i];
+        const Corners corners = corners_of(face);
+        if (is_drawn_(corners)) some[i] = bounds_of(face, corners, pixels_, width_, height_);
       }
     });
     for (std::size_t i = 0; i < some.size(); ++i) {
@@ -188,16 +191,56 @@ void BandRasterizer::sort_faces(const Camera& camera, Sides sides) {
   box_ = {all.columns.first, all.columns.last + 1, all.rows.first, all.rows.last + 1};
 }
 
+// Finds the box of the vertices, which contains that of the faces.
+void BandRasterizer::bound_vertices() {
+  PixelPlace low(HUGE_VAL, HUGE_VAL);
+  PixelPlace high = -low;
+  bool is_in_front = true;
+  for (std::size_t v = 0; v < pixels_.size(); ++v) {
+    low = low.min(pixels_[v]);
+    high = high.max(pixels_[v]);
+    is_in_front = is_in_front && projected_[v].z() > 0;
+  }
+  box_ = {0, width_, 0, height_};
+  if (!is_in_front) return;
+  const Range columns = pixels_between(low.x(), high.x(), width_);
+  const Range rows = pixels_between(low.y(), high.y(), height_);
+  const bool is_empty = Bounds{columns, rows}.is_empty();
+  box_ =
+      is_empty ? PixelBox() : PixelBox{columns.first, columns.last + 1, rows.first, rows.last + 1};
+}
+
 void BandRasterizer::draw(std::size_t band, FacePixel* rows) const {
   const int first = static_cast<int>(band) * rows_per_band_;
-  const int last = first + rows_per_band_ - 1;
-  for (const Index face : faces_[band]) {
-    const FaceSetup setup = set_up(corners_of(mesh_.faces[face], projected_), width_, height_);
-    const Range& own = setup.bounds.rows;
-    for (int y = std::max(first, own.first); y <= std::min(last, own.last); ++y) {
-      const auto row = static_cast<std::size_t>(y - first);
-      draw_row(setup, face, y, rows + row * static_cast<std::size_t>(width_));
-    }
+  draw(band, {0, width_, first, first + rows_per_band_}, rows);
+}
+
+void BandRasterizer::draw(std::size_t band, const PixelBox& part, FacePixel* pixels) const {
+  const int start = static_cast<int>(band) * rows_per_band_;
+  const int first = std::max(start, part.first_row);
+  const int last = std::min(start + rows_per_band_, part.end_row) - 1;
+  if (is_whole()) {
+    for (Index face = 0; face < mesh_.faces.size(); ++face)
+      draw_face(face, first, last, part, pixels);
+  } else {
+    for (const Index face : faces_[band]) draw_face(face, first, last, part, pixels);
+  }
+}
+
+/// Draws the rows of a face from `first` to `last`.
+void BandRasterizer::draw_face(Index face, int first, int last, const PixelBox& part,
+                               FacePixel* pixels) const {
+  const Corners corners = corners_of(mesh_.faces[face]);
+  if (!is_drawn_(corners)) return;
+  FaceSetup setup;
+  setup.bounds = bounds_of(mesh_.faces[face], corners, pixels_, width_, height_);
+  if (setup.bounds.is_empty()) return;
+  setup.functions = functions_of(corners[0], corners[1], corners[2]);
+  if (!(setup.functions.depth_numerator > 0)) return;
+  const Range& own = setup.bounds.rows;
+  for (int y = std::max(first, own.first); y <= std::min(last, own.last); ++y) {
+    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(y - part.first_row) * part.columns();
+    draw_row(setup, face, y, pixels + row, part.first_column);
   }
 }
 

@@ -41,11 +41,11 @@ enum class Sides { both, outside };
 
 FaceBuffer rasterize(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both);
 
-/// Rasterizes one band of rows at a time, for pictures that are not stored as a whole. Takes 24
+/// Rasterizes one band of rows at a time, for pictures that are not stored as a whole. Takes 40
 /// bytes per vertex and 4 per visible face.
 class BandRasterizer {
  public:
-  /// Keeps a reference to the mesh.
+  /// Keeps a reference to the mesh. A single band of all rows takes no time for sorting faces.
   BandRasterizer(const Mesh& mesh, const Camera& camera, int rows_per_band,
                  Sides sides = Sides::both);
   BandRasterizer(const BandRasterizer&) = delete;
@@ -58,15 +58,34 @@ class BandRasterizer {
   /// Draws `rows_per_band` rows to `rows`, which must be empty and as wide as the picture. Rows
   /// below the picture stay empty. Thread-safe.
   void draw(std::size_t band, FacePixel* rows) const;
+  /// Draws the rows of a band that are in `part`, which must contain the columns of box(). `pixels`
+  /// has the pixels of `part`, row by row; those of the band must be empty. Thread-safe.
+  void draw(std::size_t band, const PixelBox& part, FacePixel* pixels) const;
 
  private:
-  void sort_faces(const Camera& camera, Sides sides);
+  /// Decides which faces are drawn. If only outsides are drawn, these are the faces whose projected
+  /// corners have a determinant of `sign`.
+  struct Drawn {
+    bool is_both = true;
+    double sign = 0;
+
+    bool operator()(const std::array<Vec3, 3>& corners) const;
+  };
+
+  bool is_whole() const { return rows_per_band_ >= height_; }
+  std::array<Vec3, 3> corners_of(const Face& face) const;
+  void sort_faces();
+  void bound_vertices();
+  void draw_face(Index face, int first, int last, const PixelBox& part, FacePixel* pixels) const;
 
   const Mesh& mesh_;
   int width_, height_, rows_per_band_;
-  std::vector<Vec3> projected_;  ///< projected vertices
+  Drawn is_drawn_;
+  std::vector<Vec3> projected_;         ///< projected vertices
+  std::vector<Eigen::Array2d> pixels_;  ///< their pixels; arbitrary behind the camera
   PixelBox box_;
-  std::vector<std::vector<Index>> faces_;  ///< faces that touch each band, ascending
+  /// Faces that touch each band, ascending; not stored if there is one band of all rows.
+  std::vector<std::vector<Index>> faces_;
 };
 
 /// Linear functions of pixel (x, y, 1). Each vanishes on the image of the edge opposite to a

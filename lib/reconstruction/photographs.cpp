@@ -6,12 +6,9 @@
 #include "support/number.h"
 
 namespace transformesh {
-namespace {
 
 /// PairOptions::spread above scale 1.
 constexpr double near_spread = 1.5;
-
-}  // namespace
 
 Photographs::Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
                          const InitialState& initial_state)
@@ -20,13 +17,14 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       spends_views_(options.spends_views),
       pairs_(options.pairs),
       near_pairs_(options.pairs),
-      steps_{.step = options.step},
+      steps_{.step = options.step,
+             .momentum = options.momentum,
+             .least_change = options.iterations ? 0 : change_at_rest},
       pull_(options.pull),
       are_outlines_(initial_state.outlined.has_value()),
       windows_(options.windows) {
   near_pairs_.spread = near_spread;
   steps_.iterations = options.iterations.value_or(initial_state.coarsest ? 8 : 5);
-  steps_.momentum = options.momentum;
   steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.initial.meaning;
 }
 
@@ -68,11 +66,12 @@ PhotoStepResult Photographs::look(Mesh mesh, double scale, bool in_one_order,
   return photo_steps(mesh, at(scale), options, progress).first;
 }
 
-SurfaceMeasures Photographs::measures(const Mesh& mesh, const Progress& progress) {
-  return {
-      look(mesh, 1, false, progress),
-      surface_doubt(mesh, at(1), steps_.step.least_cosine, steps_at(1).step.photographs, progress),
-      outlines(mesh, 1)};
+SurfaceMeasures Photographs::measures(const Mesh& mesh, bool with_doubt, const Progress& progress) {
+  SurfaceMeasures result{look(mesh, 1, false, progress), {}, outlines(mesh, 1)};
+  if (with_doubt)
+    result.doubt = surface_doubt(mesh, at(1), steps_.step.least_cosine,
+                                 steps_at(1).step.photographs, progress);
+  return result;
 }
 
 std::vector<WindowSums> Photographs::disagreement_at(const Mesh& mesh, double scale,

@@ -34,8 +34,8 @@ class Photographs {
   /// Measures the surface by a step without movement. Compares pairs of views in one order or in
   /// both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
-  /// Measures the surface at scale 1.
-  SurfaceMeasures measures(const Mesh& mesh, const Progress& progress);
+  /// Measures the surface at scale 1; without `doubt` in half of the time.
+  SurfaceMeasures measures(const Mesh& mesh, bool with_doubt, const Progress& progress);
   /// Returns Disagreement::of_vertex of a surface at a scale. Keeps the views, and the scene of the
   /// last scale.
   std::vector<WindowSums> disagreement_at(const Mesh& mesh, double scale, const Progress& progress);

@@ -337,9 +337,10 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
 }
 
 void ReconstructionLoop::judge(Document& document, const Progress& progress) {
-  const SurfaceMeasures start = photographs_.measures(given_.mesh, progress);
-  SurfaceMeasures end = photographs_.measures(document.mesh, progress);
-  if (options_.initial.is_given) end = best_of(start, std::move(end), document, progress);
+  const bool is_given = options_.initial.is_given;
+  const SurfaceMeasures start = photographs_.measures(given_.mesh, is_given, progress);
+  SurfaceMeasures end = photographs_.measures(document.mesh, true, progress);
+  if (is_given) end = best_of(start, std::move(end), document, progress);
   result_.first = start.windows;
   result_.last = end.windows;
   result_.first_agreement = start.mean_outline();
@@ -361,7 +362,7 @@ SurfaceMeasures ReconstructionLoop::best_of(const SurfaceMeasures& start, Surfac
                            reach_px * photographs_.pixel());
   round_as_written(restored);
   if (share > 0 && clean_in_place(restored, progress).topology == result_.topology) {
-    SurfaceMeasures measures = photographs_.measures(restored.mesh, progress);
+    SurfaceMeasures measures = photographs_.measures(restored.mesh, true, progress);
     if (!is_clearly_less(end.doubt.disagreement, measures.doubt.disagreement)) {
       document = std::move(restored);
       end = std::move(measures);

@@ -36,7 +36,7 @@ void reconstruct_one(const tool::ReconstructChoices& choices, ReconstructionOpti
   run.progress()("read views");
   std::vector<View> views = tool::checked_views(choices.sources, choices, run);
   tool::begin_run(choices.loop, record, options.initial.is_given ? &document : nullptr, run,
-                  run_files_of(views));
+                  choices.loop.run.empty() ? RunFiles() : run_files_of(views));
   options.spends_views = true;
   options.on_sweep = [&run](const std::string& text) { run.say().progress_line(text); };
   ReconstructionResult result;

@@ -51,8 +51,9 @@ Blend blend_at(double center, int size, const Kernel& kernel) {
   double sum = 0;
   for (int i = first; i <= last; ++i) {
     const int inside = std::clamp(i, first_inside, last_inside);
-    weights[static_cast<std::size_t>(inside - first_inside)] += kernel(i - center);
-    sum += kernel(i - center);
+    const double weight = kernel(i - center);
+    weights[static_cast<std::size_t>(inside - first_inside)] += weight;
+    sum += weight;
   }
   for (double& weight : weights) weight /= sum;
   return {first_inside, {weights.begin(), weights.end()}};

@@ -45,7 +45,7 @@ struct CubicWeights {
   Eigen::Array4f intensity;
   Eigen::Array4f slope;
 
-  explicit CubicWeights(float t) {
+  [[gnu::always_inline]] explicit CubicWeights(float t) {
     const Eigen::Array4f c1(-0.5F, 0, 0.5F, 0);
     const Eigen::Array4f c2(1, -2.5F, 2, -0.5F);
     const Eigen::Array4f c3(-0.5F, 1.5F, -1.5F, 0.5F);
@@ -55,8 +55,8 @@ struct CubicWeights {
 };
 
 template <>
-inline Sample sample<Interpolation::catmull_rom>(const GrayImage& image, int column, int row,
-                                                 float s, float t, float along_x, float along_y) {
+[[gnu::always_inline]] inline Sample sample<Interpolation::catmull_rom>(
+    const GrayImage& image, int column, int row, float s, float t, float along_x, float along_y) {
   const CubicWeights across(s);
   const CubicWeights down(t);
   Eigen::Array4f intensity = Eigen::Array4f::Zero();

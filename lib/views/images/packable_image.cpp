@@ -146,7 +146,7 @@ float PackableImage::value_of(std::uint16_t word) const {
   return kind_ == Kind::distances ? distance_of(word) : depth_of(word);
 }
 
-float PackableImage::at(int x, int y) const {
+float PackableImage::packed_at(int x, int y) const {
   if (!tiles_.empty()) return value_of(tiles_.at(x, y));
   if (blur_) {
     float intensity = 0;
@@ -156,7 +156,6 @@ float PackableImage::at(int x, int y) const {
   const std::size_t i = index(x, y);
   if (!bits_.empty()) return bits_[i] ? inside_mask : 0.0F;
   if (!bytes_.empty()) return static_cast<float>(bytes_[i]);
-  if (words_.empty()) return floats_.pixels[i];
   return value_of(words_[i]);
 }
 

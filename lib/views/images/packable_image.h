@@ -51,7 +51,9 @@ class PackableImage {
   /// Reads `count` pixels of a row, from (x, y) on.
   void read(int x, int y, int count, float* out) const;
 
-  float at(int x, int y) const;
+  float at(int x, int y) const {
+    return floats_.empty() ? packed_at(x, y) : floats_.pixels[index(x, y)];
+  }
   /// Requires that the image is not packed.
   float& at(int x, int y) { return floats_.at(x, y); }
   /// Returns an image with fast access: itself, or its 16-bit codes in `room` if it is packed in
@@ -72,6 +74,7 @@ class PackableImage {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
   }
+  float packed_at(int x, int y) const;
   void read_blurred(int x, int y, int columns, int rows, float* out) const;
   void keep(Raster<std::uint16_t> words);
   void find_range(const std::vector<float>& depths);

@@ -17,12 +17,17 @@ namespace {
 /// of the surface; a smaller one rejects rims of blunt surfaces.
 constexpr double pixels_of_curvature = 20;
 
+/// Farther pixels, which no image has, may not fit in an integer.
+constexpr double most_pixels = 1e9;
+
 /// Sides of the faces around a vertex that a camera observes, as bits.
 enum Facing : char { unseen = 0, front = 1, back = 2, both = 3 };
 
-std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
+/// Returns the sides of the faces around the vertices that are marked.
+std::vector<char> facings(const Mesh& mesh, const Vec3& eye, const std::vector<char>& is_marked) {
   std::vector<char> result(mesh.positions.size(), unseen);
   for (const Face& face : mesh.faces) {
+    if (is_marked[face[0]] == 0 && is_marked[face[1]] == 0 && is_marked[face[2]] == 0) continue;
     const Vec3 a = mesh.positions[face[0]] - eye;
     const Vec3 b = mesh.positions[face[1]] - eye;
     const Vec3 c = mesh.positions[face[2]] - eye;
@@ -31,6 +36,37 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye) {
   }
   return result;
 }
+
+/// Pixels that show the surface, as do their eight neighbors.
+class InnerPixels {
+ public:
+  explicit InnerPixels(const VisibleDepths& depths) : box_(depths.box()) {
+    GrayImage room;
+    const GrayImage& framed = depths.framed(room);
+    if (framed.width < 3 || framed.height < 3) return;
+    is_inner_ = Raster<char>(box_.columns(), box_.rows(), 1);
+    for (int y = 0; y < box_.rows(); ++y)
+      for (int above = 0; above <= 2; ++above) keep_inner(framed.row(y + above), is_inner_.row(y));
+  }
+
+  bool has(int x, int y) const {
+    const int column = x - box_.first_column;
+    const int row = y - box_.first_row;
+    return column >= 0 && column < is_inner_.width && row >= 0 && row < is_inner_.height &&
+           is_inner_.at(column, row) != 0;
+  }
+
+ private:
+  void keep_inner(const float* depths, char* is_inner) const {
+    for (int x = 0; x < box_.columns(); ++x) {
+      const bool is_seen = (depths[x] > 0) & (depths[x + 1] > 0) & (depths[x + 2] > 0);
+      is_inner[x] = static_cast<char>(is_inner[x] & static_cast<char>(is_seen));
+    }
+  }
+
+  PixelBox box_;
+  Raster<char> is_inner_;
+};
 
 /// True if a pixel next to (x, y) shows background and a point at `depth` can border on it. Returns
 /// false if the surface around (x, y) is nearer to the camera than the point by more than
@@ -51,27 +87,56 @@ bool borders_on_background(const VisibleDepths& depths, const PackableImage& ima
   return has_background && farthest > depth - pixels_of_curvature * pixel;
 }
 
+/// A vertex inside of the silhouette, next to the background.
+struct RimVertex {
+  std::size_t vertex;
+  double gap;  ///< < 0
+};
+
+/// True if the bilinear interpolation of the distances around pixel (x, y) is clearly negative.
+template <class Distances>
+bool is_deep_inside(const Distances& distances, int x, int y) {
+  // Distances of neighbors differ by up to the square root of 2, and by some hundredths more
+  // because they are approximate. Another half pixel is for rounding to a pixel, and one is the
+  // slack.
+  constexpr float deep_px = -4;
+  return x >= 0 && y >= 0 && x < distances.width && y < distances.height &&
+         distances.at(x, y) < deep_px;
+}
+
+template <class Distances>
 void add_view(const Mesh& mesh, const View& view, const VisibleDepths& depths,
-              const PackableImage& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
+              const Distances& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
   const Projection projection = view.camera.projection();
   const double focal = view.camera.focal_length();
-  const std::vector<char> facing = facings(mesh, view.camera.center());
+  const InnerPixels inner(depths);
+  std::vector<RimVertex> rim;
+  std::vector<char> is_marked(mesh.positions.size(), 0);
   const bool is_exact = meaning == SilhouetteMeaning::exact;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const Vec3 q = projection.leftCols<3>() * mesh.positions[v] + projection.col(3);
     if (!(q.z() > 0)) continue;
     const double x = q.x() / q.z();
     const double y = q.y() / q.z();
+    if (!(std::abs(x) < most_pixels && std::abs(y) < most_pixels)) continue;
+    const bool is_inner = inner.has(static_cast<int>(x + 0.5), static_cast<int>(y + 0.5));
+    // Most vertices end here.
+    if (is_inner && is_deep_inside(distances, static_cast<int>(x), static_cast<int>(y))) continue;
     const double slack = is_exact ? 0 : q.z() / focal;
     const double gap = distance_at(distances, x, y) * q.z() / focal + slack;
     if (!std::isfinite(gap)) continue;
     if (gap >= 0) {
       if (is_exact) gaps.outside[v] = std::max(gaps.outside[v], gap);
-    } else if (facing[v] == both &&
-               borders_on_background(depths, view.image, x, y, q.z(), q.z() / focal)) {
-      gaps.inside[v] -= gap;
-      ++gaps.rims[v];
+    } else if (!is_inner && borders_on_background(depths, view.image, x, y, q.z(), q.z() / focal)) {
+      rim.push_back({v, gap});
+      is_marked[v] = 1;
     }
+  }
+  const std::vector<char> facing = facings(mesh, view.camera.center(), is_marked);
+  for (const auto& [v, gap] : rim) {
+    if (facing[v] != both) continue;
+    gaps.inside[v] -= gap;
+    ++gaps.rims[v];
   }
 }
 
@@ -82,9 +147,13 @@ ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views, const Se
   const std::size_t count = mesh.positions.size();
   ContourGaps gaps{std::vector<double>(count, 0), std::vector<double>(count, 0),
                    std::vector<Index>(count, 0)};
+  GrayImage room;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (!distances[i].empty())
+    if (distances[i].empty()) continue;
+    if (distances[i].is_packed())
       add_view(mesh, views[i], seen.depths(i), distances[i], meaning, gaps);
+    else
+      add_view(mesh, views[i], seen.depths(i), distances[i].unpacked(room), meaning, gaps);
   }
   return gaps;
 }

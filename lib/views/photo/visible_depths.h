@@ -39,6 +39,9 @@ class VisibleDepths {
   PixelBox box() const {
     return {left_ + 1, left_ + depths_.width - 1, top_ + 1, top_ + depths_.height - 1};
   }
+  /// Returns the depths of the rectangle and of the frame around it; `room` is used if the depths
+  /// are packed.
+  const GrayImage& framed(GrayImage& room) const { return depths_.unpacked(room); }
   std::size_t size() const { return depths_.size(); }
 
  private:

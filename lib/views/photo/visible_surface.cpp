@@ -101,7 +101,8 @@ VisibleDepths depths_of(const VisibleSurface& seen) {
   return {std::move(depths), seen.box};
 }
 
-/// Resizes the raster to the box. Values are arbitrary; the caller fills them.
+/// Resizes the raster to the box. Values of an empty raster are those of a new pixel, and arbitrary
+/// else.
 template <class Value>
 void resize(Raster<Value>& raster, const PixelBox& box) {
   raster.width = box.columns();
@@ -146,13 +147,17 @@ const VisibleSurface& SeenViews::surface(std::size_t view, VisibleSurface& room)
 
 void SeenViews::see(std::size_t view, VisibleSurface& seen) const {
   const Camera camera = camera_of(views_[view]);
-  const BandRasterizer bands(mesh_, camera, rows_per_band, Sides::outside);
+  // Packed views are large and few at a time, so that their bands are drawn in parallel.
+  const int rows = views_[view].image.is_packed() ? rows_per_band : std::max(camera.height, 1);
+  const BandRasterizer bands(mesh_, camera, rows, Sides::outside);
   const PixelBox& box = seen.box = bands.box();
+  seen.faces.pixels.clear();
   resize(seen.faces, box);
   resize(seen.depth, box);
   resize(seen.inverse_facing, box);
-  draw_rows(bands, camera.width, [&](int y, const FacePixel* row) {
-    std::copy_n(row, box.columns(), seen.faces.row(y - box.first_row));
+  parallel_for(bands.bands(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t band = first; band < last; ++band)
+      bands.draw(band, box, seen.faces.pixels.data());
   });
   const PackableImage& image = views_[view].image;
   if (image.is_packed())

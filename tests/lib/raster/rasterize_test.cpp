@@ -166,6 +166,27 @@ TEST_CASE("the buffer is the same for any number of threads") {
   CHECK(is_same);
 }
 
+TEST_CASE("the part of a picture in its box, drawn at once or by bands, equals the whole buffer") {
+  // The ball extends below the picture.
+  const Mesh ball = moved(icosphere(4), {0.3, 1.1, 3});
+  const Camera camera = camera_at_origin(90, 61, 70);
+  const FaceBuffer whole = rasterize(ball, camera, Sides::outside);
+  for (const int rows : {16, 61}) {
+    const BandRasterizer bands(ball, camera, rows, Sides::outside);
+    const PixelBox& box = bands.box();
+    CHECK(box.columns() < 90);
+    FaceBuffer part(box.columns(), box.rows());
+    for (std::size_t band = 0; band < bands.bands(); ++band)
+      bands.draw(band, box, part.pixels.data());
+    CHECK(count_covered(part) == count_covered(whole));
+    int different = 0;
+    for (int y = box.first_row; y < box.end_row; ++y)
+      for (int x = box.first_column; x < box.end_column; ++x)
+        different += part.at(x - box.first_column, y - box.first_row).face != whole.at(x, y).face;
+    CHECK(different == 0);
+  }
+}
+
 TEST_CASE("bands of any height are the rows of the whole buffer") {
   const Mesh ball = moved(icosphere(4), {0.3, 0.1, 2});
   const Camera camera = camera_at_origin(90, 61, 70);
