@@ -96,7 +96,8 @@ std::vector<double> parse_numbers(const std::string& text, std::ptrdiff_t count)
   std::istringstream words(text + ',');
   for (std::string word; std::getline(words, word, ',');) numbers.push_back(parse_finite(word));
   if (std::ssize(numbers) == count) return numbers;
-  throw UsageError(quoted(text) + " is not " + std::to_string(count) + " numbers separated by commas");
+  throw UsageError(quoted(text) + " is not " + std::to_string(count) +
+                   " numbers separated by commas");
 }
 
 [[noreturn]] void throw_unknown(const std::string& token, const std::deque<Option>& options) {
