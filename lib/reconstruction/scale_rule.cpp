@@ -21,12 +21,6 @@ double real(std::size_t count) { return static_cast<double>(count); }
 
 }  // namespace
 
-void ScaleRule::begin() {
-  const Topology topology = before_.topology;
-  *this = ScaleRule(sweeps_);
-  before_.topology = topology;
-}
-
 bool is_late_scale(double scale) { return scale < late_scale; }
 
 SweepVerdict ScaleRule::add(const Sweep& sweep) {
@@ -39,12 +33,10 @@ SweepVerdict ScaleRule::add(const Sweep& sweep) {
   SweepVerdict verdict;
   verdict.is_lost = last.coverage < least_coverage_kept * coverage_ ||
                     real(last.pixels) < least_pixels_kept * real(pixels_);
-  const bool has_stalled = sweep.steps.has_stalled && sweep.mesh.topology == before_.topology;
-  const bool is_slow = last.mean_share < share_at_rest || has_stalled ||
+  const bool is_slow = last.mean_share < share_at_rest ||
                        (!is_first && last.dissimilarity > improvement * before_.dissimilarity);
-  const std::size_t outside_before = is_first ? sweep.steps.first.outside : before_.outside;
   const bool enters = real(last.outside) > outside_share * real(sweep.mesh.vertices) &&
-                      real(last.outside) < entering_share * real(outside_before);
+                      (is_first || real(last.outside) < entering_share * real(before_.outside));
   const bool is_other = !is_first && sweep.mesh.topology != before_.topology;
   const bool changes = enters || is_other;
   verdict.is_at_rest = !verdict.is_lost && is_slow && !changes;

@@ -36,9 +36,8 @@ struct SweepVerdict {
 };
 
 /// Finishes a scale if vertices move by less than 1.5 % of an edge. Also finishes it if the
-/// dissimilarity falls by less than a hundredth from one sweep to the next, or if a sweep has
-/// stalled whose topology equals that of the sweep before. Otherwise finishes it after `sweeps`
-/// sweeps. While vertices enter silhouettes from outside or the topology changes,
+/// dissimilarity falls by less than a hundredth from one sweep to the next. Otherwise finishes it
+/// after `sweeps` sweeps. While vertices enter silhouettes from outside or the topology changes,
 /// only finishes it after twice as many.
 class ScaleRule {
  public:
@@ -46,7 +45,7 @@ class ScaleRule {
 
   SweepVerdict add(const Sweep& sweep);
   /// Prepares the rule for a new scale.
-  void begin();
+  void begin() { *this = ScaleRule(sweeps_); }
   /// Returns the dissimilarity after the last sweep, rounded to six digits as in the record.
   double dissimilarity() const { return before_.dissimilarity; }
 

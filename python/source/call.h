@@ -1,6 +1,5 @@
 /// One call of a function from Python. transformesh/_functions.py has the signatures, defaults and
-/// documentation of all functions; each passes its arguments by name to the function of the same
-/// name here.
+/// documentation of all functions. Each passes its arguments by name to its namesake here.
 #pragma once
 
 #include <pybind11/pybind11.h>

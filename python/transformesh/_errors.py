@@ -8,7 +8,7 @@ from typing import Any
 class Error(Exception):
     """Any refusal."""
 
-    kind: str = "other"  # such as "not_oriented"
+    kind: str = "other"  # name of the kind, for example "not_oriented"
     data: dict[str, Any] = {}  # facts of the message: faces, edge, position, counts, lengths, name
 
 

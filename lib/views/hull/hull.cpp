@@ -63,7 +63,7 @@ Vec3 corner_of(const Box& box, int corner) {
 /// grid in the box. Half the diagonal of the image of a block is below 10 cells, and values are
 /// clamped at 4 cells.
 double limit_px(const PinholeCamera& camera, const Box& box, double spacing) {
-  constexpr double most_cells = 10;
+  constexpr double most_cells = 10;  // see above
   const Projection projection = camera.projection();
   double nearest = std::numeric_limits<double>::infinity();
   for (int corner = 0; corner < 8; ++corner)

@@ -24,9 +24,9 @@ bool is_lost(const PhotoStepResult& before, const PhotoStepResult& after) {
 }
 
 /// True if the mean of the last two values differs from the mean of the two before by at most this
-/// fraction. Two steps use both orders of pairs. A rise is no rest: the surface then still moves.
+/// fraction. Two steps use both orders of pairs. A larger increase does not count as stalled.
 bool has_stalled(std::span<const double> losses, double least_change) {
-  constexpr std::size_t compared = 4;
+  constexpr std::size_t compared = 4;  // two steps, and the two before
   if (least_change == 0 || losses.size() < compared) return false;
   const std::span<const double> last = losses.last(compared);
   const double before = last[0] + last[1];

@@ -35,27 +35,6 @@ TEST_CASE("a scale ends if vertices hardly move, or photographs hardly agree bet
   CHECK(verdict.is_at_rest);
 }
 
-TEST_CASE("a scale ends after a sweep that stalls, unless the topology changed or vertices enter") {
-  Sweep stalled = moving(0.5);
-  stalled.steps.has_stalled = true;
-  const auto ends = [&](const Sweep& before, const Sweep& sweep) {
-    ScaleRule rule;
-    rule.add(before);
-    rule.begin();
-    return rule.add(sweep).is_at_rest;
-  };
-  CHECK(ends(moving(0.6), stalled));
-  CHECK_FALSE(ends(moving(0.6), moving(0.5)));
-  CHECK_FALSE(ends(with_topology(moving(0.6), {2, 0}), stalled));
-  // The topology before the first sweep of all is not known.
-  CHECK_FALSE(ScaleRule().add(stalled).is_at_rest);
-  Sweep entering = with_outside(stalled, 89);
-  entering.steps.first.outside = 100;
-  CHECK_FALSE(ends(moving(0.6), entering));
-  entering.steps.last.outside = 91;
-  CHECK(ends(moving(0.6), entering));
-}
-
 TEST_CASE("a scale ends at its limit of sweeps, and does not count as at rest") {
   ScaleRule rule(2);
   CHECK_FALSE(rule.add(moving(0.5)).is_done);
