@@ -47,7 +47,7 @@ struct PhotoStepResult {
   std::size_t pixels = 0;                ///< compared pixels, summed over all pairs
   double coverage = 0;                   ///< `pixels` over the pixels that show the surface; [0, 1]
   std::size_t unseen = 0, outside = 0;   ///< vertices: in no pair; outside of a silhouette
-  double mean_share = 0, mean_loss = 0;  ///< mean movement in local mean edges; mean loss before
+  double mean_share = 0;                 ///< mean movement as a fraction of the local mean edge
   DisplaceResult displaced;
 };
 

@@ -6,9 +6,12 @@
 #include "support/number.h"
 
 namespace transformesh {
+namespace {
 
 /// PairOptions::spread above scale 1.
 constexpr double near_spread = 1.5;
+
+}  // namespace
 
 Photographs::Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
                          const InitialState& initial_state)
@@ -17,14 +20,13 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
       spends_views_(options.spends_views),
       pairs_(options.pairs),
       near_pairs_(options.pairs),
-      steps_{.step = options.step,
-             .momentum = options.momentum,
-             .least_change = options.iterations ? 0 : change_at_rest},
+      steps_{.step = options.step},
       pull_(options.pull),
       are_outlines_(initial_state.outlined.has_value()),
       windows_(options.windows) {
   near_pairs_.spread = near_spread;
   steps_.iterations = options.iterations.value_or(initial_state.coarsest ? 8 : 5);
+  steps_.momentum = options.momentum;
   steps_.step.meaning = are_outlines_ ? SilhouetteMeaning::least : options.initial.meaning;
 }
 

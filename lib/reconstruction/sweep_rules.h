@@ -10,13 +10,6 @@
 
 namespace transformesh {
 
-/// PhotoStepsOptions::least_change of a sweep. It is a hundredth in 8 steps, which is the limit of
-/// ScaleRule from one sweep to the next. On the dino the loss changed by 0.1 % after the fourth
-/// step of a sweep at scales below 2. Half and twice the value were not measured. Without the
-/// limit, its 11 sweeps took 8 steps each; dissimilarity and outline were .4126 and .9879, now
-/// .4127 and .9877.
-inline constexpr double change_at_rest = 0.0025;
-
 /// True if the views are far apart: the angle between a view and the nearest of its pairs is above
 /// 40 degrees on average. Pairs of the same first view must be adjacent.
 bool is_wide(std::span<const ViewPair> pairs);

@@ -25,10 +25,6 @@ void declare(tool::Program& program, Options& options) {
       .text("images", &options.sources.images, "WHERE",
             "file, folder or pattern of the photographs")
       .is_needed = true;
-  program.options
-      .text("images", &options.sources.images, "WHERE",
-            "file, folder or pattern of the photographs")
-      .is_needed = true;
   program.options.box("box", &options.box, "X,Y,Z,X,Y,Z",
                       "two corners of the box to search (default: around the sparse points, or "
                       "around the point at which the cameras look)");

@@ -15,7 +15,8 @@ struct Choices {
 void sample(Document& document, const Choices& choices, tool::Run& run) {
   SampleOptions options = choices.sample;
   if ((options.count > 0) == choices.distance.has_value())
-    throw UsageError("give either --count or --distance: how many points, or how far apart");
+    throw UsageError(
+        "give either --count, the number of points, or --distance, their least distance");
   if (choices.distance) {
     options.distance = run.length(*choices.distance);
     if (!(options.distance > 0)) throw UsageError("--distance must be more than 0");
@@ -34,7 +35,7 @@ void sample(Document& document, const Choices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-sample", "[OPTION]... --count N|--distance LENGTH [INPUT]",
-                        "Takes points with normals from a surface"};
+                        "Samples points with normals on a surface"};
   program.options.integer("count", &choices.sample.count, 0, 100000000,
                           "number of points, uniform by area");
   program.options.length(

@@ -39,9 +39,9 @@ std::string part_name(const Choices& c, std::size_t number, std::size_t count,
 void write_parts(const Document& document, const Choices& c, tool::Run& run) {
   const std::size_t count = connected_components(document.mesh).components.size();
   if (count > most_files)
-    throw GoalError("--split would write " + counted(count, "file") + ", and " +
-                    std::to_string(most_files) +
-                    " are the most: join a soup by tm-stitch, or state how many with --largest");
+    throw GoalError(
+        "--split would write " + counted(count, "file") + ", and " + std::to_string(most_files) +
+        " are the most: join a soup with tm-stitch, or keep fewer components with --largest");
   std::vector<Mesh> parts = split_components(document.mesh, c.all.by);
   for (std::size_t i = 0; i < count; ++i)
     run.out().write_mesh_file(

@@ -156,7 +156,6 @@ PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepO
 
   result.energy = measured.energy;
   result.dissimilarity = measured.weight > 0 ? measured.energy / measured.weight : 0;
-  result.mean_loss = measured.weight > 0 ? measured.loss / measured.weight : 0;
   result.pixels = measured.pixels;
   result.coverage = static_cast<double>(measured.pixels) / static_cast<double>(measured.visible);
   result.unseen =

@@ -1,10 +1,7 @@
 #include "views/photo/photo_steps.h"
 
 #include <array>
-#include <cmath>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "transformesh/displace.h"
 #include "transformesh/errors.h"
@@ -21,16 +18,6 @@ constexpr double least_pixels_kept = 0.5;
 bool is_lost(const PhotoStepResult& before, const PhotoStepResult& after) {
   return after.coverage < least_share_kept * before.coverage ||
          static_cast<double>(after.pixels) < least_pixels_kept * static_cast<double>(before.pixels);
-}
-
-/// True if the mean of the last two values differs from the mean of the two before by at most this
-/// fraction. Two steps use both orders of pairs. A larger increase does not count as stalled.
-bool has_stalled(std::span<const double> losses, double least_change) {
-  constexpr std::size_t compared = 4;  // two steps, and the two before
-  if (least_change == 0 || losses.size() < compared) return false;
-  const std::span<const double> last = losses.last(compared);
-  const double before = last[0] + last[1];
-  return std::abs(last[2] + last[3] - before) <= least_change * before;
 }
 
 /// Adds a fraction of the previous movement to each step (heavy-ball method).
@@ -73,15 +60,12 @@ PhotoStepsResult photo_steps(Mesh& mesh, const PhotoScene& scene, const PhotoSte
   Momentum momentum(options.momentum, step.alpha);
   PhotoStepsResult result;
   std::array<PhotoStepResult, 2> first_of_order;
-  std::vector<double> losses;
-  for (int i = 0; i < options.iterations && !result.has_stalled; ++i) {
+  for (int i = 0; i < options.iterations; ++i) {
     const int order = options.alternate ? i % 2 : 0;
     if (options.alternate) step.order = order == 0 ? PairOrder::rising : PairOrder::falling;
     momentum.begin(mesh);
     result.last = photo_step(mesh, scene, step, progress);
-    losses.push_back(result.last.mean_loss);
-    result.has_stalled = has_stalled(losses, options.least_change);
-    if (i + 1 < options.iterations && !result.has_stalled) momentum.add(mesh);
+    if (i + 1 < options.iterations) momentum.add(mesh);
     if (i == 0) result.first = result.last;
     PhotoStepResult& before = first_of_order[static_cast<std::size_t>(order)];
     if (i == order) before = result.last;

@@ -20,9 +20,6 @@ struct PhotoStepsOptions {
   /// Halves the work per step; results are as good after a few steps.
   bool alternate = false;
   double momentum = 0;  ///< fraction of the previous movement that is repeated; [0, 1)
-  /// Steps end if the mean loss of two steps differs from that of the two steps before by at most
-  /// this fraction; 0: never. [0, 1)
-  double least_change = 0;
 };
 
 struct PhotoStepsResult {
@@ -33,7 +30,6 @@ struct PhotoStepsResult {
   /// of pairs. Coverage is lost if the compared fraction of the visible pixels falls by a tenth, or
   /// if their number falls by half. The fraction does not depend on the size of the surface.
   bool lost_coverage = false;
-  bool has_stalled = false;  ///< the steps ended because of `least_change`
 };
 
 /// Throws as photo_step() does. Throws UsageError if the number of iterations or the momentum is

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <utility>
 
 #include "helpers/ball_photographs.h"
 #include "helpers/intensities.h"
@@ -59,26 +58,6 @@ TEST_CASE("with momentum small steps get there in fewer, and a single one is as 
   CHECK(error_after(30, 0.7) < 0.3 * scene.pixel);
   CHECK_THROWS_AS(error_after(2, 1), UsageError);
   CHECK_THROWS_AS(error_after(2, -0.1), UsageError);
-}
-
-TEST_CASE("steps end when the loss of both orders hardly changes, and not before") {
-  const PhotoScene scene = photo_scene(ring(), 2);
-  const auto after = [&](int iterations, double least_change) {
-    Mesh mesh = ball(1.05);
-    const PhotoStepsResult result =
-        photo_steps(mesh, scene, {{}, iterations, true, 0, least_change});
-    return std::pair{mesh, result.has_stalled};
-  };
-  const auto [mesh, has_stalled] = after(60, 0.0025);
-  CHECK(has_stalled);
-  CHECK(error(mesh, 1) < 0.3 * scene.pixel);
-  // The steps until the end are those without a limit; steps that still move are not cut off.
-  int steps = 4;
-  while (after(steps, 0).first.positions != mesh.positions && steps < 60) ++steps;
-  CHECK(steps > 4);
-  CHECK(steps < 30);
-  CHECK_FALSE(after(4, 0.0025).second);
-  CHECK_FALSE(after(60, 0).second);
 }
 
 TEST_CASE("a robust loss weakens objects in front of the surface") {
