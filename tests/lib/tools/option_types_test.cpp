@@ -118,7 +118,7 @@ TEST_CASE("words, points and boxes set the values that they stand for") {
   CHECK(sample.text("box") == "0,1,2,3,4.5,6");
   CHECK(refusal({"--show", "exakt"}) ==
         "--show: 'exakt' is not known; did you mean 'exact'? (least, exact)");
-  CHECK(refusal({"--box", "1,2,3"}) == "--box: '1,2,3' is not 6 numbers with commas");
+  CHECK(refusal({"--box", "1,2,3"}) == "--box: '1,2,3' is not 6 numbers separated by commas");
 }
 
 TEST_CASE("an unknown option names the nearest") {
