@@ -68,7 +68,7 @@ Opening open_at(double size_px, std::span<const View> views, const OpenedHullOpt
 
 /// Returns the agreement of the mesh with the silhouettes, averaged over the views.
 double mean_agreement(const Mesh& mesh, std::span<const View> views) {
-  const std::vector<double> agreements = silhouette_agreements(mesh, views, Sides::outside);
+  const std::vector<double> agreements = silhouette_agreements(mesh, views);
   return std::accumulate(agreements.begin(), agreements.end(), 0.0) /
          static_cast<double>(agreements.size());
 }

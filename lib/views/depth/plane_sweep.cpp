@@ -158,19 +158,18 @@ bool Sweep::mark_inside(double depth) {
   const auto margin = static_cast<float>(hull_.spacing);
   const Vec3 along = (view_.camera.ray(1, 0) - view_.camera.ray(0, 0)) * depth;
   const Eigen::Vector3f step = along.cast<float>() * inverse;
-  const Eigen::Array3f ends(static_cast<float>(hull_.nodes[0]), static_cast<float>(hull_.nodes[1]),
-                            static_cast<float>(hull_.nodes[2]));
   for (int y = 0; y < rows_; ++y) {
     const Vec3 start = view_.camera.center() + depth * view_.camera.ray(left_, top_ + y);
     const Eigen::Vector3f from = ((start - hull_.origin).cast<float>() * inverse).array() + 0.5F;
     for (int x = 0; x < columns_; ++x) {
       const Eigen::Vector3f site = from + static_cast<float>(x) * step;
       if (!(site.minCoeff() >= 0)) continue;
-      if (!(site.array() < ends).all()) continue;
-      const auto node = [&](int axis) {
-        return static_cast<std::size_t>(static_cast<int>(site[axis]));
-      };
-      if (!(hull_.values[hull_.index(node(0), node(1), node(2))] < margin)) continue;
+      const std::array<std::size_t, 3> node{static_cast<std::size_t>(site.x()),
+                                            static_cast<std::size_t>(site.y()),
+                                            static_cast<std::size_t>(site.z())};
+      if (node[0] >= hull_.nodes[0] || node[1] >= hull_.nodes[1] || node[2] >= hull_.nodes[2])
+        continue;
+      if (!(hull_.values[hull_.index(node[0], node[1], node[2])] < margin)) continue;
       is_inside_[index(x, y)] = 1;
       first_row_ = std::min(first_row_, y);
       end_row_ = y + 1;
@@ -192,9 +191,8 @@ void Sweep::fill(const Neighbor& neighbor, double depth, int y, const ComparedRo
     if (is_inside_[index(x, y)] == 0) continue;
     const int i = x - first_column_;
     const Vec3 q = start + x * step;
-    const double inverse = 1 / q.z();
-    const double to_x = q.x() * inverse;
-    const double to_y = q.y() * inverse;
+    const double to_x = q.x() / q.z();
+    const double to_y = q.y() / q.z();
     if (!(q.z() > 0 && to_x >= first && to_y >= first && to_x < end_x && to_y < end_y)) continue;
     const int column = static_cast<int>(to_x);
     const int line = static_cast<int>(to_y);

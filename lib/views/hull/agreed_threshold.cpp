@@ -69,7 +69,7 @@ std::optional<double> hull_agreement(const std::vector<View>& views) {
   } catch (const InputError&) {
     return std::nullopt;
   }
-  const std::vector<double> agreements = silhouette_agreements(hull, views, Sides::outside);
+  const std::vector<double> agreements = silhouette_agreements(hull, views);
   return std::accumulate(agreements.begin(), agreements.end(), 0.0) /
          static_cast<double>(agreements.size());
 }

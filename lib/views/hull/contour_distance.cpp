@@ -17,18 +17,14 @@ using Point = Eigen::Vector2f;
 bool is_inside(float intensity) { return intensity > contour_intensity; }
 
 struct Segment {
-  Point start, along;
-  float inverse;  ///< 1 / squared length; 0 if the length is 0
-
-  Segment(const Point& from, const Point& to) : start(from), along(to - from) {
-    const float squared_length = along.squaredNorm();
-    inverse = squared_length > 0 ? 1 / squared_length : 0.0F;
-  }
+  Point start, end;
 
   float squared_distance(const Point& point) const {
-    const Point way = point - start;
-    const float share = std::clamp(way.dot(along) * inverse, 0.0F, 1.0F);
-    return (share * along - way).squaredNorm();
+    const Point along = end - start;
+    const float squared_length = along.squaredNorm();
+    float share = squared_length > 0 ? (point - start).dot(along) / squared_length : 0.0F;
+    share = std::clamp(share, 0.0F, 1.0F);
+    return (start + share * along - point).squaredNorm();
   }
 };
 
@@ -53,11 +49,6 @@ class ContourDistance {
  private:
   /// Adds the segments of the contour in the square of four pixel centers, by marching squares.
   void trace_cell(int x, int y) {
-    const bool is_first_inside = is_inside(silhouette_.at(x, y));
-    if (is_inside(silhouette_.at(x + 1, y)) == is_first_inside &&
-        is_inside(silhouette_.at(x + 1, y + 1)) == is_first_inside &&
-        is_inside(silhouette_.at(x, y + 1)) == is_first_inside)
-      return;
     static constexpr std::array<std::array<int, 2>, 4> corners = {
         {{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
     std::array<Point, 4> crossings;
@@ -93,21 +84,20 @@ class ContourDistance {
     nearest_.at(x, y) = segment;
   }
 
-  /// Offers the nearest segments of the neighbors in row `from`, which may be outside of the image,
-  /// and then those of the neighbors in the same row. Most pixels have the segment of their
-  /// neighbors already.
-  void sweep_row(int y, int from) {
-    const int last = silhouette_.width - 1;
-    const std::int32_t* const own = nearest_.row(y);
-    const bool is_first = from < 0 || from >= silhouette_.height;
-    const std::int32_t* const before = is_first ? own : nearest_.row(from);
-    for (int x = 0; x <= last; ++x) {
-      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, last); ++i)
-        if (!is_first && before[i] != own[x]) offer(before[i], x, y);
-      if (x > 0 && own[x - 1] != own[x]) offer(own[x - 1], x, y);
+  void offer_from(int from_x, int from_y, int x, int y) {
+    if (from_x < 0 || from_x >= silhouette_.width || from_y < 0 || from_y >= silhouette_.height)
+      return;
+    const std::int32_t segment = nearest_.at(from_x, from_y);
+    if (segment != nearest_.at(x, y)) offer(segment, x, y);
+  }
+
+  void sweep_row(int y, int from_y) {
+    const int width = silhouette_.width;
+    for (int x = 0; x < width; ++x) {
+      for (int dx = -1; dx <= 1; ++dx) offer_from(x + dx, from_y, x, y);
+      offer_from(x - 1, y, x, y);
     }
-    for (int x = last - 1; x >= 0; --x)
-      if (own[x + 1] != own[x]) offer(own[x + 1], x, y);
+    for (int x = width - 1; x >= 0; --x) offer_from(x + 1, y, x, y);
   }
 
   void sweep_down() {

@@ -52,38 +52,17 @@ struct Carver {
   }
 };
 
-Vec3 corner_of(const Box& box, int corner) {
-  Vec3 point;
-  for (int axis = 0; axis < 3; ++axis)
-    point[axis] = (corner >> axis & 1) != 0 ? box.max()[axis] : box.min()[axis];
-  return point;
-}
-
-/// Returns the distance in pixels beyond which contours do not matter to blocks and values of a
-/// grid in the box. Half the diagonal of the image of a block is below 10 cells, and values are
-/// clamped at 4 cells.
-double limit_px(const PinholeCamera& camera, const Box& box, double spacing) {
-  constexpr double most_cells = 10;  // see above
-  const Projection projection = camera.projection();
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int corner = 0; corner < 8; ++corner)
-    nearest = std::min(
-        nearest, (projection.leftCols<3>() * corner_of(box, corner)).z() + projection.col(3).z());
-  if (!(nearest > 0)) return std::numeric_limits<double>::infinity();
-  return most_cells * spacing * camera.focal_length() / nearest + 2 * distance_slack_px;
-}
-
-std::vector<Carver> make_carvers(std::span<const View> views, const Box& box, double spacing) {
+std::vector<Carver> make_carvers(std::span<const View> views) {
   std::vector<const View*> usable;
   for (const View& view : views)
     if (!view.silhouette.empty()) usable.push_back(&view);
+  if (usable.empty()) throw InputError("no view has a silhouette");
   std::vector<Carver> carvers(usable.size());
   parallel_for(usable.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const PinholeCamera& camera = usable[i]->camera;
       carvers[i] = {camera.projection(), camera.focal_length(),
-                    signed_distance(usable[i]->silhouette,
-                                    static_cast<float>(limit_px(camera, box, spacing)))};
+                    signed_distance(usable[i]->silhouette)};
       if (usable[i]->silhouette.is_packed())
         carvers[i].distances.pack(PackableImage::Kind::distances);
     }
@@ -111,7 +90,10 @@ struct Footprint {
 
   Footprint(const Projection& projection, const Box& box) {
     for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 q = projection.leftCols<3>() * corner_of(box, corner) + projection.col(3);
+      Vec3 point;
+      for (int axis = 0; axis < 3; ++axis)
+        point[axis] = (corner >> axis & 1) != 0 ? box.max()[axis] : box.min()[axis];
+      const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
       is_before_camera = is_before_camera && q.z() > 0;
       low = low.cwiseMin(q.hnormalized());
       high = high.cwiseMax(q.hnormalized());
@@ -245,11 +227,9 @@ Measured measured(std::span<const View> views, const HullOptions& options,
                   const Progress& progress) {
   check(options);
   progress("contours");
-  if (std::all_of(views.begin(), views.end(), [](const View& v) { return v.silhouette.empty(); }))
-    throw InputError("no view has a silhouette");
+  const std::vector<Carver> carvers = make_carvers(views);
   const Box box = options.box ? *options.box : silhouette_box(views);
   Measured measured{make_grid(box, options), box};
-  const std::vector<Carver> carvers = make_carvers(views, box, measured.grid.spacing);
   Sampler(carvers, measured.grid).run(progress);
   return measured;
 }

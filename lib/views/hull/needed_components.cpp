@@ -47,7 +47,7 @@ class CoveredPixels {
     std::vector<std::size_t> shown(cameras_.size(), 0), fresh(cameras_.size(), 0);
     parallel_for(cameras_.size(), 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        const FaceBuffer faces = rasterize(mesh, cameras_[i], Sides::outside);
+        const FaceBuffer faces = rasterize(mesh, cameras_[i]);
         for (std::size_t pixel = 0; pixel < faces.pixels.size(); ++pixel) {
           if (faces.pixels[pixel].face == no_index) continue;
           ++shown[i];

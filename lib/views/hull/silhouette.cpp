@@ -145,24 +145,23 @@ double silhouette_agreement(const GrayImage& first, const GrayImage& second) {
   return any == 0 ? 1.0 : static_cast<double>(both) / static_cast<double>(any);
 }
 
-GrayImage mesh_silhouette(const Mesh& mesh, const Camera& camera, Sides sides) {
-  const FaceBuffer faces = rasterize(mesh, camera, sides);
+GrayImage mesh_silhouette(const Mesh& mesh, const Camera& camera) {
+  const FaceBuffer faces = rasterize(mesh, camera);
   GrayImage silhouette(camera.width, camera.height);
   for (std::size_t i = 0; i < faces.pixels.size(); ++i)
     silhouette.pixels[i] = faces.pixels[i].face == no_index ? 0.0F : 255.0F;
   return silhouette;
 }
 
-GrayImage mesh_silhouette(const Mesh& mesh, const View& view, Sides sides) {
+GrayImage mesh_silhouette(const Mesh& mesh, const View& view) {
   const PackableImage& image = view.image.empty() ? view.silhouette : view.image;
-  return mesh_silhouette(mesh, {view.camera.projection(), image.width, image.height}, sides);
+  return mesh_silhouette(mesh, {view.camera.projection(), image.width, image.height});
 }
 
-std::vector<double> silhouette_agreements(const Mesh& mesh, std::span<const View> views,
-                                          Sides sides) {
+std::vector<double> silhouette_agreements(const Mesh& mesh, std::span<const View> views) {
   std::vector<double> agreements;
   for (const View& view : views)
-    agreements.push_back(silhouette_agreement(mesh_silhouette(mesh, view, sides), view.silhouette));
+    agreements.push_back(silhouette_agreement(mesh_silhouette(mesh, view), view.silhouette));
   return agreements;
 }
 

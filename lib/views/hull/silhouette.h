@@ -34,16 +34,14 @@ double inside_share(const GrayImage& silhouette);
 double silhouette_agreement(const GrayImage& first, const GrayImage& second);
 
 /// Returns an image with 255 at pixels whose center shows the mesh, else 0. Costs as rasterize().
-/// For closed meshes, `sides` may be Sides::outside, in half of the time.
-GrayImage mesh_silhouette(const Mesh& mesh, const Camera& camera, Sides sides = Sides::both);
+GrayImage mesh_silhouette(const Mesh& mesh, const Camera& camera);
 
 /// Renders the mesh at the size of the view's photograph, or of its silhouette if it has no
 /// photograph.
-GrayImage mesh_silhouette(const Mesh& mesh, const View& view, Sides sides = Sides::both);
+GrayImage mesh_silhouette(const Mesh& mesh, const View& view);
 
 /// Returns for each view the silhouette_agreement() of its silhouette and the silhouette of the
 /// mesh.
-std::vector<double> silhouette_agreements(const Mesh& mesh, std::span<const View> views,
-                                          Sides sides = Sides::both);
+std::vector<double> silhouette_agreements(const Mesh& mesh, std::span<const View> views);
 
 }  // namespace transformesh

@@ -90,7 +90,7 @@ struct Agreement {
 Agreement agreement_of(const std::vector<View>& views, const Fineness& fineness) {
   try {
     const Mesh hull = visual_hull(views, {.resolution = fineness.cells, .keep = 0}).mesh;
-    return {silhouette_agreements(hull, views, Sides::outside), true};
+    return {silhouette_agreements(hull, views), true};
   } catch (const InputError&) {
     return {std::vector<double>(views.size(), 0), false};
   }
