@@ -52,6 +52,16 @@ struct atomic_ref {
   T load(memory_order = memory_order_seq_cst) const {
     return __atomic_load_n(number_, __ATOMIC_SEQ_CST);
   }
+  T fetch_and(T value, memory_order = memory_order_seq_cst) const {
+    return __atomic_fetch_and(number_, value, __ATOMIC_SEQ_CST);
+  }
+  bool compare_exchange_strong(T& expected, T desired, memory_order = memory_order_seq_cst) const {
+    return __atomic_compare_exchange_n(number_, &expected, desired, false, __ATOMIC_SEQ_CST,
+                                       __ATOMIC_SEQ_CST);
+  }
+  bool compare_exchange_weak(T& expected, T desired, memory_order = memory_order_seq_cst) const {
+    return compare_exchange_strong(expected, desired);
+  }
 
  private:
   T* number_;

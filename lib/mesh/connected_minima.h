@@ -17,8 +17,6 @@
 
 namespace transformesh {
 
-constexpr std::size_t elements_per_task = 8192;  ///< affects time only
-
 /// Union-find without locks. Parents are smaller than their children, so there are no cycles.
 class SharedSets {
  public:
@@ -61,26 +59,21 @@ class SharedSets {
 /// Close to O(n).
 template <class Neighbors>
 RawVector<Index> connected_minima(std::size_t size, const Neighbors& neighbors) {
-  const auto for_each = [&](const auto& body) {
-    parallel_for(size, elements_per_task, [&](std::size_t first, std::size_t last) {
-      for (auto i = static_cast<Index>(first); i < last; ++i) body(i);
-    });
-  };
   const auto least_neighbor = [&](Index i) {
     Index least = i;
     neighbors(i, [&](Index neighbor) { least = neighbor < least ? neighbor : least; });
     return least;
   };
   SharedSets sets(size);
-  for_each([&](Index i) { sets.set_parent(i, least_neighbor(i)); });
-  for_each([&](Index i) {
+  parallel_for_each(size, [&](Index i) { sets.set_parent(i, least_neighbor(i)); });
+  parallel_for_each(size, [&](Index i) {
     const Index least = least_neighbor(i);
     neighbors(i, [&](Index neighbor) {
       if (neighbor < i && neighbor != least) sets.join(i, neighbor);
     });
   });
   RawVector<Index> minima(size);
-  for_each([&](Index i) { minima[i] = sets.find(i); });
+  parallel_for_each(size, [&](Index i) { minima[i] = sets.find(i); });
   return minima;
 }
 
@@ -99,10 +92,8 @@ RawVector<Index> number_components(RawVector<Index>& minima, const IsIncluded& i
     smallest[number] = static_cast<Index>(i);
     number_of[i] = static_cast<Index>(number);
   });
-  parallel_for(minima.size(), elements_per_task, [&](std::size_t first, std::size_t last) {
-    for (auto i = static_cast<Index>(first); i < last; ++i)
-      minima[i] = is_included(i) ? number_of[minima[i]] : no_index;
-  });
+  parallel_for_each(minima.size(),
+                    [&](Index i) { minima[i] = is_included(i) ? number_of[minima[i]] : no_index; });
   return smallest;
 }
 

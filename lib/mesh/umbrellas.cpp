@@ -9,8 +9,6 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t umbrellas_per_task = 8192;  ///< affects time only
-
 /// Calls visit(corner) for the corners at the same vertex in the faces across both edges of a
 /// corner. If two halfedges of an edge start at the same vertex, their sources are neighbors, and
 /// so are their targets. Otherwise each source is the neighbor of the other's target.
@@ -37,13 +35,10 @@ Umbrellas find(std::span<const Face> faces, std::span<const Index> across,
     return included.empty() || included[corner / 3] != 0;
   });
   umbrellas.vertex_of.resize(umbrellas.first_corner.size());
-  parallel_for(umbrellas.vertex_of.size(), umbrellas_per_task,
-               [&](std::size_t first, std::size_t last) {
-                 for (std::size_t u = first; u < last; ++u) {
-                   const Index corner = umbrellas.first_corner[u];
-                   umbrellas.vertex_of[u] = faces[corner / 3][corner % 3];
-                 }
-               });
+  parallel_for_each(umbrellas.vertex_of.size(), [&](Index u) {
+    const Index corner = umbrellas.first_corner[u];
+    umbrellas.vertex_of[u] = faces[corner / 3][corner % 3];
+  });
   return umbrellas;
 }
 

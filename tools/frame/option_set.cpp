@@ -61,6 +61,12 @@ Number in_range(Number number, const std::string& text, Number minimum, Number m
                                        : " is too large: at most " + text_of(maximum)));
 }
 
+auto whole_number_reader(long minimum, long maximum) {
+  return [=](const std::string& text) {
+    return in_range(parse_whole<long>(text, "a whole number"), text, minimum, maximum);
+  };
+}
+
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
   std::string joined;
   for (const std::string& word : words) joined += (joined.empty() ? "" : separator) + word;
@@ -136,9 +142,7 @@ Option& OptionSet::number(const std::string& names, double* value, double minimu
 
 Option& OptionSet::integer(const std::string& names, Integer value, long minimum, long maximum,
                            const std::string& help) {
-  const auto read = [=](const std::string& text) {
-    return in_range(parse_whole<long>(text, "a whole number"), text, minimum, maximum);
-  };
+  const auto read = whole_number_reader(minimum, maximum);
   return std::visit(
       [&](auto* variable) -> Option& { return add(options_, names, "N", help, variable, read); },
       value);
@@ -207,7 +211,11 @@ Option& OptionSet::box(const std::string& names, std::optional<Box>* value,
 
 // NOLINTNEXTLINE(readability-non-const-parameter): the option writes to it
 Option& OptionSet::seed(std::uint64_t* value) {
-  return integer("seed", value, 0, std::numeric_limits<long>::max(), "seed of the random numbers");
+  const auto read = whole_number_reader(0, std::numeric_limits<long>::max());
+  return add_option(
+      options_, "seed", "N", "seed of the random numbers",
+      [=](const std::string& text) { *value = static_cast<std::uint64_t>(read(text)); },
+      [=] { return Value(static_cast<long>(*value)); });
 }
 
 Option& OptionSet::reference_edge(std::string* value, const std::string& help) {

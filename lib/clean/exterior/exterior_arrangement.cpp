@@ -12,20 +12,12 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t planes_per_task = 4;     ///< affects time only
-constexpr std::size_t things_per_task = 4096;  ///< affects time only
+constexpr std::size_t planes_per_task = 4;  ///< affects time only
 constexpr int unknown = std::numeric_limits<int>::min();
 
 /// True if exactly one of the two winding numbers is below the level.
 bool parts(int front, int behind, int winding_level) {
   return (front < winding_level) != (behind < winding_level);
-}
-
-template <class Body>
-void for_each_index(std::size_t count, const Body& body) {
-  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) body(i);
-  });
 }
 
 /// Chooses the exterior facets of a plane that is cut in full.
@@ -156,7 +148,7 @@ class ExteriorArranger {
 
 std::vector<char> ExteriorArranger::find_visible_planes() const {
   std::vector<char> is_visible(planes_.size());
-  for_each_index(planes_.size(), [&](std::size_t i) {
+  parallel_for_each(planes_.size(), [&](std::size_t i) {
     const bool is_hidden =
         !options_.arranges_everything && windings_.is_hidden(planes_[i], options_.winding_level);
     is_visible[i] = is_complete(planes_[i].faces[0]) && !is_hidden ? 1 : 0;
@@ -216,7 +208,7 @@ bool ExteriorArranger::arranges_whole(Index face) const {
 }
 
 void ExteriorArranger::describe_whole_pieces(Arrangement& arrangement) const {
-  for_each_index(arrangement.whole_pieces, [&](std::size_t p) {
+  parallel_for_each(arrangement.whole_pieces, [&](std::size_t p) {
     Piece& piece = arrangement.pieces[p];
     const Index face = arrangement.sources_of(piece).front().face;
     piece.is_open = welded_->is_open(face);
@@ -230,7 +222,7 @@ std::vector<char> ExteriorArranger::find_kept(const Arrangement& arrangement) co
                          : parts(piece.front, piece.front + 1, options_.winding_level);
   };
   std::vector<char> kept(arrangement.pieces.size(), 1);
-  for_each_index(kept.size(), [&](std::size_t p) {
+  parallel_for_each(kept.size(), [&](std::size_t p) {
     if (p < arrangement.whole_pieces || arrangement.pieces[p].is_open)
       kept[p] = is_kept(arrangement.pieces[p]) ? 1 : 0;
   });
@@ -248,8 +240,7 @@ ExteriorArrangement ExteriorArranger::arrange(const Progress& progress) {
 
   ExteriorArrangement result;
   std::vector<char> is_left_out(welded_->faces.size());
-  for_each_index(is_left_out.size(), [&](std::size_t i) {
-    const auto f = static_cast<Index>(i);
+  parallel_for_each(is_left_out.size(), [&](Index f) {
     is_left_out[f] = planes_.is_whole(f) && !arranges_whole(f) ? 1 : 0;
   });
   result.whole_faces = planes_.whole_faces();

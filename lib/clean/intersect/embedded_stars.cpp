@@ -9,29 +9,20 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t things_per_task = 8192;  ///< affects time only
-
-template <class Body>
-void for_each_index(std::size_t count, const Body& body) {
-  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) body(i);
-  });
-}
-
 // Returns for each wanted point the axis directions in which all its faces have positive projected
 // area. Returns no direction if an edge of the point does not have exactly two faces with opposite
 // halfedges.
 std::vector<AxisDirections> find_common_directions(const WeldedMesh& welded,
                                                    std::span<const char> is_wanted) {
   std::vector<AxisDirections> common(welded.points.size());
-  for_each_index(common.size(),
-                 [&](std::size_t p) { common[p] = is_wanted[p] ? all_axis_directions : 0; });
+  parallel_for_each(common.size(),
+                    [&](std::size_t p) { common[p] = is_wanted[p] ? all_axis_directions : 0; });
   const auto keep = [&](Index point, AxisDirections directions) {
     const std::atomic_ref at(common[point]);
     const AxisDirections known = at.load(std::memory_order_relaxed);
     if ((known & directions) != known) at.fetch_and(directions, std::memory_order_relaxed);
   };
-  for_each_index(welded.faces.size(), [&](std::size_t f) {
+  parallel_for_each(welded.faces.size(), [&](std::size_t f) {
     const Face& face = welded.faces[f];
     if (!is_wanted[face[0]] && !is_wanted[face[1]] && !is_wanted[face[2]]) return;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -69,14 +60,14 @@ std::vector<char> find_embedded_stars(const WeldedMesh& welded, std::span<const 
     const bool crosses = welded.points[from][up] <= height && height < welded.points[to][up];
     if (crosses) count_turn(turns[point]);
   };
-  for_each_index(welded.faces.size(), [&](std::size_t f) {
+  parallel_for_each(welded.faces.size(), [&](std::size_t f) {
     const auto& [a, b, c] = welded.faces[f];
     if (directions[a] != 0) cross_ray(a, b, c);
     if (directions[b] != 0) cross_ray(b, c, a);
     if (directions[c] != 0) cross_ray(c, a, b);
   });
-  for_each_index(turns.size(),
-                 [&](std::size_t p) { turns[p] = directions[p] != 0 && turns[p] == 1 ? 1 : 0; });
+  parallel_for_each(turns.size(),
+                    [&](std::size_t p) { turns[p] = directions[p] != 0 && turns[p] == 1 ? 1 : 0; });
   return turns;
 }
 

@@ -18,19 +18,10 @@ constexpr std::size_t most_cells_per_face = 16;
 constexpr unsigned most_cells_per_axis = 253;
 constexpr Index several = no_index - 1;  ///< marks a cell with faces of several regions or of none
 
-constexpr std::size_t things_per_task = 8192;  ///< affects time only
-
-template <class Body>
-void for_each_index(std::size_t count, const Body& body) {
-  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
-    for (auto i = static_cast<Index>(first); i < last; ++i) body(i);
-  });
-}
-
 RawVector<Index> first_copies(const WeldedMesh& welded) {
   if (!welded.has_copies) {
     RawVector<Index> all(welded.faces.size());
-    for_each_index(all.size(), [&](Index f) { all[f] = f; });
+    parallel_for_each(all.size(), [&](Index f) { all[f] = f; });
     return all;
   }
   return NumberedSelection(welded.faces.size(),
@@ -84,7 +75,7 @@ class RegionGrid {
   /// Marks the cells that have faces of several regions in the cell itself or in an adjacent cell.
   std::vector<char> find_crowded() const {
     std::vector<char> is_crowded(region_at_.size(), 0);
-    for_each_index(region_at_.size(), [&](Index cell) {
+    parallel_for_each(region_at_.size(), [&](Index cell) {
       const Index region = region_at_[cell];
       if (region == no_index) return;
       bool found = region == several;

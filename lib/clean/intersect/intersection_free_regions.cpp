@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <numeric>
 #include <optional>
-#include <ranges>
+#include <span>
 
 #include "clean/intersect/projected_polygon.h"
 #include "support/numbered_selection.h"
@@ -54,13 +55,12 @@ class RegionFinder {
         directions_(welded.directions),
         region_of_(shared.of_face),
         shared_(shared),
-        reached_by_(welded.points.size(), no_index),
+        reached_in_(welded.points.size(), 0),
         outline_(welded.points) {}
 
   /// Finds regions of at least `least_faces` faces among the faces from `first` to before `last`
   /// that have no region. They start from the given faces.
-  template <class Seeds>
-  void find(const Seeds& seeds, Index first, Index last, std::size_t least_faces) {
+  void find(std::span<const Index> seeds, Index first, Index last, std::size_t least_faces) {
     first_ = first;
     last_ = last;
     least_faces_ = least_faces;
@@ -78,7 +78,7 @@ class RegionFinder {
 
   void take(Index face) {
     region_of_[face] = region_;
-    for (const Index corner : welded_.faces[face]) reached_by_[corner] = region_;
+    for (const Index corner : welded_.faces[face]) reached_in_[corner] = growth_;
     faces_.push_back(face);
   }
 
@@ -90,12 +90,11 @@ class RegionFinder {
     if ((directions_[face].leans & direction_) == 0) return;
     const Index next = next_halfedge(halfedge), previous = previous_halfedge(halfedge);
     const Index apex = welded_.faces[face][previous % 3];
-    if (reached_by_[apex] == region_ && !is_inside(next) && !is_inside(previous)) return;
+    if (reached_in_[apex] == growth_ && !is_inside(next) && !is_inside(previous)) return;
     take(face);
   }
 
-  template <class Seeds>
-  void find_up_to(const Seeds& seeds, std::size_t most_faces) {
+  void find_up_to(std::span<const Index> seeds, std::size_t most_faces) {
     for (const Index seed : seeds) {
       if (region_of_[seed] != no_index || directions_[seed].leans == 0) continue;
       grow(seed, most_faces);
@@ -113,6 +112,7 @@ class RegionFinder {
   void grow(Index seed, std::size_t most_faces) {
     faces_.clear();
     region_ = seed;
+    ++growth_;
     direction_ = static_cast<AxisDirections>(std::bit_floor(directions_[seed].leans));
     take(seed);
     for (std::size_t i = 0; i < faces_.size() && faces_.size() < most_faces; ++i)
@@ -141,7 +141,8 @@ class RegionFinder {
   std::span<const FaceDirections> directions_;
   std::span<Index> region_of_;
   SharedRegions& shared_;
-  std::vector<Index> reached_by_;  ///< for each point the last region with a face at that point
+  std::vector<Index> reached_in_;  ///< for each point the last growth that reached it, or 0
+  Index growth_ = 0;               ///< number of regions that have grown, also those given up
   Index first_ = 0, last_ = 0;     ///< faces of regions are from `first_` to before `last_`
   std::size_t least_faces_ = 0;
   std::vector<Index> faces_;           ///< faces of the region that grows
@@ -166,11 +167,14 @@ void find_in_blocks(const WeldedMesh& welded, std::size_t blocks, SharedRegions&
   std::atomic<std::size_t> next = 0;
   parallel_for(std::min(blocks, allowed_thread_count()), 1, [&](std::size_t, std::size_t) {
     std::optional<RegionFinder> finder;
+    std::vector<Index> seeds;
     for (std::size_t block = next++; block < blocks; block = next++) {
       if (!finder) finder.emplace(welded, shared);
       const auto first = static_cast<Index>(block * faces / blocks);
       const auto last = static_cast<Index>((block + 1) * faces / blocks);
-      finder->find(std::views::iota(first, last), first, last, blocks > 1 ? least_in_block : 0);
+      seeds.resize(last - first);
+      std::iota(seeds.begin(), seeds.end(), first);
+      finder->find(seeds, first, last, blocks > 1 ? least_in_block : 0);
     }
   });
 }

@@ -13,7 +13,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t things_per_task = 4096;  ///< affects time only
+/// Up to this number of hashes, one thread adds them all. Affects time only.
+constexpr std::size_t few_hashes = 4096;
 
 std::uint64_t hash(const Vec3& p) {
   std::uint64_t h = 0x9e3779b97f4a7c15ULL;
@@ -50,7 +51,7 @@ class SingleHashes {
         once_(mask_ / word + 1),
         twice_(once_.size()) {
     // Each thread adds the hashes of a part of the words, and skips all others.
-    const std::size_t parts = hashes.size() > things_per_task ? allowed_thread_count() : 1;
+    const std::size_t parts = hashes.size() > few_hashes ? allowed_thread_count() : 1;
     parallel_for(parts, 1, [&](std::size_t from, std::size_t to) {
       const std::size_t first = from * once_.size() / parts;
       const std::size_t count = to * once_.size() / parts - first;
@@ -101,17 +102,10 @@ class FirstOfEqual {
   std::vector<Index> slots_;
 };
 
-template <class Body>
-void for_each_index(std::size_t count, const Body& body) {
-  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
-    for (auto i = static_cast<Index>(first); i < last; ++i) body(i);
-  });
-}
-
 // Lists the points that may have duplicates, ascending.
 RawVector<Index> find_repeated(const std::vector<Vec3>& points) {
   RawVector<std::uint64_t> hash_of(points.size());
-  for_each_index(points.size(), [&](Index i) { hash_of[i] = hash(points[i]); });
+  parallel_for_each(points.size(), [&](Index i) { hash_of[i] = hash(points[i]); });
   const SingleHashes hashes(hash_of);
   const NumberedSelection repeated(points.size(),
                                    [&](std::size_t i) { return !hashes.is_single(hash_of[i]); });
@@ -124,7 +118,7 @@ std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions, bool&
   const RawVector<Index> repeated = find_repeated(positions);
   FirstOfEqual vertices(repeated.size());
   std::vector<Index> first(positions.size());
-  for_each_index(first.size(), [&](Index v) { first[v] = v; });
+  parallel_for_each(first.size(), [&](Index v) { first[v] = v; });
   has_repeats = false;
   for (const Index v : repeated) {
     first[v] = vertices.find(hash(positions[v]), v,
@@ -147,12 +141,12 @@ void number_points(const Mesh& mesh, WeldedMesh& welded) {
       welded.point_of[v] = static_cast<Index>(point);
       welded.vertex_of[point] = static_cast<Index>(v);
     });
-    for_each_index(first.size(), [&](Index v) {
+    parallel_for_each(first.size(), [&](Index v) {
       if (first[v] != v) welded.point_of[v] = welded.point_of[first[v]];
     });
   }
   welded.points.resize(welded.vertex_of.size());
-  for_each_index(welded.points.size(), [&](Index p) {
+  parallel_for_each(welded.points.size(), [&](Index p) {
     welded.points[p] = positions[welded.vertex_of[p]] + Vec3::Zero();
   });
 }
@@ -166,7 +160,7 @@ RawVector<Index> find_opposites(WeldedMesh& welded) {
   const auto mark = [&](Index h) {
     std::atomic_ref(is_repeated[h / 3]).store(1, std::memory_order_relaxed);
   };
-  for_each_index(welded.edges.size(), [&](Index e) {
+  parallel_for_each(welded.edges.size(), [&](Index e) {
     const auto halfedges = welded.edges.halfedges(e);
     const Index h = halfedges.front(), other = halfedges.back();
     if (halfedges.size() == 2 && corner(h, 0) != corner(other, 0)) {
@@ -190,7 +184,7 @@ void find_copies(WeldedMesh& welded) {
   FirstOfEqual copies(repeated.size());
   welded.has_copies = false;
   welded.first_copy.resize(faces.size());
-  for_each_index(faces.size(), [&](Index f) { welded.first_copy[f] = f; });
+  parallel_for_each(faces.size(), [&](Index f) { welded.first_copy[f] = f; });
   for (const Index f : repeated) {
     const auto is_copy = [&](Index other) { return sorted(faces[other]) == sorted(faces[f]); };
     welded.first_copy[f] = copies.find(hash(faces[f]), f, is_copy);
@@ -223,7 +217,7 @@ WeldedMesh weld(const Mesh& mesh) {
   std::vector<char> has_area(mesh.faces.size());
   welded.directions.resize(mesh.faces.size());
   welded.face_of.resize(mesh.faces.size());
-  for_each_index(mesh.faces.size(), [&](Index f) {
+  parallel_for_each(mesh.faces.size(), [&](Index f) {
     const auto& [a, b, c] = mesh.faces[f];
     const Face face{welded.point_of[a], welded.point_of[b], welded.point_of[c]};
     welded.faces[f] = face;

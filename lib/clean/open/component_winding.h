@@ -2,13 +2,14 @@
 /// & Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers", ACM
 /// TOG 32(4), 2013). The winding number on the component itself is the mean of the values on both
 /// sides. Medians are weighted by area. Floating point; deterministic; independent of the order of
-/// faces. Cost: O(m) per sample for a component of m faces.
+/// faces. Cost: about O(sqrt(m)) per sample for a connected component of m faces.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "clean/arrange/arrange.h"
+#include "geometry/winding_hierarchy.h"
 
 namespace transformesh {
 
@@ -18,7 +19,7 @@ class ComponentWinding {
   explicit ComponentWinding(const Arrangement& arrangement);
 
   /// Returns the median of the winding numbers of a component at some pieces.
-  double median(Index component, const std::vector<Index>& pieces) const;
+  double median(Index component, const std::vector<Index>& pieces);
   /// Returns the median of the winding number of a component on itself: 0 for a flat sheet, 1/2 for
   /// a closed body.
   double on_itself(Index component);
@@ -38,14 +39,16 @@ class ComponentWinding {
 
   std::size_t samples_of(Index component) const;
   static std::vector<Sample> choose(const std::vector<Sample>& samples, std::size_t count);
-  std::vector<Number> numbers_at(Index component, const std::vector<Sample>& samples) const;
+  std::vector<Number> numbers_at(Index component, const std::vector<Sample>& samples);
   static double median_of(const std::vector<Number>& numbers);
   const Mesh& mesh_of(Index component) const { return meshes_[component]; }
   double number_at(Index component, Index piece) const;
 
   const Arrangement& arrangement_;
   std::vector<Mesh> meshes_;                   ///< mesh of each component
+  std::vector<Index> number_of_face_;          ///< number of each open face in its component
   std::vector<std::vector<Index>> pieces_of_;  ///< pieces of each component
+  std::vector<std::optional<WindingHierarchy>> windings_;  ///< of each component, if needed
   /// Result of on_itself() for each component, if computed.
   std::vector<std::optional<double>> on_itself_;
 };

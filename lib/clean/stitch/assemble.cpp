@@ -13,15 +13,6 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t things_per_task = 4096;  ///< affects time only
-
-template <class Body>
-void for_each_index(std::size_t count, const Body& body) {
-  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
-    for (auto i = static_cast<Index>(first); i < last; ++i) body(i);
-  });
-}
-
 class Assembler {
  public:
   Assembler(const Mesh& input, const Arrangement& arrangement, const std::vector<char>& kept);
@@ -58,7 +49,7 @@ Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
       pairs_(pair_pieces(arrangement, kept)),
       has_vertex_rows_(!input.vertex_columns.columns.empty()) {
   RawVector<Face> faces(arrangement.pieces.size());
-  for_each_index(faces.size(), [&](Index p) { faces[p] = arrangement.pieces[p].corners; });
+  parallel_for_each(faces.size(), [&](Index p) { faces[p] = arrangement.pieces[p].corners; });
   umbrellas_ = find_oriented_umbrellas(faces, pairs_.opposite, kept);
 }
 
@@ -77,7 +68,7 @@ void Assembler::choose_old_vertices() {
   const WeldedMesh& welded = *arrangement_.welded;
   old_vertex_.assign(umbrellas_.vertex_of.size(), no_index);
   umbrella_of_.assign(input_.positions.size(), no_index);
-  for_each_index(arrangement_.pieces.size(), [&](Index p) {
+  parallel_for_each(arrangement_.pieces.size(), [&](Index p) {
     if (!kept_[p]) return;
     const Piece& piece = arrangement_.pieces[p];
     for (const Index vertex : input_.faces[piece_face(piece)])
@@ -85,10 +76,10 @@ void Assembler::choose_old_vertices() {
         if (welded.point_of[vertex] == piece.corners[i])
           lower_to(std::atomic_ref(old_vertex_[umbrellas_.of_corner[3 * p + i]]), vertex);
   });
-  for_each_index(old_vertex_.size(), [&](Index u) {
+  parallel_for_each(old_vertex_.size(), [&](Index u) {
     if (old_vertex_[u] != no_index) lower_to(std::atomic_ref(umbrella_of_[old_vertex_[u]]), u);
   });
-  for_each_index(old_vertex_.size(), [&](Index u) {
+  parallel_for_each(old_vertex_.size(), [&](Index u) {
     if (old_vertex_[u] != no_index && umbrella_of_[old_vertex_[u]] != u) old_vertex_[u] = no_index;
   });
 }

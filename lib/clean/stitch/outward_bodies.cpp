@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/ray_cast_winding.h"
-#include "geometry/solid_angle_winding.h"
+#include "geometry/winding_hierarchy.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/components.h"
 #include "transformesh/measure.h"
@@ -35,7 +35,7 @@ class Bodies {
   std::vector<std::vector<Index>> containers() const;
   double volume(Index part) const { return parts_.components[part].volume; }
   bool is_closed(Index part) const { return parts_.components[part].boundary_loops == 0; }
-  bool is_in_open(Index inner) const;
+  void erase_enclosed(std::vector<Index>& inners) const;
   bool most_vote(Index inner, const std::function<std::optional<bool>(const Vec3&)>& vote) const;
   Mesh mesh_of(Index part) const;
 
@@ -112,18 +112,23 @@ std::vector<std::vector<Index>> Bodies::containers() const {
   return around;
 }
 
-// True if a component with borders encloses `inner`, by generalized winding numbers.
-bool Bodies::is_in_open(Index inner) const {
+// Removes the components that a component with borders encloses, by generalized winding numbers.
+void Bodies::erase_enclosed(std::vector<Index>& inners) const {
   for (Index outer = 0; outer < faces_.size(); ++outer) {
-    if (is_closed(outer) || !boxes_[outer].contains(boxes_[inner])) continue;
-    const Mesh outer_mesh = mesh_of(outer);
-    const SolidAngleWinding winding(outer_mesh);
-    if (most_vote(inner, [&](const Vec3& point) -> std::optional<bool> {
-          return std::abs(winding(point).number) > 0.5;
-        }))
-      return true;
+    if (is_closed(outer)) continue;
+    std::optional<WindingHierarchy> winding;
+    Mesh outer_mesh;
+    std::erase_if(inners, [&](Index inner) {
+      if (!boxes_[outer].contains(boxes_[inner])) return false;
+      if (!winding) {
+        outer_mesh = mesh_of(outer);
+        winding.emplace(outer_mesh);
+      }
+      return most_vote(inner, [&](const Vec3& point) -> std::optional<bool> {
+        return std::abs((*winding)(point)) > 0.5;
+      });
+    });
   }
-  return false;
 }
 
 // A component is inward if the smallest of the outermost components around it is inside out. A
@@ -131,10 +136,11 @@ bool Bodies::is_in_open(Index inner) const {
 std::vector<char> Bodies::inward() const {
   const std::vector<std::vector<Index>> around = containers();
   std::vector<char> is_inward(around.size(), 0);
-  const auto is_root = [&](Index part) {
-    return is_closed(part) && volume(part) < 0 && around[part].empty() && !is_in_open(part);
-  };
-  for (Index part = 0; part < around.size(); ++part) is_inward[part] = is_root(part) ? 1 : 0;
+  std::vector<Index> roots;
+  for (Index part = 0; part < around.size(); ++part)
+    if (is_closed(part) && volume(part) < 0 && around[part].empty()) roots.push_back(part);
+  erase_enclosed(roots);
+  for (const Index part : roots) is_inward[part] = 1;
   for (Index part = 0; part < around.size(); ++part) {
     Index root = no_index;
     for (const Index outer : around[part])

@@ -10,15 +10,6 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t things_per_task = 4096;  ///< affects time only
-
-template <class Body>
-void for_each_index(std::size_t count, const Body& body) {
-  parallel_for(count, things_per_task, [&](std::size_t first, std::size_t last) {
-    for (auto i = static_cast<Index>(first); i < last; ++i) body(i);
-  });
-}
-
 class PiecePairing {
  public:
   PiecePairing(const Arrangement& arrangement, const std::vector<char>& kept)
@@ -44,7 +35,7 @@ class PiecePairing {
 // Whole faces that are kept in the other orientation have other corners, and count as other pieces.
 void PiecePairing::find_pieces_of_faces() {
   piece_of_.assign(welded_.faces.size(), no_index);
-  for_each_index(arrangement_.whole_pieces, [&](Index p) {
+  parallel_for_each(arrangement_.whole_pieces, [&](Index p) {
     const Index face = face_of(p);
     if (kept_[p] && arrangement_.pieces[p].corners == welded_.faces[face]) piece_of_[face] = p;
   });
@@ -94,7 +85,7 @@ void PiecePairing::pair_others(const std::vector<char>& has_other) {
   };
   const Edges edges(faces, arrangement_.point_count());
   const std::vector<Index> paired = pair_across_inside(faces, edges, sort, component_of);
-  for_each_index(paired.size(), [&](Index h) {
+  parallel_for_each(paired.size(), [&](Index h) {
     if (paired[h] == no_index) return;
     result_.opposite[3 * pieces[h / 3] + h % 3] = 3 * pieces[paired[h] / 3] + paired[h] % 3;
   });
@@ -108,7 +99,7 @@ PiecePairs PiecePairing::pair() {
   find_pieces_of_faces();
   result_.opposite.resize(3 * count);
   std::vector<char> has_other(count);
-  for_each_index(count, [&](Index p) { has_other[p] = pair_as_welded(p) ? 0 : 1; });
+  parallel_for_each(count, [&](Index p) { has_other[p] = pair_as_welded(p) ? 0 : 1; });
   pair_others(has_other);
   return std::move(result_);
 }

@@ -46,7 +46,7 @@ TEST_CASE("the median at pieces of another component is the solid angle there") 
   std::vector<Index> components(large.faces.size() + small.faces.size(), 0);
   std::fill(components.begin() + std::ssize(large.faces), components.end(), 1);
   const Arrangement arrangement = test::arranged_open(test::joined(large, small), components);
-  const ComponentWinding winding(arrangement);
+  ComponentWinding winding(arrangement);
   std::vector<Index> pieces;
   for (const Index p : all_pieces(arrangement))
     if (test::corners_of(arrangement, arrangement.pieces[p])[0].norm() < .1) pieces.push_back(p);
