@@ -10,6 +10,7 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "support/run_concurrently.h"
@@ -18,41 +19,30 @@
 namespace transformesh {
 namespace {
 
-/// Number of ranges for each thread. A choice: with more ranges, loops whose iterations take
-/// different times are balanced better; with fewer ranges, the overhead is less.
+/// A thread takes one of this number of ranges for each thread, of the indices that are left. Hence
+/// ranges become smaller towards the end of a loop, and threads end at nearly the same time. A
+/// choice: with more ranges, loops whose iterations take different times are balanced better; with
+/// fewer ranges, the overhead is less.
 constexpr std::size_t ranges_per_thread = 16;
 
 std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-/// `allowed_threads` may work at the same time. `working_threads` do: the first caller and its
-/// helpers.
-std::atomic<std::size_t> allowed_threads{cores()};
-std::atomic<std::size_t> working_threads{1};
-
-bool take_thread() {
-  std::size_t working = working_threads;
-  while (working < allowed_threads) {
-    if (working_threads.compare_exchange_weak(working, working + 1)) return true;
-  }
-  return false;
-}
-
-void give_thread_back() { --working_threads; }
+std::atomic<std::size_t> allowed_threads{cores()};  ///< threads that may work at the same time
 
 /// The ranges of one loop. Threads take them in order.
 class Loop {
  public:
-  Loop(std::size_t count, std::size_t range,
+  Loop(std::size_t count, std::size_t grain, std::size_t threads,
        const std::function<void(std::size_t, std::size_t)>& body)
-      : count_(count), range_(range), body_(body) {}
+      : count_(count), grain_(grain), shares_(ranges_per_thread * threads), body_(body) {}
 
   /// Processes ranges until none is left.
   void work() {
     for (;;) {
-      const std::size_t first = next_.fetch_add(range_);
+      const auto [first, last] = take_range();
       if (first >= count_) return;
       try {
-        body_(first, std::min(count_, first + range_));
+        body_(first, last);
       } catch (...) {
         next_ = count_;
         keep_error(first);
@@ -64,10 +54,21 @@ class Loop {
     if (error_) std::rethrow_exception(error_);
   }
 
-  std::size_t helpers = 0;  ///< workers that process ranges; guarded by the mutex of the workers
+  // These are guarded by the mutex of the workers.
+  std::size_t helpers = 0;  ///< workers that process ranges
+  bool caller_waits = false;
   std::condition_variable has_no_helpers;
 
  private:
+  std::pair<std::size_t, std::size_t> take_range() {
+    std::size_t first = next_, last = 0;
+    do {
+      if (first >= count_) return {count_, count_};
+      last = std::min(count_, first + std::max(grain_, (count_ - first) / shares_));
+    } while (!next_.compare_exchange_weak(first, last));
+    return {first, last};
+  }
+
   // Keeps the error of the lowest range. All lower ranges have been taken already, so the result
   // does not depend on the timing of threads.
   void keep_error(std::size_t first) {
@@ -78,7 +79,8 @@ class Loop {
   }
 
   std::size_t count_;
-  std::size_t range_;
+  std::size_t grain_;
+  std::size_t shares_;
   const std::function<void(std::size_t, std::size_t)>& body_;
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
@@ -86,18 +88,10 @@ class Loop {
   std::size_t error_at_ = 0;
 };
 
-/// Joins helper threads. The waiting thread does not count as working, so that nested loops of the
-/// helpers may use another thread instead.
-template <class Threads>
-void wait_for(Threads& threads) {
-  give_thread_back();
-  threads = Threads();
-  ++working_threads;
-}
-
 /// Threads that wait for loops. Programs run hundreds of short loops; waking a thread takes less
-/// than starting one. A loop does not wait for workers that have not begun when its last range is
-/// taken, which matters on a machine that is busy. Workers are never joined: they end with the
+/// than starting one. A loop is on offer until it ends: a worker joins it as soon as fewer threads
+/// work than are allowed. A loop does not wait for workers that have not begun when its last range
+/// is taken, which matters on a machine that is busy. Workers are never joined: they end with the
 /// process.
 class Workers {
  public:
@@ -106,28 +100,59 @@ class Workers {
     return workers;
   }
 
-  /// Offers the loop to `count` workers.
+  /// Offers the loop to at most `count` workers.
   void offer(Loop& loop, std::size_t count) {
     const std::lock_guard lock(mutex_);
     forget_parent_process();
     offers_.insert(offers_.end(), count, &loop);
-    while (idle_ < offers_.size() && start()) {
+    wake();
+  }
+
+  /// Withdraws the offers that no worker has taken, and waits for the others. The waiting thread
+  /// does not count as working, so that a worker may join another loop instead.
+  void finish(Loop& loop) {
+    std::unique_lock lock(mutex_);
+    std::erase(offers_, &loop);
+    if (loop.helpers == 0) return;
+    loop.caller_waits = true;
+    --working_;
+    wake();
+    loop.has_no_helpers.wait(lock, [&] { return loop.helpers == 0; });
+  }
+
+  /// Counts another working thread, if it is allowed.
+  bool take_thread() {
+    const std::lock_guard lock(mutex_);
+    forget_parent_process();
+    if (working_ >= allowed_threads) return false;
+    ++working_;
+    return true;
+  }
+  void give_thread_back() {
+    const std::lock_guard lock(mutex_);
+    --working_;
+    wake();
+  }
+  /// Waits for a thread that take_thread() allowed. The waiting thread does not count as working.
+  void join(std::jthread& thread) {
+    give_thread_back();
+    thread.join();
+    const std::lock_guard lock(mutex_);
+    ++working_;
+  }
+
+ private:
+  bool may_join() const { return !offers_.empty() && working_ < allowed_threads; }
+
+  // Wakes or starts as many workers as may join a loop.
+  void wake() {
+    if (!may_join()) return;
+    const std::size_t count = std::min(offers_.size(), allowed_threads - working_);
+    while (idle_ < count && start()) {
     }
     for (std::size_t i = 0; i < count; ++i) has_offers_.notify_one();
   }
 
-  /// Withdraws the offers that no worker has taken, and waits for the others. The waiting thread
-  /// does not count as working, so that nested loops of the helpers may use another thread instead.
-  void finish(Loop& loop) {
-    std::unique_lock lock(mutex_);
-    for (std::size_t left = std::erase(offers_, &loop); left > 0; --left) give_thread_back();
-    if (loop.helpers == 0) return;
-    give_thread_back();
-    loop.has_no_helpers.wait(lock, [&] { return loop.helpers == 0; });
-    ++working_threads;
-  }
-
- private:
   // Starts a worker, which counts as idle at once. Returns false if the system refuses.
   bool start() {
     try {
@@ -142,17 +167,21 @@ class Workers {
   void run() {
     std::unique_lock lock(mutex_);
     for (;;) {
-      has_offers_.wait(lock, [&] { return !offers_.empty(); });
+      has_offers_.wait(lock, [&] { return may_join(); });
       Loop& loop = *offers_.back();
       offers_.pop_back();
       --idle_;
+      ++working_;
       ++loop.helpers;
       lock.unlock();
       loop.work();
       lock.lock();
-      give_thread_back();
       ++idle_;
-      if (--loop.helpers == 0) loop.has_no_helpers.notify_one();
+      // The last helper passes its place among the working threads to the caller.
+      if (--loop.helpers == 0 && loop.caller_waits)
+        loop.has_no_helpers.notify_one();
+      else
+        --working_;
     }
   }
 
@@ -161,27 +190,17 @@ class Workers {
     if (process_ == getpid()) return;
     process_ = getpid();
     idle_ = 0;
+    working_ = 1;
     offers_.clear();
   }
 
   std::mutex mutex_;
   std::condition_variable has_offers_;
-  std::vector<Loop*> offers_;  ///< a loop for each worker that may join it
+  std::vector<Loop*> offers_;  ///< an entry for each worker that may join a loop
   std::size_t idle_ = 0;       ///< workers that wait for offers, or start
+  std::size_t working_ = 1;    ///< threads that work: the first caller and its helpers
   pid_t process_ = getpid();
 };
-
-/// Works on the loop with up to `wanted` more threads, if they are allowed and the system can
-/// create them. A nested loop uses threads that other loops no longer need, so no loop waits for a
-/// thread.
-void work_together(Loop& loop, std::size_t wanted) {
-  std::size_t helpers = 0;
-  while (helpers < wanted && take_thread()) ++helpers;
-  if (helpers == 0) return loop.work();
-  Workers::instance().offer(loop, helpers);
-  loop.work();
-  Workers::instance().finish(loop);
-}
 
 }  // namespace
 
@@ -190,33 +209,36 @@ void parallel_for(std::size_t count, std::size_t grain,
   if (count == 0) return;
   const std::size_t threads = allowed_threads;
   if (count <= grain || threads == 1) return body(0, count);
-  const std::size_t range =
-      std::max({std::size_t{1}, grain, count / (ranges_per_thread * threads)});
-  Loop loop(count, range, body);
-  work_together(loop, std::min(threads, (count + range - 1) / range) - 1);
+  grain = std::max(grain, std::size_t{1});
+  Loop loop(count, grain, threads, body);
+  Workers& workers = Workers::instance();
+  workers.offer(loop, std::min(threads, (count + grain - 1) / grain) - 1);
+  loop.work();
+  workers.finish(loop);
   loop.rethrow();
 }
 
 void run_concurrently(const std::function<void()>& own, const std::function<void()>& other) {
+  Workers& workers = Workers::instance();
   std::jthread helper;
-  if (take_thread()) {
+  if (workers.take_thread()) {
     try {
-      helper = std::jthread([&other] {
+      helper = std::jthread([&] {
         other();
-        give_thread_back();
+        workers.give_thread_back();
       });
     } catch (const std::system_error&) {
-      give_thread_back();
+      workers.give_thread_back();
     }
   }
   try {
     own();
   } catch (...) {
-    if (helper.joinable()) wait_for(helper);
+    if (helper.joinable()) workers.join(helper);
     throw;
   }
   if (helper.joinable()) {
-    wait_for(helper);
+    workers.join(helper);
   } else {
     other();
   }

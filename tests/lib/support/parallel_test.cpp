@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -114,6 +115,24 @@ TEST_CASE("where one half waits for the other, a loop inside that has its thread
     parallel_invoke(wait, meet);
     REQUIRE(have_met);
   }
+}
+
+TEST_CASE("a loop that begins while all threads work is joined by the first that ends its work") {
+  const ThreadLimit alive(2);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  const auto wait_until = [&](const std::function<bool()>& condition) {
+    while (!condition() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  };
+  std::atomic<int> inside{0};
+  parallel_invoke([&] { wait_until([&] { return inside > 0; }); },
+                  [&] {
+                    parallel_for(2, 1, [&](std::size_t, std::size_t) {
+                      ++inside;
+                      wait_until([&] { return inside == 2; });
+                    });
+                  });
+  CHECK(inside == 2);
+  CHECK(std::chrono::steady_clock::now() < end);
 }
 
 TEST_CASE("loops inside loops end, within the limit of threads") {
