@@ -1,7 +1,7 @@
 /// Generalized winding numbers of a mesh at many points. A mesh with borders has any real number.
-/// Faces are in a tree of boxes. For a point outside a box, the faces in it are replaced by a fan
-/// of triangles over their common boundary: faces and reversed fan enclose a volume in the box, so
-/// both have the same solid angle. This is no approximation; results differ from those of
+/// Faces are in a tree of boxes. For a point outside a box, a fan of triangles over the common
+/// boundary of the faces in the box replaces these faces. Both enclose a volume inside the box, so
+/// they have the same solid angle. This is no approximation: results differ from those of
 /// SolidAngleWinding by rounding only.
 ///
 /// Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using
@@ -39,9 +39,9 @@ class WindingHierarchy {
   };
   struct Node {
     Box box{};
-    Range faces;  ///< of `order_`
+    Range faces;  ///< range of `order_`
     bool has_fan = false;
-    Range vertices, triangles;  ///< of the fan
+    Range vertices, triangles;  ///< ranges of the fan
     Index left = no_index, right = no_index;
   };
   class Builder;

@@ -48,7 +48,7 @@ class ComponentWinding {
   std::vector<Mesh> meshes_;                   ///< mesh of each component
   std::vector<Index> number_of_face_;          ///< number of each open face in its component
   std::vector<std::vector<Index>> pieces_of_;  ///< pieces of each component
-  std::vector<std::optional<WindingHierarchy>> windings_;  ///< of each component, if needed
+  std::vector<std::optional<WindingHierarchy>> windings_;  ///< for each component, once needed
   /// Result of on_itself() for each component, if computed.
   std::vector<std::optional<double>> on_itself_;
 };
