@@ -22,8 +22,8 @@ namespace transformesh {
 
 struct AlignOptions {
   double feature_angle_deg = 40;        ///< least angle between normals at sharp edges; in (0, 180)
-  double min_edge = 0;                  ///< shortest edges of the mesh; input units; > 0
-  double max_edge = 0;                  ///< longest edges of the mesh; input units
+  double min_edge = 0;                  ///< length of the mesh's shortest edges; input units; > 0
+  double max_edge = 0;                  ///< length of the mesh's longest edges; input units
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
 };
 

@@ -22,7 +22,8 @@ struct CleanResult {
   /// Patches of a mesh with borders (0 for closed meshes); rays cast to find the exterior.
   std::size_t patches = 0, rays = 0;
   std::size_t decided_by_number = 0;  ///< patches decided by a generalized winding number
-  double least_margin = 0.5;  ///< least distance of such a number from its rounding threshold
+  double least_margin = 0.5;  ///< least distance of a generalized winding number from its rounding
+                              ///< threshold
   std::size_t dropped_components = 0;                     ///< components that `outermost` dropped
   std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds of repair; repaired places
   /// Broken faces and intersecting pairs, summed over all rounds of repair.

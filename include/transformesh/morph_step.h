@@ -2,7 +2,7 @@
 /// its normal, where phi is a signed distance to the target. Movements are clamped as in
 /// displace(). The part of a surface outside of the target shrinks, the part inside grows.
 /// Reference: Breen & Whitaker, "A level-set approach for the metamorphosis of solid models", TVCG
-/// 2001. A component of the target that the source does not overlap is not reached; a component of
+/// 2001. A component of the target that the source does not overlap is not reached. A component of
 /// the source outside of the target shrinks. Distances so large that movements are clamped have
 /// errors of a few percent, without effect on movements. Cost: O(n log m). Deterministic for any
 /// number of threads.

@@ -46,7 +46,7 @@ struct StitchResult {
   std::size_t dropped_copies = 0;    ///< faces that `drop_copies` dropped
   std::size_t dropped_reverses = 0;  ///< reverses dropped by `one_side`
   std::size_t reversed_faces = 0;    ///< faces reversed by `orient`, `one_side` or `outwards`
-  /// Edges that several faces without partner traverse in the same direction.
+  /// Edges that several faces without an opposite face traverse in the same direction.
   std::size_t misoriented_edges = 0;
   std::size_t border_edges = 0;  ///< edges at which one face has no partner
   bool new_normals = false;      ///< normals were recomputed after `orient` or `one_side`
