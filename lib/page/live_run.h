@@ -40,7 +40,7 @@ class LiveRun {
   Known<PageMesh> meshes_, targets_;
   Known<PageViews> views_;
   Mesh target_;              ///< target read last
-  std::string target_path_;  ///< path and stamp of `target_`
+  std::string target_path_;  ///< path and stamp_of() of the file of `target_`
 };
 
 }  // namespace transformesh

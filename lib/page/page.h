@@ -19,7 +19,7 @@ struct PageMesh {
   std::size_t number = 0;  ///< number of the iteration (first column of the log), or of the file
   std::string label;       ///< label; empty: the number
   PackedMesh mesh;
-  std::string block = {};  ///< name of its block; may be empty
+  std::string block = {};  ///< name of the packed mesh in the page's data; may be empty
 };
 
 struct PageViews {
