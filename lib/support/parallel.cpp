@@ -24,8 +24,8 @@ constexpr std::size_t ranges_per_thread = 16;
 
 std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-/// `allowed_threads` may work at the same time. `working_threads` do: the first caller and its
-/// helpers.
+/// `allowed_threads` is the number of threads that may work at the same time. `working_threads` is
+/// the number of threads that do: the first caller and its helpers.
 std::atomic<std::size_t> allowed_threads{cores()};
 std::atomic<std::size_t> working_threads{1};
 
