@@ -120,8 +120,9 @@ int MonomialSum::quick_sign() const {
   return sum > bound ? 1 : sum < -bound ? -1 : 0;
 }
 
-// Adds terms in order of descending exponents. The remainder of a window, if it is small, is the
-// first term of the next window.
+// Adds terms in order of descending exponents, window by window. A window adds terms whose
+// exponents differ by at most `depth`. Its sum, if it is small, is the first term of the next
+// window.
 int MonomialSum::exact_sign() const {
   std::array<std::size_t, most> order;
   for (std::size_t i = 0; i < count_; ++i) {
