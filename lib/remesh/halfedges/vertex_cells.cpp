@@ -131,8 +131,8 @@ void VertexCells::for_each_cell_around(Index cell, const Visit& visit) const {
   for (Index i = 0; i < around.count; ++i) visit(around.cells[i]);
 }
 
-/// Enters the cell into its own list, and the cell and each existing one at the given offsets into
-/// each other's lists.
+/// Enters the cell into its own list of near cells. For each existing cell at one of the given
+/// offsets, enters both cells into each other's lists.
 void VertexCells::find_cells_around(Index cell, std::span<const Key> offsets) {
   const auto enter = [&](Index at, Index other) { around_[at].cells[around_[at].count++] = other; };
   enter(cell, cell);
