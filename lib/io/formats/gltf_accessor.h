@@ -14,7 +14,8 @@ struct GltfNumbers {
   std::size_t width = 1;
   bool is_byte = false;      ///< true if the file stores unsigned bytes
   bool is_floating = false;  ///< true if the file stores floats
-  double one = 1;            ///< largest storable value, for integers that are not normalized
+  double one = 1;  ///< value of full intensity in colors: 1, or the largest integer if integers are
+                   ///< not normalized
 
   std::size_t size() const { return values.size() / width; }
 };
