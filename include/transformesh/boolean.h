@@ -34,7 +34,7 @@ struct Operand {
   std::string name{};  ///< name of the operand in messages
 };
 struct BooleanOptions {
-  bool merge_flat = true;       ///< merge coplanar pieces at cuts (clean.h)
+  bool merge_flat = true;       ///< merge coplanar faces around cuts (clean.h)
   bool source_operand = false;  ///< add a face column source_operand: index of the face's operand
   Scalar coordinate = Scalar::float64;  ///< positions of input and output are rounded to it
   bool cap = false;  ///< cut_sheet(): add faces of the solid to close the part of the sheet

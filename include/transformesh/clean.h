@@ -44,7 +44,7 @@ struct CleanOptions {
   ExteriorMethod method = ExteriorMethod::grow;
   int winding_level = 1;                ///< 1 is the union, 2 the intersection of two operands
   bool outermost = false;               ///< drop cavities, and components inside them
-  bool merge_flat = false;              ///< merge coplanar pieces at cuts
+  bool merge_flat = false;              ///< merge coplanar faces around cuts
   bool refuse = false;                  ///< throw GoalError instead of changing anything
   Scalar coordinate = Scalar::float64;  ///< positions of input and output are rounded to it
   double separate = 0;  ///< distance between duplicates of a vertex; input units; 0: coincident

@@ -34,7 +34,7 @@ inline UntilRule stalled() { return {0, true}; }
 struct EvolveOptions {
   IterationOptions iteration = {};
   UntilRule until = {};
-  bool finds_events = false;  ///< label components and find events; set if the loop records them
+  bool finds_events = false;  ///< find events (events.h); also done if RecordOptions::events is set
 };
 
 struct EvolveResult {

@@ -34,7 +34,8 @@ struct MorphStepOptions {
   /// vertex column `size` is set to an edge length.
   double gap_edges = 0;
   double largest_size = 0;  ///< largest value of `size`; input units; the smallest is 1/20 of this
-  const Target* goal = nullptr;  ///< vertices to measure for `from_target`; null: all of the target
+  const Target* goal = nullptr;  ///< part of the target that `from_target` measures; null: all of
+                                 ///< it
 };
 
 struct DistanceSummary {
