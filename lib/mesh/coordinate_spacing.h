@@ -47,7 +47,8 @@ std::optional<Mesh> rounded_mesh(const Mesh& mesh, Scalar coordinate);
 
 struct RoundingLoss {
   std::size_t collapsed = 0;  ///< faces two corners of which coincide after rounding
-  std::size_t turned = 0;     ///< other faces whose normal turned by more than 45 degrees
+  std::size_t turned = 0;  ///< faces that did not collapse, but whose normal turned by more than 45
+                           ///< degrees
 };
 
 /// Counts the faces that the rounding of positions damaged. O(faces).
