@@ -29,9 +29,9 @@ struct AlignOptions {
 
 struct AlignResult {
   std::size_t sharp_edges = 0;  ///< number of sharp edges of the target
-  std::size_t corners = 0;      ///< number of corners of the target, where sharp edges end, turn or
-                                ///< meet
-  std::size_t aligned = 0;      ///< vertices on sharp edges and corners at the end
+  /// Number of corners of the target: vertices where sharp edges end, turn or meet.
+  std::size_t corners = 0;
+  std::size_t aligned = 0;  ///< vertices on sharp edges and corners at the end
   StaleColumns columns;
 };
 

@@ -22,8 +22,8 @@ struct CleanResult {
   /// Patches of a mesh with borders (0 for closed meshes); rays cast to find the exterior.
   std::size_t patches = 0, rays = 0;
   std::size_t decided_by_number = 0;  ///< patches decided by a generalized winding number
-  double least_margin = 0.5;  ///< least distance of a generalized winding number from its rounding
-                              ///< threshold
+  /// Least distance of a generalized winding number from its rounding threshold.
+  double least_margin = 0.5;
   std::size_t dropped_components = 0;                     ///< components that `outermost` dropped
   std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds of repair; repaired places
   /// Faces broken by rounding and intersecting pairs of faces, each summed over all rounds of
@@ -44,8 +44,8 @@ struct CleanResult {
   std::vector<std::string> dropped_columns{};  ///< dropped texture coordinates, if faces were cut
   /// Source points of the input were dropped (carry.h).
   bool dropped_source_points = false;
-  std::optional<Connectivity> connectivity{};  ///< connectivity of the mesh; set if nothing was
-                                               ///< changed
+  /// Connectivity of the mesh; set only if nothing was changed.
+  std::optional<Connectivity> connectivity{};
 };
 
 }  // namespace transformesh

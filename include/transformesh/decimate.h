@@ -19,8 +19,8 @@
 namespace transformesh {
 
 struct DecimateOptions {
-  std::size_t faces = 0;  ///< wanted number of faces, >= 4; 0 with `error`: as few as `error`
-                          ///< allows
+  /// Wanted number of faces, >= 4; 0 with `error`: as few as `error` allows.
+  std::size_t faces = 0;
   double feature_angle_deg = 180;  ///< sharper edges are kept; in (0, 180]; 180: no edge is sharp
   bool keep_border = false;        ///< keep border vertices and edges
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked

@@ -36,8 +36,8 @@ struct Style {
   /// `face` is missing and the mesh has no faces (a point cloud), no face element is written.
   std::vector<std::string> element_order;
   bool sized_type_names = false;  ///< PLY types are float32, uint8, not float, uchar
-  bool keeps_polygons = false;    ///< polygons are written as they were read
-                                  ///< (ReadOptions::keep_polygons)
+  /// Polygons are written as they were read (ReadOptions::keep_polygons).
+  bool keeps_polygons = false;
 };
 
 struct Document {

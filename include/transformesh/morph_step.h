@@ -20,10 +20,12 @@ namespace transformesh {
 /// Definition of the signed distance phi(p).
 enum class MorphDistance {
   surface,  ///< distance to the closest point of the target's faces
-  vertex,   ///< ((q - p) . n) for the nearest vertex q and its normal n, as in the paper; needs a
-            ///< target that is sampled as finely as the source; vanishes near sharp edges
-  points    ///< like `vertex`, but twelve planes decide the side of far points (Kolluri, "Provably
-            ///< good moving least squares", TALG 4(2), 2008)
+  /// ((q - p) . n) for the nearest vertex q and its normal n, as in the paper. Needs a target that
+  /// is sampled as finely as the source. Vanishes near sharp edges.
+  vertex,
+  /// Like `vertex`, but twelve planes decide the side of far points (Kolluri, "Provably good moving
+  /// least squares", TALG 4(2), 2008).
+  points
 };
 
 struct MorphStepOptions {
@@ -34,8 +36,8 @@ struct MorphStepOptions {
   /// vertex column `size` is set to an edge length.
   double gap_edges = 0;
   double largest_size = 0;  ///< largest value of `size`; input units; the smallest is 1/20 of this
-  const Target* goal = nullptr;  ///< part of the target that `from_target` measures; null: all of
-                                 ///< it
+  /// Part of the target that is measured for `from_target`; null: all.
+  const Target* goal = nullptr;
 };
 
 struct DistanceSummary {

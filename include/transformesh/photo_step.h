@@ -11,7 +11,7 @@
 namespace transformesh {
 
 enum class Interpolation { bilinear, catmull_rom };
-enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient` (paper) depends on the unit
+enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient` (paper) depends on length unit
 enum class PairOrder { both, rising, falling };       ///< rising: the lower index is the reference
 
 struct CorrelationOptions {    ///< comparison of windows by normalized cross-correlation cc
@@ -34,7 +34,7 @@ struct PhotoStepOptions {
   PhotoStepRule rule = PhotoStepRule::gauss_newton;
   double alpha = 0.5;      ///< clamp as a fraction of the local mean edge; >= 0; 0.1 in the paper
   double stiffness = 1;    ///< thin-plate weight / median second derivative of the energy; >= 0
-  double damping = 0.006;  ///< regularization; compared pixels per squared pixel of movement; >= 0
+  double damping = 0.006;  ///< regularization: second derivative added per compared pixel; >= 0
   double time_step = 0.001, smoothing = 0.1;  ///< for `gradient`: length^4, >= 0; fraction, [0, 1]
   double silhouettes = 1;                     ///< weight of silhouettes against photographs; >= 0
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;

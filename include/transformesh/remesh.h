@@ -28,8 +28,8 @@ struct RemeshResult {
   std::size_t pinch_refused = 0;     ///< loops around which no caps fit
   std::size_t near_keep_out = 0;     ///< input faces nearer to `keep_out` than its gap
   std::size_t degenerate_faces = 0;  ///< remaining faces with height < longest edge / 1000
-  std::size_t slivers_kept = 0;  ///< degenerate faces that stay: only a few spacings of coordinates
-                                 ///< high
+  /// Degenerate faces that stay: only a few spacings of coordinates high.
+  std::size_t slivers_kept = 0;
   Vec3 first_sliver = Vec3::Zero();    ///< a corner of the first sliver
   std::size_t faces_without_area = 0;  ///< slivers that have no area and could not be removed
   double feature_angle_deg = 180;

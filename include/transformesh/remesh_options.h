@@ -25,13 +25,14 @@ enum class Smoothing { none, tangential, laplace, bilaplace };
 enum class FlipRule { none, valence, angle };
 
 struct RemeshOptions {
-  double min_edge = 0;        ///< shorter edges are collapsed; input units, > 0
-  double max_edge = 0;        ///< longer edges are split; input units, >= 1.5 min_edge
-  std::string size_column;    ///< vertex column that multiplies both lengths; empty: none
-  double adaptive_error = 0;  ///< > 0: edge lengths follow the curvature, so that faces are at most
-                              ///< this far from the smooth surface; input units
-  int iterations = 1;         ///< >= 0; 0 removes only small components and degenerate faces
-  bool only_smooth = false;   ///< smooth only; no splits, collapses and flips
+  double min_edge = 0;      ///< shorter edges are collapsed; input units, > 0
+  double max_edge = 0;      ///< longer edges are split; input units, >= 1.5 min_edge
+  std::string size_column;  ///< vertex column that multiplies both lengths; empty: none
+  /// > 0: edge lengths follow the curvature, so that faces are at most this far from the smooth
+  /// surface; input units.
+  double adaptive_error = 0;
+  int iterations = 1;        ///< >= 0; 0 removes only small components and degenerate faces
+  bool only_smooth = false;  ///< smooth only; no splits, collapses and flips
   FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
   double smooth_first = 0;   ///< b in v - b dv, or b1 below; dv: Laplacian; in [0, 1]

@@ -28,8 +28,8 @@ struct StitchOptions {
   bool orient = false;
   /// Drop all but the first of coincident faces with the same direction.
   bool drop_copies = false;
-  bool one_side = false;  ///< drop faces whose reverse is present (double_sided.h), orient, and
-                          ///< turn closed parts outwards
+  /// Drop faces whose reverse is present (double_sided.h), orient, and turn closed parts outwards.
+  bool one_side = false;
   /// Reverse closed bodies that are inside out, with their cavities. With `orient`, a changed
   /// component first gets the orientation of most of its faces. With `one_side`, nested components
   /// are oriented outwards and inwards in turn.

@@ -16,8 +16,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 256;  ///< affects time only
-constexpr double undecided = 0.25;  ///< a winding number counts as 0 if it and its error are below
-                                    ///< this
+constexpr double undecided = 0.25;  ///< winding numbers below this, including their error, are 0
 constexpr double rounding = 1e-14;  ///< bound of the rounding error, relative to coordinates
 
 void extend(Box& box, std::span<const Triangle> triangles) {

@@ -25,7 +25,8 @@ class LiveRun {
   const std::string* block(const std::string& name) const;
 
  private:
-  /// Maps a path to the identity of the file, which changes if the file is replaced.
+  /// Maps a path to the identity of the file (stamp_of()) and the data that were read from it. The
+  /// identity changes if the file is replaced.
   template <class What>
   using Known = std::map<std::string, std::pair<std::string, What>>;
 

@@ -178,9 +178,9 @@ class Aligner {
   const EdgeLimits limits_{options_.min_edge, options_.max_edge};
   double cosine_;
   const Progress& progress_;
-  std::vector<char> is_held_;  ///< for each vertex: 0, 1 if it is on a line of the target, or
-                               ///< `on_corner`
-  std::vector<Vec3> sides_;    ///< for each vertex the normal of the nearest face of the target
+  /// For each vertex: 1 if it is on a line of the target, `on_corner` on a corner, otherwise 0.
+  std::vector<char> is_held_;
+  std::vector<Vec3> sides_;  ///< for each vertex the normal of the nearest face of the target
   VertexStar star_;
 };
 

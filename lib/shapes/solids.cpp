@@ -103,9 +103,8 @@ Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
 }
 
 Mesh bowl(std::size_t faces, const Progress& progress) {
-  constexpr double radius = 0.9;      // radius of the middle surface
-  constexpr double thickness = 0.27;  // half the thickness: distance of both sides from the middle
-                                      // surface
+  constexpr double radius = 0.9;           // radius of the middle surface
+  constexpr double thickness = 0.27;       // half the thickness of the shell
   constexpr double rim_angle = 0.05 * pi;  // angle of the rim above the horizontal plane
   const Vec2 rim = radius * Vec2(elementary::cos(rim_angle), elementary::sin(rim_angle));
   ImplicitSolid solid;

@@ -27,7 +27,9 @@ BinaryDigits::BinaryDigits(double number) {
 /// above `bottom`, so that no sum of terms overflows.
 class MonomialSum::Window {
  public:
-  static constexpr int depth = 320;  ///< 320 bits and the three words of a term fill `length` words
+  /// Largest exponent of a term above `bottom`. These 320 bits and the three words of a term fill
+  /// `length` words.
+  static constexpr int depth = 320;
 
   explicit Window(int bottom) : bottom_(bottom) {}
 

@@ -36,7 +36,7 @@ class MonomialSum {
  private:
   /// An integer below 2^190 times 2^exponent.
   struct Term {
-    std::array<std::uint64_t, 3> digits;  ///< least significant first
+    std::array<std::uint64_t, 3> digits;  ///< least significant word first
     int exponent;
     bool is_negative;
   };

@@ -14,7 +14,7 @@ namespace transformesh {
 
 class WideExponentBall {
  public:
-  WideExponentBall() = default;  ///< 0
+  WideExponentBall() = default;  ///< the number 0
   explicit WideExponentBall(double number) : WideExponentBall(number, 0, 0) {}
   WideExponentBall(double center, double radius) : WideExponentBall(center, radius, 0) {}
 

@@ -55,7 +55,7 @@ class Bvh {
   /// Returns the link boxes that all faces below box `place` of a layer have in common, or null.
   const LinkBoxes* links_of(std::size_t layer, std::size_t place) const;
 
-  std::vector<Index> order_;                  ///< box indices, four for each quad of layer 0
+  std::vector<Index> order_;  ///< indices of the boxes, four for each quad of layer 0
   std::vector<std::vector<BoxQuad>> layers_;  ///< quad 4q + c is below box c of quad q
   /// Link boxes (simplex_links.h) that all faces below a box have in common: rows of `links_`, or
   /// no_index. Empty if there are no link boxes.

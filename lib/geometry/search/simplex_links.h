@@ -24,8 +24,9 @@ struct LinkBox {
 using LinkBoxes = std::array<LinkBox, 3>;
 
 struct SimplexLinks {
-  std::vector<Index> row_of;  ///< row in `boxes` of each face, or no_index for most faces; empty if
-                              ///< there are no crowded corners
+  /// Row in `boxes` of each face, or no_index for most faces. Empty if there are no crowded
+  /// corners.
+  std::vector<Index> row_of;
   std::vector<LinkBoxes> boxes;
 
   bool empty() const { return boxes.empty(); }

@@ -30,8 +30,8 @@ class FaceTree {
 
   const EditableMesh& mesh_;
   BoxFrame frame_;
-  std::vector<Index> leaf_of_;   ///< leaf (as a node) of each face; no_index for faces removed
-                                 ///< before the tree was built
+  /// Leaf of each face, as a node; no_index for faces removed before the tree was built.
+  std::vector<Index> leaf_of_;
   std::vector<Index> face_of_;   ///< face of each leaf, beginning with the first leaf
   std::vector<FloatBox> boxes_;  ///< box of each node; children of node i: 2 i + 1 and 2 i + 2
 };

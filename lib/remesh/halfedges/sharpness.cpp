@@ -14,8 +14,8 @@ namespace {
 /// A face has a reliable normal if its height is above this many spacings of its coordinates:
 /// rounding then rotates the normal by less than 4 degrees.
 constexpr double steady_spacings = 16;
-/// Least angles between the normals of the faces at a sharp edge and at a line. Here a line is an
-/// edge, and sharp edges are lines, too.
+/// Least angles between the normals of two faces at which their edge counts as sharp, and as a
+/// line. Sharp edges are lines, too.
 constexpr double sharp_deg = 60;
 constexpr double line_deg = 40;
 /// A sharp edge is intended, and not noise, if the surface beside it is smooth. For this, the edges
