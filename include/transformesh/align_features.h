@@ -31,7 +31,7 @@ struct AlignResult {
   std::size_t sharp_edges = 0;  ///< number of sharp edges of the target
   /// Number of corners of the target: vertices where sharp edges end, turn or meet.
   std::size_t corners = 0;
-  std::size_t aligned = 0;  ///< vertices on sharp edges and corners at the end
+  std::size_t aligned = 0;  ///< number of vertices on sharp edges and corners at the end
   StaleColumns columns;
 };
 

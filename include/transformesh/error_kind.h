@@ -28,7 +28,7 @@ enum class ErrorKind {
   coordinates_too_large,     ///< intersections are beyond the range of coordinates
   needs_cleaning,            ///< cleaning would change the mesh, which the caller forbids
   box_in_open_mesh,          ///< only a closed mesh can be cleaned in a box
-  static_test_of_open_mesh,  ///< winding numbers are integers in closed meshes only
+  static_test_of_open_mesh,  ///< the static test needs a closed mesh, with integer winding numbers
   decimation_stuck,          ///< no further edge can be collapsed without breaking a guarantee
   meets_keep_out,            ///< the mesh intersects the surface to keep out of
   bad_reference_edge,        ///< the comment of a mesh holds no positive length

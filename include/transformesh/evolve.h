@@ -46,7 +46,7 @@ struct EvolveResult {
   double clamped_share = 0;
   IterationResult last;                    ///< last iteration of this run
   std::vector<Event> events;               ///< events of this run, with `finds_events`
-  std::optional<std::size_t> event_count;  ///< including earlier runs; set with `finds_events`
+  std::optional<std::size_t> event_count;  ///< number in all runs; set with `finds_events`
 };
 
 /// Evolves a document and carries its columns. A continued run replaces the document by its state.

@@ -13,7 +13,6 @@ namespace transformesh {
 enum class Interpolation { bilinear, catmull_rom };
 enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient` (paper) depends on length unit
 enum class PairOrder { both, rising, falling };       ///< rising: the lower index is the reference
-
 struct CorrelationOptions {    ///< comparison of windows by normalized cross-correlation cc
   int radius = 3;              ///< radius of windows; pixels; 1 to 5
   double noise_variance = 25;  ///< added to both variances; squared intensities; > 0
@@ -35,8 +34,9 @@ struct PhotoStepOptions {
   double alpha = 0.5;      ///< clamp as a fraction of the local mean edge; >= 0; 0.1 in the paper
   double stiffness = 1;    ///< thin-plate weight / median second derivative of the energy; >= 0
   double damping = 0.006;  ///< regularization: second derivative added per compared pixel; >= 0
-  double time_step = 0.001, smoothing = 0.1;  ///< for `gradient`: length^4, >= 0; fraction, [0, 1]
-  double silhouettes = 1;                     ///< weight of silhouettes against photographs; >= 0
+  /// Only for `gradient`: time step in length^4, >= 0; smoothing factor in [0, 1].
+  double time_step = 0.001, smoothing = 0.1;
+  double silhouettes = 1;  ///< weight of silhouettes against photographs; >= 0
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   PairOrder order = PairOrder::both;
   double least_cosine = 0.1;  ///< least cosine between ray and normal of compared faces; >= 0

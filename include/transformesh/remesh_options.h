@@ -35,8 +35,10 @@ struct RemeshOptions {
   bool only_smooth = false;  ///< smooth only; no splits, collapses and flips
   FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
-  double smooth_first = 0;   ///< b in v - b dv, or b1 below; dv: Laplacian; in [0, 1]
-  double smooth_second = 0;  ///< b2 in v - b1 dv + b2 d2v (bilaplace); in [(b1 - 1) / 2, b1 / 2]
+  /// Laplacian smoothing moves v to v - b1 dv + b2 d2v, where dv and d2v are Laplacians (smooth.h).
+  /// This is b1, in [0, 1].
+  double smooth_first = 0;
+  double smooth_second = 0;  ///< b2 of the formula above, for bilaplace; in [(b1 - 1) / 2, b1 / 2]
   double feature_angle_deg = 180;  ///< sharper edges stay; [0, 180]; 0: 40 if edges are sharp
   bool keep_border = false;        ///< border vertices and edges stay
   bool project = false;            ///< move relaxed vertices onto the input surface

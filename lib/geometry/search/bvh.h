@@ -34,9 +34,8 @@ class Bvh {
 
   using Pair = std::pair<Index, Index>;
   /// Calls visit(list, pairs) for all pairs of overlapping boxes with first < second, in portions.
-  /// Several lists are
-  /// processed concurrently. The portions of one list are visited sequentially, in an order that is
-  /// always the same. Before that, calls `prepare` with the number of lists.
+  /// Several lists are processed concurrently. The portions of one list are visited sequentially,
+  /// in an order that is always the same. Before that, calls `prepare` with the number of lists.
   using Prepare = std::function<void(std::size_t lists)>;
   using VisitPairs = std::function<void(std::size_t list, std::span<const Pair> pairs)>;
   void visit_pairs(const Prepare& prepare, const VisitPairs& visit) const;

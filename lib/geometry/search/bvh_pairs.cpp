@@ -162,7 +162,8 @@ class Bvh::PairSearch {
     return result;
   }
 
-  // Calls `flush` whenever the buffer is full.
+  // Descends from a task to the pairs of boxes below it, and adds their places to `found`. Calls
+  // `flush` whenever this buffer is full.
   template <class Flush>
   void descend(const Task& task, PlacePairs& found, const Flush& flush) const {
     if (task.layer == 0) {

@@ -75,7 +75,8 @@ VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
     low = low.cwiseMin(mesh.position(v));
     high = high.cwiseMax(mesh.position(v));
   }
-  // The cell size leaves a margin of cells on each side and limits their number to that of keys.
+  // The cell size leaves a margin of cells on each side, and limits the number of cells to the
+  // number of different keys.
   cell_size_ = std::max(cell_size_, (high - low).maxCoeff() / (1 << (key_bits - 3)));
   origin_ = low - Vec3::Constant(8 * cell_size_);
   std::vector<NormalCone> cones;
