@@ -29,9 +29,11 @@ struct RegistrationOptions {
 struct RegistrationResult {
   Matrix4 motion = Matrix4::Identity();  ///< maps the input mesh onto the reference
   double rotation_deg = 0;               ///< angle of the motion, from 0 to 180
-  double rms = 0;      ///< root mean square distance of the overlap from the reference; input units
+  /// Root mean square distance of the overlapping samples from the reference; input units.
+  double rms = 0;
   double overlap = 0;  ///< fraction of the samples that lie on the reference; [0, 1]
-  /// Least / largest resistance to small motions; [0, 1]; 0: the mesh can slide.
+  /// Smallest resistance to a small rigid motion divided by the largest; [0, 1]. 0: `mesh` can
+  /// slide.
   double stability = 0;
   int iterations = 0;
   bool has_converged = false;  ///< the mesh came to rest within the limit of iterations

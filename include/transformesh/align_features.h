@@ -22,16 +22,16 @@ namespace transformesh {
 
 struct AlignOptions {
   double feature_angle_deg = 40;        ///< least angle between normals at sharp edges; in (0, 180)
-  double min_edge = 0;                  ///< shortest edges of the mesh; input units; > 0
-  double max_edge = 0;                  ///< longest edges of the mesh; input units
+  double min_edge = 0;                  ///< length of the mesh's shortest edges; input units; > 0
+  double max_edge = 0;                  ///< length of the mesh's longest edges; input units
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
 };
 
 struct AlignResult {
   std::size_t sharp_edges = 0;  ///< number of sharp edges of the target
-  std::size_t corners = 0;      ///< number of corners of the target, where sharp edges end, turn or
-                                ///< meet
-  std::size_t aligned = 0;      ///< vertices on sharp edges and corners at the end
+  /// Number of corners of the target: vertices where sharp edges end, turn or meet.
+  std::size_t corners = 0;
+  std::size_t aligned = 0;  ///< number of vertices on sharp edges and corners at the end
   StaleColumns columns;
 };
 

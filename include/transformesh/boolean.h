@@ -34,19 +34,19 @@ struct Operand {
   std::string name{};  ///< name of the operand in messages
 };
 struct BooleanOptions {
-  bool merge_flat = true;               ///< merge coplanar pieces at cuts (clean.h)
-  bool source_operand = false;          ///< write the operand of each face as source_operand
+  bool merge_flat = true;       ///< merge coplanar faces around cuts (clean.h)
+  bool source_operand = false;  ///< add a face column source_operand: index of the face's operand
   Scalar coordinate = Scalar::float64;  ///< positions of input and output are rounded to it
-  bool cap = false;                     ///< cut_sheet(): add faces of the solid that close the part
+  bool cap = false;  ///< cut_sheet(): add faces of the solid to close the part of the sheet
 };
 
 struct BooleanResult : CleanResult {
-  std::optional<ErrorKind> reason{};      ///< kind of error of clean(), if the result is empty
+  std::optional<ErrorKind> reason{};      ///< if the result is empty: the kind of error of clean()
   std::vector<std::size_t> inside_out{};  ///< operands with w < 0 somewhere, and w > 0 nowhere
   std::vector<std::size_t> canceling{};   ///< operands that have faces, but w = 0 everywhere
 };
 
-/// All counts are sums over the operands. `operands` must not be empty.
+/// All counts in the result are sums over the operands. `operands` must not be empty.
 BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& operands,
                       const BooleanOptions& options = {}, const Progress& progress = Progress());
 

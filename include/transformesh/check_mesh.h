@@ -1,12 +1,12 @@
 /// Checks whether a mesh is an oriented 2-manifold. On request also checks whether it is closed,
-/// free of self-intersections, and the boundary of { p : w(p) >= winding level } of another mesh.
-/// The code that checks a property is independent of the operations that establish it.
+/// free of self-intersections, and the boundary of { p : w(p) >= winding level } of an original
+/// mesh `certified`. The code that checks a property is independent of the operations that
+/// establish it.
 ///
 /// The winding number is tested at sample points in front of and behind faces. The winding number
-/// of the mesh at a sample must be 1 if the winding number of the other mesh is >= winding level,
-/// else 0. A sample is undecided if rounding may have moved faces across it. If the other mesh is
-/// open, its winding numbers are not integers, and each face must be a piece of a face of the other
-/// mesh.
+/// of the mesh at a sample must be 1 if that of `certified` is >= winding level, else 0. A sample
+/// is undecided if rounding may have moved faces across it. If `certified` is open, its winding
+/// numbers are not integers, and each face must be a piece of a face of `certified`.
 ///
 /// Cost: O(n) for the manifold, that of find_intersections(), and O(log n) per sample on usual
 /// meshes. Deterministic for any number of threads.
@@ -24,14 +24,14 @@ namespace transformesh {
 struct CheckMeshOptions {
   bool closed = false;                  ///< report a border as a problem
   bool intersections = false;           ///< report a self-intersection as a problem
-  const Mesh* certified = nullptr;      ///< the other mesh; if set, no face may lack area
+  const Mesh* certified = nullptr;      ///< original mesh; if set, no face may lack area
   int winding_level = 1;                ///< level of `certified`; >= 1
   Scalar coordinate = Scalar::float64;  ///< the type in which positions were stored
 };
 
 struct Certificate {
-  bool input_is_closed = false;  ///< the input is closed after equal positions are joined
-  std::size_t samples = 0;       ///< decided samples, including wrong ones
+  bool input_is_closed = false;  ///< `certified` is closed after equal positions are joined
+  std::size_t samples = 0;       ///< samples with a definite result, right or wrong
   std::size_t undecided = 0;
   std::size_t wrong = 0;
   double margin = 0;    ///< bound on how far rounding may have moved a face unnoticed; input units
@@ -47,8 +47,8 @@ struct MeshCheck {
   std::size_t components = 0;
   long genus = 0;                                      ///< sum over all components
   std::optional<std::vector<FacePair>> intersections;  ///< set if they were searched
-  std::optional<Certificate> certificate;              ///< set if there was another mesh
-  /// In this order: manifold, intersections, closedness, area, winding.
+  std::optional<Certificate> certificate;              ///< set if `certified` was given
+  /// Problems in this order: manifold, intersections, closedness, area, winding.
   std::vector<Problem> problems;
 };
 

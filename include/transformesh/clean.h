@@ -44,10 +44,10 @@ struct CleanOptions {
   ExteriorMethod method = ExteriorMethod::grow;
   int winding_level = 1;                ///< 1 is the union, 2 the intersection of two operands
   bool outermost = false;               ///< drop cavities, and components inside them
-  bool merge_flat = false;              ///< merge coplanar pieces at cuts
+  bool merge_flat = false;              ///< merge coplanar faces around cuts
   bool refuse = false;                  ///< throw GoalError instead of changing anything
   Scalar coordinate = Scalar::float64;  ///< positions of input and output are rounded to it
-  double separate = 0;  ///< distance between copies of a vertex; input units; 0: do not move them
+  double separate = 0;  ///< distance between duplicates of a vertex; input units; 0: coincident
   CleanSources sources = CleanSources::none;
   std::optional<Box> box = {};  ///< clean only the faces in this box
   bool only = false;            ///< needs `box`; leave out faces that do not belong to it

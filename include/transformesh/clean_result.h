@@ -15,34 +15,37 @@ struct CleanResult {
   bool changed = false;
   /// Intersecting pairs of faces; number of faces after cutting.
   std::size_t pairs = 0, pieces = 0;
-  /// Input faces that were cut; that were dropped whole.
+  /// Input faces that were cut; input faces that were dropped whole.
   std::size_t cut_faces = 0, removed_faces = 0;
   /// Vertices made on intersections; duplicates made where parts of the surface touch.
   std::size_t new_vertices = 0, copied_vertices = 0;
   /// Patches of a mesh with borders (0 for closed meshes); rays cast to find the exterior.
   std::size_t patches = 0, rays = 0;
   std::size_t decided_by_number = 0;  ///< patches decided by a generalized winding number
-  double least_margin = 0.5;  ///< least distance of such a number from its rounding threshold
+  /// Least distance of a generalized winding number from its rounding threshold.
+  double least_margin = 0.5;
   std::size_t dropped_components = 0;                     ///< components that `outermost` dropped
   std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds of repair; repaired places
-  /// Broken faces and intersecting pairs, summed over all rounds of repair.
+  /// Faces broken by rounding and intersecting pairs of faces, each summed over all rounds of
+  /// repair.
   std::size_t rounding_faces = 0, rounding_pairs = 0;
   std::size_t rounding_level = 0;  ///< largest number of times that a rounding grid was coarsened
   /// Bound on the movement of the surface by rounding and repair, in input units and in spacings of
   /// the coordinates there.
   double rounding_displacement = 0;
   double rounding_spacings = 0;
-  std::size_t merged_faces = 0;        ///< faces by which `merge_flat` reduced the mesh
-  std::size_t merge_refused = 0;       ///< flat regions that stay to avoid intersections
-  double merge_displacement = 0;       ///< bound on the movement by `merge_flat`; input units
-  std::size_t separated_vertices = 0;  ///< vertices that `separate` moved
-  std::size_t separation_refused = 0;  ///< vertices that still coincide with a copy
+  std::size_t merged_faces = 0;   ///< faces by which `merge_flat` reduced the mesh
+  std::size_t merge_refused = 0;  ///< flat regions that were not merged, to avoid intersections
+  double merge_displacement = 0;  ///< bound on the movement by `merge_flat`; input units
+  std::size_t separated_vertices = 0;  ///< vertices that `separate` moved apart from a duplicate
+  std::size_t separation_refused = 0;  ///< vertices that still coincide with a duplicate
   std::size_t box_faces = 0;           ///< faces that belong to the box
   bool is_whole = false;               ///< the whole mesh was cleaned to repair rounding
   std::vector<std::string> dropped_columns{};  ///< dropped texture coordinates, if faces were cut
   /// Source points of the input were dropped (carry.h).
   bool dropped_source_points = false;
-  std::optional<Connectivity> connectivity{};  ///< set if nothing was changed
+  /// Connectivity of the mesh; set only if nothing was changed.
+  std::optional<Connectivity> connectivity{};
 };
 
 }  // namespace transformesh

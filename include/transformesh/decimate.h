@@ -19,7 +19,8 @@
 namespace transformesh {
 
 struct DecimateOptions {
-  std::size_t faces = 0;  ///< wanted number; >= 4; 0 with `error`: as few as the error allows
+  /// Wanted number of faces, >= 4; 0 with `error`: as few as `error` allows.
+  std::size_t faces = 0;
   double feature_angle_deg = 180;  ///< sharper edges are kept; in (0, 180]; 180: no edge is sharp
   bool keep_border = false;        ///< keep border vertices and edges
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
@@ -35,7 +36,7 @@ struct DecimateResult {
   /// flat faces alone may leave fewer.
   std::size_t faces = 0;
   std::size_t merged_faces = 0;   ///< faces removed by merging flat faces
-  std::size_t error_refused = 0;  ///< refusals because of `error`; repeated attempts count again
+  std::size_t error_refused = 0;  ///< collapses refused because of `error`; each attempt counts
   double error_bound = 0;    ///< bound on the distance between both surfaces; 0 without `error`
   std::size_t kept_out = 0;  ///< collapses refused because of `keep_out`
   std::size_t near_keep_out = 0;  ///< input faces that are nearer to `keep_out` than its gap

@@ -21,7 +21,7 @@ struct OtherElement {
   Columns columns;
 };
 
-/// Encoding of the file. The defaults are the pipe format.
+/// Encoding of the file. The defaults are the format in which programs pass meshes through pipes.
 struct Style {
   Format format = Format::ply_little;
   Scalar coordinate = Scalar::float64;       ///< float32 or float64
@@ -36,7 +36,8 @@ struct Style {
   /// `face` is missing and the mesh has no faces (a point cloud), no face element is written.
   std::vector<std::string> element_order;
   bool sized_type_names = false;  ///< PLY types are float32, uint8, not float, uchar
-  bool keeps_polygons = false;    ///< ReadOptions::keep_polygons
+  /// Polygons are written as they were read (ReadOptions::keep_polygons).
+  bool keeps_polygons = false;
 };
 
 struct Document {

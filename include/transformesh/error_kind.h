@@ -28,7 +28,7 @@ enum class ErrorKind {
   coordinates_too_large,     ///< intersections are beyond the range of coordinates
   needs_cleaning,            ///< cleaning would change the mesh, which the caller forbids
   box_in_open_mesh,          ///< only a closed mesh can be cleaned in a box
-  static_test_of_open_mesh,  ///< winding numbers are integers in closed meshes only
+  static_test_of_open_mesh,  ///< the static test needs a closed mesh, with integer winding numbers
   decimation_stuck,          ///< no further edge can be collapsed without breaking a guarantee
   meets_keep_out,            ///< the mesh intersects the surface to keep out of
   bad_reference_edge,        ///< the comment of a mesh holds no positive length
@@ -42,7 +42,7 @@ enum class ErrorKind {
   target_not_solid,          ///< the target is open, not manifold, or intersects itself
   source_apart,              ///< the source does not overlap all of the target
   edges_too_long,            ///< edges are too long for the target
-  uniform_edges_too_long,    ///< edges are too long at narrow places and have one length
+  uniform_edges_too_long,    ///< edges of uniform length are too long at narrow places
   surface_explodes,          ///< the surface of a reconstruction falls apart
   outside_hull,              ///< the mesh is outside of the visual hull
   scene_behind_cameras,      ///< the coordinate system of the cameras is left-handed

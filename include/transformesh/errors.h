@@ -17,9 +17,9 @@ struct ErrorData {
   std::vector<std::size_t> faces = {};                  ///< indices of faces
   std::optional<std::array<std::size_t, 2>> edge = {};  ///< indices of the edge's vertices
   std::optional<std::array<double, 3>> position = {};   ///< coordinates in input units
-  std::vector<std::size_t> counts = {};                 ///< in the order of the sentence
-  std::vector<double> lengths = {};                     ///< in the order of the sentence
-  std::string name = {};  ///< name of a file, folder, view or argument
+  std::vector<std::size_t> counts = {};  ///< numbers of elements, in the order of the sentence
+  std::vector<double> lengths = {};      ///< in the order of the sentence
+  std::string name = {};                 ///< name of a file, folder, view or argument
 };
 
 /// Content of an error or a warning. The sentence is one line, empty if there is no problem, and

@@ -22,7 +22,7 @@ namespace transformesh {
 struct UntilRule {
   double least_movement = 0;
   bool is_stalled = false;
-  std::optional<long> components = {}, genus = {};  ///< ends at this number or genus
+  std::optional<long> components = {}, genus = {};  ///< ends at this number or this genus
 };
 
 /// Ends when no vertex moved by `length`, in input units, or farther.
@@ -34,7 +34,7 @@ inline UntilRule stalled() { return {0, true}; }
 struct EvolveOptions {
   IterationOptions iteration = {};
   UntilRule until = {};
-  bool finds_events = false;  ///< label components and find events; set if the loop records them
+  bool finds_events = false;  ///< find events (events.h); also done if RecordOptions::events is set
 };
 
 struct EvolveResult {
@@ -46,10 +46,10 @@ struct EvolveResult {
   double clamped_share = 0;
   IterationResult last;                    ///< last iteration of this run
   std::vector<Event> events;               ///< events of this run, with `finds_events`
-  std::optional<std::size_t> event_count;  ///< number with earlier runs; set with `finds_events`
+  std::optional<std::size_t> event_count;  ///< number in all runs; set with `finds_events`
 };
 
-/// Carries the columns. A run that continues replaces the document by its state.
+/// Evolves a document and carries its columns. A continued run replaces the document by its state.
 EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options = {},
                     const LoopOptions& loop = {}, const Progress& progress = Progress());
 

@@ -2,13 +2,13 @@
 /// span of time. Then clean() removes self-intersections and remesh() keeps the surface sampled.
 ///
 /// The velocity is evaluated at the stages of the integrator on the same connectivity. A step that
-/// changes the number of components or the genus is repeated with half the span, until the span is
-/// at most `event_tolerance`.
-/// Guarantees of the result: iteration.h. The source is cleaned first, and the result once more.
-/// Throws what the stages throw, with the number of the iteration; GoalError if the span becomes
-/// too short to reach the end. The mesh is then that of the last good iteration. Deterministic if
-/// the motion is. Reference for embedded pairs and the choice of the span: Hairer, Norsett &
-/// Wanner, "Solving Ordinary Differential Equations I", 2nd ed., 1993, section II.4.
+/// changes the number of components or the genus is repeated with half the span while the span is
+/// above `event_tolerance`. Guarantees of the result: iteration.h. The source is cleaned first, and
+/// the result once more. Throws what the stages throw, with the number of the iteration; GoalError
+/// if the span becomes too short to reach the end. The mesh is then that of the last good
+/// iteration. Deterministic if the motion is. Reference for embedded pairs and the choice of the
+/// span: Hairer, Norsett & Wanner, "Solving Ordinary Differential Equations I", 2nd ed., 1993,
+/// section II.4.
 #pragma once
 
 #include "transformesh/evolve.h"
@@ -28,7 +28,7 @@ struct TimeOptions {
   /// Largest distance of a vertex from its position by the embedded method (Euler in midpoint,
   /// midpoint in rk4); input units; 0: no limit. Used only if `span` is 0.
   double tolerance = 0;
-  /// Longest time of a step that is never repeated; 0: repeats no step; negative: `end` / 1000.
+  /// Limit of the span above which steps are repeated; 0: none is repeated; negative: `end` / 1000.
   double event_tolerance = -1;
   /// Restores the volume after remeshing: vertices move along normals, in proportion to their step.
   bool keep_volume = false;
@@ -37,12 +37,12 @@ struct TimeOptions {
 };
 
 struct TimeResult {
-  double time = 0;            ///< at the end of this run
-  EvolveResult evolution;     ///< `is_done`: the end of time or the rule was reached
+  double time = 0;            ///< time at the end of this run
+  EvolveResult evolution;     ///< `is_done`: the time `end` or the rule `until` was reached
   double volume = 0;          ///< volume of the result, in cubic input units
   double volume_drift = 0;    ///< volume change by cleaning and remeshing that was not restored
   double max_move = 0;        ///< largest movement in a step, in mean lengths of a vertex's edges
-  std::size_t held_back = 0;  ///< most vertices whose movement other bodies shortened, in one step
+  std::size_t held_back = 0;  ///< largest number of vertices held back by other bodies in one step
   std::size_t repeated = 0;   ///< steps repeated with a shorter span, including earlier runs
 };
 

@@ -21,10 +21,10 @@
 namespace transformesh {
 
 struct FillOptions {
-  std::size_t max_edges = std::numeric_limits<std::size_t>::max();  ///< largest number of border
-                                                                    ///< edges; >= 3
-  double max_diameter = std::numeric_limits<double>::infinity();  ///< largest diagonal of a hole's
-                                                                  ///< box; > 0
+  /// Holes with more border edges than this stay open; >= 3.
+  std::size_t max_edges = std::numeric_limits<std::size_t>::max();
+  /// Holes whose box has a longer diagonal than this stay open; input units; > 0.
+  double max_diameter = std::numeric_limits<double>::infinity();
   bool refine = true;  ///< add vertices, as dense as those around the hole
   bool fair = true;    ///< continue the surrounding surface smoothly; needs `refine`
   bool allow_self_intersections = false;  ///< close holes by an intersecting patch if no other fits

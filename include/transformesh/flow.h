@@ -27,10 +27,10 @@ FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::si
 
 /// Each flow has some of these options. Setting one that a flow lacks is a UsageError.
 struct FlowOptions {
-  double speed = 1;                        ///< factor of the velocity; > 0 in flows by curvature
-  std::optional<double> period = {};       ///< > 0; default: rotation 1, vortex 8, deformation 3
-  std::optional<Vec3> center = {};         ///< default (.5, .5, .5), the center of the unit cube
-  std::optional<Vec3> direction = {};      ///< rotation: axis, z; translation: x; any length > 0
+  double speed = 1;                    ///< factor of the velocity; > 0 in flows by curvature
+  std::optional<double> period = {};   ///< time > 0; default: rotation 1, vortex 8, deformation 3
+  std::optional<Vec3> center = {};     ///< default (.5, .5, .5), the center of the unit cube
+  std::optional<Vec3> direction = {};  ///< default: rotation axis z; translation x; any length > 0
   std::optional<std::string> column = {};  ///< flow `normal`: vertex column of speeds
   std::vector<FlowGrid> grids = {};        ///< flow `grid`: velocities; `normal`: speeds
 };
@@ -44,9 +44,9 @@ const std::vector<FlowKind>& flow_kinds();
 
 /// Counts of vertices that evaluations of a flow treated specially.
 struct FlowCounts {
-  std::size_t outside = 0;       ///< most vertices outside of the grids in one evaluation
+  std::size_t outside = 0;  ///< largest number of vertices outside of the grids in one evaluation
   bool is_time_outside = false;  ///< a time was before the first grid or after the last one
-  std::size_t fixed = 0;         ///< most border vertices fixed in one evaluation
+  std::size_t fixed = 0;         ///< largest number of fixed border vertices in one evaluation
 };
 
 struct Flow {
@@ -54,7 +54,7 @@ struct Flow {
   std::shared_ptr<const FlowCounts> counts;
 };
 
-/// Throws UsageError for an unknown name and for options that the flow does not have.
+/// Returns the named flow. Throws UsageError for an unknown name and for options that it lacks.
 Flow make_flow(const std::string& name, FlowOptions options = {});
 
 }  // namespace transformesh

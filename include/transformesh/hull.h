@@ -31,8 +31,8 @@ struct ThresholdOptions {
 struct HullOptions {
   std::optional<Box> box = std::nullopt;  ///< search box; default: bounded by the silhouettes
   int resolution = 100;                   ///< cells along the longest side of the box, [4, 4096]
-  std::optional<double> edge = std::nullopt;  ///< size of a cell; input units; > 0; replaces
-                                              ///< `resolution`
+  /// Size of a cell; input units; > 0; replaces `resolution`.
+  std::optional<double> edge = std::nullopt;
   /// Components are dropped if their volume is less than this fraction of the largest volume; [0,
   /// 1]. A small number of views leaves phantoms, components where all silhouettes happen to
   /// overlap.

@@ -30,10 +30,10 @@ struct IterationOptions {
   Length max_edge{1.5, Length::Unit::reference_edge};
   double reference_edge = 0;                ///< input units; 0: mean edge of the initial mesh
   double edge_factor = 1;                   ///< factor of `min_edge` and `max_edge`
-  RemeshOptions remesh = smoothed_by(0.1);  ///< lengths and type of coordinates are not used
+  RemeshOptions remesh = smoothed_by(0.1);  ///< `min_edge`, `max_edge`, `coordinate` are ignored
   bool outermost = true;                    ///< CleanOptions::outermost
   bool expects_changes = false;  ///< clean() probably changes the mesh; affects only the speed
-  /// Called if clean() changed the mesh, before `outermost` drops components, and after pinching.
+  /// Called after a change by clean(), before `outermost` is applied, and after loops were pinched.
   std::function<void(const Mesh& before, Mesh& cleaned)> on_cleaned = {};
 };
 

@@ -14,15 +14,15 @@ namespace transformesh {
 
 struct ManifoldReport {
   std::vector<Index> nonmanifold_edges;  ///< a halfedge of each edge with three or more faces
-  std::vector<Index> misoriented_edges;  ///< a halfedge of each edge whose two faces traverse it in
-                                         ///< the same direction
+  /// A halfedge of each edge whose two faces traverse it in the same direction.
+  std::vector<Index> misoriented_edges;
   std::vector<Index> nonmanifold_vertices;  ///< vertices whose faces are not one umbrella or disk
   std::vector<Index> collapsed_faces;       ///< faces with a repeated vertex index
   std::vector<Index> border_halfedges;      ///< halfedges without an opposite face
   std::vector<Index> isolated_vertices;     ///< vertices that no face uses
   std::size_t boundary_loops = 0;
-  std::size_t touching_borders = 0;  ///< border edges that coincide with others
-                                     ///< (touching_borders.h)
+  /// Number of border edges that coincide with others (touching_borders.h).
+  std::size_t touching_borders = 0;
 
   bool is_manifold() const {
     return nonmanifold_edges.empty() && nonmanifold_vertices.empty() && collapsed_faces.empty();

@@ -25,7 +25,7 @@ struct ReadOptions {
   /// Throw InputError for content that is otherwise dropped or skipped with a note: non-finite
   /// values, unknown lines, a missing end.
   bool strict = false;
-  std::string folder = {};     ///< has the files that a .gltf file refers to; empty: none
+  std::string folder = {};     ///< folder of the files that a .gltf file refers to; empty: none
   bool keep_polygons = false;  ///< PLY, OFF and OBJ are written with the polygons that were read
 };
 

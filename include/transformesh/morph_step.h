@@ -2,7 +2,7 @@
 /// its normal, where phi is a signed distance to the target. Movements are clamped as in
 /// displace(). The part of a surface outside of the target shrinks, the part inside grows.
 /// Reference: Breen & Whitaker, "A level-set approach for the metamorphosis of solid models", TVCG
-/// 2001. A component of the target that the source does not overlap is not reached; a component of
+/// 2001. A component of the target that the source does not overlap is not reached. A component of
 /// the source outside of the target shrinks. Distances so large that movements are clamped have
 /// errors of a few percent, without effect on movements. Cost: O(n log m). Deterministic for any
 /// number of threads.
@@ -20,10 +20,12 @@ namespace transformesh {
 /// Definition of the signed distance phi(p).
 enum class MorphDistance {
   surface,  ///< distance to the closest point of the target's faces
-  vertex,   ///< ((q - p) . n) for the nearest vertex q and its normal n, as in the paper; needs a
-            ///< target that is sampled as finely as the source; vanishes near sharp edges
-  points    ///< like `vertex`, but twelve planes decide the side of far points (Kolluri, "Provably
-            ///< good moving least squares", TALG 4(2), 2008)
+  /// ((q - p) . n) for the nearest vertex q and its normal n, as in the paper. Needs a target that
+  /// is sampled as finely as the source. Vanishes near sharp edges.
+  vertex,
+  /// Like `vertex`, but twelve planes decide the side of far points (Kolluri, "Provably good moving
+  /// least squares", TALG 4(2), 2008).
+  points
 };
 
 struct MorphStepOptions {
@@ -34,7 +36,8 @@ struct MorphStepOptions {
   /// vertex column `size` is set to an edge length.
   double gap_edges = 0;
   double largest_size = 0;  ///< largest value of `size`; input units; the smallest is 1/20 of this
-  const Target* goal = nullptr;  ///< vertices to measure for `from_target`; null: all of the target
+  /// Part of the target that is measured for `from_target`; null: all.
+  const Target* goal = nullptr;
 };
 
 struct DistanceSummary {

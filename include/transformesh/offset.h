@@ -25,14 +25,14 @@ struct OffsetOptions {
 /// Deviation of the result from the true offset, at sample points of both surfaces. Input units.
 struct OffsetDeviation {
   double rms = 0;     ///< root mean square of |distance from the source - `distance`|, by area
-  double most = 0;    ///< largest such difference at sample points and vertices
+  double most = 0;    ///< largest | distance from the source - `distance` | at samples and vertices
   double missed = 0;  ///< largest distance of a point on the true offset from the result
   Vec3 missed_at = Vec3::Zero();  ///< the point of the true offset at the distance `missed`
 };
 
 struct OffsetResult {
   std::size_t iterations = 0;
-  bool has_arrived = false;  ///< vertices are within 1/100 of an edge, or came no closer
+  bool has_arrived = false;  ///< vertices are within 1/100 edge of the offset, or came no closer
   /// True if points of the true offset are farther from the result than edges explain: a thin part
   /// or its rim is lost.
   bool has_missed = false;

@@ -11,9 +11,8 @@
 namespace transformesh {
 
 enum class Interpolation { bilinear, catmull_rom };
-enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient`: the paper's, depends on units
-enum class PairOrder { both, rising, falling };       ///< rising: the reference has the lower index
-
+enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient` (paper) depends on length unit
+enum class PairOrder { both, rising, falling };       ///< rising: the lower index is the reference
 struct CorrelationOptions {    ///< comparison of windows by normalized cross-correlation cc
   int radius = 3;              ///< radius of windows; pixels; 1 to 5
   double noise_variance = 25;  ///< added to both variances; squared intensities; > 0
@@ -28,15 +27,16 @@ struct PhotoconsistencyOptions {
 struct PairOptions {          ///< pairs of views to compare; angles at the scene
   std::size_t neighbors = 4;  ///< largest number of partners of each view
   double minimum_angle_deg = 4, maximum_angle_deg = 50;
-  double spread = std::numeric_limits<double>::infinity();  ///< largest / best angle; >= 1
+  double spread = std::numeric_limits<double>::infinity();  ///< largest angle / best angle; >= 1
 };
 struct PhotoStepOptions {
   PhotoStepRule rule = PhotoStepRule::gauss_newton;
   double alpha = 0.5;      ///< clamp as a fraction of the local mean edge; >= 0; 0.1 in the paper
-  double stiffness = 1;    ///< weight of the thin plate, in median curvatures of the energy; >= 0
-  double damping = 0.006;  ///< regularization; compared pixels per squared pixel of movement; >= 0
-  double time_step = 0.001, smoothing = 0.1;  ///< only for `gradient`: in length^4, >= 0; in [0, 1]
-  double silhouettes = 1;                     ///< weight of silhouettes against photographs; >= 0
+  double stiffness = 1;    ///< thin-plate weight / median second derivative of the energy; >= 0
+  double damping = 0.006;  ///< regularization: second derivative added per compared pixel; >= 0
+  /// Only for `gradient`: time step in length^4, >= 0; smoothing factor in [0, 1].
+  double time_step = 0.001, smoothing = 0.1;
+  double silhouettes = 1;  ///< weight of silhouettes against photographs; >= 0
   SilhouetteMeaning meaning = SilhouetteMeaning::exact;
   PairOrder order = PairOrder::both;
   double least_cosine = 0.1;  ///< least cosine between ray and normal of compared faces; >= 0
@@ -46,7 +46,7 @@ struct PhotoStepResult {
   double energy = 0, dissimilarity = 0;  ///< sum and mean of 1 - cc before the step
   std::size_t pixels = 0;                ///< compared pixels, summed over all pairs
   double coverage = 0;                   ///< `pixels` over the pixels that show the surface; [0, 1]
-  std::size_t unseen = 0, outside = 0;   ///< vertices: in no pair; outside of a silhouette
+  std::size_t unseen = 0, outside = 0;   ///< vertices in no pair; vertices outside of a silhouette
   double mean_share = 0;                 ///< mean movement as a fraction of the local mean edge
   DisplaceResult displaced;
 };

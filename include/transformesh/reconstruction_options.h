@@ -25,7 +25,7 @@ struct InitialMeshOptions {
 
 /// Scales: factors by which photographs are reduced.
 struct ScaleOptions {
-  std::optional<double> coarsest = std::nullopt;  ///< first scale, >= 1; default: width / 28 px
+  std::optional<double> coarsest = std::nullopt;  ///< first scale; >= 1; default: width / 28 pixels
   double edge = 3;                                ///< edge length in pixels of the scale; >= 1
   double last_edge = 3;                           ///< edge length in pixels at the end; >= 1
   double largest = 11.3;                          ///< limit of the default of `coarsest`
@@ -43,15 +43,15 @@ struct ReconstructionOptions {
   ScaleOptions scales;
   PairOptions pairs;
   WindowRadii windows;
-  std::optional<int> iterations = std::nullopt;  ///< steps of a sweep; default: 5; opened hull: 8
+  std::optional<int> iterations = std::nullopt;  ///< steps per sweep; 5, or 8 if hollows are carved
   std::size_t sweeps = 4;  ///< limit of sweeps at a scale; twice as many if the topology changes
-  std::optional<double> pull = std::nullopt;  ///< weight of silhouettes; default: 0.5; 1.5 if wide
+  std::optional<double> pull = std::nullopt;  ///< weight of silhouettes; 0.5, for distant views 1.5
   double momentum = 0.7;      ///< fraction of the last movement that a step adds; [0, 1)
   PhotoStepOptions step;      ///< only `stiffness`, `damping` and `alpha` are used
   bool spends_views = false;  ///< crop and finally clear the views, to save memory
-  double robust = 1;          ///< CorrelationOptions::robust / mean dissimilarity in last sweeps
-  double crumbs = 0.001;      ///< drop components below this fraction of the largest volume; [0, 1]
-  double handles = 5;         ///< limit of loops around removed handles, in last edges; 0: none
+  double robust = 1;  ///< CorrelationOptions::robust of the last sweeps, in mean dissimilarities
+  double crumbs = 0.001;  ///< drop components below this fraction of the largest volume; [0, 1]
+  double handles = 5;     ///< longest loop around a removed handle, in final edges; 0: remove none
   std::function<void(const std::string& message)> on_sweep = {};   ///< called after each sweep
   std::function<void(const std::string& message)> on_note = {};    ///< called for problems
   std::function<void(const std::string& message)> on_detail = {};  ///< called for details

@@ -21,20 +21,24 @@
 namespace transformesh {
 
 enum class Smoothing { none, tangential, laplace, bilaplace };
-/// `valence`: towards 6; `angle`: larger least angles.
+/// `valence`: flips bring valences nearer to 6; `angle`: flips enlarge the smallest angle.
 enum class FlipRule { none, valence, angle };
 
 struct RemeshOptions {
-  double min_edge = 0;        ///< shorter edges are collapsed; input units, > 0
-  double max_edge = 0;        ///< longer edges are split; input units, >= 1.5 min_edge
-  std::string size_column;    ///< vertex column that multiplies both lengths; empty: none
-  double adaptive_error = 0;  ///< > 0: edge lengths follow the curvature to keep this distance
-  int iterations = 1;         ///< >= 0; 0 removes only small components and degenerate faces
-  bool only_smooth = false;   ///< smooth only; no splits, collapses and flips
+  double min_edge = 0;      ///< shorter edges are collapsed; input units, > 0
+  double max_edge = 0;      ///< longer edges are split; input units, >= 1.5 min_edge
+  std::string size_column;  ///< vertex column that multiplies both lengths; empty: none
+  /// > 0: edge lengths follow the curvature, so that faces are at most this far from the smooth
+  /// surface; input units.
+  double adaptive_error = 0;
+  int iterations = 1;        ///< >= 0; 0 removes only small components and degenerate faces
+  bool only_smooth = false;  ///< smooth only; no splits, collapses and flips
   FlipRule flip = FlipRule::valence;
   Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
-  double smooth_first = 0;                      ///< b in v - b dv, or b1; in [0, 1]
-  double smooth_second = 0;        ///< b2 in v - b1 dv + b2 d2v; in [(b1 - 1) / 2, b1 / 2]
+  /// Laplacian smoothing moves v to v - b1 dv + b2 d2v, where dv and d2v are Laplacians (smooth.h).
+  /// This is b1, in [0, 1].
+  double smooth_first = 0;
+  double smooth_second = 0;  ///< b2 of the formula above, for bilaplace; in [(b1 - 1) / 2, b1 / 2]
   double feature_angle_deg = 180;  ///< sharper edges stay; [0, 180]; 0: 40 if edges are sharp
   bool keep_border = false;        ///< border vertices and edges stay
   bool project = false;            ///< move relaxed vertices onto the input surface
@@ -46,7 +50,8 @@ struct RemeshOptions {
 };
 
 /// Returns options for a surface that a flow carries: `curved`, flips by angle, no smoothing, so
-/// that vertices stay where the flow took them. Smoothing interpolates all of them at every call.
+/// that vertices stay where the flow took them. Smoothing would interpolate all vertices at every
+/// call.
 RemeshOptions curved_remeshing();
 
 }  // namespace transformesh

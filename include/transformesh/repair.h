@@ -39,7 +39,7 @@ struct RepairStep {
   Vec3 place = Vec3::Zero();          ///< corner of the first face that changed
   /// Values after the step minus values before; input units.
   double area_change = 0, volume_change = 0;
-  double lost_share = 0;           ///< fraction of the area of removed faces; [0, 1]
+  double lost_share = 0;           ///< area of removed faces / area before; [0, 1]
   Vec3 lost_place = Vec3::Zero();  ///< corner of a removed face
 };
 

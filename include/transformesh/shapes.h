@@ -27,8 +27,8 @@ struct ShapeOptions {
   std::vector<std::string> parameters;
   std::optional<std::size_t> faces;  ///< approximate number; default 10000
   std::optional<double> edge;        ///< approximate mean edge, instead of `faces`; > 0
-  std::optional<double> radius;      ///< radius of a sphere or dented sphere, or of the ring of a
-                                     ///< torus or knot; > 0
+  /// Radius of a sphere or dented sphere, or of the ring of a torus or knot; > 0.
+  std::optional<double> radius;
   std::optional<double> tube;        ///< tube radius of a torus or knot; > 0
   std::optional<double> gap;         ///< gap of two-spheres and tori; negative: parts overlap
   std::optional<double> neck;        ///< radius of a dumbbell's neck; negative: inverted

@@ -28,8 +28,8 @@ struct StitchOptions {
   bool orient = false;
   /// Drop all but the first of coincident faces with the same direction.
   bool drop_copies = false;
-  bool one_side = false;  ///< drop faces whose reverse is present (double_sided.h), orient, and
-                          ///< turn closed parts outwards
+  /// Drop faces whose reverse is present (double_sided.h), orient, and turn closed parts outwards.
+  bool one_side = false;
   /// Reverse closed bodies that are inside out, with their cavities. With `orient`, a changed
   /// component first gets the orientation of most of its faces. With `one_side`, nested components
   /// are oriented outwards and inwards in turn.
@@ -46,7 +46,7 @@ struct StitchResult {
   std::size_t dropped_copies = 0;    ///< faces that `drop_copies` dropped
   std::size_t dropped_reverses = 0;  ///< reverses dropped by `one_side`
   std::size_t reversed_faces = 0;    ///< faces reversed by `orient`, `one_side` or `outwards`
-  /// Edges that several faces without partner traverse in the same direction.
+  /// Edges that several faces without an opposite face traverse in the same direction.
   std::size_t misoriented_edges = 0;
   std::size_t border_edges = 0;  ///< edges at which one face has no partner
   bool new_normals = false;      ///< normals were recomputed after `orient` or `one_side`

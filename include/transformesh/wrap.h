@@ -18,9 +18,10 @@
 namespace transformesh {
 
 struct AlphaWrapOptions {
-  double alpha = 0;   ///< > 0: radius of the ball that stays outside; 0: see alpha_wrap()
-  double offset = 0;  ///< > 0: distance of vertices from the points; 0: an eighth of the points'
-                      ///< spacing, at most 1/300 of the box's diagonal
+  double alpha = 0;  ///< > 0: radius of the ball that stays outside; 0: see alpha_wrap()
+  /// > 0: distance of vertices from the points. 0: an eighth of the points' spacing, at most 1/300
+  /// of the box's diagonal.
+  double offset = 0;
 };
 
 struct AlphaWrap {

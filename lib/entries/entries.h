@@ -67,8 +67,8 @@ Entries entries_of(const SelectionResult& result);
 Entries entries_of(const CarryResult& result);
 Entries entries_of(const Comparison& result);
 Entries entries_of(const Certificate& result);
-/// Returns counts of manifoldness and components, then intersections, certificate and the first
-/// problem.
+/// Returns the report of a check: manifoldness, orientation and closedness, counts of defects and
+/// components, genus, and then the number of intersections and the certificate if present.
 Entries entries_of(const MeshCheck& result);
 
 /// Appends `more` to `entries`.

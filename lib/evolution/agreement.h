@@ -20,7 +20,8 @@ struct MorphGoal {
   /// manifold, or intersects itself.
   std::optional<Topology> topology;
   std::size_t left_out = 0;  ///< number of components that are left out; 0 if `topology` is empty
-  std::optional<Target> without_those;  ///< the target without these components, if there are any
+  /// The target without the components that are left out, if there are any.
+  std::optional<Target> without_those;
   /// Returns the surface or the points from which distances to the mesh are measured.
   const Target& of(const Target& target) const { return without_those ? *without_those : target; }
 };

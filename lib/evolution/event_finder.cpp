@@ -49,7 +49,8 @@ bool have_common(const std::vector<LabeledVolume>& some, const std::vector<Label
   });
 }
 
-/// Drops pairs of handles of the same component that cleaning opened and pinching closed.
+/// Drops pairs of events that cancel each other: cleaning opened a handle of a component, and
+/// pinching (the cutting of thin parts) closed a handle of the same component.
 void cancel_handles(std::vector<Event>& events) {
   std::vector<Event> kept;
   for (Event& event : events) {

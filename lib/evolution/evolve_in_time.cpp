@@ -31,7 +31,7 @@ namespace transformesh {
 namespace {
 
 /// Bound for the relative rounding error of a sum of a million spans. Without it, a remainder of
-/// rounding size before the end of an event would become a step, which is too short.
+/// that size before `event_end_` would become a step of its own, which would be too short.
 constexpr double rounding = 1e-9;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ struct Mismatch {
   double distance = 0;            ///< distance of `place` from the other surface; input units
   double longest_edge = 0;        ///< longest edge of the mesh
   bool is_of_topology = false;    ///< components or genus differ
-  bool has_clean_target = true;   ///< a closed manifold that does not intersect itself
+  bool has_clean_target = true;   ///< the target is a closed manifold without self-intersections
   bool has_uniform_edges = true;  ///< edges are not shorter at narrow places of the target
 };
 

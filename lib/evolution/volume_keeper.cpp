@@ -30,7 +30,8 @@ std::vector<Vec3> volume_gradients(const Mesh& mesh) {
   return gradients;
 }
 
-/// Removes the column of movements, and returns it divided by its maximum; 1 for all if that is 0.
+/// Removes the column of movements, and returns it divided by its maximum. Returns 1 for all
+/// vertices if the maximum is 0.
 std::vector<double> taken_weights(Mesh& mesh) {
   std::vector<double> weights;
   if (const Column* column = mesh.vertex_columns.find(column_name)) {

@@ -43,7 +43,7 @@ class ComponentVolumes {
     return sums;
   }
 
-  /// Adds factors[part] * normal to the vectors of the vertices of each component.
+  /// Adds factors[part] * normal to the vectors of the vertices of each component `part`.
   void add(const std::vector<double>& factors, const std::vector<Vec3>& normals,
            std::vector<Vec3>& vectors) const {
     std::vector<char> is_done(vectors.size(), 0);
@@ -86,7 +86,8 @@ void remove_volume_rates(const Mesh& mesh, std::vector<Vec3>& velocities) {
   volumes.add(factors, normals, velocities);
 }
 
-/// Newton's method for one factor per component: the volume is a cubic polynomial of it.
+/// Finds one factor per component by Newton's method. The volume of a component is a cubic
+/// polynomial of its factor.
 void restore_volumes(const Mesh& mesh, const std::vector<Vec3>& directions,
                      std::vector<Vec3>& displacements) {
   // If the volume is off by a tenth, four steps converge to rounding; long spans may need more.

@@ -10,13 +10,13 @@ namespace transformesh {
 /// Throws InputError (not_closed) unless every edge has two faces.
 void require_volume(const Mesh& mesh);
 
-/// Adds to the velocities a motion along the normals, of one speed per component, after which the
+/// Adds a motion along the normals to `velocities`, with one speed per component. With the sum, the
 /// derivative of the volume of each component is zero.
 void remove_volume_rates(const Mesh& mesh, std::vector<Vec3>& velocities);
 
-/// Adds to the displacements the directions times one factor per component, after which each
-/// component has its volume again, up to rounding. A component whose volume does not grow along the
-/// directions, as if it is inside out, stays as it is.
+/// Adds `directions` times one factor per component to `displacements`, so that each component has
+/// the same volume as in `mesh`, up to rounding. A component whose volume does not grow along the
+/// directions, for example because it is inside out, stays as it is.
 void restore_volumes(const Mesh& mesh, const std::vector<Vec3>& directions,
                      std::vector<Vec3>& displacements);
 

@@ -22,7 +22,8 @@ std::vector<Vec3> mean_curvature(const Mesh& start, const Mesh&, const Diffusion
   return span > 0 ? step.second_order(span).after(rates) : rates;
 }
 
-/// The uniform motion along the normals that keeps the volume diffuses like the surface.
+/// Flows by mean curvature and then restores the volume by a movement along the normals. The
+/// vectors of that movement are smoothed by the same diffusion equations as the surface.
 std::vector<Vec3> volume_preserving(const Mesh& start, const Mesh& shape, const DiffusionStep& step,
                                     double span) {
   std::vector<Vec3> vectors = step.curvature_vectors(start.positions);
@@ -71,10 +72,11 @@ Mesh moved_by(Mesh mesh, const std::vector<Vec3>& displacements, double factor) 
   return mesh;
 }
 
-/// Returns the displacements of the implicit midpoint rule: the flow of the linear equations of the
-/// surface in the middle of the span. A step over half of the span predicts that surface. The step
-/// over the whole span from the predicted surface corrects it once. The predicted surface alone
-/// gives order 2 as well, but on a shrinking sphere 16 times the error.
+/// Returns the displacements by the implicit midpoint rule. The equations of the flow are linear if
+/// cotangents, areas and normals are fixed. Here they are those of the surface in the middle of the
+/// span. A step over half of the span predicts that surface. The step over the whole span from the
+/// predicted surface corrects it once. The predicted surface alone gives order 2 as well, but on a
+/// shrinking sphere 16 times the error.
 std::vector<Vec3> integrated(const Mesh& start, const DiffusionStep& first,
                              const CurvatureFlow& flow, double span) {
   const auto around = [&](const Mesh& shape, double length) {

@@ -17,7 +17,8 @@ DiffusionStep::DiffusionStep(const Mesh& mesh)
   }
 }
 
-/// Returns -L, restricted to the free vertices. Fixed neighbors contribute to the diagonal only.
+/// Returns -L, where L is the cotangent matrix, restricted to the free vertices. Fixed neighbors
+/// contribute to the diagonal only.
 DiffusionStep::Matrix DiffusionStep::stiffness() const {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * laplacian_.edges.size());

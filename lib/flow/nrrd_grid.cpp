@@ -167,7 +167,8 @@ class NrrdReader {
 
   const Source& source_;
   std::size_t components_;
-  std::map<std::string, std::string_view, std::less<>> fields_;  ///< keys have '=' in front
+  /// Fields by name; names of `key:=value` have '=' in front.
+  std::map<std::string, std::string_view, std::less<>> fields_;
   std::string_view data_;
 };
 

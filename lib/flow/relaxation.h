@@ -15,8 +15,8 @@ namespace transformesh {
 
 /// The unknowns of a system among the vertices of a mesh. All others are fixed.
 struct Unknowns {
-  std::vector<Index> row_of;     ///< per vertex; no_index if it is fixed
-  std::vector<Index> vertex_of;  ///< per row
+  std::vector<Index> row_of;     ///< row of each vertex; no_index if the vertex is fixed
+  std::vector<Index> vertex_of;  ///< vertex of each row
 };
 
 class Relaxation {

@@ -216,7 +216,7 @@ class Texture {
 
   const Mesh& mesh_;
   const Column& column_;
-  std::vector<Index> across_;  ///< per halfedge: its opposite halfedge, or no_index
+  std::vector<Index> across_;  ///< opposite of each halfedge, or no_index
   std::vector<char> is_reached_;
   std::vector<Index> gathered_;
   double reach_ = 0;

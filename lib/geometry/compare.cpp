@@ -26,8 +26,7 @@ constexpr double default_distance_share = 0.01;  ///< fraction of the diagonal o
 constexpr double largest_extent = 1e75;
 constexpr std::size_t points_per_task = 256;      ///< affects time only
 constexpr std::size_t points_per_report = 16384;  ///< interval of progress reports
-/// Every point of this number is tested before the other points. A choice that affects only the
-/// time.
+/// Every 61st point is tested before the other points. A choice that affects only the time.
 constexpr std::size_t vanguard = 61;
 /// Factor that is less than 1 by more than the relative rounding error of a distance.
 constexpr double certainly = 1 - 1e-12;
@@ -165,7 +164,8 @@ std::vector<double> distances_beyond(std::span<const Vec3> points,
       hint = found.face;
     }
   };
-  // The length of runs does not depend on the number of threads, and neither do the hints.
+  // A run is a sequence of points in which the closest face of one point is the hint for the next.
+  // Its length does not depend on the number of threads, and neither do the hints.
   const std::size_t runs = (numbers.size() + points_per_task - 1) / points_per_task;
   parallel_for(runs, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t run = first; run < last; ++run) take_run(run);

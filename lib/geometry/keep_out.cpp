@@ -16,8 +16,8 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 256;  ///< affects time only
-constexpr double undecided = 0.25;           ///< tolerance of a winding number
-constexpr double rounding = 1e-14;           ///< relative to coordinates
+constexpr double undecided = 0.25;  ///< winding numbers below this, including their error, are 0
+constexpr double rounding = 1e-14;  ///< bound of the rounding error, relative to coordinates
 
 void extend(Box& box, std::span<const Triangle> triangles) {
   for (const Triangle& triangle : triangles)

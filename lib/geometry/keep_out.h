@@ -53,7 +53,7 @@ class KeepOut {
   const Mesh* surface_;
   double gap_;
   Bvh bvh_;
-  std::vector<Vec3> normals_;  ///< unit normal per face
+  std::vector<Vec3> normals_;  ///< unit normal of each face
 };
 
 }  // namespace transformesh

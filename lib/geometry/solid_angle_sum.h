@@ -31,7 +31,7 @@ class SolidAngleSum {
       : scale_(safe_scale(std::max(largest, point.cwiseAbs().maxCoeff()))),
         origin_(point * scale_) {}
 
-  /// Returns the unit vector to a position, or NaN if it is the point.
+  /// Returns the unit vector from the point to a position, or NaN if both are equal.
   Vec3 direction(const Vec3& position) const {
     const Vec3 offset = position * scale_ - origin_;
     return offset / offset.norm();

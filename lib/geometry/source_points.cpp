@@ -156,7 +156,7 @@ SourcePoints source_points_of_pieces(const Mesh& source, const Mesh& mesh,
   const VertexFaces faces_at(mesh);
   SourcePoints places;
   places.of_vertices.resize(mesh.positions.size());
-  std::optional<ClosestPointQuery> closest;  // for vertices that no face uses
+  std::optional<ClosestPointQuery> closest;  // search for vertices that no face uses
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     const Vec3& point = mesh.positions[v];
     if (!faces_at[v].empty()) {

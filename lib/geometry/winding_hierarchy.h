@@ -1,15 +1,15 @@
 /// Generalized winding numbers of a mesh at many points. A mesh with borders has any real number.
-/// Faces are in a tree of boxes. For a point outside a box, a fan of triangles over the common
-/// boundary of the faces in the box replaces these faces. Both enclose a volume inside the box, so
-/// they have the same solid angle. This is no approximation: results differ from those of
-/// SolidAngleWinding by rounding only.
+/// Faces are in a tree of boxes. For a point outside a box, the faces in it are replaced by a fan
+/// of triangles over their common boundary. The faces and the reversed fan enclose a volume in the
+/// box, so faces and fan have the same solid angle at the point. This is no approximation; results
+/// differ from those of SolidAngleWinding by rounding only.
 ///
 /// Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using
 /// generalized winding numbers", ACM TOG 32(4), 2013, section 4.
 ///
-/// Faces are connected by common vertex indices; unconnected faces are summed one by one.
-/// Floating point; deterministic; thread-safe. Cost: O(n log n) to build, about O(sqrt(n)) per
-/// point for surfaces that are connected and smooth.
+/// Faces are connected by common vertex indices; unconnected faces are summed one by one. Floating
+/// point; deterministic; thread-safe. Cost: O(n log n) to build, about O(sqrt(n)) per point for
+/// surfaces that are connected and smooth.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ class WindingHierarchy {
  private:
   /// Corners of a triangle, counted from the first vertex of its node.
   using Corners = std::array<Index, 3>;
-  /// Part of a list.
+  /// A range of a list, from `first` to before `last`.
   struct Range {
     Index first = 0, last = 0;
   };
@@ -41,7 +41,7 @@ class WindingHierarchy {
     Box box{};
     Range faces;  ///< range of `order_`
     bool has_fan = false;
-    Range vertices, triangles;  ///< ranges of the fan
+    Range vertices, triangles;  ///< vertices and triangles of the fan
     Index left = no_index, right = no_index;
   };
   class Builder;

@@ -13,7 +13,8 @@
 namespace transformesh {
 namespace {
 
-// Cosine of 45 degrees: a normal that turns by more counts as turned.
+// Cosine of 45 degrees. The normal of a face counts as turned (RoundingLoss::turned) if it rotates
+// by a larger angle.
 constexpr double least_cosine = 0.7071067811865476;
 constexpr int float_digits_fewer =
     std::numeric_limits<double>::digits - std::numeric_limits<float>::digits;

@@ -22,8 +22,8 @@ double spacing_around(const Vec3& point, Scalar type);
 /// Rounds to float and back. A cast to float and back is not enough: g++ 12 drops both casts when
 /// it vectorizes two coordinates, and leaves doubles that no float can represent.
 inline double round_to_single(double value) {
-  const volatile auto single = static_cast<float>(value);  // volatile: prevents removal of the
-                                                           // casts
+  // Volatile, so that the compiler does not remove the casts.
+  const volatile auto single = static_cast<float>(value);
   return single;
 }
 
@@ -47,7 +47,8 @@ std::optional<Mesh> rounded_mesh(const Mesh& mesh, Scalar coordinate);
 
 struct RoundingLoss {
   std::size_t collapsed = 0;  ///< faces two corners of which coincide after rounding
-  std::size_t turned = 0;     ///< other faces whose normal turned by more than 45 degrees
+  /// Faces that did not collapse, but whose normal turned by more than 45 degrees.
+  std::size_t turned = 0;
 };
 
 /// Counts the faces that the rounding of positions damaged. O(faces).

@@ -41,7 +41,8 @@ Vec3 corner_areas(const Mesh& mesh, Index face) {
   return shares;
 }
 
-/// Returns the cotangents of the angles opposite of the halfedges of a face.
+/// Returns the cotangents of the angles opposite the halfedges of a face. They are scaled down
+/// together if the face has an angle below 1 degree.
 Vec3 scaled_cotangents(const Mesh& mesh, Index face) {
   // The cotangent of 1 degree. Without a bound, the entries of a matrix would differ so much that
   // sums lose digits.

@@ -37,7 +37,8 @@ struct Part {
   std::size_t edges = 0;        ///< number of edges
 };
 
-/// The smallest and the largest of the smaller vertices of the halfedges of a block of faces.
+/// The range of the smaller vertices of the halfedges in a block of faces: the smallest and the
+/// largest of them.
 struct VertexRange {
   Index first = no_index, last = 0;
   bool overlaps(const Part& part) const { return first < part.last && last >= part.first; }

@@ -14,8 +14,8 @@ namespace transformesh {
 /// halfedges without an opposite face. O(b log b) for b halfedges.
 std::size_t count_touching_borders(const Mesh& mesh, const std::vector<Index>& borders);
 
-/// Returns the number of such edges among all border edges of the mesh. O(n); a few instructions
-/// per halfedge if there is no border.
+/// Returns the number of coincident border edges with opposite directions in the mesh. O(n); a few
+/// instructions per halfedge if there is no border.
 std::size_t count_touching_borders(const Mesh& mesh);
 
 /// Throws InputError if the mesh has coincident border edges with opposite directions. For

@@ -19,8 +19,8 @@ namespace {
 
 using Matrix3 = Eigen::Matrix3d;
 
-constexpr double rounding = 1e-12;  ///< bound on the error of a scale of 1 after products of
-                                    ///< rotations
+/// Bound on the error of a scale of 1 after products of rotations.
+constexpr double rounding = 1e-12;
 
 Matrix4 affine(const Matrix3& linear, const Vec3& way) {
   Matrix4 matrix = Matrix4::Identity();

@@ -10,8 +10,9 @@ namespace transformesh {
 namespace {
 
 /// Calls visit(corner) for the corners at the same vertex in the faces across both edges of a
-/// corner. If two halfedges of an edge start at the same vertex, their sources are neighbors, and
-/// so are their targets. Otherwise each source is the neighbor of the other's target.
+/// corner. If two halfedges of an edge start at the same vertex, the corners at their sources are
+/// neighbors, and so are those at their targets. Otherwise the corner at each source is the
+/// neighbor of the corner at the other halfedge's target.
 template <bool is_oriented, class Visit>
 void for_each_neighbor(std::span<const Face> faces, std::span<const Index> across, Index corner,
                        const Visit& visit) {

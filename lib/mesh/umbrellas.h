@@ -25,7 +25,8 @@ struct Umbrellas {
 Umbrellas find_umbrellas(std::span<const Face> faces, std::span<const Index> across,
                          std::span<const char> included = {});
 
-/// The same if halfedges across an edge always have opposite directions; faster.
+/// Does the same as find_umbrellas(), faster. Halfedges across an edge must have opposite
+/// directions.
 Umbrellas find_oriented_umbrellas(std::span<const Face> faces, std::span<const Index> across,
                                   std::span<const char> included = {});
 

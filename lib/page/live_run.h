@@ -25,7 +25,8 @@ class LiveRun {
   const std::string* block(const std::string& name) const;
 
  private:
-  /// Maps a path to the identity of the file, which changes if the file is replaced.
+  /// Maps a path to the identity of the file (stamp_of()) and the data that were read from it. The
+  /// identity changes if the file is replaced.
   template <class What>
   using Known = std::map<std::string, std::pair<std::string, What>>;
 
@@ -40,7 +41,7 @@ class LiveRun {
   Known<PageMesh> meshes_, targets_;
   Known<PageViews> views_;
   Mesh target_;              ///< target read last
-  std::string target_path_;  ///< path and stamp of `target_`
+  std::string target_path_;  ///< path and stamp_of() of the file of `target_`
 };
 
 }  // namespace transformesh

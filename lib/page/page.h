@@ -19,7 +19,7 @@ struct PageMesh {
   std::size_t number = 0;  ///< number of the iteration (first column of the log), or of the file
   std::string label;       ///< label; empty: the number
   PackedMesh mesh;
-  std::string block = {};  ///< name of its block; may be empty
+  std::string block = {};  ///< name of the packed mesh in the page's data; may be empty
 };
 
 struct PageViews {
@@ -33,7 +33,7 @@ struct PageViews {
 struct PageRun {
   std::string name, tool, version;        ///< tool and version are empty if there is no run
   std::vector<std::string> commands;      ///< commands of the run
-  std::string log, report;                ///< CSV and JSON; may be empty
+  std::string log, report;                ///< log as CSV and report as JSON; may be empty
   std::string events;                     ///< CSV of the events (events.h), or empty
   std::vector<PageMesh> meshes, targets;  ///< ascending by number, as `views` is
   std::vector<PageViews> views;

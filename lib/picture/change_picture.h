@@ -19,8 +19,8 @@ struct ChangePictureOptions {
   std::vector<char> is_lost{}, is_new{};
 };
 
-/// Lost faces are red, new ones green, and all others gray. Throws InputError for a mesh without
-/// faces. Deterministic for any number of threads.
+/// Draws the picture. Lost faces are red, new ones green, and all others gray. Throws InputError
+/// for a mesh without faces. Deterministic for any number of threads.
 Image draw_change(const Mesh& before, const Mesh& after, const ChangePictureOptions& options,
                   const Progress& progress = {});
 

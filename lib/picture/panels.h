@@ -13,7 +13,7 @@ struct Panel {
   int x = 0;  ///< upper left corner, in pixels of the picture
   int y = 0;
   const Mesh* mesh = nullptr;
-  Camera camera;  ///< has the size of the panel
+  Camera camera;  ///< camera of the panel, with its size
 };
 
 /// Lays out panels as described at draw_picture(), and throws as it does. Keeps references to the

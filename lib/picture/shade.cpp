@@ -18,9 +18,10 @@ namespace {
 
 constexpr int most_samples = 1 << 17;  ///< limit per thread; one row of pixels may exceed it
 constexpr int most_rows = 8;  ///< limit of the pixel rows in a band, so that all threads have work
-constexpr double line_half_width = 0.45;    ///< in pixels; the adjacent face draws the other half
+/// Half the width of mesh edges in pixels; the adjacent face draws the other half.
+constexpr double line_half_width = 0.45;
 constexpr float line_strength = 0.65F;      ///< opacity of mesh edges; chosen by hand, not measured
-constexpr double segment_width = 2;         ///< in pixels
+constexpr double segment_width = 2;         ///< width of drawn segments in pixels
 constexpr float light_in_the_dark = 0.15F;  ///< brightness at openness 0
 constexpr float floor_darkness = 0.45F;     ///< darkening of the background if the lamp is hidden
 const Color segment_color = color_of_srgb(0.85, 0.05, 0.45);

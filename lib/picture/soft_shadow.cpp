@@ -21,7 +21,8 @@ constexpr int size = 512;         ///< width and height of the depth images in p
 constexpr double distance = 500;  ///< distance of the lamp, in radii of the mesh
 /// Tangent of half the angle of the disc, 4 degrees.
 constexpr double tangent = 0.069926811943510415;
-/// Lift off the surface, in pixels of the depth images.
+/// Least and largest distance by which points are lifted off the surface, in pixels of the depth
+/// images.
 constexpr double least_lift = 0.5, most_lift = 2;
 
 struct Ball {

@@ -11,7 +11,8 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t items_per_task = 4096;  ///< affects time only
-/// Relative distance from which on a point is behind a face.
+/// A point is behind a face if it is farther from the camera by more than this fraction of the
+/// face's distance.
 constexpr double least_distance = 1e-6;
 constexpr double least_determinant = 1e-9;  ///< relative; faces observed edge-on hide nothing
 constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -34,7 +34,7 @@ class VisibleLines {
  private:
   Camera camera_;
   std::vector<EdgeFunctions> faces_;
-  Bvh bvh_;  ///< pixels and depths of the faces
+  Bvh bvh_;  ///< boxes of the projected faces: pixels and depths
 };
 
 }  // namespace transformesh

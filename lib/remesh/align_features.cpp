@@ -28,33 +28,35 @@
 namespace transformesh {
 namespace {
 
-/// Number of rounds that move vertices onto corners and lines: The first round works on the
-/// unchanged mesh; later rounds alternate with remeshing and relaxation. With more rounds, more
-/// vertices are aligned in more time.
+/// Number of rounds that move vertices onto the corners and lines (chains of sharp edges) of the
+/// target. The first round works on the unchanged mesh; later rounds alternate with remeshing and
+/// relaxation. With more rounds, more vertices are aligned in more time.
 constexpr int snap_rounds = 3;
 constexpr int relax_rounds = 3;
-/// The largest distance that a vertex moves to a corner and to a line, as a multiple of the mean
-/// length of its edges. Larger values reach more lines and distort more triangles.
+/// The largest distance that a vertex moves to a corner and to a line of the target, as a multiple
+/// of the mean length of its edges. Larger values reach more lines and distort more triangles.
 constexpr double corner_reach = 1.2;
 constexpr double line_reach = 0.8;
 /// Largest length of an edge after a movement, as a multiple of AlignOptions::max_edge.
 constexpr double longest_allowed = 1.6;
-/// A movement is allowed if all its triangles have at least this roundness, or if none becomes less
-/// round.
+/// A movement is allowed if all its triangles have at least this roundness (triangle_quality.h), or
+/// if none becomes less round.
 constexpr double round_enough = 0.25;
-/// An edge runs along a line if the distance of its middle from the line is at most this share of
-/// its length.
+/// An edge runs along a line of the target if the distance of its middle from the line is at most
+/// this share of its length.
 constexpr double along = 0.1;
 /// A flip is refused if a new triangle has at most this roundness.
 constexpr double sliver = 0.15;
 /// Number of nearest vertices that are tried in turn for each corner.
 constexpr std::size_t corner_tries = 4;
-/// A vertex is on a line if its distance from the line is at most this share of its mean edge.
+/// A vertex is on a line of the target if its distance from the line is at most this share of its
+/// mean edge.
 constexpr double contact = 1e-9;
 /// A flip must bring the middle of the edge nearer to the target by more than this share of its
 /// length, so that no edge flips back and forth.
 constexpr double nearer = 0.02;
-/// A vertex where a line turns by more than 45 degrees is a corner.
+/// A vertex of the target where a line (a chain of sharp edges) turns by more than 45 degrees is a
+/// corner.
 constexpr double corner_cosine = 0.7071067811865476;
 /// A mesh has features if edges of more than this angle have more than this share of the length of
 /// all edges. A larger share would miss meshes with few sharp edges; a smaller one would take noise
@@ -62,8 +64,8 @@ constexpr double corner_cosine = 0.7071067811865476;
 constexpr double certain_angle_deg = 60;
 constexpr double certain_share = 0.02;
 
-/// Value of `is_held_` for a vertex on a corner. The value is 1 for a vertex on a line, and 0 for
-/// any other vertex.
+/// Value of `is_held_` for a vertex on a corner of the target. The value is 1 for a vertex on a
+/// line (a chain of sharp edges), and 0 for any other vertex.
 constexpr char on_corner = 2;
 
 double cosine_of(double angle_deg) { return elementary::cos(angle_deg * std::numbers::pi / 180); }
@@ -143,7 +145,7 @@ class Aligner {
 
  private:
   struct Candidate {
-    /// Distance of the vertex from the nearest line, in mean lengths of its edges.
+    /// Distance of the vertex from the nearest line of the target, in mean lengths of its edges.
     double distance;
     Index vertex;
     bool operator<(const Candidate& other) const {
@@ -176,8 +178,9 @@ class Aligner {
   const EdgeLimits limits_{options_.min_edge, options_.max_edge};
   double cosine_;
   const Progress& progress_;
-  std::vector<char> is_held_;  ///< for each vertex: 0, 1 if it is on a line, or `on_corner`
-  std::vector<Vec3> sides_;    ///< for each vertex the normal of the nearest face of the target
+  /// For each vertex: 1 if it is on a line of the target, `on_corner` on a corner, otherwise 0.
+  std::vector<char> is_held_;
+  std::vector<Vec3> sides_;  ///< for each vertex the normal of the nearest face of the target
   VertexStar star_;
 };
 
@@ -238,7 +241,8 @@ void Aligner::find_sides() {
       sides_[v] = face_normal(target_, surface_(mesh_.position(v)).face).stableNormalized();
 }
 
-/// True if the ends of the edge are on different sides of a line that passes near its middle.
+/// True if the ends of the edge are on different sides of a line of the target that passes near its
+/// middle.
 bool Aligner::crosses_line(Index first, Index second) const {
   if (is_held_[first] != 0 || is_held_[second] != 0) return false;
   if (!(sides_[first].dot(sides_[second]) < cosine_)) return false;
@@ -254,7 +258,8 @@ bool Aligner::crosses_line(Index vertex) const {
   return crosses;
 }
 
-// Splits edges that still cross a line, because neither of their ends could be moved onto it.
+// Splits edges that still cross a line of the target, because neither of their ends could be moved
+// onto it.
 void Aligner::split_what_crosses() {
   find_sides();
   ExactGuard guard(mesh_);
@@ -320,7 +325,7 @@ void Aligner::flip_towards_target(EmbeddingGuard& guard) {
   }
 }
 
-// Marks the edges that run along a line between two vertices on it.
+// Marks the edges that run along a line of the target, between two vertices on that line.
 void Aligner::mark_aligned_edges() {
   mesh_.clear_features();
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h) {
@@ -334,9 +339,9 @@ void Aligner::mark_aligned_edges() {
   }
 }
 
-// Splits, collapses and flips edges for better lengths and angles; vertices on lines stay on them.
-// If `moves` is set, all vertices also relax within the surface, and vertices on lines then return
-// to their lines.
+// Splits, collapses and flips edges for better lengths and angles; vertices on lines of the target
+// stay on them. If `moves` is set, all vertices also relax within the surface, and vertices on
+// lines then return to their lines.
 void Aligner::tidy(bool moves) {
   mark_aligned_edges();
   const double longest = limits_.longest;

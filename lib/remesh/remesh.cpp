@@ -40,9 +40,9 @@ constexpr double largest_extent = 1e75;
 /// If edges are far too short, they are collapsed in stages. Each stage collapses edges shorter
 /// than this multiple of the typical length.
 constexpr double stage_growth = 1.6;
-/// Edges shorter or longer than these shares of the length for the curvature are collapsed or
-/// split. `adaptive_longest` is below 1, because faces relax after splits and curvature varies:
-/// longer edges would exceed the error.
+/// Edges shorter or longer than these shares of the edge length for the local curvature (sizing.h)
+/// are collapsed or split. `adaptive_longest` is below 1, because faces relax after splits and
+/// curvature varies: longer edges would exceed the error.
 constexpr double adaptive_shortest = 0.55;
 constexpr double adaptive_longest = 0.95;
 /// If remesh() does at least this number of iterations, it calls smooth_bilaplacian() at the end,

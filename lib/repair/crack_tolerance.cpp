@@ -21,9 +21,9 @@ constexpr double clear_gap = 8;
 /// of 1e-4. With a limit of 1e-3, the two sides of thin walls without rim faces would be joined.
 constexpr double widest_crack = 2e-4;
 
-/// Largest ratio of two numbers: edges that are not longer than the crack width, and thus collapse,
-/// and vertices at cracks. If more edges are that short, the width is a distance within the mesh,
-/// not of a crack.
+/// Largest ratio of the number of edges that would collapse to the number of vertices at cracks.
+/// Edges that are not longer than the crack width collapse. If more edges are that short, the width
+/// is a distance within the mesh, not of a crack.
 constexpr double lost_edges = 0.1;
 
 /// Cosine of 25 degrees. Two faces at an edge fold back if the angle between them is smaller. With

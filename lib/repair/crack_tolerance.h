@@ -7,7 +7,7 @@
 namespace transformesh {
 
 struct Cracks {
-  /// Largest distance of a vertex from the other side; 0 if there is no crack.
+  /// Largest distance of a border vertex from the other side of its crack; 0 if there is no crack.
   double width = 0;
   /// StitchOptions::tolerance that closes the cracks; 0 if there is no crack.
   double tolerance = 0;

@@ -10,9 +10,9 @@ namespace transformesh::shapes {
 namespace {
 
 constexpr double limb = 0.09;           // radius of arms and shins
-constexpr double thigh = 0.115;         // radius
-constexpr double upper_arm = 0.42;      ///< length
-constexpr double forearm = 0.58;        ///< length
+constexpr double thigh = 0.115;         // radius of a thigh
+constexpr double upper_arm = 0.42;      ///< length of an upper arm
+constexpr double forearm = 0.58;        ///< length of a forearm
 constexpr double reach = 0.05;          // largest gap between forearms that is bridged
 constexpr double bridge_radius = 0.06;  // radius of the bridge between forearms
 constexpr double blend = 0.08;          // width of the blend between limbs

@@ -11,7 +11,7 @@ namespace transformesh::shapes {
 struct Kind {
   std::string name;
   std::vector<std::string> options;     ///< names among radius, tube, gap, neck, count
-  std::vector<std::string> parameters;  ///< defaults; the user gives all or none
+  std::vector<std::string> parameters;  ///< default parameters; the user gives all or none
   double noise = 0;                     ///< default amplitude, as a fraction of the diagonal
   Mesh (*make)(const ShapeOptions&, std::size_t faces, const Progress&) = nullptr;
 };

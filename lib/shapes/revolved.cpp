@@ -37,8 +37,8 @@ void add_line(std::vector<Ring>& rings, double radius, double height, double edg
   }
 }
 
-using Profile = std::vector<std::pair<double, double>>;  ///< radius and height of each point, from
-                                                         ///< the lowest
+/// Radius and height of each point, from the lowest.
+using Profile = std::vector<std::pair<double, double>>;
 
 std::vector<Ring> rings_of(const Profile& profile, double edge) {
   std::vector<Ring> rings{ring_of(profile[0].first, profile[0].second, edge)};

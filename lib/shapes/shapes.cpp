@@ -23,8 +23,8 @@ using shapes::Kind;
 constexpr std::size_t default_faces = 10000;  ///< chosen by hand
 constexpr std::size_t coarse_faces = 2000;    ///< chosen by hand
 constexpr double most_faces = 1e9;            ///< three indices per face stay below 2^32
-// Least size of faces and thickness, in coordinate spacings. A choice: less loses digits of shape,
-// more rejects usable shapes.
+// Least size of faces and thickness, in coordinate spacings. A choice: with a smaller value, shapes
+// lose digits; with a larger value, usable shapes are rejected.
 constexpr double least_spacings = 1000;
 constexpr double noise_wavelength = 0.2;  // in diagonals of the bounding box
 

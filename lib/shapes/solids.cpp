@@ -78,7 +78,7 @@ Mesh genus(long holes, std::size_t faces, const Progress& progress) {
 }
 
 Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
-  constexpr double ball = 0.5;         // radius
+  constexpr double ball = 0.5;         // radius of each ball
   constexpr double ball_center = 0.7;  // distance from the origin along z
   const double radius = std::abs(neck);
   ImplicitSolid solid;
@@ -103,9 +103,9 @@ Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
 }
 
 Mesh bowl(std::size_t faces, const Progress& progress) {
-  constexpr double radius = 0.9;           // distance of the middle surface from the center
-  constexpr double thickness = 0.27;       // half the thickness
-  constexpr double rim_angle = 0.05 * pi;  // above the horizontal plane
+  constexpr double radius = 0.9;           // radius of the middle surface
+  constexpr double thickness = 0.27;       // half the thickness of the shell
+  constexpr double rim_angle = 0.05 * pi;  // angle of the rim above the horizontal plane
   const Vec2 rim = radius * Vec2(elementary::cos(rim_angle), elementary::sin(rim_angle));
   ImplicitSolid solid;
   solid.function = [rim](const Vec3& point) {

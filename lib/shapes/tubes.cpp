@@ -13,8 +13,8 @@ namespace transformesh::shapes {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double row_height = std::numbers::sqrt3 / 2;  // height of a row of triangles with unit
-                                                        // edges
+// Height of a row of triangles with unit edges.
+constexpr double row_height = std::numbers::sqrt3 / 2;
 
 /// A torus of triangle rows: `rows` (even) rows of `columns` vertices, each shifted by half a step
 /// against the previous one.
@@ -70,8 +70,8 @@ struct TorusKnot {
   double p;
   double q;
   double ring;
-  static constexpr double tube_share = 0.42;  // radius of the tube that carries the knot, as a
-                                              // fraction of `ring`
+  // Radius of the tube that carries the knot, as a fraction of `ring`.
+  static constexpr double tube_share = 0.42;
 
   Vec3 point(double t) const {
     const double around = 2 * pi * p * t;

@@ -61,7 +61,7 @@ void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
   }
 }
 
-/// Clamped steps of all vertices; each vector has one entry for each vertex.
+/// Displacements of all vertices after clamping. Each vector has one entry for each vertex.
 struct AxisDirections {
   std::vector<double> limits;  ///< largest movement of each vertex p: alpha * e_avg(p)
   std::vector<Vec3> displacements;

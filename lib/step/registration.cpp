@@ -47,8 +47,9 @@ Overlap overlap_of(const std::vector<double>& squared_distances, std::size_t sam
   for (std::size_t k = 1; k <= squared_distances.size(); ++k) {
     sum += squared_distances[k - 1];
     if (k < first) continue;
-    // Lambda is 3, as for large outliers in Phillips, Liu & Tomasi. The constant term prevents a
-    // ranking of exact matches by their rounding errors.
+    // The fractional mean square distance is mean_square / share^(2 lambda). Lambda is 3, as for
+    // large outliers in Phillips, Liu & Tomasi. The added constant prevents a ranking of exact
+    // matches by their rounding errors.
     const double share = static_cast<double>(k) / static_cast<double>(samples);
     const double mean_square = sum / static_cast<double>(k);
     const double cost = (mean_square + registration_rest * registration_rest) /

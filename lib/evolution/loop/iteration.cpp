@@ -118,11 +118,11 @@ class CleanAndRemesh {
     result_.was_cleaned = cleaned_.changed;
     result_.seconds_clean = watch_.lap();
   }
-  /// Returns the length of the loops around which thin parts are cut, 0 for none. If cleaning
-  /// changed a surface that is remeshed on curves, this is at least the shortest edge. Where a flow
-  /// tears a surface, cleaning leaves threads and handles much thinner than that. No collapse
-  /// removes these, as it would change the genus. They intersect each other in later steps, and
-  /// without cuts their number doubles from step to step.
+  /// Returns the length of the longest loops around which thin parts are cut; 0 for no cuts. If
+  /// cleaning changed a closed surface that is remeshed with RemeshOptions::curved, the length is
+  /// at least `min_edge`. Where a flow tears a surface, cleaning leaves threads and handles much
+  /// thinner than that. No collapse removes these, as it would change the genus. They intersect
+  /// each other in later steps, and without cuts their number doubles from step to step.
   double pinch_length() const {
     const RemeshOptions& remeshing = options_.remesh;
     const bool has_threads = remeshing.curved && cleaned_.changed &&

@@ -37,7 +37,7 @@ struct RunDescription {
   /// continued it.
   std::vector<std::string> commands;
 };
-using RunFiles = std::vector<std::pair<std::string, std::string>>;  ///< names and bytes
+using RunFiles = std::vector<std::pair<std::string, std::string>>;  ///< names and bytes of files
 using RunPaths = std::vector<std::pair<std::size_t, std::string>>;  ///< numbers and paths, in order
 
 /// Throws UsageError if the folder contains files but no run.

@@ -11,8 +11,8 @@ namespace transformesh {
 /// Returns the options. A reference edge of 0 is replaced by the reference edge of the mesh.
 IterationOptions completed(IterationOptions options, const Mesh& mesh);
 
-/// Runs remesh() without pinching and rounds as written. `opposites` are the opposite halfedges, or
-/// empty if unknown.
+/// Runs remesh() without pinching, and then rounds all numbers to the types in which the document
+/// will be written. `opposites` are the opposite halfedges, or empty if unknown.
 RemeshResult remesh_in_place(Document& document, const IterationOptions& options,
                              const Progress& progress = Progress(),
                              std::vector<Index> opposites = {});
@@ -24,7 +24,8 @@ struct CleanedTopology {
   std::vector<Index> opposites;  ///< opposite halfedges if they were found, for remesh_in_place()
 };
 
-/// Runs clean() and rounds as written. See IterationOptions for `on_cleaned`.
+/// Runs clean(), and then rounds all numbers to the types in which the document will be written.
+/// See IterationOptions for `on_cleaned`.
 CleanedTopology clean_in_place(
     Document& document, const Progress& progress = Progress(), bool outermost = true,
     const std::function<void(const Mesh& before, Mesh& cleaned)>& on_cleaned = {});

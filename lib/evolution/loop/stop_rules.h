@@ -68,9 +68,11 @@ class MorphRule {
   MorphVerdict verdict(const MorphStepResult& step, std::size_t vertices) const;
 
   int scale_;
-  std::size_t idle_ = 0;          ///< iterations without improvement
-  std::size_t age_ = 0;           ///< iterations of this scale
-  std::size_t unexamined_ = 100;  ///< iterations since the last comparison; at first, many
+  std::size_t idle_ = 0;  ///< iterations without improvement
+  std::size_t age_ = 0;   ///< iterations of this scale
+  /// Iterations since the last comparison with the target; starts high, so that the first
+  /// comparison may be made at once.
+  std::size_t unexamined_ = 100;
   Best rms_to_target_, max_to_target_, rms_from_target_, max_from_target_, max_clamp_share_;
 };
 

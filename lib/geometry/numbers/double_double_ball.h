@@ -13,7 +13,7 @@ namespace transformesh {
 
 class DoubleDoubleBall {
  public:
-  DoubleDoubleBall() = default;  ///< 0
+  DoubleDoubleBall() = default;  ///< the number 0
   explicit DoubleDoubleBall(double number) : value_{number, 0} {}
 
   /// Returns a ball that contains all numbers.

@@ -12,7 +12,7 @@ namespace transformesh {
 
 class DyadicNumber {
  public:
-  DyadicNumber() = default;  ///< 0
+  DyadicNumber() = default;  ///< the number 0
   /// The number must be finite.
   explicit DyadicNumber(double number) {
     if (number == 0) return;

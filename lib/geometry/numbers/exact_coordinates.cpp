@@ -90,8 +90,8 @@ void visit_vertices(const PointDefinition& definition, std::span<const Face> fac
 // True if the magnitudes of coordinates differ so strongly that numbers become long.
 bool is_spread(const PointDefinition& definition, std::span<const Vec3> positions,
                std::span<const Face> faces) {
-  // Ratio of magnitudes above which balls are tried before exact numbers. A choice that affects
-  // time only.
+  // Ratio of magnitudes above which balls (numbers with an error bound) are tried before exact
+  // numbers. A choice that affects time only.
   constexpr double most_spread = 0x1p128;
   double least = std::numeric_limits<double>::max(), most = 0;
   visit_vertices(definition, faces, [&](Index vertex) {

@@ -17,8 +17,9 @@ namespace transformesh {
 struct ExactCoordinates : HomogeneousPoint<ExactNumber> {};
 
 /// Coordinates with twice the precision of a double, if these can be computed. If magnitudes in the
-/// definition differ strongly, numbers become long and digits are lost. Then balls of homogeneous
-/// coordinates with positive weight are more precise; each kind is computed on demand.
+/// definition differ strongly, numbers become long and digits are lost. Then homogeneous
+/// coordinates with positive weight are more precise, stored as balls (numbers with an error
+/// bound). Each kind is computed on demand.
 struct PreciseCoordinates {
   NumberVector<DoubleDoubleBall> x;
   bool is_spread = false;

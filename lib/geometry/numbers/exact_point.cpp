@@ -64,9 +64,9 @@ bool set_balls(ExactPoint& point, const PointFraction<Number>& fraction, const V
 // Products of seven differences of smaller coordinates do not overflow.
 constexpr double large = 0x1p140;
 
-// Sets the ball by interval arithmetic, or by wide balls if intervals may overflow, because
-// overflow depends on the processor. `fraction_in` computes the fraction in the number type of its
-// argument. `size` is the largest absolute value of the coordinates.
+// Sets the ball by interval arithmetic. If intervals may overflow, uses WideExponentBall instead,
+// because overflow depends on the processor. `fraction_in` computes the fraction in the number type
+// of its argument. `size` is the largest absolute value of the coordinates.
 template <class FractionIn>
 void set_balls(ExactPoint& point, const FractionIn& fraction_in, double size, const Vec3& low,
                const Vec3& high) {

@@ -62,7 +62,8 @@ class ExactGeometry {
   /// Returns the intersection of the planes of three faces. The point must be inside `g` and `h`.
   ExactPoint three_planes(Index f, Index g, Index h) const;
   ExactPoint given(Index vertex) const { return point(PointDefinition::given(vertex)); }
-  /// Returns a point with coordinates that belong to no mesh vertex, as for scaffolds.
+  /// Returns a point with these coordinates that is no mesh vertex, such as a corner of a triangle
+  /// that encloses all points of a triangulation.
   static ExactPoint free(const Vec3& position);
 
   /// Returns the kind and the vertices of a definition. The vertices of a face or edge are sorted,
@@ -72,17 +73,19 @@ class ExactGeometry {
   /// Returns the exact orientation, with the sign convention of predicates.h.
   int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                PlaneProjection projection) const;
-  /// Returns twice the signed area of the projected triangle abc, computed from the balls.
+  /// Returns twice the signed area of the projected triangle abc, computed from the balls that
+  /// contain the points.
   static BoundedNumber bounded_orient2d(const ExactPoint& a, const ExactPoint& b,
                                         const ExactPoint& c, PlaneProjection projection);
-  /// Returns the orientation if the balls decide it, otherwise 0.
+  /// Returns the orientation if the balls that contain the points decide it, otherwise 0.
   static int quick_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                             PlaneProjection projection);
   /// Compares the diagonals of the coplanar triangles abc and bad, which must be counter-clockwise.
   /// Returns +1 if ab is Delaunay, -1 if cd is, and 0 if the four points are cocircular.
   int delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                     const ExactPoint& d, PlaneProjection projection) const;
-  /// Returns the result of delaunay_sign() if the balls decide it, otherwise 0.
+  /// Returns the result of delaunay_sign() if the balls that contain the points decide it,
+  /// otherwise 0.
   static int quick_delaunay_sign(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                                  const ExactPoint& d, PlaneProjection projection);
   int orient3d(const Triangle& triangle, const ExactPoint& point) const;
@@ -104,7 +107,8 @@ class ExactGeometry {
   template <class Ball>
   const HomogeneousPoint<Ball>& spread(const ExactPoint& point) const;
   /// Returns the sign of `compute`, applied to the homogeneous coordinates of the points. Evaluates
-  /// balls first if magnitudes are spread, then exact numbers.
+  /// exact numbers. If magnitudes differ strongly, evaluates balls (numbers with an error bound)
+  /// first.
   template <class Compute, class... Point>
   int homogeneous_sign(const Compute& compute, const Point&... points) const;
   const ExactCoordinates& exact(const ExactPoint& point) const;

@@ -60,7 +60,7 @@ Vector<Number> way(const Vector<Number>& from, const Vector<Number>& to) {
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-// Returns the vector times both weights.
+// Returns the vector from one point to another, times the weights of both.
 template <class Number>
 Vector<Number> way(const HomogeneousPoint<Number>& from, const HomogeneousPoint<Number>& to) {
   const auto step = [&](std::size_t i) -> Number { return to.x[i] * from.w - from.x[i] * to.w; };

@@ -27,7 +27,9 @@ BinaryDigits::BinaryDigits(double number) {
 /// above `bottom`, so that no sum of terms overflows.
 class MonomialSum::Window {
  public:
-  static constexpr int depth = 320;  ///< 320 bits and the three words of a term fill `length` words
+  /// Largest exponent of a term above `bottom`. These 320 bits and the three words of a term fill
+  /// `length` words.
+  static constexpr int depth = 320;
 
   explicit Window(int bottom) : bottom_(bottom) {}
 
@@ -120,8 +122,9 @@ int MonomialSum::quick_sign() const {
   return sum > bound ? 1 : sum < -bound ? -1 : 0;
 }
 
-// Adds terms in order of descending exponents. The remainder of a window, if it is small, is the
-// first term of the next window.
+// Adds terms in order of descending exponents, window by window. A window adds terms whose
+// exponents differ by at most `depth`. Its sum, if it is small, is the first term of the next
+// window.
 int MonomialSum::exact_sign() const {
   std::array<std::size_t, most> order;
   for (std::size_t i = 0; i < count_; ++i) {

@@ -26,7 +26,7 @@ struct BinaryDigits {
 /// Sum of at most `most` products of three doubles. Valid in any rounding mode.
 class MonomialSum {
  public:
-  static constexpr std::size_t most = 24;  ///< terms; the largest predicate has no more
+  static constexpr std::size_t most = 24;  ///< largest number of terms; no predicate has more
 
   void add(const BinaryDigits& a, const BinaryDigits& b, const BinaryDigits& c);
   void subtract(const BinaryDigits& a, const BinaryDigits& b, const BinaryDigits& c);
@@ -36,7 +36,7 @@ class MonomialSum {
  private:
   /// An integer below 2^190 times 2^exponent.
   struct Term {
-    std::array<std::uint64_t, 3> digits;  ///< least significant first
+    std::array<std::uint64_t, 3> digits;  ///< least significant word first
     int exponent;
     bool is_negative;
   };

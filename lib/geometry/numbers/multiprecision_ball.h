@@ -18,7 +18,7 @@ namespace transformesh {
 /// An upper bound of any magnitude: number * 2^exponent.
 class WideBound {
  public:
-  WideBound() = default;  ///< 0
+  WideBound() = default;  ///< the number 0
   WideBound(double number, std::int64_t exponent) {
     if (number == 0) return;
     const int shift = binary_exponent(number);
@@ -61,7 +61,7 @@ class WideBound {
 
 class MultiprecisionBall {
  public:
-  MultiprecisionBall() = default;  ///< 0
+  MultiprecisionBall() = default;  ///< the number 0
   explicit MultiprecisionBall(double number) {
     if (number == 0) return;
     if (!std::isfinite(number)) {
@@ -98,7 +98,7 @@ class MultiprecisionBall {
  private:
   static constexpr std::size_t length = 8;           ///< words of 64 bits
   static constexpr std::int64_t bits = 64 * length;  ///< digits of the value
-  using Digits = std::array<std::uint64_t, length>;  ///< least significant first
+  using Digits = std::array<std::uint64_t, length>;  ///< least significant word first
 
   WideBound size() const { return sign_ == 0 ? WideBound() : WideBound::power(exponent_); }
   void add_digits(const MultiprecisionBall& other, bool is_sum);

@@ -17,8 +17,9 @@ struct PointDefinition {
   enum class Kind : std::uint8_t { given, free, line_plane, line_line, three_planes, mean };
 
   Kind kind = Kind::free;
-  std::array<Index, 4> indices{};  ///< given: vertex; line_plane: u, v, face; line_line: u, v, x,
-                                   ///< y; three_planes: three faces
+  /// Indices for `kind`. given: vertex. line_plane: u, v, face. line_line: u, v, x, y.
+  /// three_planes: three faces.
+  std::array<Index, 4> indices{};
 
   static PointDefinition given(Index vertex) { return {Kind::given, {vertex}}; }
   /// The intersection of edge uv with the plane of a face; the two must intersect in one point.

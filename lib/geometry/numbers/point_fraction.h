@@ -27,7 +27,8 @@ PointFraction<Number> along_edge(const Vec3& u, const Vec3& v, const Number& fro
   return {u, step, total};
 }
 
-/// The heights of u and v above the plane divide the edge.
+/// Returns the intersection of the edge uv with the plane. It divides the edge in the ratio of the
+/// heights of u and v above the plane.
 template <class Number>
 PointFraction<Number> line_plane_fraction(const Vec3& u, const Vec3& v, const Triangle& plane) {
   const NumberVector<Number> n = normal<Number>(plane);
@@ -36,7 +37,8 @@ PointFraction<Number> line_plane_fraction(const Vec3& u, const Vec3& v, const Tr
   return along_edge(u, v, height_u, climb);
 }
 
-/// The parameter in the projection is ((x - u) x (y - x)) / ((v - u) x (y - x)).
+/// Returns the intersection of the edges uv and xy. Its parameter on uv, in the projection, is
+/// ((x - u) x (y - x)) / ((v - u) x (y - x)).
 template <class Number>
 PointFraction<Number> line_line_fraction(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y,
                                          PlaneProjection p) {

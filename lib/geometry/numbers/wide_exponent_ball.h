@@ -14,7 +14,7 @@ namespace transformesh {
 
 class WideExponentBall {
  public:
-  WideExponentBall() = default;  ///< 0
+  WideExponentBall() = default;  ///< the number 0
   explicit WideExponentBall(double number) : WideExponentBall(number, 0, 0) {}
   WideExponentBall(double center, double radius) : WideExponentBall(center, radius, 0) {}
 
@@ -88,8 +88,9 @@ class WideExponentBall {
   int exponent_ = 0;
 };
 
-/// True if sums of products of this size may have overflowed or underflowed in doubles. Then wide
-/// balls are more precise than balls of doubles. A size of 0 means that all terms are zero.
+/// True if sums of products of this size may have overflowed or underflowed in doubles. Then a
+/// WideExponentBall is more precise than a ball of doubles. A size of 0 means that all terms are
+/// zero.
 inline bool leaves_double_range(double size) {
   return size != 0 && !(size > 1e-260 && size < 1e300);
 }

@@ -10,7 +10,8 @@ namespace transformesh {
 
 __extension__ using SignedTwoWords = __int128;
 
-/// Largest number of bits of multiples whose differences are valid arguments.
+/// Largest number of bits of multiples whose differences are valid arguments of
+/// sign_of_word_determinant().
 constexpr int one_word_bits = 60;
 
 inline SignedTwoWords word_minor(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {

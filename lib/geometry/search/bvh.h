@@ -23,8 +23,8 @@ class Bvh {
  public:
   Bvh() = default;
   explicit Bvh(std::span<const FloatBox> boxes);
-  /// Box i is that of face faces[i]. Boxes of faces that are separated in a common link count as
-  /// disjoint.
+  /// Box i is that of face faces[i]. Boxes of two faces count as disjoint if `links` prove that the
+  /// faces meet only in shared vertices and edges (simplex_links.h).
   Bvh(std::span<const FloatBox> boxes, const SimplexLinks& links, std::span<const Index> faces);
   /// Box i is that of face i.
   explicit Bvh(const Mesh& mesh);
@@ -34,15 +34,15 @@ class Bvh {
 
   using Pair = std::pair<Index, Index>;
   /// Calls visit(list, pairs) for all pairs of overlapping boxes with first < second, in portions.
-  /// Several lists are
-  /// processed concurrently. The portions of one list are visited sequentially, in an order that is
-  /// always the same. Before that, calls `prepare` with the number of lists.
+  /// Several lists are processed concurrently. The portions of one list are visited sequentially,
+  /// in an order that is always the same. Before that, calls `prepare` with the number of lists.
   using Prepare = std::function<void(std::size_t lists)>;
   using VisitPairs = std::function<void(std::size_t list, std::span<const Pair> pairs)>;
   void visit_pairs(const Prepare& prepare, const VisitPairs& visit) const;
 
-  /// Calls visit(i) for each box that overlaps `box`, until `visit` returns false. Boxes that are
-  /// separated from `links` in a common link are skipped.
+  /// Calls visit(i) for each box that overlaps `box`, until `visit` returns false. `links` are the
+  /// link boxes of the face in `box` (simplex_links.h). Boxes of faces that certainly meet this
+  /// face only in shared vertices and edges are then skipped.
   void visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit,
                       const LinkBoxes* links = nullptr) const;
   bool empty() const { return order_.empty(); }
@@ -51,13 +51,13 @@ class Bvh {
   class PairSearch;
   void add_links(const SimplexLinks& links, std::span<const Index> faces);
   Index add_common_links(std::span<const Index> rows);
-  /// Returns the links of box `place` of a layer, or null.
+  /// Returns the link boxes that all faces below box `place` of a layer have in common, or null.
   const LinkBoxes* links_of(std::size_t layer, std::size_t place) const;
 
-  std::vector<Index> order_;                  ///< box indices, four for each quad of layer 0
+  std::vector<Index> order_;  ///< indices of the boxes, four for each quad of layer 0
   std::vector<std::vector<BoxQuad>> layers_;  ///< quad 4q + c is below box c of quad q
-  /// Links that all faces below a box have in common: rows of `links_`, or no_index. Empty if there
-  /// are no links.
+  /// Link boxes (simplex_links.h) that all faces below a box have in common: rows of `links_`, or
+  /// no_index. Empty if there are no link boxes.
   std::vector<std::vector<Index>> link_rows_;
   std::vector<LinkBoxes> links_;
   /// The common group of all boxes below a box, or no_index. Empty if there are no groups.

@@ -19,7 +19,7 @@ using Layer = std::vector<BoxQuad>;
 constexpr std::size_t task_count = 1024;
 /// Pairs in a buffer before they are processed; affects time only.
 constexpr std::size_t pairs_at_once = 1024;
-constexpr std::size_t most_of_quads = 16;  ///< pairs of boxes of two quads
+constexpr std::size_t most_of_quads = 16;  ///< largest number of pairs of boxes of two quads
 
 /// Two quads of a layer whose pairs are searched. For pairs within a quad, both are the same.
 struct Task {
@@ -55,8 +55,9 @@ constexpr auto make_named_pairs() {
 
 constexpr auto named_pairs = make_named_pairs();
 
-/// Masks of the bits that count, per turn. `all_pairs` is for two different quads, `pairs_inside`
-/// for a quad with itself. `different_inside` also excludes pairs of a box with itself.
+/// Masks of the pairs that count, one for each mask of turned_overlap_masks(). `all_pairs` is for
+/// two different quads, `pairs_inside` for a quad with itself. `different_inside` also excludes
+/// pairs of a box with itself.
 constexpr std::array<unsigned, 4> all_pairs{15, 15, 15, 15};
 constexpr std::array<unsigned, 4> pairs_inside{15, 15, 3, 0};
 constexpr std::array<unsigned, 4> different_inside{0, 15, 3, 0};
@@ -161,7 +162,8 @@ class Bvh::PairSearch {
     return result;
   }
 
-  // Calls `flush` whenever the buffer is full.
+  // Descends from a task to the pairs of boxes below it, and adds their places to `found`. Calls
+  // `flush` whenever this buffer is full.
   template <class Flush>
   void descend(const Task& task, PlacePairs& found, const Flush& flush) const {
     if (task.layer == 0) {

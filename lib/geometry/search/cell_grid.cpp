@@ -10,8 +10,9 @@ namespace {
 
 /// Number of cells on each side of the origin along an axis, so that a cell index has 63 bits.
 constexpr double most_cells = 1 << 20;
-/// Cells along the longest side of a mesh. With 512, marks of all tiles take two to four times the
-/// memory and time; with 128, the halos of 64 tiles are twice as wide.
+/// Cells along the longest side of a mesh. With 512, the marks (CellMarks) of all tiles take two to
+/// four times the memory and time. With 128, the halos of 64 tiles (the faces around the parts that
+/// are cleaned alone) are twice as wide.
 constexpr double cells_per_side = 256;
 
 std::array<Vec3, 2> corners_of(const Triangle& t) {

@@ -34,8 +34,8 @@ struct ClosestPoint {
   Vec3 point = Vec3::Zero();
   Index face = no_index;
   double distance = 0;
-  Vec3 pseudonormal = Vec3::Zero();  ///< unit pseudonormal of the face, edge or vertex that
-                                     ///< contains `point`, or zero
+  /// Unit pseudonormal of the face, edge or vertex that contains `point`, or zero.
+  Vec3 pseudonormal = Vec3::Zero();
   /// Negative if the query is behind the pseudonormal: inside a closed mesh.
   double signed_distance = 0;
 };

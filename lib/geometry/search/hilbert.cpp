@@ -149,9 +149,10 @@ class HilbertSort {
   static constexpr int part_bits = 12;    ///< leading bits of a key that select its part
   static constexpr std::size_t parts = std::size_t{1} << part_bits;  ///< number of parts
   static constexpr int key_bits = 64;                                ///< bits of a sorting key
-  static constexpr int digit_bits = 8;               ///< bits per pass of the sort within a part
-  static constexpr std::size_t few = 1024;           ///< fewer keys are sorted as a whole
-  static constexpr std::size_t few_in_part = 64;     ///< fewer keys are sorted by comparison
+  static constexpr int digit_bits = 8;      ///< bits per pass of the sort within a part
+  static constexpr std::size_t few = 1024;  ///< if there are fewer keys, they are sorted as a whole
+  /// Parts with fewer keys are sorted by comparison.
+  static constexpr std::size_t few_in_part = 64;
   static constexpr std::size_t block = 16384;        ///< keys of a block; affects time only
   static constexpr std::size_t parts_per_task = 16;  ///< affects time only
 

@@ -32,8 +32,8 @@ class KdTree {
   void search(const Vec3& query, Found& found) const;
 
   MedianTree tree_;
-  std::vector<Index> order_;  ///< point indices by their places in the tree
-  std::vector<Vec3> points_;  ///< positions by their places in the tree
+  std::vector<Index> order_;  ///< index of the point at each place in the tree
+  std::vector<Vec3> points_;  ///< position of the point at each place in the tree
 };
 
 }  // namespace transformesh

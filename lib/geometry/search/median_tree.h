@@ -25,7 +25,7 @@ class MedianTree {
   MedianTree(std::span<const FloatBox> boxes, std::size_t bucket_size,
              BoxOrder order = BoxOrder::any);
 
-  /// Returns the box indices by their places in the tree.
+  /// Returns the indices of the boxes in the order of their places in the tree.
   const std::vector<Index>& order() const { return order_; }
 
   /// Calls visit(place) for each box in a cell whose squared distance from the query is at most

@@ -14,7 +14,9 @@ const FloatBox everything = float_box(Vec3::Constant(-2), Vec3::Constant(2));
 
 using Edge = std::pair<Index, Index>;
 
-/// Crowded corners and edges. The link of an edge has the number of points plus its index here.
+/// Crowded corners and edges: those with more than `most_uncrowded` faces. The link of a corner has
+/// the index of its point. The link of an edge has the number of points plus the index of the edge
+/// in `edges`.
 struct Crowds {
   std::vector<char> is_crowded;  ///< per point
   std::vector<Edge> edges;       ///< sorted
@@ -81,7 +83,8 @@ class SimplexLinkFinder {
   SimplexLinkFinder(std::span<const Vec3> points, const Crowds& crowds)
       : points_(points), crowds_(crowds) {}
 
-  // Returns the first crowded edge and the crowded corners of a face, at most three in total.
+  // Returns the link boxes of a face for its first crowded edge and its crowded corners, at most
+  // three in total.
   LinkBoxes operator()(const Face& face) const {
     LinkBoxes boxes;
     std::size_t count = add_edge(face, boxes[0]) ? 1 : 0;
@@ -112,7 +115,7 @@ class SimplexLinkFinder {
   const Crowds& crowds_;
 };
 
-// Calls visit(box of a, box of b) for each common link.
+// Calls visit(box of a, box of b) for each corner or edge at which both have a link box.
 template <class Visit>
 void for_each_common(const LinkBoxes& a, const LinkBoxes& b, const Visit& visit) {
   for (const LinkBox& i : a)

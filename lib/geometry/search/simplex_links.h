@@ -19,12 +19,14 @@ struct LinkBox {
   FloatBox box{};
 };
 
-/// Link boxes of a face, or of several faces with these links in common. Unused entries are last.
+/// Boxes around the parts of links that a face covers: at most one for each of its crowded corners
+/// and edges. For several faces, only links that all of them have. Unused entries are last.
 using LinkBoxes = std::array<LinkBox, 3>;
 
 struct SimplexLinks {
-  std::vector<Index> row_of;  ///< row in `boxes` per face, or no_index for most faces; empty if
-                              ///< there are no crowded corners
+  /// Row in `boxes` of each face, or no_index for most faces. Empty if there are no crowded
+  /// corners.
+  std::vector<Index> row_of;
   std::vector<LinkBoxes> boxes;
 
   bool empty() const { return boxes.empty(); }
@@ -37,7 +39,7 @@ struct SimplexLinks {
 /// which take memory; a higher limit leaves more pairs of boxes.
 inline constexpr Index most_uncrowded = 32;
 
-/// Returns the links of faces. No face may refer to a point twice.
+/// Returns the link boxes of faces. No face may refer to a point twice.
 SimplexLinks find_simplex_links(std::span<const Vec3> points, std::span<const Face> faces);
 
 /// True if two faces, or any two faces of two sets, certainly meet only in shared vertices and

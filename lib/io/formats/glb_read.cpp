@@ -106,7 +106,8 @@ class GlbReader {
     }
   }
 
-  /// Normalized integers, turned normals and reversed texture coordinates are not floats yet.
+  /// Rounds float columns again. Values computed from normalized integers, rotated normals and
+  /// reversed texture coordinates are not floats yet.
   static void round_floats(Columns& columns) {
     for (Column& column : columns.columns)
       if (column.type == Scalar::float32)

@@ -14,7 +14,7 @@ struct GltfNumbers {
   std::size_t width = 1;
   bool is_byte = false;      ///< true if the file stores unsigned bytes
   bool is_floating = false;  ///< true if the file stores floats
-  double one = 1;            ///< largest storable value, for integers that are not normalized
+  double one = 1;            ///< full color intensity: 1, or the largest integer if not normalized
 
   std::size_t size() const { return values.size() / width; }
 };

@@ -33,7 +33,8 @@ class ObjTexture {
 
   std::vector<std::array<double, 2>> points_;
   std::vector<Index> corners_;
-  std::vector<std::size_t> offsets_;  ///< starts in `corners_` from the first textured face on
+  /// Start of each face in `corners_`, from the first textured face on.
+  std::vector<std::size_t> offsets_;
   bool has_numbers_of_vertices_ = true;
 };
 

@@ -21,7 +21,7 @@ struct VtkArray {
 struct VtkCells {
   std::vector<std::uint64_t> offsets{0};
   std::vector<std::uint64_t> connectivity;
-  std::vector<std::size_t> rows;  ///< indices of the cells in the cell arrays
+  std::vector<std::size_t> rows;  ///< row of each cell in the arrays of cell data
 
   std::size_t size() const { return offsets.size() - 1; }
 };

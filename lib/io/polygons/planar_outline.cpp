@@ -26,8 +26,8 @@ struct VertexInfo {
 struct FaceInfo {
   int winding = 0;
   bool is_reached = false;
-  std::array<int, 3> turns{};  ///< number of outline edges with the face on their left, minus those
-                               ///< with the face on their right
+  /// Number of outline edges with the face on their left, minus those with the face on their right.
+  std::array<int, 3> turns{};
   CornerTriangle corners{};
 };
 

@@ -49,7 +49,8 @@ class RemainingCorners {
   std::span<const Index> vertices_;
   std::span<const Eigen::Vector2d> points_;
   std::vector<std::uint32_t> next_, previous_;
-  std::vector<std::uint32_t> place_;  ///< lowest index of a corner at the same point
+  /// For each corner, the lowest index of a corner at the same point.
+  std::vector<std::uint32_t> place_;
   std::size_t size_;
   std::uint32_t first_ = 0;  ///< index of a remaining corner
 };

@@ -110,7 +110,8 @@ class FanCheck {
   std::span<const Vec3> positions_;
   const Projection& projected_;
   Point apex_;
-  std::optional<Point> first_, last_;  ///< corners that differ from the apex in the projection
+  /// First and last corner that differs from the apex in the projection.
+  std::optional<Point> first_, last_;
   int sign_ = 0;
   bool is_beyond_half_ = false;
 };

@@ -35,7 +35,7 @@ std::string_view without_gz(std::string_view name);
 
 struct Expanded {
   std::string bytes;
-  std::size_t rest = 0;  ///< bytes after the end of the compressed data
+  std::size_t rest = 0;  ///< number of bytes after the end of the compressed data
 };
 
 /// Decompresses all members of a gzip file. Zeros after the last member are padding and do not

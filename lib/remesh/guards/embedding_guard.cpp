@@ -165,8 +165,8 @@ Slab EmbeddingGuard::slab_of(const Patch& patch, const Vec3& direction) const {
   return slab;
 }
 
-/// True if the direction is in front of all near faces that meet the slab of the patch, and these
-/// faces belong to the component of the patch.
+/// True if the direction is in front of all near faces that meet the slab of the patch (slab_of()),
+/// and these faces belong to the component of the patch.
 bool EmbeddingGuard::is_seen_in_slab(const Patch& patch, const Vec3& direction) const {
   const Index component = cells_[patch.center].component;
   const Slab slab = slab_of(patch, direction);
@@ -177,9 +177,9 @@ bool EmbeddingGuard::is_seen_in_slab(const Patch& patch, const Vec3& direction) 
   });
 }
 
-/// Tests the certificate of the header for another convex body: the intersection of slab_of() with
-/// the bounding box of both patches. The mean normal must be in front of all faces that meet this
-/// body.
+/// Tests the certificate of embedding_guard.h for another convex body: the intersection of
+/// slab_of() with the bounding box of both patches. The mean normal must be in front of all faces
+/// that meet this body.
 bool EmbeddingGuard::is_height_field(const Patch& patch) const {
   if (cells_[patch.center].component == no_index) return false;
   const Vec3 direction = sum_of(patch.normals).normalized();
@@ -251,7 +251,7 @@ bool EmbeddingGuard::is_seen_around(const Patch& patch) {
 }
 
 /// True if the slab's direction is in front of all faces at the vertex that meet both the slab and
-/// the box. If there are such faces, the vertex must belong to the component.
+/// the box of enclose(). If there are such faces, the vertex must belong to the component.
 bool EmbeddingGuard::is_seen_or_far(Index vertex, Index component, const Slab& slab) const {
   const bool is_mine = cells_[vertex].component == component;
   bool result = true;
@@ -298,7 +298,7 @@ void EmbeddingGuard::find_faces_near(const Patch& patch) {
   });
 }
 
-/// True if the vertex may be the nearest corner of a face that meets the box.
+/// True if the vertex may be the nearest corner of a face that meets the box of enclose().
 bool EmbeddingGuard::is_around(Index vertex) const {
   const Vec3& position = mesh_.position(vertex);
   const double longest = std::sqrt(static_cast<double>(cells_[vertex].longest_squared));

@@ -37,13 +37,13 @@ namespace transformesh {
 
 /// A replacement of a part of the surface by new triangles with the same rim.
 struct Patch {
-  Index center = no_index;         ///< a living vertex that belongs to the old and the new part
-  Vec3 center_position;            ///< new position of the center
-  std::vector<Triangle> made;      ///< new triangles
-  std::vector<Vec3> normals;       ///< normals of the new triangles, of any length
-  std::optional<NormalCone> cone;  ///< cone of the normals, if known; the certificate then does not
-                                   ///< need `normals`
-  double longest_squared = 0;      ///< squared length of the longest new edge
+  Index center = no_index;     ///< a living vertex that belongs to the old and the new part
+  Vec3 center_position;        ///< new position of the center
+  std::vector<Triangle> made;  ///< new triangles
+  std::vector<Vec3> normals;   ///< normals of the new triangles, of any length
+  /// Cone of the normals, if known; the certificate then does not need `normals`.
+  std::optional<NormalCone> cone;
+  double longest_squared = 0;  ///< squared length of the longest new edge
   /// Squared distance of the farthest vertex from the center; < 0: unknown.
   double reach_squared = -1;
   std::vector<Index> replaced;  ///< replaced faces

@@ -74,7 +74,9 @@ bool ErrorBound::keeps_bound(const Patch& patch) {
   return is_near_input(patch);
 }
 
-/// Finds the faces of the input whose witnesses are replaced, and the candidates for new witnesses.
+/// Finds the faces of the input that lose witnesses, and the candidates for new witnesses.
+/// Witnesses of an input face are faces of the result that together are near all of its points
+/// (error_bound.h).
 void ErrorBound::gather(const Patch& patch) {
   ++stamp_;
   inputs_.clear();

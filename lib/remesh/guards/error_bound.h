@@ -38,7 +38,7 @@ class ErrorBound {
 
  private:
   using Candidates = std::vector<NearCandidate>;
-  /// A face of the input with a future witness.
+  /// A face of the input, and a face of the result that becomes its witness.
   struct Witness {
     Index input, face;
   };
@@ -59,7 +59,7 @@ class ErrorBound {
   const Mesh& input_;
   ClosestPointQuery input_query_;
   double error_;
-  double distance_;  ///< error minus the bound of rounding errors
+  double distance_;  ///< allowed distance: `error_` minus a bound of rounding errors
   WitnessLinks links_;
   ProjectedFaces projected_;    ///< certificates by projection onto input faces
   std::vector<Index> nearest_;  ///< nearest input face of each vertex of the result

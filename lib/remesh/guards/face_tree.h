@@ -30,9 +30,10 @@ class FaceTree {
 
   const EditableMesh& mesh_;
   BoxFrame frame_;
-  std::vector<Index> leaf_of_;   ///< node per face; no_index for faces that were removed before
-  std::vector<Index> face_of_;   ///< per leaf, beginning with the first leaf
-  std::vector<FloatBox> boxes_;  ///< per node; the children of node i are 2 i + 1 and 2 i + 2
+  /// Leaf of each face, as a node; no_index for faces removed before the tree was built.
+  std::vector<Index> leaf_of_;
+  std::vector<Index> face_of_;   ///< face of each leaf, beginning with the first leaf
+  std::vector<FloatBox> boxes_;  ///< box of each node; children of node i: 2 i + 1 and 2 i + 2
 };
 
 template <class Visit>

@@ -9,9 +9,9 @@ namespace {
 /// Faces are projected onto a triangle only if its squared ratio of height to longest edge is above
 /// this. In narrower triangles, barycentric coordinates have rounding errors above 1e-10.
 constexpr double least_squared_sine = 1e-12;
-/// An edge may meet the triangle if its distance from it is below this share of the triangle's
-/// size. Rounding errors of the barycentric coordinates are a tenth of this share. A larger margin
-/// only collects more faces.
+/// An edge may meet the triangle if its distance from the triangle is below this share of the
+/// triangle's size. Rounding errors of the barycentric coordinates are a tenth of this share. A
+/// larger margin only collects more faces.
 constexpr double margin = 1e-9;
 
 bool is_wide(const TriangleAxes& axes) {

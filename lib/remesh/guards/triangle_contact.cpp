@@ -126,7 +126,8 @@ bool is_open_hinge(const Vec3& edge, const Vec3& first_apex, const Vec3& second_
 struct CommonCorners {
   std::array<std::size_t, 3> in_first{};
   std::array<std::size_t, 3> in_second{};
-  /// Also 3 if a triangle has two equal corners, because it may touch any other triangle.
+  /// Number of common corners. Also 3 if a triangle has two equal corners, because it may touch any
+  /// other triangle.
   std::size_t count = 0;
 
   CommonCorners(const Triangle& first, const Triangle& second) {

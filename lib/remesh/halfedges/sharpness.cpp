@@ -14,11 +14,12 @@ namespace {
 /// A face has a reliable normal if its height is above this many spacings of its coordinates:
 /// rounding then rotates the normal by less than 4 degrees.
 constexpr double steady_spacings = 16;
-/// Least angles between the normals at sharp edges and at lines; lines include sharp edges.
+/// Least angles between the normals of two faces at which their edge counts as sharp, and as a
+/// line. Sharp edges are lines, too.
 constexpr double sharp_deg = 60;
 constexpr double line_deg = 40;
-/// A sharp edge is intended, and not noise, if the edges at its ends, except lines, turn by less
-/// than this share of the turn of the sharp edge.
+/// A sharp edge is intended, and not noise, if the surface beside it is smooth. For this, the edges
+/// at its ends that are not lines must turn by less than this share of the turn of the sharp edge.
 constexpr double smooth_share = 0.35;
 /// A mesh has sharp edges if the length of intended edges exceeds these shares of the length of all
 /// sharp edges and of all lines. With larger shares, features of noisy meshes are missed; with

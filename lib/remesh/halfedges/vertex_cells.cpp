@@ -75,7 +75,8 @@ VertexCells::VertexCells(const EditableMesh& mesh, double cell_size)
     low = low.cwiseMin(mesh.position(v));
     high = high.cwiseMax(mesh.position(v));
   }
-  // The cell size leaves a margin of cells on each side and limits their number to that of keys.
+  // The cell size leaves a margin of cells on each side, and limits the number of cells to the
+  // number of different keys.
   cell_size_ = std::max(cell_size_, (high - low).maxCoeff() / (1 << (key_bits - 3)));
   origin_ = low - Vec3::Constant(8 * cell_size_);
   std::vector<NormalCone> cones;
@@ -131,8 +132,8 @@ void VertexCells::for_each_cell_around(Index cell, const Visit& visit) const {
   for (Index i = 0; i < around.count; ++i) visit(around.cells[i]);
 }
 
-/// Enters the cell into its own list, and the cell and each existing one at the given offsets into
-/// each other's lists.
+/// Enters the cell into its own list of near cells. For each existing cell at one of the given
+/// offsets, enters both cells into each other's lists.
 void VertexCells::find_cells_around(Index cell, std::span<const Key> offsets) {
   const auto enter = [&](Index at, Index other) { around_[at].cells[around_[at].count++] = other; };
   enter(cell, cell);

@@ -63,7 +63,7 @@ class VertexCells {
     std::array<Index, 27> cells;
   };
   using Key = std::int64_t;
-  static constexpr int key_bits = 21;  ///< per axis
+  static constexpr int key_bits = 21;  ///< bits of a key per axis
   /// Differences between the key of a cell and those of the 26 cells around it; negative ones
   /// first.
   static constexpr std::array<Key, 26> offsets_around = [] {
@@ -88,7 +88,7 @@ class VertexCells {
   /// Calls visit(cell) for the 27 cells around a cell, including the cell itself.
   template <class Visit>
   void for_each_cell_around(Index cell, const Visit& visit) const;
-  void fill(std::span<const NormalCone> cones);  ///< cones per face
+  void fill(std::span<const NormalCone> cones);  ///< `cones`: cone of each face
   void find_cells_around(Index cell, std::span<const Key> offsets);
   void restrict_to_faces(std::span<const NormalCone> cones);
   void dilate(Index cell);
@@ -104,7 +104,7 @@ class VertexCells {
   std::vector<Cell> cells_;
   std::vector<CellsAround> around_;  ///< per cell: the cell and its existing neighbors
   std::vector<Index> table_;         ///< hash table with open addressing; no_index if empty
-  std::vector<Vertex> vertices_;     ///< per vertex
+  std::vector<Vertex> vertices_;     ///< data of each vertex
 };
 
 inline Index VertexCells::find_cell(Key key) const {

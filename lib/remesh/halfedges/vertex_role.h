@@ -13,7 +13,7 @@ enum class VertexRole { free, on_line, fixed };
 /// if the angle is >= 180.
 void mark_features(EditableMesh& mesh, double feature_angle_deg);
 
-/// True if the edge is a border or a feature.
+/// True if the edge is part of a line: a border or a feature (a sharp edge).
 inline bool is_line(const EditableMesh& mesh, Index halfedge) {
   return mesh.is_border(halfedge) || mesh.is_feature(halfedge);
 }
@@ -25,9 +25,10 @@ class VertexRoles {
         has_lines_(mesh.has_borders() || mesh.has_features()),
         keep_border_(keep_border) {}
   VertexRole operator[](Index vertex) const { return has_lines_ ? role(vertex) : VertexRole::free; }
-  /// Returns the two neighbors of the vertex on its line. Pre: the role is on_line.
+  /// Returns the two neighbors of the vertex on its line (a border or a chain of sharp edges). Pre:
+  /// the role is on_line.
   std::array<Index, 2> line_neighbors(Index vertex) const;
-  /// True if merging the ends of the edge keeps the lines.
+  /// True if the ends of the edge may be merged without damage to borders and sharp edges.
   bool may_merge(Index halfedge) const;
   bool keeps_border() const { return keep_border_; }
 

@@ -32,8 +32,9 @@ bool is_crease(const EditableMesh& mesh, Index h) {
   return turns(mesh.face_normal(h / 3), mesh.face_normal(mesh.opposite(h) / 3), crease_cosine);
 }
 
-/// Visits the neighbors of a halfedge's source that can be reached across smooth edges and through
-/// faces in front of which `normal` is. Returns true if these are all faces at the vertex.
+/// Visits the neighbors of a halfedge's source that can be reached across smooth edges, through
+/// faces whose normals differ from `normal` by at most 60 degrees. Returns true if these are all
+/// faces at the vertex.
 template <class Visit>
 bool visit_sector(const EditableMesh& mesh, Index start, const Vec3& normal, const Visit& visit) {
   const auto is_passable = [&](Index edge) {

@@ -67,7 +67,7 @@ bool EdgeCollapser::prepare(Index halfedge) {
   return true;
 }
 
-// Collapses to the end with the higher role, which keeps its position.
+// Collapses to the end with the higher role (vertex_role.h), which keeps its position.
 bool EdgeCollapser::try_bound_end() {
   const bool source_wins = roles_[goes_] > roles_[stays_];
   return try_position(mesh_.position(source_wins ? goes_ : stays_), source_wins ? 1 : 0);

@@ -29,7 +29,7 @@ class ExactSplitter {
   EditableMesh& mesh_;
   ExactGuard& guard_;
   std::vector<Index> copies_;    ///< a halfedge of each edge to split
-  std::vector<Index> replaced_;  ///< faces at `copies_`
+  std::vector<Index> replaced_;  ///< faces at the edges in `copies_`
   std::vector<Triangle> made_;
 };
 

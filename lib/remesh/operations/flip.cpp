@@ -70,7 +70,8 @@ class Flipper {
   using State = std::uint8_t;
   enum : State { edge = 1, wanted_before = 2, changed = 4, queued = 8 };
   std::vector<State> states_;
-  /// Edges with lower halfedges were visited, and are visited again only from the queue.
+  /// All edges whose lower halfedge is below this index were visited. They are visited again only
+  /// from the queue.
   Index swept_ = 0;
   Patch patch_;
   std::size_t refused_ = 0;

@@ -116,8 +116,8 @@ void VertexMover::name_faces(Index vertex, const VertexStar& star, const Vec3& t
   mesh_.for_each_outgoing(vertex, [&](Index halfedge) { patch_.replaced.push_back(halfedge / 3); });
 }
 
-// The certificate does not need the list of faces, so the list is made only if the certificate
-// fails.
+// The certificate of the embedding guard does not need the list of faces, so the list is made only
+// if the certificate fails.
 bool VertexMover::is_allowed(Index vertex, const VertexStar& star, const Vec3& target) {
   if (!place_triangles(star, target)) return false;
   patch_.clear();

@@ -14,7 +14,7 @@ namespace transformesh::elementary {
 namespace {
 
 constexpr int steps = 64;      ///< number of table intervals from 0 to 1
-constexpr int first_step = 8;  ///< the series is used below this entry
+constexpr int first_step = 8;  ///< below this table entry, the power series is used
 
 constexpr DoubleDouble arctangent_series(const DoubleDouble& x) {
   DoubleDouble sum;
