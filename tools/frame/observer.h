@@ -1,5 +1,6 @@
-/// Calls the observer of a program that runs inside another process, such as JavaScript that runs
-/// the WebAssembly module (wasm/observer.cpp). A native program has no observer.
+/// An observer is a function of the process inside which a program runs, such as JavaScript that
+/// runs the WebAssembly module (wasm/observer.cpp). It receives the progress and can end the run. A
+/// native program has no observer.
 #pragma once
 
 #include <string_view>
