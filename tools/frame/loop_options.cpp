@@ -109,16 +109,16 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   std::vector<std::string> files{"report", "csv"};
   if (!options.events.empty()) files.emplace_back("events");
   if (state.empty()) files.insert(files.begin(), "output");
-  // With --run, the outputs are in the folder of the run. The folder is only checked here, because
-  // it is created later, together with the state.
+  // The outputs of --run are in its folder. The folder is only checked here, because it is created
+  // later, together with the state.
   choices.run.empty() ? run.out().check_files_of(files) : check_run_folder(choices.run);
   const std::string& name = run.program().name;
   report_interruption(name, is_continuable ? "; --resume continues" : "");
   if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);
   options.state = std::move(state);
   options.settings = settings_of(run);
-  // Only the state of a run with --events has the labels of components. A run can be continued only
-  // with the same settings, so --events is one of them.
+  // Only the state of a run with --events has the labels of components. Therefore a run can be
+  // continued only with the same choice of --events.
   if (!options.events.empty()) options.settings += " events";
   options.every = static_cast<std::size_t>(choices.every.value_or(every));
   options.is_alone = true;

@@ -42,9 +42,10 @@ class Run {
   /// Sets the answer of a predicate. A negative answer gives exit code 1.
   void answer(bool is_yes) { answer_ = is_yes; }
 
-  /// Programs that run an evolution call one of these functions, because their body decides whether
-  /// the input is read. read_input() reads the input mesh. continue_from() takes the mesh of the
-  /// run that is continued, which already has the comments of the output.
+  /// Programs that run an evolution call one of these two functions, because their body decides
+  /// whether the input is read. The function read_input() reads the input mesh. The function
+  /// continue_from() takes the mesh of the run that is continued, which already has the comments of
+  /// the output.
   Document& read_input();
   Document& continue_from(Document document);
 

@@ -11,8 +11,8 @@ namespace transformesh::tool {
 
 /// Must be called before all other functions. Replaces closed standard descriptors by unusable
 /// ones, so that no file gets their number. SIGINT, SIGTERM, SIGPIPE and SIGXCPU end the process at
-/// once with exit code 128 plus the number of the signal, after temporary files are removed and the
-/// progress bar is erased. SIGHUP does the same unless nohup ignores it. SIGXFSZ is ignored, so
+/// once with exit code 128 plus the number of the signal. Before, temporary files are removed and
+/// the progress bar is erased. SIGHUP does the same unless nohup ignores it. SIGXFSZ is ignored, so
 /// that a write beyond the file size limit fails and is reported.
 void prepare_streams_and_signals();
 
