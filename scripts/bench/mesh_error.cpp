@@ -27,8 +27,9 @@ struct Measures {
   double volume = 0, area = 0, farthest = 0, squares = 0, solid_angle = 0;
 };
 
-/// Returns the solid angle of a face as seen from the point (0, 0, 0) (van Oosterom & Strackee,
-/// "The solid angle of a plane triangle", IEEE Transactions on Biomedical Engineering 30, 1983).
+/// Returns the solid angle of a face as seen from the point (0, 0, 0). Reference: van Oosterom &
+/// Strackee, "The solid angle of a plane triangle", IEEE Transactions on Biomedical Engineering 30,
+/// 1983.
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)),
