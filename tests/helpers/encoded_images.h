@@ -16,7 +16,7 @@ using Rows = std::vector<std::uint8_t>;
 Rows noise(std::size_t count);
 
 struct JpegKind {
-  int channels = 3;  ///< 1: gray, 3: color, 4: inverted inks as Adobe's programs write them
+  int channels = 3;  ///< 1: gray, 3: color, 4: inverted CMYK, as Adobe's programs write it
   bool is_progressive = false;
   unsigned restart_interval = 0;
 };

@@ -20,6 +20,7 @@ constexpr std::size_t least_digits = 3;
 /// Smallest number of pictures per second of a movie; chosen by hand.
 constexpr double slowest = 0.01;
 
+// Returns the beginning of the ffmpeg command, which reads PNG pictures from stdin. The encoder
 // x264 runs on one thread, because its output depends on the number of threads.
 std::string read_pictures(double per_second) {
   return "ffmpeg -v error -y -f image2pipe -c:v png -framerate " + significant(per_second, 9) +

@@ -53,7 +53,7 @@ SequenceOptions sequence_of(const ReconstructChoices& choices,
 /// Returns the paths of the inputs of one time step.
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step);
 
-/// Reads the views, and checks whether views with exact masks agree.
+/// Reads the views. If masks are exact, checks whether the silhouettes of the views agree.
 std::vector<View> checked_views(const ViewSources& sources, const ReconstructChoices& choices,
                                 Run& run);
 

@@ -21,7 +21,7 @@ double edge_length(std::optional<Length>& length, double default_value, const ch
                    " is a factor of the local size: write it as 0.7x, not as " + length->text());
 }
 
-/// Converts --edge to --min-edge and --max-edge, by the factors of their defaults.
+/// Sets --min-edge and --max-edge to 0.7 and 1.5 times --edge, the factors of their defaults.
 void take_one_edge(RemeshChoices& choices) {
   if (!choices.edge) return;
   if (choices.min_edge || choices.max_edge || choices.adaptive)

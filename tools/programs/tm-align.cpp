@@ -14,7 +14,7 @@ using namespace transformesh;
 /// 0.052.
 constexpr double low_stability = 0.05;
 /// If less than this share of the mesh lies on the reference, a note states that the alignment may
-/// be wrong. The least overlap of a registration is 0.2.
+/// be wrong. The registration itself assumes an overlap of at least 0.2.
 constexpr double low_overlap = 0.3;
 
 struct Choices {
