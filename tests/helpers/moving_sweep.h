@@ -4,9 +4,9 @@
 
 namespace transformesh::test {
 
-/// Returns the measures of one iteration of a reconstruction (a sweep) with the given dissimilarity.
-/// In this iteration vertices move, and `coverage`, the fraction of visible pixels that are
-/// compared, stays the same.
+/// Returns the measures of one iteration of a reconstruction (a sweep) with the given
+/// dissimilarity. In this iteration vertices move, and `coverage`, the fraction of visible pixels
+/// that are compared, stays the same.
 inline Sweep moving(double dissimilarity) {
   Sweep sweep;
   sweep.scale_step.scale = 4;
