@@ -11,5 +11,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-# The build runs the programs, which write their completions.
+# The build runs the programs in this emulator, because they write their shell completions.
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static)

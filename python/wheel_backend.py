@@ -20,11 +20,12 @@ ROOT = Path(__file__).resolve().parent.parent
 NAME = 'transformesh'
 TARGET = 'wheel_module'
 
-# The shared libraries that PEP 600 allows and that the module needs. Any other one would be missing
-# on the machine of somebody else.
+# The shared libraries that PEP 600 allows and that the module needs. Other shared libraries may be
+# missing on a user's machine.
 ALLOWED = {'libc.so.6', 'libm.so.6', 'libpthread.so.0', 'ld-linux-x86-64.so.2', 'ld-linux-aarch64.so.1'}
 
-# Files of the wheel carry this time, so that equal modules give equal wheels. Zip knows no earlier one.
+# Modification time of all files in the wheel, so that equal modules give equal wheels. It is the
+# earliest time that a zip file can store.
 FIRST_ZIP_TIME = (1980, 1, 1, 0, 0, 0)
 
 
@@ -77,7 +78,7 @@ def build_module(config_settings):
     if folder is None:
         folder = ROOT / 'build-wheel'
         configure(folder)
-    # Ninja itself does not lock the folder, in which tests that run side by side may build.
+    # Tests that run at the same time may build in this folder, which Ninja itself does not lock.
     run('flock', folder, 'cmake', '--build', folder, '--target', TARGET)
     return Path(folder)
 

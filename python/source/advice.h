@@ -1,5 +1,5 @@
-/// Remedies for problems of the library, which name Python functions and arguments: the table of
-/// transformesh/_advice.py.
+/// Remedies for problems of the library, from the table in transformesh/_advice.py. The remedies
+/// name Python functions and arguments.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace transformesh::python {
 
-/// Returns the remedy for problems of that kind; empty if there is none.
+/// Returns the remedy for problems of this kind, or an empty text if there is none.
 std::string advice_for(ErrorKind kind);
 
 /// Returns "sentence; remedy", or the sentence if there is no remedy.
 std::string with_advice(const Problem& problem);
 
-/// Returns the lines of with_advice().
+/// Returns "sentence; remedy" for each problem, as the function above.
 std::vector<std::string> with_advice(const std::vector<Problem>& problems);
 
 }  // namespace transformesh::python

@@ -1,5 +1,6 @@
 /// One call of a function from Python. transformesh/_functions.py has the signatures, defaults and
-/// documentation of all functions. Each passes its arguments by name to its namesake here.
+/// documentation of all functions. Each of them passes its arguments by name to the C++ function of
+/// the same name in this folder.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -22,11 +23,11 @@
 
 namespace transformesh::python {
 
-/// The number set by `transformesh.set_threads`; 0 means one thread per core.
+/// The maximum number of threads, set by `transformesh.set_threads`; 0 means one thread per core.
 extern int threads;
 
-/// Returns a Progress that calls `callback(phase, fraction)`, unless it is None. Ctrl-C, or a
-/// result of False, cancels the call.
+/// Returns a Progress that calls `callback(phase, fraction)`, unless the callback is None. The call
+/// is canceled by Ctrl-C, or if the callback returns False.
 Progress progress_to(const py::object& callback);
 
 /// Calls `body(progress)` without the GIL, on at most `threads` threads.
@@ -38,7 +39,8 @@ auto without_lock(const py::object& callback, Body body) {
   return body(progress);
 }
 
-/// Returns the value of an argument. Throws TypeError if its type is another one.
+/// Returns the value of an argument as a T. Throws TypeError, with the name of the argument, if the
+/// value cannot be converted to T.
 template <typename T>
 T converted(const py::handle& value, const std::string& name) {
   try {
@@ -48,8 +50,8 @@ T converted(const py::handle& value, const std::string& name) {
   }
 }
 
-/// The arguments, with checks that throw UsageError or TypeError and name the argument; the mesh
-/// that is changed, and its report.
+/// The arguments of one call, the mesh that the called function changes, and its report. Functions
+/// that return an argument check it, and throw UsageError or TypeError with its name.
 class Call {
  public:
   explicit Call(py::kwargs arguments) : arguments_(std::move(arguments)) {}
@@ -59,16 +61,18 @@ class Call {
   T get(const char* name) const {
     return converted<T>((*this)[name], name);
   }
-  /// Sets `value` to an argument. Returns the call, so that settings can be chained.
+  /// Sets `value` to the argument of this name. Returns the call, so that several arguments can be
+  /// read in one expression.
   template <typename T>
   const Call& operator()(const char* name, T& value) const {
     value = get<T>(name);
     return *this;
   }
 
-  /// Returns the argument, which must be one of these words.
+  /// Returns the argument. Throws UsageError if it is none of `words`.
   std::string word(const char* name, const std::vector<std::string>& words) const;
-  /// Returns the value that belongs to a word.
+  /// Returns the value that `values` assigns to the word given as the argument. Throws UsageError
+  /// for other words.
   template <typename T>
   T choice(const char* name, const std::vector<std::pair<std::string, T>>& values) const {
     std::vector<std::string> words;
@@ -81,20 +85,23 @@ class Call {
   std::optional<Vec3> vector(const char* name) const;
   std::optional<Box> box() const;
   std::string path(const char* name) const;
-  /// Returns a function that calls the argument with a message; nothing if it is None.
+  /// Returns a function that calls the Python function in the argument with a message. Returns an
+  /// empty function if the argument is None.
   std::function<void(const std::string& message)> callback(const char* name) const;
   /// Sets the smoothing from argument `smooth`: a factor of Laplacian smoothing, two factors for
   /// two passes, or a word.
   void set_smoothing(RemeshOptions& options) const;
 
-  /// Returns a length in the syntax of the programs; a number is in input units.
+  /// Returns a length argument: a number in input units, or a text in the syntax of the programs,
+  /// such as "0.7x". Parses `otherwise` if the argument is None.
   Length length_as_given(const char* name, const char* otherwise) const;
   /// Resolves a length as the programs do. If it refers to the reference edge, the document gets
   /// the comment that states the length of the reference edge.
   double resolve(const Length& length);
   double length(const char* name, double otherwise = 0);
   double reference_edge();
-  /// Returns the obstacle `keep_out` with its `gap`. Both arguments must be given, or none.
+  /// Returns the obstacle from argument `keep_out`, with the distance to it from argument `gap`.
+  /// Throws UsageError if only one of them is given.
   KeepOutOptions keep_out();
 
   /// Calls `body(progress)` without the GIL.
@@ -104,7 +111,7 @@ class Call {
   }
   /// Merges equal positions of the mesh (join_places()).
   void join();
-  /// Returns the changed mesh, whose report gets these entries in addition.
+  /// Returns the changed mesh with its report, to which these entries are added.
   MeshPointer result(const Entries& entries = {});
 
   Document document;  ///< the mesh that is changed
@@ -125,7 +132,7 @@ void warn(const std::vector<std::string>& notes);
 /// report with the number of vertices that were merged.
 Entries join_places(Mesh& mesh);
 
-/// Adds a function that is called with its arguments by name.
+/// Adds a function of keyword arguments to the module.
 template <typename Result>
 void define(py::module_& module, const char* name, Result (*function)(Call&)) {
   module.def(name, [function](const py::kwargs& arguments) {
@@ -133,10 +140,11 @@ void define(py::module_& module, const char* name, Result (*function)(Call&)) {
     return function(call);
   });
 }
-/// Adds a function that changes a copy of argument `mesh`.
+/// Adds a function of keyword arguments to the module. The function changes a copy of argument
+/// `mesh` and returns it.
 void define_filter(py::module_& module, const char* name, MeshPointer (*function)(Call&));
 
-/// Add the parts of the module.
+/// Add functions to the module; each bind function is in the source file of its name.
 void bind_filters(py::module_& module);
 void bind_remeshing(py::module_& module);
 void bind_editing(py::module_& module);

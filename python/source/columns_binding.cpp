@@ -37,7 +37,8 @@ py::dtype dtype_of(Scalar scalar) {
   return py::dtype("float64");
 }
 
-// Returns the type of a column for an array. 64-bit integers, the default of NumPy, become 32-bit.
+// Returns the type of a column that stores this array. 64-bit integers, the default of NumPy, are
+// stored as 32-bit integers.
 Scalar scalar_of(const py::array& array) {
   const std::string name = py::str(array.dtype().attr("name"));
   for (const auto& [type, known] : type_names)
@@ -91,7 +92,8 @@ void set(const PythonColumns& self, const std::string& name, const py::array& va
                      " numbers is needed");
   const Scalar type = scalar_of(values);
   const py::array_t<double, py::array::c_style | py::array::forcecast> doubles(values);
-  // Copies first, since the array may be a view of this column.
+  // The values are copied before the column changes, because the array may be a view of this
+  // column.
   std::vector<double> copy(doubles.data(), doubles.data() + doubles.size());
   check_range(name, type, copy);
   if (Column* old = self.columns().find(name)) retire(self, *old);

@@ -41,7 +41,7 @@ MeshPointer remove_handles_of(Call& call) {
 
 // --- transform -----------------------------------------------------------------------------------
 
-/// Adds the matrix to the report of the mesh.
+/// Adds the matrix to the report of the mesh, as a NumPy array.
 MeshPointer with_matrix(MeshPointer mesh, const Matrix4& matrix) {
   py::array_t<double> array({4, 4});
   for (Eigen::Index i = 0; i < 4; ++i)
@@ -61,8 +61,9 @@ Matrix4 mirroring(const py::handle& value) {
   return mirroring_in(vector_of(plane), plane[3]);
 }
 
-/// Returns the matrix of a keyword argument. `before` is the product of the earlier ones, on which
-/// some keywords depend.
+/// Returns the matrix of the transformation that a keyword argument requests. `before` is the
+/// product of the matrices of earlier arguments. The matrices of `center` and `unit_box` depend on
+/// it.
 Matrix4 step_of(const std::string& name, const py::handle& value, const Mesh& mesh,
                 const Matrix4& before) {
   const auto numbers = [&](std::size_t count) { return numbers_of(value, count, name); };
@@ -104,7 +105,7 @@ MeshPointer align_mesh(Call& call) {
 
 // --- select, split -------------------------------------------------------------------------------
 
-/// Sets the selection from a condition as text, or from a boolean per face.
+/// Sets the condition of the selection from a text, or from an array with a boolean for each face.
 void set_where(const py::object& where, SelectionOptions& options) {
   if (py::isinstance<py::str>(where)) {
     options.where = py::cast<std::string>(where);

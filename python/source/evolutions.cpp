@@ -36,7 +36,8 @@ LoopOptions loop_of(const Call& call, std::size_t iterations) {
 
 // --- evolve --------------------------------------------------------------------------------------
 
-/// Calls a Python function with a mesh and further values, and returns its (n, 3) velocities.
+/// Calls a Python function with a mesh and further arguments, and returns the velocities that it
+/// returns as an array (n, 3).
 template <typename... Values>
 std::vector<Vec3> velocities_by(const py::function& function, const Mesh& now, Values... values) {
   const py::gil_scoped_acquire locked;
@@ -80,7 +81,8 @@ py::dict volumes_of(const std::vector<LabeledVolume>& components) {
   return volumes;
 }
 
-/// Returns a dict per event: its members, with the volumes of components by their labels.
+/// Returns a dict for each event, with the members of Event. Volumes of components before and after
+/// the event are dicts from label to volume.
 py::list list_of(const std::vector<Event>& events) {
   py::list all;
   for (const Event& event : events) {

@@ -49,7 +49,8 @@ std::vector<std::pair<Vec3, Vec3>> segments_of(const py::object& ends) {
 
 struct Scene {
   std::vector<const Mesh*> meshes;
-  std::vector<Mesh> copies;  ///< copies of the meshes that get a column
+  /// Copies of `meshes` with a column for ambient occlusion; empty if it is not drawn.
+  std::vector<Mesh> copies;
   PictureOptions picture;
 };
 
@@ -108,8 +109,9 @@ py::array render(Call& call) {
 
 // --- report --------------------------------------------------------------------------------------
 
-/// Returns the page that shows runs. If `given` is empty, searches for share/transformesh in the
-/// folders above the module, which is its place in the installation and in the build folder.
+/// Returns the HTML of the viewer page, read from the path `given`. If `given` is empty, searches
+/// for share/transformesh/viewer.html in all folders above the Python module. The page has this
+/// place in the installation and in the build folder.
 std::string viewer_page(const std::string& given) {
   std::filesystem::path path = given;
   if (given.empty()) {

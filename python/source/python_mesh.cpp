@@ -28,7 +28,7 @@ void check_rows(const py::array& array, const std::string& name) {
 
 template <typename Number>
 std::vector<Vec3> read_vectors(const py::array& array) {
-  const py::array_t<Number> numbers(array);  // a converted copy must outlive `rows`
+  const py::array_t<Number> numbers(array);  // may be a copy, which must outlive `rows`
   const auto rows = numbers.template unchecked<2>();
   std::vector<Vec3> vectors(static_cast<std::size_t>(rows.shape(0)));
   for (py::ssize_t i = 0; i < rows.shape(0); ++i)
@@ -38,7 +38,7 @@ std::vector<Vec3> read_vectors(const py::array& array) {
 
 template <typename Number>
 std::vector<Face> read_faces(const py::array& array, std::size_t vertices) {
-  const py::array_t<Number> numbers(array);  // a converted copy must outlive `rows`
+  const py::array_t<Number> numbers(array);  // may be a copy, which must outlive `rows`
   const auto rows = numbers.template unchecked<2>();
   std::vector<Face> faces(static_cast<std::size_t>(rows.shape(0)));
   for (py::ssize_t i = 0; i < rows.shape(0); ++i)
@@ -184,8 +184,9 @@ MeshPointer mesh_of(Mesh mesh, const Entries& report) {
 
 namespace {
 
-/// Makes a mesh from positions (n, 3) and faces (m, 3), with the checks of a file. Copies the data
-/// once if types are doubles or floats, and 32- or 64-bit integers.
+/// Makes a mesh from positions (n, 3) and faces (m, 3), with the same checks as for meshes in
+/// files. Copies the data only once if positions are doubles or floats, and faces are 32- or 64-bit
+/// integers.
 MeshPointer make_mesh(const py::object& positions, const py::object& faces) {
   Mesh mesh;
   mesh.positions = vectors_of(py::array::ensure(positions), "positions");

@@ -1,5 +1,5 @@
-/// The Python class Mesh: a document (lib/io/document/document.h) whose data NumPy arrays show
-/// without a copy, and the report of the operation that made it.
+/// The Python class Mesh: a document (lib/io/document/document.h), and the report of the operation
+/// that made it. NumPy arrays give access to the document's data without a copy.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -18,7 +18,7 @@ namespace py = pybind11;
 struct PythonMesh {
   Document document;
   py::dict report;
-  /// Values of removed or replaced columns, which an array may still show.
+  /// Values of removed or replaced columns, because NumPy arrays may still refer to them.
   std::list<std::vector<double>> retired = {};
 };
 using MeshPointer = std::shared_ptr<PythonMesh>;

@@ -7,7 +7,7 @@
 namespace transformesh::python {
 namespace {
 
-/// Returns the angle in degrees; 0 for "auto".
+/// Returns argument `feature_angle` in degrees; 0 for "auto".
 double feature_angle(const Call& call) {
   const py::object angle = call["feature_angle"];
   if (py::isinstance<py::str>(angle)) {
@@ -19,7 +19,8 @@ double feature_angle(const Call& call) {
   return degrees;
 }
 
-/// Returns the length of edges, or the factor of the local size if there is a size field.
+/// Returns a limit of edge lengths in input units; if there is a size field, as a factor of the
+/// local size.
 double edge_length(Call& call, const char* name, const char* otherwise, bool has_sizes) {
   const Length asked = call.length_as_given(name, otherwise);
   if (!has_sizes) return call.resolve(asked);
@@ -50,8 +51,8 @@ RemeshOptions remesh_options(Call& call) {
   return options;
 }
 
-/// Calls `change(mesh, progress)`. If argument `source` is set, writes where on the input each
-/// vertex and face comes from.
+/// Calls `change(mesh, progress)`. If argument `source` is set, stores the point of the input mesh
+/// from which each vertex and face comes.
 template <typename Change>
 MeshPointer changed(Call& call, const Change& change) {
   const auto source = call.get<bool>("source");
@@ -64,7 +65,8 @@ MeshPointer changed(Call& call, const Change& change) {
 
 // --- remesh --------------------------------------------------------------------------------------
 
-/// Returns the options of alignment. Throws if options are set that only remeshing has.
+/// Returns the options of align_features(). Throws UsageError if an argument is set that only
+/// remeshing uses.
 AlignOptions align_options(const RemeshOptions& remesh, const Call& call) {
   const RemeshOptions usual;
   const char* const refused = !call["adaptive"].is_none()           ? "adaptive"

@@ -1,6 +1,7 @@
-// Linked into the module of a wheel only. Debian compiles static libraries for programs, and there
-// libpng and libtiff address `stderr` as a variable of the program, which a shared object cannot
-// contain. The linker's option --wrap=stderr makes them use this copy; it fixes both names below.
+// This file is linked only into the Python module of a wheel. The static libpng and libtiff of
+// Debian are compiled for programs: they address `stderr` as a variable of the program, which a
+// shared object cannot contain. The linker's option --wrap=stderr makes them use the copy
+// `__wrap_stderr`. The option determines both names below.
 #include <cstdio>
 
 extern "C" {

@@ -19,7 +19,7 @@
 namespace transformesh::python {
 namespace {
 
-/// Returns argument `keep`; nothing for "auto".
+/// Returns argument `keep` as a number: "largest" is 1, "all" is 0. Returns nothing for "auto".
 std::optional<double> share_of(const Call& call) {
   const auto keep = call.get<std::variant<double, std::string>>("keep");
   if (const auto* share = std::get_if<double>(&keep)) return *share;
@@ -34,8 +34,8 @@ struct CheckedViews {
   ViewCheck check;
 };
 
-/// Reads the views and, if `options` are given, checks whether they agree. Notes that programs
-/// print on stderr become Python warnings.
+/// Reads the views. If `options` are given, checks whether the silhouettes of the views agree.
+/// Notes that programs print on stderr become Python warnings.
 CheckedViews checked_views(const Call& call, ViewSources sources,
                            const std::optional<ViewCheckOptions>& options,
                            const std::optional<Box>& box = {}) {

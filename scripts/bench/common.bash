@@ -11,7 +11,7 @@ workloads=(two-spheres folded tangle many-spheres boxes pinch)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# workload KIND FACES: sets $mesh to a file with that shape.
+# workload KIND FACES: generates a shape of this kind by tm-shape, and sets $mesh to its file.
 workload() {
   mesh=$scratch/$1.ply
   local options=()

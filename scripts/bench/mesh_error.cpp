@@ -1,9 +1,10 @@
 // mesh-error X Y Z RADIUS MESH
 //
 // Measures of a closed mesh by arithmetic that shares nothing with the library. Prints volume,
-// area, and distances from an exact sphere in closed form. `encloses` is the winding number of the
-// mesh at the center. If it is 1, every ray from the center meets the mesh. No point of the sphere
-// is then farther from the mesh than the farthest point of the mesh is from the sphere.
+// area, and the exact distances of mesh points from the sphere with center X Y Z and RADIUS.
+// `encloses` is the winding number of the mesh at the center. If it is 1, every ray from the center
+// meets the mesh. In this case, the largest distance of mesh points from the sphere is also an
+// upper bound of the distance of sphere points from the mesh.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -26,16 +27,17 @@ struct Measures {
   double volume = 0, area = 0, farthest = 0, squares = 0, solid_angle = 0;
 };
 
-/// Returns the solid angle of a face at the origin (van Oosterom & Strackee, "The solid angle of a
-/// plane triangle", IEEE Transactions on Biomedical Engineering 30, 1983).
+/// Returns the solid angle of a face as seen from the point (0, 0, 0). Reference: van Oosterom &
+/// Strackee, "The solid angle of a plane triangle", IEEE Transactions on Biomedical Engineering 30,
+/// 1983.
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)),
                         la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-/// Adds the distances from the sphere at 28 points of a face, in a triangular grid. The interior of
-/// faces counts too, and not only corners.
+/// Adds the distances from the sphere at 28 points of a face, in a triangular grid. Therefore the
+/// interior of the face counts, and not only its corners.
 void add_distances(const Vec3& a, const Vec3& b, const Vec3& c, double radius, double area,
                    Measures& sums) {
   constexpr int parts = 6, points = (parts + 1) * (parts + 2) / 2;

@@ -2,10 +2,11 @@
 /// The contract is docs/Runner IO Contract.md, version 1, of
 /// https://github.com/solidean/boolean-benchmark-runners.
 ///
-/// The raw format is Mesh (indexed triangles in doubles), which boolean() takes and returns.
-/// Therefore io_ms is reading and parsing, and import_ms and export_ms are 0. operation_ms is
-/// boolean() with its defaults: coordinates are rounded to doubles, and flat regions at cuts are
-/// merged. Operations may have any number of operands.
+/// The benchmark's raw format, in which the library computes, is Mesh (indexed triangles in
+/// doubles), which boolean() takes and returns. Therefore io_ms is reading and parsing, and
+/// import_ms and export_ms are 0. operation_ms is boolean() with its defaults: coordinates are
+/// rounded to doubles, and flat regions at cuts are merged. Operations may have any number of
+/// operands.
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -63,7 +64,8 @@ Mesh combine(const Json& operation, const std::vector<Mesh>& slots, Json& result
   return mesh;
 }
 
-/// Returns for each operation the slots that no later operation uses, whose meshes are freed.
+/// A slot is the result of the operation with the same index. Returns for each operation the slots
+/// that no later operation uses, so that their meshes can be freed after it.
 std::vector<std::vector<std::size_t>> last_uses(const Json& operations) {
   std::vector<std::size_t> last(operations.size());
   for (std::size_t i = 0; i < operations.size(); ++i) {

@@ -3,8 +3,9 @@
 // Moves a level set by OpenVDB, for comparison with tm-evolve. FIELD is one of these:
 //
 // - rotation: one turn in a unit of time about the vertical axis through (.5, .5, .5).
-// - vortex: the single vortex of the unit cube, reversed so that it takes TIME to come back.
-// - deformation: Enright's field, reversed likewise.
+// - vortex: the single vortex of the unit cube, reversed at TIME / 2, so that the surface returns
+// to its initial shape at TIME.
+// - deformation: Enright's field, reversed in the same way.
 // - normal: growth at unit speed along the normals.
 // - mean-curvature: motion by the sum of the principal curvatures.
 //
@@ -78,13 +79,15 @@ std::unique_ptr<Advection> advection(FloatGrid& grid, Velocity velocity) {
   result->setTemporalScheme(openvdb::math::TVD_RK3);
   result->setTrackerSpatialScheme(openvdb::math::HJWENO5_BIAS);
   result->setTrackerTemporalScheme(openvdb::math::TVD_RK3);
-  // Each renormalization of the distances moves the surface; one is the least number.
+  // Each renormalization of the distances moves the surface. One per step is the smallest possible
+  // number.
   result->setNormCount(1);
   return result;
 }
 
-/// Advects by the field times cos(pi t / time). This equals the steady field for the integral of
-/// the cosine, which is time / pi, and then back. The substitution is exact, and allows the longest
+/// Advects from the time 0 to `time` by the velocity field times cos(pi t / time). This equals
+/// advection by the steady field for a span of time / pi, and then back for the same span. The span
+/// is the integral of the cosine up to its zero. The substitution is exact, and allows the longest
 /// stable steps.
 void advect_there_and_back(FloatGrid& grid, Velocity velocity, double time) {
   const auto there_and_back = advection(grid, velocity);
@@ -93,9 +96,9 @@ void advect_there_and_back(FloatGrid& grid, Velocity velocity, double time) {
   there_and_back->advect(span, 0);
 }
 
-/// Flows by the sum of the principal curvatures. A step of LevelSetFilter moves by their mean for a
-/// time of a third of the squared voxel size, which is a sixth for their sum. The number of steps
-/// is rounded.
+/// Moves the surface by the sum of the principal curvatures. A step of LevelSetFilter moves it by
+/// their mean, for a time of a third of the squared voxel size. For motion by the sum, the same
+/// step takes half of this time. The number of steps is rounded.
 void flow_by_curvature(openvdb::tools::LevelSetFilter<FloatGrid>& filter, double voxel,
                        double time) {
   const auto steps = std::lround(6 * time / (voxel * voxel));

@@ -24,7 +24,7 @@ constexpr double rest = 1e-6;
 void morph(FloatGrid& grid, const FloatGrid& target) {
   openvdb::tools::LevelSetMorphing<FloatGrid> morphing(grid, target);
   // These are the fastest schemes: TVD_RK2 allows steps three times as long as TVD_RK1. The final
-  // state, at which the speed is zero, depends neither on them nor on the renormalization.
+  // state, at which the speed is zero, depends neither on these schemes nor on the renormalization.
   morphing.setSpatialScheme(openvdb::math::FIRST_BIAS);
   morphing.setTemporalScheme(openvdb::math::TVD_RK2);
   morphing.setTrackerSpatialScheme(openvdb::math::FIRST_BIAS);

@@ -35,14 +35,15 @@ inline Mesh surface(const openvdb::FloatGrid& grid) {
   openvdb::tools::volumeToMesh(grid, points, quads);
   Mesh mesh;
   for (const auto& p : points) mesh.positions.emplace_back(p.x(), p.y(), p.z());
-  for (const auto& q : quads) {  // clockwise
+  for (const auto& q : quads) {  // corners are clockwise as seen from outside
     mesh.faces.push_back({q[0], q[2], q[1]});
     mesh.faces.push_back({q[0], q[3], q[2]});
   }
   return mesh;
 }
 
-/// Limits OpenVDB to one thread while it exists: more would spend CPU time on waiting.
+/// While an object of this class exists, OpenVDB uses one thread. More threads would spend CPU time
+/// on waiting.
 class OneThread {
  public:
   OneThread() { openvdb::initialize(); }

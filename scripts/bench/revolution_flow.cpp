@@ -17,8 +17,9 @@ using namespace transformesh;
 
 namespace {
 
-/// Points of the profile. Errors are proportional to the square of the spacing. With half as many
-/// points, volumes of the torus and the dumbbell change by less than 1e-4 of themselves.
+/// Number of points of the profile curve. Errors are proportional to the square of their spacing.
+/// With half as many points, the relative change of the volumes of torus and dumbbell is below
+/// 1e-4.
 constexpr int profile_points = 401;
 constexpr int turns = 1200;
 

@@ -14,7 +14,7 @@ HEAD = re.compile(r'(?:template\s*<[^{;]*>\s*)?\b(?:enum\s+(?:class|struct)|enum
                   r'(?:\[\[\w+\]\]\s*)?(?:alignas\([^)]*\)\s*)?([A-Za-z_]\w*)\b(?!\s*::)\s*'
                   r'(?P<specialization><)?[^;{}()=]*$')
 NAMESPACE = re.compile(r'\bnamespace(?:\s+([\w:]+))?\s*$')
-LINKAGE = re.compile(r'\bextern\s*$')  # the string "C" is blank
+LINKAGE = re.compile(r'\bextern\s*$')  # string literals such as "C" are blanks in the text
 ALIAS = re.compile(r'\s*using\s+([A-Za-z_]\w*)\s*=[^{}]*$')
 
 

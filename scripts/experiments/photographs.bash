@@ -4,7 +4,8 @@
 shared=$(readlink -f "${TM_DATA:-$here/../../../shared/data}/mvs") || true
 readonly shared
 
-# name_files SCENE: sets cameras and images, and masks and options if the scene has any.
+# name_files SCENE: sets the variables $cameras and $images to paths of files, and $masks and
+# $options if the scene has masks and options.
 name_files() { # SCENE
   masks='' options=()
   case $1 in
@@ -27,8 +28,8 @@ value() { # KEY REPORT
   awk -v key="\"$1\":" '$1 == key { gsub("[\",]", "", $2); print $2; exit }' "$2"
 }
 
-# timed COMMAND...: runs a command, and sets cpu to the CPU seconds of all its processes, which the
-# second line of `times` has.
+# timed COMMAND...: runs a command, and sets $cpu to the CPU seconds of all its processes, from the
+# second line that `times` prints.
 timed() { # COMMAND...
   times >times.begin
   "$@"

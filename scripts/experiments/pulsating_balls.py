@@ -13,7 +13,8 @@ import sys
 
 import numpy as np
 
-# Turns of each ball per period on its circle and in its radius, and its phase.
+# For each ball: the number of turns on its circle in a period, and the phase of turn and pulsation
+# in radians.
 TURNS = np.array([1, -1, 2, -2, 1, 3])
 PHASES = np.arange(6) * 2.4
 CIRCLES = np.array([[x, y, 0] for x in (-0.55, 0.55) for y in (-0.7, 0, 0.7)])

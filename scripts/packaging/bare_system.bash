@@ -1,8 +1,10 @@
-# Sourced by the scripts that try packages: a bare Debian in a temporary folder, $bare_root.
+# Functions for scripts that test packages in a minimal Debian, which is installed in the temporary
+# folder $bare_root.
 
 bare_root=
 
-# make_bare_system bookworm: needs root, debootstrap and a mirror.
+# make_bare_system SUITE: installs a minimal Debian, for example bookworm, in $bare_root. Needs
+# root, debootstrap and a mirror of Debian.
 make_bare_system() {
   bare_root=$(mktemp -d)
   debootstrap --variant=minbase "$1" "$bare_root" >"$bare_root.log" || {
@@ -13,7 +15,7 @@ make_bare_system() {
   mount -t proc proc "$bare_root/proc"
 }
 
-# Unmounts everything that is mounted in the bare system before removing it.
+# Removes the minimal Debian, after everything that is mounted in it is unmounted.
 remove_bare_system() {
   [ -n "$bare_root" ] || return 0
   umount "$bare_root/proc" 2>/dev/null || true
@@ -21,7 +23,7 @@ remove_bare_system() {
   bare_root=
 }
 
-# bare 'a | b': runs a line in the bare system.
+# bare 'a | b': runs a line of bash in the minimal Debian.
 bare() {
   chroot "$bare_root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C \
     DEBIAN_FRONTEND=noninteractive bash -euo pipefail -c "$1"

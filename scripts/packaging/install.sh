@@ -7,7 +7,8 @@ set -eu
 LC_ALL=C
 export LC_ALL
 
-# Names the installed files, each relative to DIR, so that they can be removed.
+# This file lists all installed files, with paths relative to DIR, so that --uninstall can remove
+# them.
 list=share/transformesh/installed-files
 
 say() { printf 'install.sh: %s\n' "$*" >&2; }
@@ -35,7 +36,8 @@ parse() {
 
 files() { (cd "$from" && find bin share ! -type d | sort && echo "$list"); }
 
-# The new file replaces the old one in one step, so that a program that runs is not disturbed.
+# copy FILE: installs a file. The new file replaces the old file in one step, so that programs that
+# are running are not disturbed.
 copy() {
   mkdir -p "$prefix/${1%/*}" || { say "cannot write to $prefix" && exit 1; }
   rm -f "$prefix/$1.new"
@@ -43,7 +45,7 @@ copy() {
   mv -f "$prefix/$1.new" "$prefix/$1"
 }
 
-# Files of a release before this one that this one does not have.
+# Removes files that an earlier release has installed and that this release does not have.
 remove_outdated() {
   [ -e "$prefix/$list" ] || return 0
   while IFS= read -r file; do
@@ -79,7 +81,7 @@ uninstall() {
   [ -e "$prefix/$list" ] || { say "nothing to remove: $prefix/$list is missing" && exit 1; }
   all_folders=$(folders)
   while IFS= read -r file; do rm -f "$prefix/$file"; done <"$prefix/$list"
-  # Folders that hold files of others stay.
+  # Folders that contain other files remain, because rmdir fails.
   printf '%s\n' "$all_folders" | while IFS= read -r folder; do
     rmdir "$prefix/$folder" 2>/dev/null || true
   done

@@ -1,5 +1,5 @@
 /// Helpers for the tests of lib/clean/exterior and lib/clean/open: arrangements of intersecting
-/// shapes, and winding numbers beside pieces, found by summing solid angles.
+/// shapes, and winding numbers close to triangles, which are computed by summing solid angles.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,7 +22,8 @@ inline Arrangement arranged(const Mesh& mesh) {
   return arrange(welded, find_meetings(*welded, Progress()), Progress());
 }
 
-/// Returns the arrangement that cleaning computes if the faces belong to these open components.
+/// Returns the arrangement that cleaning computes for a mesh with open components.
+/// `component_of_face` has the open component of each face (WeldedMesh::open_component).
 inline Arrangement arranged_open(const Mesh& mesh, std::vector<Index> component_of_face) {
   const auto welded = std::make_shared<WeldedMesh>(weld(mesh));
   welded->open_component = std::move(component_of_face);

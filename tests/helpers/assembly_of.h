@@ -1,11 +1,13 @@
-/// Makes an Assembly of a mesh, for tests of rounding.
+/// Makes an Assembly (assemble.h), the result of cleaning before rounding, of a mesh, for tests of
+/// rounding.
 #pragma once
 
 #include "clean/stitch/assemble.h"
 
 namespace transformesh::test {
 
-/// Returns an assembly in which all vertices and faces are new, and each face is its own source.
+/// Returns an assembly in which all vertices and faces are new, and each face is its own source
+/// face.
 inline Assembly assembly_of(const Mesh& mesh) {
   Assembly assembly;
   assembly.mesh = mesh;

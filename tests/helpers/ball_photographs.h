@@ -56,8 +56,8 @@ inline Mesh ball(double radius) {
   return mesh;
 }
 
-/// Returns the mean distance of vertices from a sphere. Only vertices near the equator count, which
-/// are visible in several views.
+/// Returns the mean distance of vertices from a sphere. Only vertices near the equator count,
+/// because several views show them.
 inline double error(const Mesh& mesh, double radius) {
   double sum = 0;
   int count = 0;

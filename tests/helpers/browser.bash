@@ -1,4 +1,4 @@
-# Checks of pages in headless Chromium, where scripts/setup --browser has installed it.
+# Functions that check pages in headless Chromium, if scripts/setup --browser has installed it.
 
 has_browser() {
   TM_CHROMIUM=$(command -v chromium || command -v chromium-browser) || return 1

@@ -61,8 +61,8 @@ inline Eigen::Vector2d pixel_of(const CameraRecord& record, const Vec3& point) {
   return (record.camera.intrinsics * bent.homogeneous()).hnormalized();
 }
 
-/// Checks the pixels of 20 points. `expected` gets the coordinates of a point on the plane at depth
-/// 1, and returns its pixel.
+/// Checks the pixels to which `record` projects 20 points. `expected` takes the coordinates of a
+/// point on the plane at depth 1, and returns the pixel of the point.
 inline void check_pixels(const CameraRecord& record,
                          const std::function<Eigen::Vector2d(double x, double y)>& expected) {
   const TruePose pose;

@@ -11,7 +11,7 @@ namespace transformesh::test {
 struct Booleans {
   Mesh united;
   Mesh common;
-  Mesh difference;  ///< the first without the second
+  Mesh difference;  ///< the first mesh minus the second mesh
 };
 
 /// Empty results are meshes without faces. Throws std::runtime_error if a result would not be a

@@ -1,4 +1,5 @@
-/// Converts meshes to CGAL, for oracles and benchmarks.
+/// Converts meshes to CGAL::Surface_mesh, for benchmarks and for tests that compare results with
+/// those of CGAL.
 #pragma once
 
 #include <CGAL/Surface_mesh.h>

@@ -16,7 +16,7 @@ template <class T>
 using CgalOptional =
     std::conditional_t<(CGAL_VERSION_NR < 1060000000), boost::optional<T>, std::optional<T>>;
 
-/// Returns null if the result is of another type than T.
+/// Returns a pointer to the T in the variant. Returns null if the variant holds another type.
 template <class T, class... Types>
 const T* alternative(const boost::variant<Types...>& result) {
   return boost::get<T>(&result);

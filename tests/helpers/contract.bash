@@ -1,10 +1,11 @@
-# Table of all programs for the checks of the contract, and the inputs of these checks.
+# Table of all programs, and inputs, for the checks of the behavior that all programs have in common
+# (tests/tools/contract.bats).
 
-# Prints lines of the form name|kind|arguments, without the input. In the arguments, MESH stands for
-# the input mesh, and SCENE for a folder with par.txt and masks, and with photos.txt and photos of
-# the mesh. RUN stands for the folder of a run, TILES for a folder of clean tiles. The input of a
-# converter is the file $NAME_input, for example $tm_cameras_input. A loop is a filter whose output
-# is always PLY; its state may stay beside a named output.
+# Prints lines of the form name|kind|arguments. The arguments do not name the input. In the
+# arguments, MESH stands for the input mesh, and SCENE for a folder with par.txt and masks, and with
+# photos.txt and photos of the mesh. RUN stands for the folder of a run, TILES for a folder of clean
+# tiles. The input of a converter is the file $NAME_input, for example $tm_cameras_input. A loop is
+# a filter whose output is always PLY; its state may stay beside a named output.
 contract_programs() {
   cat <<'TABLE'
 tm|lister|

@@ -1,5 +1,5 @@
-/// Random points that are defined by edges and faces, and their positions in rationals, solved by
-/// formulas of their own.
+/// Random points that are defined by edges and faces (exact_point.h), and their positions as
+/// rationals. The formulas of the positions are independent of the library.
 #pragma once
 
 #include <array>

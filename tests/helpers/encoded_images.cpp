@@ -5,7 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
-// jpeglib.h takes its types from stdio.h.
+// jpeglib.h needs types of stdio.h, which must be included before it.
 #include <jpeglib.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@ using Rows = std::vector<std::uint8_t>;
 Rows noise(std::size_t count);
 
 struct JpegKind {
-  int channels = 3;  ///< 1: gray, 3: color, 4: inverted inks as Adobe's programs write them
+  int channels = 3;  ///< 1: gray, 3: color, 4: inverted CMYK, as Adobe's programs write it
   bool is_progressive = false;
   unsigned restart_interval = 0;
 };
@@ -32,15 +32,16 @@ std::string png_of(const PngKind& kind, int width, int height, Rows rows);
 
 struct TiffKind {
   int bits = 8;
-  int samples = 1;  ///< per pixel
+  int samples = 1;  ///< number of samples per pixel
   int photometric =
-      1;  ///< the value of the label; 0: white is 0, 1: black is 0, 2: color, 3: palette
-  int compression = 1;  ///< 1: none
-  int planes = 1;       ///< 2: all red samples come first
-  int tile = 0;         ///< 0: strips of two rows
+      1;  ///< tag PhotometricInterpretation; 0: white is 0, 1: black is 0, 2: color, 3: palette
+  int compression = 1;  ///< tag Compression; 1: none
+  int planes = 1;       ///< tag PlanarConfiguration; 2: all red samples come first
+  int tile = 0;         ///< width and height of tiles in pixels; 0: strips of two rows
   int orientation = 1;
   int sample_format = 1;
-  const char* mode = "w";  ///< "wb": big-endian; "w8": with offsets of 8 bytes
+  /// Mode of TIFFClientOpen(); "wb": big-endian; "w8": with offsets of 8 bytes.
+  const char* mode = "w";
 };
 /// Palettes map index i to the color (257 i, 0, 0).
 std::string tiff_of(const TiffKind& kind, int width, int height, Rows rows);
@@ -48,11 +49,11 @@ std::string tiff_of(const TiffKind& kind, int width, int height, Rows rows);
 /// Returns the error message for a file; empty if it is decoded.
 std::string image_refusal(const std::string& bytes);
 
-/// Checks that every truncated file is refused with a message that names the file.
+/// Checks that every truncated copy of the file is refused with a message that names the file.
 void check_beginnings(const std::string& bytes);
 
-/// Checks that files with random changes are decoded, or refused with a message that names the
-/// file.
+/// Checks that each copy of the file with random changes is decoded, or refused with a message that
+/// names the file.
 void check_damage(const std::string& bytes);
 
 double gray(double red, double green, double blue);

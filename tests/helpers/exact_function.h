@@ -12,10 +12,10 @@ namespace transformesh::test {
 using ExactFunction = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 using ExactFunctionOfTwo = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 
-/// Returns the error of `result` in units in the last place of the exact value. An infinite result
-/// is right if the exact value rounds to infinity; otherwise it counts as the power of two beyond
-/// the largest double. If the exact value is 0, infinite or not a number, the result must be the
-/// same, or the error is infinite.
+/// Returns the error of `result` in units in the last place of the exact value. If the exact value
+/// rounds to infinity, an infinite result is correct. Otherwise an infinite result counts as the
+/// power of two beyond the largest double. If the exact value is 0, infinite or not a number, the
+/// result must be the same, or the error is infinite.
 double units_off(double result, ExactFunction function, double x);
 double units_off(double result, ExactFunctionOfTwo function, double x, double y);
 

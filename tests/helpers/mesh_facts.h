@@ -60,7 +60,8 @@ struct Halfedges {
     return steps == valence[vertex];
   }
 
-  /// Returns for each vertex a representative vertex of its component.
+  /// Returns for each vertex the representative of its component: one vertex, the same for all
+  /// vertices of the component.
   std::vector<Index> components() const {
     std::vector<Index> parent(valence.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -127,8 +128,10 @@ inline double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 
 /// Self-intersections, computed in doubles.
 struct Crossings {
-  std::size_t pairs = 0;    // pairs of faces of which an edge of one properly crosses the other
-  double flattest = 1e300;  // least volume in the tests of these pairs; small values are uncertain
+  std::size_t pairs = 0;  // pairs of faces of which an edge of one properly crosses the other
+  // Smallest absolute volume in the orientation tests of these pairs. The result of a test is
+  // uncertain if its volume is small.
+  double flattest = 1e300;
 };
 
 class IntersectionCounter {

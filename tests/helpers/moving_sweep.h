@@ -4,7 +4,9 @@
 
 namespace transformesh::test {
 
-/// Returns a sweep with a given dissimilarity in which vertices move and no coverage is lost.
+/// Returns the measures of one iteration of a reconstruction (a sweep) with the given
+/// dissimilarity. In this iteration vertices move, and `coverage`, the fraction of visible pixels
+/// that are compared, stays the same.
 inline Sweep moving(double dissimilarity) {
   Sweep sweep;
   sweep.scale_step.scale = 4;

@@ -77,7 +77,7 @@ inline Profile dumbbell_profile(double neck, int count) {
     return std::min(to_ball, to_neck) - overlap * overlap * blend / 4;
   };
   return pole_to_pole(-center - ball, center + ball, count, [=](double z) {
-    double low = 0, high = 1;  // bounds of the radius at which the distance is 0
+    double low = 0, high = 1;  // bounds of the radius at which `distance` is 0
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;
       (distance(middle, z) < 0 ? low : high) = middle;
@@ -148,8 +148,8 @@ class RevolutionFlow {
     time_ += span;
   }
 
-  /// Returns a fifth of the squared smallest distance of neighboring points. Explicit steps are
-  /// stable up to a quarter.
+  /// Returns the time span of a step: a fifth of the squared smallest distance of neighboring
+  /// points. Explicit steps are stable up to a quarter of this square.
   double stable_span() const {
     double smallest = 1e300;
     for (std::size_t i = profile_.is_closed ? 0 : 1; i < size(); ++i)

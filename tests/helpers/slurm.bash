@@ -61,8 +61,8 @@ CONF
   slurm_waits "an idle node" "sinfo -h -o %T 2>/dev/null | grep -qx idle"
 }
 
-# slurm_waits WHAT CONDITION: waits up to 30 seconds for a condition. Skips the test if it stays
-# false.
+# slurm_waits WHAT CONDITION: waits up to 30 seconds until a condition is true. Skips the test if it
+# stays false. WHAT describes the condition in the message.
 slurm_waits() {
   local tries
   for tries in $(seq 300); do

@@ -1,8 +1,8 @@
 # Runs an ssh server on the loopback interface for a test, with keys and settings in a folder.
 # stop_sshd stops exactly this server.
 
-# start_sshd FOLDER: starts it and sets ssh_command. Skips the test, with the reason, if that is not
-# possible.
+# start_sshd FOLDER: starts the ssh server with its files in FOLDER, and sets $ssh_command to the
+# client with its settings. Skips the test, with the reason, if the server cannot be started.
 start_sshd() {
   local command port tries
   for command in ssh ssh-keygen sshd; do

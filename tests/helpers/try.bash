@@ -1,4 +1,5 @@
-# The page of docs/try in headless Chromium, with the module that scripts/wasm builds.
+# Functions that test the page of docs/try in headless Chromium, with the module that scripts/wasm
+# builds.
 
 load ../helpers/browser
 

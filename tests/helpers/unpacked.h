@@ -16,9 +16,10 @@ namespace transformesh::test {
 
 struct Unpacked {
   nlohmann::json header;
-  Mesh mesh;                                 ///< vertices in the order of the block
-  std::vector<std::vector<double>> columns;  ///< in header order; a color has three
-  bool is_complete = false;                  ///< all bytes were decoded
+  Mesh mesh;  ///< vertices in the order of the packed bytes
+  /// In the order of the header; a color has three columns.
+  std::vector<std::vector<double>> columns;
+  bool is_complete = false;  ///< true: all bytes were decoded
 };
 
 class Unpacker {

@@ -75,7 +75,8 @@ class NearFaces {
     }
   }
 
-  /// True if the point is within the distance of a face; may be true a little beyond its edges.
+  /// True if the point is closer to a face than the distance. May also be true for points that are
+  /// a little farther from the edges of a face.
   bool contain(const Vec3& point) const {
     return std::any_of(slabs_.begin(), slabs_.end(), [&](const Slab& slab) {
       return (point.array() >= slab.minimum.array()).all() &&

@@ -1,8 +1,8 @@
-/// Tests whether one mesh is the boundary of the region { p : w(p) >= winding level } of another,
-/// where w is the winding number. Only sample points are tested: the winding number of the output
-/// must be 1 if that of the input is at least the winding level, and 0 otherwise. Shares no code
-/// with lib/clean, which computes such boundaries. Half of the samples lie in the bounding box,
-/// half close to faces of both meshes, on both sides. Samples on or too close to a surface are
+/// Tests whether an output mesh is the boundary of the region { p : w(p) >= winding level }, where
+/// w is the winding number of an input mesh. Only sample points are tested: the winding number of
+/// the output must be 1 if that of the input is at least the winding level, and 0 otherwise. Shares
+/// no code with lib/clean, which computes such boundaries. Half of the samples lie in the bounding
+/// box, half close to faces of both meshes, on both sides. Samples on or too close to a surface are
 /// undecided. Deterministic for a seed.
 #pragma once
 
@@ -15,7 +15,8 @@ namespace transformesh::test {
 
 struct WindingOracleOptions {
   int winding_level = 1;
-  std::size_t samples = 2000;  ///< half in the box, half near faces
+  /// Number of sample points; half in the bounding box, half near faces.
+  std::size_t samples = 2000;
   std::uint64_t seed = 1;
   /// Allowed error of positions due to rounding, as a fraction of the largest coordinate. Samples
   /// closer to a surface are undecided. Use 1e-6 for floats.

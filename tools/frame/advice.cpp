@@ -121,8 +121,8 @@ void replace(std::string& text, const std::string& word, const std::string& valu
   if (at != std::string::npos) text.replace(at, word.size(), value);
 }
 
-/// Returns half the reference edge as text: a third of the longest edge in the data, which is 1.5
-/// times the reference edge.
+/// Returns half the reference edge as text. The last of `data.lengths` is 1.5 times the reference
+/// edge, so half the reference edge is a third of this length.
 std::string half_of_reference_edge(const ErrorData& data) {
   return significant(data.lengths.empty() ? 0 : data.lengths.back() / 3, 2);
 }

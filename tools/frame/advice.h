@@ -9,7 +9,7 @@
 
 namespace transformesh::tool {
 
-/// The remedy for problems of one kind. Programs that have the option offer it.
+/// A remedy for problems of one kind. Only programs that have `option` offer the remedy.
 struct Advice {
   ErrorKind kind;
   const char* option;  ///< name of the option without dashes; empty: all programs offer the remedy
@@ -17,10 +17,12 @@ struct Advice {
   const char* text;
 };
 
-/// Returns all rows. A program offers the first row of a kind whose option it has.
+/// Returns all remedies. For a problem, a program offers the first remedy for this kind of problem
+/// whose option the program has.
 std::span<const Advice> advice_table();
 
-/// Returns the remedy that the program offers, or an empty text.
+/// Returns the remedy that the program offers for the problem. Returns an empty text if there is
+/// none.
 std::string advice_for(const Problem& problem, const Program& program);
 
 /// Returns "sentence; remedy" for a problem, or only the sentence if there is no remedy.

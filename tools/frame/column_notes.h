@@ -1,4 +1,5 @@
-/// Notes about columns that were dropped because they no longer describe the surface.
+/// Notes on stderr about properties of vertices and faces that were recomputed or dropped, because
+/// they no longer describe the surface.
 #pragma once
 
 #include <string>
@@ -21,8 +22,8 @@ inline void note_dropped_lists(const std::vector<std::string>& names, Run& run) 
 inline constexpr const char* source_of_step = "; write those of this step with --source";
 inline constexpr const char* closest_places = "; use the closest points with tm-carry --closest";
 
-/// Prints a note that the source columns were removed, if `are_dropped` is true. `remedy` ends the
-/// sentence.
+/// Prints a note if `are_dropped` is true: the properties source_face, source_u and source_v were
+/// removed. `remedy` ends the sentence.
 inline void note_dropped_sources(bool are_dropped, const std::string& remedy, Run& run) {
   if (are_dropped)
     run.note(

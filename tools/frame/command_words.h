@@ -18,9 +18,9 @@ struct CommandWord {
   bool is_unknown = false;
 };
 
-/// Takes `--name VALUE`, `--name=VALUE`, `-n VALUE`, `-nVALUE`, flags in one word (`-qv`), and `--`
-/// before words that are no options. Names may not be abbreviated. Throws UsageError if a value is
-/// missing, or if a flag has one.
+/// Accepts `--name VALUE`, `--name=VALUE`, `-n VALUE`, `-nVALUE`, several flags in one word
+/// (`-qv`), and `--` before words that are no options. Names may not be abbreviated. Throws
+/// UsageError if a value is missing, or if a flag has one.
 std::vector<CommandWord> split_command(const std::vector<std::string>& arguments,
                                        const OptionSet& options);
 

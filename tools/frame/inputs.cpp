@@ -77,8 +77,9 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
   }
 }
 
-/// Throws InputError for a tile, or prints a note if the program writes no mesh. Borders of a tile
-/// are cuts through a larger mesh, so only programs for tiles give right results.
+/// Throws InputError for a tile, or prints a note if the program writes no mesh. The borders of a
+/// tile are cuts through a larger mesh, so only programs that are made for tiles give correct
+/// results.
 void Inputs::check_tile(const Document& document, const std::string& name) {
   if (program_.input.takes_tiles || !has_tile_comment(document.style.comments)) return;
   const std::string problem = name + " is a tile of a larger mesh, cut at its borders";

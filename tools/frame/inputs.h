@@ -23,15 +23,16 @@ class Inputs {
   const std::vector<std::string>& names() const { return program_.inputs; }
   const std::string& name() const { return names().at(0); }
 
-  /// Returns the first mesh, which programs that write a mesh change. The document is empty if no
-  /// mesh was read.
+  /// Returns the first mesh. Programs whose output is a mesh change this document and then write
+  /// it. The document is empty if no mesh was read.
   Document& document() { return documents_.front(); }
   std::vector<Document>& documents() { return documents_; }
   /// Reads the meshes that are named as inputs.
   void read_all();
   /// Makes relative lengths refer to the first mesh.
   void refer_to_mesh();
-  /// Continues an earlier run with a mesh whose comments hold the reference edge.
+  /// Replaces the first mesh by the last mesh of an earlier run that is continued. The comments of
+  /// this mesh state the reference edge.
   void continue_from(Document document);
 
   /// Reads another mesh or file that an option names. Stdin can be read only once.
@@ -71,9 +72,9 @@ class Inputs {
  private:
   Bytes read_once(const std::string& path);
   void keep_bytes(std::string_view bytes, const ReadResult& result);
-  /// check_tile() refuses a tile or prints a note about it. treat_soup() joins a soup or prints a
-  /// note about it, by the rules of the program. `is_noted` is true if the reader has already noted
-  /// the soup.
+  /// check_tile() refuses a tile of a larger mesh or prints a note about it. treat_soup() joins a
+  /// soup or prints a note about it, as InputRules::soups demands. `is_noted` is true if the reader
+  /// has already noted the soup.
   void check_tile(const Document& document, const std::string& name);
   void treat_soup(Mesh& mesh, const std::string& name, bool is_noted);
 

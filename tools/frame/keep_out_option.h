@@ -19,7 +19,7 @@ class KeepOutOption {
     program.options.length("gap", &gap_, "distance to keep from the mesh of --keep-out");
   }
 
-  /// Reads the obstacle. The result refers to this object.
+  /// Reads the mesh of --keep-out. The result points to this object, which must outlive it.
   KeepOutOptions options(Run& run) {
     if (file_.empty() != !gap_)
       throw UsageError(

@@ -98,8 +98,8 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
 
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
   RecordOptions options = choices.record;
-  // A run can be continued only if the output is a file, beside which a state can be, or if `state`
-  // is given.
+  // A run can be continued only if its state can be stored: beside an output that is a file, or at
+  // `state`.
   const bool is_continuable =
       !is_written_directly(end_of_links(run.out().name())) || !state.empty();
   if (options.resume && !is_continuable)
@@ -109,15 +109,16 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   std::vector<std::string> files{"report", "csv"};
   if (!options.events.empty()) files.emplace_back("events");
   if (state.empty()) files.insert(files.begin(), "output");
-  // The folder of a run is created together with the state in it.
+  // The outputs of --run are in its folder. The folder is only checked here, because it is created
+  // later, together with the state.
   choices.run.empty() ? run.out().check_files_of(files) : check_run_folder(choices.run);
   const std::string& name = run.program().name;
   report_interruption(name, is_continuable ? "; --resume continues" : "");
   if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);
   options.state = std::move(state);
   options.settings = settings_of(run);
-  // A continued run needs the component labels of the first run, so --events belongs to the
-  // settings.
+  // Only the state of a run with --events has the labels of components. Therefore a run can be
+  // continued only with the same choice of --events.
   if (!options.events.empty()) options.settings += " events";
   options.every = static_cast<std::size_t>(choices.every.value_or(every));
   options.is_alone = true;

@@ -1,5 +1,5 @@
-/// Common parts of programs that run an evolution (lib/evolution): their options, the record of the
-/// run beside its output, and its end.
+/// Common parts of programs that run an evolution (lib/evolution): their options, the files that
+/// they write during the run (evolution/loop/record.h), and the end of the run.
 #pragma once
 
 #include <functional>
@@ -29,12 +29,15 @@ std::string shell_word(const std::string& text);
 /// of the program.
 void declare_iterations(Program& program, LoopChoices& choices,
                         const std::string& help = "maximum number of iterations");
-/// Declares the options of the record. `every` is the help of --every, with its unit and default.
+/// Declares the options for recording and continuing a run, such as --resume, --frames and --csv.
+/// `every` is the help of --every, with its unit and default. `rows` completes the help of --csv:
+/// the event for which a row is written.
 void declare_record(Program& program, LoopChoices& choices, const std::string& every,
                     const std::string& rows);
 
-/// Checks that all outputs can be written, and opens the record. The state of the run is beside the
-/// output, or in `state` if the output is a folder.
+/// Checks that all outputs can be written, and opens the record of the run. The state, with which
+/// --resume continues the run, is stored beside the output file, or at `state` if the output is a
+/// folder.
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state = {});
 
 /// Begins the run folder of --run with the initial mesh, if there is one, and `files`. If a run is

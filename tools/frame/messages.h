@@ -20,7 +20,8 @@ class Messages {
   /// Prints one line for each entry, unless -q is given.
   void note_all(const std::vector<std::string>& lines) const;
   void note_all(const std::vector<Problem>& warnings) const;
-  /// Prints lines as note_all() does, but equal lines only once in a run.
+  /// Prints lines as note_all() does, but prints a line only once if it occurs several times in a
+  /// run.
   void note_once(const std::vector<std::string>& lines);
   /// Prints a line if -v is given.
   void detail(const std::string& message) const { terminal_.detail(message); }

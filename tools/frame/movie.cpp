@@ -17,8 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t least_digits = 3;
-constexpr double slowest = 0.01;  ///< least pictures per second of a movie; chosen by hand
+/// Smallest number of pictures per second of a movie; chosen by hand.
+constexpr double slowest = 0.01;
 
+// Returns the beginning of the ffmpeg command, which reads PNG pictures from stdin. The encoder
 // x264 runs on one thread, because its output depends on the number of threads.
 std::string read_pictures(double per_second) {
   return "ffmpeg -v error -y -f image2pipe -c:v png -framerate " + significant(per_second, 9) +
@@ -52,8 +54,9 @@ std::string numbered(const std::string& path, int frame, int frames) {
   return name.append(path, stem);
 }
 
-// Throws UsageError if players would not show a movie of this speed as it is meant. The delays of a
-// GIF are whole hundredths of a second, and browsers slow down delays below two.
+// Throws UsageError if players would not show a movie at the requested speed. The delay of a
+// picture in a GIF is a whole number of hundredths of a second, and browsers lengthen delays below
+// two hundredths.
 void check_speed(double per_second, const std::string& path) {
   const double most = ending_of(path) == ".gif" ? 50 : 120;
   if (per_second >= slowest && per_second <= most) return;

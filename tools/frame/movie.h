@@ -15,13 +15,14 @@ using DrawFrame = std::function<std::string(int frame)>;
 std::string ending_of(const std::string& path);
 
 /// Checks the options before anything is drawn. `frames` is 0 for a single picture. Throws
-/// UsageError if -o cannot be a movie of this kind or has no place for so many frames. Throws
-/// GoalError if ffmpeg is needed but not installed.
+/// UsageError if -o is a movie and there is a single picture, or if there are frames and -o is
+/// stdout. Also throws UsageError for an MP4 movie of odd width or height, or with a transparent
+/// background. Throws GoalError if ffmpeg is needed but not installed.
 void check_movie(int frames, int width, int height, bool is_transparent, const Run& run);
 
-/// Draws all frames and writes them to -o: a movie of that many frames per second, or files
-/// numbered from 0, such as orbit-000.png for orbit.png. Throws GoalError if ffmpeg fails, which
-/// prints the reason.
+/// Draws all frames and writes them to -o: a movie with `per_second` frames per second, or files
+/// numbered from 0, such as orbit-000.png for orbit.png. Throws GoalError if ffmpeg fails. In this
+/// case, ffmpeg prints the reason on stderr.
 void write_frames(int frames, double per_second, const DrawFrame& draw, Run& run);
 
 }  // namespace transformesh::tool

@@ -1,5 +1,6 @@
-/// Calls the observer of a program that runs inside another process, such as JavaScript that runs
-/// the WebAssembly module (wasm/observer.cpp). A native program has no observer.
+/// A program may run inside another process, for example as a WebAssembly module in JavaScript
+/// (wasm/observer.cpp). This process may have a function, the observer, that receives the progress
+/// and can end the run. A native program has no observer.
 #pragma once
 
 #include <string_view>

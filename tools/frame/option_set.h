@@ -19,21 +19,22 @@ namespace transformesh::tool {
 /// An option bound to a variable. Before parsing, the variable has the default value.
 struct Option {
   std::string names;  ///< long name, or long and short name: `output` or `output,o`
-  /// Text for the value in the help; empty for a flag. FILE, FOLDER and WHERE are not in the
-  /// provenance.
+  /// Name of the value in the help, such as LENGTH; empty for a flag. The provenance leaves out
+  /// options whose placeholder contains FILE, FOLDER or WHERE.
   std::string placeholder;
   std::string help;  ///< description: a phrase without capital and full stop
   /// Assigns a value. Throws UsageError with a phrase that continues `--name: `.
   std::function<void(const std::string& text)> assign;
-  std::function<Value()> value;  ///< returns the value, or empty text if an optional has no value
+  /// Returns the value of the variable, or an empty text if it is an empty std::optional.
+  std::function<Value()> value;
   std::string default_text;
-  /// The option is required; if it is missing, the error states its purpose.
+  /// True: the option is required. If it is missing, the error message contains `help`.
   bool is_needed = false;
-  /// The option is part of the provenance and of the settings of a run.
+  /// True: the provenance contains the option, and a run can be continued only with the same value.
   bool affects_result = true;
-  /// The option is common to all programs, in a separate section of the help.
+  /// True: all programs have the option. The help lists it in a separate section.
   bool is_common = false;
-  bool is_listed = true;  ///< the option is listed in the help
+  bool is_listed = true;  ///< true: the help lists the option
   bool is_given = false;
 
   std::string name() const { return names.substr(0, names.find(',')); }
@@ -77,11 +78,12 @@ class OptionSet {
         },
         [=] { return Value(std::ranges::find(values, *value, &Named::second)->first); });
   }
-  /// Adds an option whose value is numbers separated by commas, as many as in the placeholder, such
-  /// as `X,Y,Z`. An empty vector means that there is no default.
+  /// Adds an option whose value is a list of numbers separated by commas. The placeholder, such as
+  /// `X,Y,Z`, states how many numbers are needed. An empty vector means that there is no default.
   Option& numbers(const std::string& names, std::vector<double>* value,
                   const std::string& placeholder, const std::string& help);
-  /// Adds options whose values are a point, and a box with two opposite corners.
+  /// point() adds an option whose value is a point. box() adds an option whose value is a box,
+  /// given by two opposite corners.
   using PointOrNone = std::variant<Vec3*, std::optional<Vec3>*>;
   Option& point(const std::string& names, PointOrNone value, const std::string& help);
   Option& box(const std::string& names, std::optional<Box>* value, const std::string& placeholder,

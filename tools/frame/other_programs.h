@@ -1,4 +1,5 @@
-/// Options that users try in a program that does not have them, for suggestions.
+/// Options that users try in a program that does not have them, and the programs that have them.
+/// The message about an unknown option suggests such a program.
 #pragma once
 
 #include <array>
@@ -12,11 +13,11 @@ struct OtherProgram {
   std::string_view command;  ///< program with this option, and the name of its option if it differs
 };
 
-/// Table of such options, sorted by option.
+/// Table of these options, sorted by `option`.
 extern const std::array<OtherProgram, 30> other_programs;
 
-/// Returns the program that has this option or an equivalent option. Returns an empty text if there
-/// is none.
+/// Returns the command (OtherProgram::command) that has this option or an equivalent option.
+/// Returns an empty text if there is none.
 std::string command_with(std::string_view option);
 
 }  // namespace transformesh::tool

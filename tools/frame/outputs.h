@@ -30,8 +30,9 @@ class Outputs {
   bool has_main() const { return !writes_nothing_; }
   /// Adds another output file.
   void write(const std::string& path, std::string bytes);
-  /// Adds a mesh with the provenance. Its format follows from the name as with -o, and from
-  /// --format and --float if the program has them.
+  /// Adds an output file with a mesh and with the provenance: the comment that states the program
+  /// and its options. Its format follows from the name as with -o, and from --format and --float if
+  /// the program has them.
   void write_mesh_file(const std::string& path, Document document);
   /// Adds a file in a folder. Missing folders are created, also those in `name`.
   void write_into(const std::string& folder, const std::string& name, std::string bytes);
@@ -50,8 +51,8 @@ class Outputs {
   void stamp(Document& document);
   void set_stamped() { is_stamped_ = true; }
 
-  /// Makes the input document the main output even if the body fails. The error message is then
-  /// continued by "`stopped`; 'OUT' holds `content`", or "is not written".
+  /// Makes write_kept() write the first document to -o after the body has failed. A second error
+  /// message then states "`stopped`; 'OUT' holds `content`", or "`stopped`; 'OUT' is not written".
   void keep(const std::string& stopped, const std::string& content) { kept_ = {stopped, content}; }
   void write_kept();
   /// Sets a function that is called after the body has ended and all outputs have their final

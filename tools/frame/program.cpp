@@ -169,8 +169,8 @@ bool is_in_provenance(const Option& option) {
   return option.is_given && option.affects_result && (!option.is_common || changes_meaning);
 }
 
-// Quotes a word for a shell. Control characters are replaced, because they could end the line of
-// the comment.
+// Quotes a word for a shell. Replaces control characters, because the word becomes part of a
+// one-line comment of the output, which a line break would end.
 std::string shell_word(std::string word) {
   for (char& character : word) {
     if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
@@ -237,7 +237,8 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
     take_command(*this, arguments);
     inputs = inputs_of(*this, arguments);
     check_needed(*this);
-    // The limits are set first, because they also apply to the reserved heap.
+    // The limits are set before prepare_memory(), because the memory limit also applies to the heap
+    // that prepare_memory() reserves.
     limit_resources(common, name, terminal);
     prepare_memory();
     terminal.configure(common.quiet, common.verbose, common.progress, common.no_progress);

@@ -38,17 +38,21 @@ enum class Reads {
 
 /// Treatment of soups: meshes whose faces meet but share no vertices (touching_borders.h).
 enum class Soups {
-  kept,     ///< the mesh is read as it is; for STL a note advises tm-stitch
-  own,      ///< the mesh is read as it is, without advice: the program joins the soup itself
-  joined,   ///< equal positions are merged when a mesh is read; the report counts them
-  reported  ///< the mesh is read as it is; for any file a note advises tm-stitch
+  kept,  ///< the mesh is read as it is; a note advises tm-stitch if the file is STL
+  own,   ///< the mesh is read as it is, without advice: the program joins the soup itself
+  /// Equal positions are merged when a mesh is read; the report states how many vertices are
+  /// merged.
+  joined,
+  /// The mesh is read as it is; a note advises tm-stitch, whatever the format of the file.
+  reported
 };
 
 struct InputRules {
   Reads reads = Reads::mesh;
   Soups soups = Soups::kept;
   bool may_keep_polygons = false;  ///< true: the program has --keep-polygons
-  /// True: the bytes of the mesh stay in memory (Inputs::bytes).
+  /// True: the bytes of the input file stay in memory, for programs that may copy them unchanged to
+  /// the output (Inputs::bytes).
   bool keeps_bytes = false;
   bool takes_tiles = false;  ///< true: the program accepts tiles of tm-tile
   /// True: the input file contains cameras instead of a mesh or points.
@@ -72,7 +76,7 @@ enum class Writes {
   page,          ///< an HTML page
   text,
   report,  ///< `key: value` lines, or JSON with --json
-  answer   ///< a report; the exit code is 1 for a negative answer
+  answer   ///< a report; exit code 1 means a negative answer
 };
 
 struct OutputRules {
@@ -80,7 +84,9 @@ struct OutputRules {
   bool is_clean = false;  ///< true: the output has no self-intersection after rounding
   std::vector<std::string> picture_endings = {".png"};
   std::function<bool()> is_mesh = {};  ///< returns true if a mesh is written with the given options
-  const std::string* only_key = nullptr;  ///< key of the only entry to print; empty: all entries
+  /// Points to the key of the only report entry to print, or to an empty text to print all; null:
+  /// use --get.
+  const std::string* only_key = nullptr;
 };
 
 /// Values of the options that programs have in common.

@@ -14,8 +14,8 @@ namespace transformesh::tool {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns a value as text: `true` or `false`, shortest numbers, the values of a list with
-/// separators.
+/// Returns a value as text: `true` or `false`, numbers with the fewest digits that identify them,
+/// and the numbers of a list with `separator` between them.
 std::string text_of(const Value& value, const std::string& separator = " ");
 
 /// Returns a value as JSON. Lengths become text such as "0.7x", with their unit.

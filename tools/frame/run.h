@@ -24,8 +24,8 @@ class Run {
   Outputs& out() { return out_; }
   const Outputs& out() const { return out_; }
   const Messages& say() const { return messages_; }
-  /// Returns the progress for calls of the library, which also measures the times of phases for the
-  /// report.
+  /// Returns the progress callback to pass to functions of the library. The callback also measures
+  /// the times of phases for the report.
   const Progress& progress() const { return progress_; }
 
   /// Returns the first input mesh.
@@ -42,8 +42,10 @@ class Run {
   /// Sets the answer of a predicate. A negative answer gives exit code 1.
   void answer(bool is_yes) { answer_ = is_yes; }
 
-  /// Only for evolutions, whose body reads the input: read_input() reads the input mesh;
-  /// continue_from() takes a mesh that already has the comments of the output.
+  /// Programs that run an evolution call one of these two functions, because their body decides
+  /// whether the input is read. The function read_input() reads the input mesh. The function
+  /// continue_from() takes the mesh of the run that is continued, which already has the comments of
+  /// the output.
   Document& read_input();
   Document& continue_from(Document document);
 

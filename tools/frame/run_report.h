@@ -18,8 +18,8 @@ class RunReport {
   void show_settings();
   /// Prints the entries if -v is given, unless they are the main output.
   void show_entries() const;
-  /// True if the entries of a program whose output is a mesh are shown, because -v or --report is
-  /// given. Otherwise programs may skip the computation of further entries.
+  /// True if -v or --report is given, so that a program whose main output is a mesh shows the
+  /// entries of its report. If false, programs may skip the computation of further entries.
   bool is_shown() const { return messages_.are_detailed() || !program_.common.report.empty(); }
 
   /// Returns the report as the main output: lines, JSON with --json, or a single entry.

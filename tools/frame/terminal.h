@@ -11,9 +11,9 @@ namespace transformesh::tool {
 
 /// Must be called before all other functions. Replaces closed standard descriptors by unusable
 /// ones, so that no file gets their number. SIGINT, SIGTERM, SIGPIPE and SIGXCPU end the process at
-/// once with 128 plus their number, after the terminal's line is cleared and temporary files are
-/// removed. SIGHUP does the same unless nohup ignores it. SIGXFSZ is ignored, so that a write
-/// beyond the file size limit fails and is reported.
+/// once with exit code 128 plus the number of the signal. Before, temporary files are removed and
+/// the progress bar is erased. SIGHUP does the same unless nohup ignores it. SIGXFSZ is ignored, so
+/// that a write beyond the file size limit fails and is reported.
 void prepare_streams_and_signals();
 
 /// Makes later SIGINT, SIGTERM and SIGHUP print `tm-x: interrupted by SIGINT` (or the other signal)

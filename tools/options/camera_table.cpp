@@ -14,7 +14,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// Adding zero removes the sign of a zero.
+// Adding 0.0 turns -0 into 0, so that the table does not show negative zeros.
 std::string rounded(double value, int digits) { return significant(value + 0.0, digits); }
 
 // Returns the size of a pixel at the scene's center. Returns nothing if the center is behind the

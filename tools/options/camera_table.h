@@ -13,10 +13,12 @@ namespace transformesh::tool {
 struct CameraTable {
   CameraList list;
   Vec3 scene_center = Vec3::Zero();
-  /// Median pixel size at the scene's center. Nothing if the center is in front of no camera.
+  /// Median over the cameras of the size of a pixel at the scene's center. Empty if the center is
+  /// behind all cameras.
   std::optional<double> pixel_size;
   std::vector<ViewPair> pairs;
-  /// True if the center is assumed: one unit in front of a single camera.
+  /// True if there is a single camera and no center is given, so that the center is assumed to be
+  /// one unit in front of the camera.
   bool is_center_assumed = false;
 };
 
@@ -25,7 +27,7 @@ struct CameraTable {
 /// unknown image size.
 CameraTable table_of(CameraList list, const std::vector<double>& center, std::size_t neighbors);
 
-/// Returns aligned columns under a line with their names.
+/// Returns the table as text, with aligned columns under a line with their names.
 std::string text_of(const CameraTable& table);
 std::string json_of(const CameraTable& table);
 

@@ -8,7 +8,7 @@ namespace transformesh::tool {
 namespace {
 
 /// A decision by a generalized winding number is reported if the number is this close to the
-/// threshold. With a larger margin, more right decisions are reported.
+/// threshold. With a larger margin, more correct decisions would be reported.
 constexpr double small_margin = 0.1;
 
 }  // namespace

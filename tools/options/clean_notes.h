@@ -6,7 +6,8 @@
 
 namespace transformesh::tool {
 
-/// Prints notes about dropped and kept parts, and about decisions by a small margin.
+/// Prints notes about dropped and kept parts, and about decisions between inside and outside by a
+/// small margin.
 void note_cleaning(const CleanResult& result, Run& run);
 
 }  // namespace transformesh::tool

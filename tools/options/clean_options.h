@@ -9,7 +9,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line that are not directly stored in `clean`.
+/// Values of the options on the command line. `clean` holds the values that the library takes as
+/// they are.
 struct CleanChoices {
   CleanOptions clean;
   bool source_faces = false, source_points = false;

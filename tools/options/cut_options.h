@@ -18,7 +18,7 @@ struct CutChoices {
 void declare_cut(Program& program, CutChoices& choices);
 
 /// Throws UsageError for options that need a plane if no plane is given, and for a plane together
-/// with inverted conditions.
+/// with --invert.
 void check_cut(const CutChoices& choices, bool is_inverted);
 
 /// Cuts the mesh and writes the curves in the plane, if a plane is given.

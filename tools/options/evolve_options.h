@@ -31,7 +31,7 @@ void declare_evolve(Program& program, EvolveChoices& choices);
 /// Throws UsageError if options of the two kinds of evolution, with and without --time, are mixed.
 void check_evolve(const EvolveChoices& choices, const Program& program);
 
-/// Resolves lengths for the mesh of the run.
+/// Returns the options of evolve(), with lengths resolved for the mesh of the run.
 EvolveOptions evolution_of(const EvolveChoices& choices, Run& run);
 
 }  // namespace transformesh::tool

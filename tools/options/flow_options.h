@@ -9,13 +9,15 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line that are not directly stored in `flow`.
+/// Values of the options on the command line. `flow` holds the values that the library takes as
+/// they are.
 struct FlowChoices {
   FlowOptions flow;
   double period = 0;  ///< period of the flow; 0: default of the flow
   std::string column;
-  std::string grid;      ///< files of grids (file_list.h)
-  double grid_step = 0;  ///< time between two files; 0: the files state their times
+  /// Files of grids with velocities or speeds: a file, a folder or a shell pattern (file_list.h).
+  std::string grid;
+  double grid_step = 0;  ///< time between consecutive files; 0: the files state their times
 };
 
 /// Declares --speed, --period, --center, --direction, --column, --grid and --grid-step.
@@ -28,7 +30,8 @@ std::string flow_list();
 /// Returns the flow of this name. Throws UsageError for options that the flow does not have.
 Flow flow_of(const std::string& name, const FlowChoices& choices);
 
-/// Notes and reports vertices and times outside of grids, and fixed vertices.
+/// Adds the numbers of vertices outside of the grids and of fixed vertices to the report. Prints
+/// notes about vertices and times outside of the grids.
 void note_flow(const Flow& flow, Run& run);
 
 }  // namespace transformesh::tool

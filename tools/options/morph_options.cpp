@@ -109,8 +109,8 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
   const std::string output = run.out().name() == "-" ? "evolved.ply" : run.out().name();
   const std::string mesh = file_word(output);
   std::string target = file_word(choices.target);
-  // The default of --reference-edge is 1x here, so that the length is resolved for the source
-  // before vertices move.
+  // Without --reference-edge, the script passes 1x to tm-clean. Then tm-clean measures the
+  // reference edge of the source and stores it in the mesh, before vertices move.
   std::string edge = run.program().common.reference_edge;
   if (edge.empty()) edge = "1x";
 

@@ -9,7 +9,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line that are not directly stored in `options`.
+/// Values of the options on the command line. `options` holds the values that the library takes as
+/// they are.
 struct MorphChoices {
   std::string target;
   bool sequence = false;

@@ -22,8 +22,8 @@ struct PhotoOptions {
 
 void declare_photo_step(Program& program, PhotoOptions& options);
 
-/// Reads the views, and reduces them by the factor `scale`. Checks whether views with exact masks
-/// agree.
+/// Reads the views, and reduces their photographs by the factor `scale`. If masks are exact, checks
+/// whether the silhouettes of the views agree.
 PhotoScene read_scene(const PhotoOptions& options, Run& run);
 
 }  // namespace transformesh::tool

@@ -37,8 +37,8 @@ CameraList cameras_of(const CameraRing& ring, const PhotographFiles& files) {
   return list;
 }
 
-/// Returns distinct names for the photographs. The names contain folders if the names of files are
-/// not distinct.
+/// Returns distinct names for the photographs. If the file names in the camera file are not
+/// distinct, the returned names contain folders.
 std::vector<std::string> names_of(const CameraList& list, const PhotographFiles& files) {
   NamedFiles named{"camera", files.cameras, {}, {}};
   for (const CameraRecord& record : list.cameras) named.paths.push_back(record.name);

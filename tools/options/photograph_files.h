@@ -10,11 +10,11 @@
 namespace transformesh::tool {
 
 struct PhotographFiles {
-  std::string cameras;         ///< camera file to read; empty: use a ring
-  std::string images;          ///< output folder for photographs; empty: none
-  std::string silhouettes;     ///< output folder for silhouettes; empty: none
-  std::string masks;           ///< masks with which silhouettes are compared; empty: none
-  bool is_shaded = false;      ///< draw as tm-render instead of the texture
+  std::string cameras;      ///< camera file to read; empty: use a ring of cameras
+  std::string images;       ///< output folder for photographs; empty: none
+  std::string silhouettes;  ///< output folder for silhouettes; empty: none
+  std::string masks;        ///< masks with which silhouettes are compared; empty: none
+  bool is_shaded = false;   ///< true: draw shaded surfaces as tm-render does, without the texture
   bool size_is_given = false;  ///< true if the size of images was given as an option
   TextureOptions texture;
   PhotographOptions sensor;

@@ -16,7 +16,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line that are not directly stored in `options`.
+/// Values of the options on the command line. `options` holds the values that the library takes as
+/// they are.
 struct ReconstructChoices {
   ViewSources sources;
   ReconstructionOptions options;
@@ -43,15 +44,16 @@ void declare_reconstruction(Program& program, ReconstructChoices& choices);
 /// options.
 ReconstructionOptions reconstruction_of(const ReconstructChoices& choices, Run& run);
 
-/// Returns the options of a sequence, except its comments. Throws UsageError if the paths of inputs
-/// do not depend on the time step.
+/// Returns the options for the reconstruction of a sequence of time steps, except
+/// SequenceOptions::comments. Throws UsageError if the paths of inputs do not depend on the time
+/// step.
 SequenceOptions sequence_of(const ReconstructChoices& choices,
                             const ReconstructionOptions& reconstruction, Run& run);
 
 /// Returns the paths of the inputs of one time step.
 ViewSources sources_of(const ViewSources& sources, const TimeStep& step);
 
-/// Reads the views, and checks whether views with exact masks agree.
+/// Reads the views. If masks are exact, checks whether the silhouettes of the views agree.
 std::vector<View> checked_views(const ViewSources& sources, const ReconstructChoices& choices,
                                 Run& run);
 

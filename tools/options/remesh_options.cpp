@@ -10,8 +10,8 @@
 namespace transformesh::tool {
 namespace {
 
-/// Returns a length in input units. If the length is not given, sets it to the default, so that
-/// settings and report show the length.
+/// Returns a limit of edge lengths in input units; if `has_sizes` is set, as a factor of the local
+/// size. If the length is not given, sets it to the default, so that settings and report show it.
 double edge_length(std::optional<Length>& length, double default_value, const char* option,
                    bool has_sizes, Run& run) {
   if (!length) length = Length{default_value, Length::Unit::reference_edge};
@@ -21,7 +21,7 @@ double edge_length(std::optional<Length>& length, double default_value, const ch
                    " is a factor of the local size: write it as 0.7x, not as " + length->text());
 }
 
-/// Converts --edge to --min-edge and --max-edge, by the factors of their defaults.
+/// Sets --min-edge and --max-edge to 0.7 and 1.5 times --edge, the factors of their defaults.
 void take_one_edge(RemeshChoices& choices) {
   if (!choices.edge) return;
   if (choices.min_edge || choices.max_edge || choices.adaptive)
@@ -40,7 +40,8 @@ double feature_angle(const std::string& text, double otherwise) {
   return *angle;
 }
 
-// Throws UsageError if options are given that a mode does not use.
+// Throws UsageError if options are given that `mode` does not use. `mode` is an option that
+// replaces remeshing by another operation, such as --faces.
 void refuse_others(const Program& program, const std::string& mode, const std::string& does,
                    const std::vector<std::string>& allowed) {
   for (const Option& option : program.options) {

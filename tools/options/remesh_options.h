@@ -13,7 +13,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line that are not directly stored in `remesh`.
+/// Values of the options on the command line. `remesh` holds the values that the library takes as
+/// they are.
 struct RemeshChoices {
   /// Number of faces to which the mesh is decimated instead of remeshed.
   std::optional<std::size_t> faces;
@@ -24,15 +25,15 @@ struct RemeshChoices {
   std::string smooth = "tangential";
   std::string feature_angle = "auto";
   std::vector<double> smooth_twice;
-  bool source_points = false;  ///< true: write source points
+  bool source_points = false;  ///< true: write the point of the input to which each vertex belongs
   KeepOutOption keep_out;
   RemeshOptions remesh;
 };
 
 void declare_remeshing(Program& program, RemeshChoices& choices);
 
-/// Returns the options of remesh() for a document. Reads the obstacle, which `choices` owns. Sets
-/// default lengths in `choices`, so that settings and report show them.
+/// Returns the options of remesh() for a document. Reads the obstacle of --keep-out, which
+/// `choices` owns. Sets default lengths in `choices`, so that settings and report show them.
 RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, Run& run);
 
 /// Returns the options of align_features(). Throws UsageError if other options are given.

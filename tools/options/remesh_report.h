@@ -1,5 +1,5 @@
-/// Notes of tm-remesh about dropped components, remaining slivers, and numbers of faces that an
-/// error limit does not allow.
+/// Notes of tm-remesh about dropped components, remaining slivers, and wanted numbers of faces that
+/// were not reached.
 #pragma once
 
 #include "frame/run.h"
@@ -11,8 +11,8 @@
 
 namespace transformesh::tool {
 
-/// Prints a note about dropped components. The note has the shortest edge and a remedy only if all
-/// edges have one limit.
+/// Prints a note about dropped components. The note states the shortest allowed edge and a remedy
+/// only if this limit is the same on the whole surface.
 inline void note_dropped(const RemeshResult::RemovedComponents& dropped,
                          const RemeshOptions& options, Run& run) {
   if (dropped.count == 0) return;

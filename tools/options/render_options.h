@@ -9,7 +9,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line that are not directly stored in `picture`.
+/// Values of the options on the command line. `picture` holds the values that the library takes as
+/// they are.
 struct RenderOptions {
   std::string size = "800x600";
   std::string orbit = "30,20";
@@ -19,7 +20,8 @@ struct RenderOptions {
   std::string segments;
   std::vector<double> range;
   int frames = 0;
-  double film = 0;  ///< seconds; 0 for none
+  /// Duration in seconds of a movie that shows one mesh after the other; 0: no such movie.
+  double film = 0;
   bool occlusion = false;
   PictureOptions picture;
 };
@@ -30,10 +32,11 @@ void declare_picture(Program& program, RenderOptions& options);
 /// Throws UsageError for values that cannot be parsed.
 PictureOptions picture_of(const RenderOptions& options);
 
-/// Throws UsageError if options are given that a film does not have.
+/// Throws UsageError if options are given that a movie of --film does not have.
 void check_film(const RenderOptions& options, const Program& program);
-/// Lets all pictures of a film have the same camera, floor and colors. `corners` are those around
-/// the meshes, and are framed unless another mesh is.
+/// Makes all pictures of a movie of --film have the same camera, floor and colors. `corners` has
+/// the corners of the box around all meshes. The pictures frame this box unless `picture.around`
+/// already names a mesh to frame.
 void hold_still(const std::vector<const Mesh*>& meshes, const Mesh& corners,
                 PictureOptions& picture);
 

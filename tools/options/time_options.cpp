@@ -25,7 +25,8 @@ Length gap_of(const std::string& contact) {
   throw UsageError("--contact: '" + contact + "' is neither gap:LENGTH nor stop");
 }
 
-/// Parses --time-step. Its value is a span with --time, and a factor without it.
+/// Parses --time-step. With --time, the value is the time span of a step. Without --time, the value
+/// is the factor by which velocities are multiplied.
 double number_of(const std::string& text) {
   const auto number = number_in<double>(text);
   if (number && std::isfinite(*number)) return *number;

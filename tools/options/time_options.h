@@ -11,7 +11,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line.
+/// Values of the options on the command line. `options` holds the values that the library takes as
+/// they are.
 struct TimeChoices {
   double end = 0;  ///< end time; 0: the evolution is not in physical time
   std::string velocity, flow;
@@ -31,21 +32,24 @@ std::initializer_list<const char*> time_option_names();
 /// Throws UsageError unless the options name exactly one motion.
 void check_time(const TimeChoices& choices);
 
-/// Returns the factor in --time-step for an evolution without --time. Throws UsageError for `auto`.
+/// Returns the value of --time-step for an evolution without --time: the factor by which velocities
+/// are multiplied. Throws UsageError for `auto`.
 double time_factor(const TimeChoices& choices);
 
-/// Resolves lengths for the mesh of the run. Throws UsageError if a span is not a number.
+/// Returns the options of the library, with lengths resolved for the mesh of the run. Throws
+/// UsageError if --time-step is neither `auto` nor a positive number.
 TimeOptions time_options_of(const TimeChoices& choices, Run& run);
 
 /// Returns the motion that the options name. Flow::counts is set only for flows. `iteration`
 /// returns the number of the iteration, which is passed to commands as TM_ITERATION.
 Flow motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration);
 
-/// Throws UsageError if options of integrators are given for a flow that has its own.
+/// Throws UsageError if --integrator or --tolerance is given for a flow that has implicit steps of
+/// its own.
 void check_integrator(const Flow& flow, const TimeChoices& choices, const Program& program);
 
-/// Prints notes about steps of a given span that moved vertices far, and about the volume that was
-/// not kept.
+/// Prints a note if --time-step is a number and a step moved a vertex by more than a mean edge.
+/// Prints a note if the volume could not be kept.
 void note_time(const TimeResult& result, const TimeChoices& choices, Run& run);
 
 }  // namespace transformesh::tool

@@ -16,8 +16,8 @@ Matrix4 matrix_of(const std::vector<double>& numbers) {
   return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
 }
 
-/// Makes an option add a step each time it is given. The step's matrix is the result of `make`
-/// after the value is assigned.
+/// Makes an option add a transformation to `choices.steps` each time the option is given. The
+/// matrix is the result of `make` after the value is assigned.
 void in_order(Option& option, TransformChoices& choices, const std::function<Matrix4()>& make) {
   option.affects_result = false;
   option.assign = [&choices, make, assign = option.assign](const std::string& text) {
@@ -49,7 +49,7 @@ void take_axes(Option& mirror) {
 }
 
 /// Lets --matrix accept a file name if the value is not a list of numbers. The file is read when
-/// the step is executed.
+/// the mesh is transformed.
 void take_files(Option& matrix, TransformChoices& choices) {
   matrix.placeholder = "A11,...,A44|FILE";
   matrix.assign = [&choices, numbers = matrix.assign](const std::string& text) {

@@ -14,8 +14,9 @@ struct TransformChoices {
   std::vector<double> translate, rotate, scale, scales, mirror, matrix;
   std::string from, to;  ///< units; empty: `from` is the unit of the mesh, and `to` is not used
   bool center = false, unit_box = false;
-  /// Steps in the order of the command line. Each returns its matrix, given the product of the
-  /// matrices before.
+  /// Transformations in the order of the command line. Each function returns the matrix of its
+  /// transformation. Its second parameter is the product of the matrices of earlier
+  /// transformations.
   std::vector<std::function<Matrix4(Run&, const Matrix4&)>> steps;
 };
 

@@ -30,8 +30,9 @@ struct ViewCheckChoices {
 /// Declares --least-agreement, --drop-bad-views and --mirror.
 void declare_view_check(Program& program, ViewCheckChoices& choices, ViewSources& sources);
 
-/// Checks whether the views agree, removes bad views if the choices request it, and prints a note
-/// about each of them. Throws the errors of check_views() of view_check.h.
+/// Checks whether the silhouettes of the views agree. Removes the views that disagree if `choices`
+/// requests this, and prints a note about each removed view. Throws the errors of check_views() of
+/// view_check.h.
 ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices, Run& run);
 
 /// Declares --cameras, --silhouettes, --images, --threshold, --blur, --close and
@@ -39,7 +40,7 @@ ViewCheck check_views(std::vector<View>& views, const ViewCheckChoices& choices,
 void declare_silhouettes(Program& program, SilhouetteOptions& options);
 
 /// Returns the views with silhouettes, from masks or from photographs. Writes the silhouettes if a
-/// folder is given. Throws UsageError unless exactly one of the two sources is given, and the
+/// folder is given. Throws UsageError unless either --silhouettes or --images is given. Throws the
 /// errors of views_from().
 std::vector<View> views_with_silhouettes(const SilhouetteOptions& options, Run& run);
 

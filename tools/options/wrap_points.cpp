@@ -15,7 +15,8 @@
 namespace transformesh::tool {
 namespace {
 
-/// Erases points, and states their number on stderr and in the report. `why` may be "".
+/// Erases points, and states their number on stderr and in the report. `why` is the reason that the
+/// message states; it may be empty.
 void leave_out(const std::vector<Index>& points, const std::string& noun, const std::string& why,
                const std::string& key, Points& cloud, Run& run) {
   run.report(key, points.size());
@@ -66,7 +67,7 @@ void note_absurd(const Mesh& mesh, std::size_t points, Run& run) {
   if (components > 1)
     run.note("the wrap has " + counted(components, "component") +
              ": are there several objects, or stray points?");
-  // A wrap that is as fine as the points allow has at least one face for this number of points.
+  // A wrap whose faces are as small as the points allow has at least one face for every ten points.
   constexpr std::size_t most_points_per_face = 10;
   if (mesh.faces.size() * most_points_per_face < points)
     run.note("the wrap of " + counted(points, "point") + " has only " +

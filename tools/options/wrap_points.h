@@ -16,7 +16,7 @@ struct Points {
 /// Reads points of any mesh format, or of COLMAP.
 Mesh read_cloud(const std::string& path, const std::string& name, Run& run);
 
-/// Returns the points of a cloud, without doubtful points unless `keeps_outliers` is set. Returns
+/// Returns the points of a cloud, without probable outliers unless `keeps_outliers` is set. Returns
 /// all vertices of a mesh with faces. States on stderr and in the report which points are left out.
 Points points_of(const Mesh& cloud, bool keeps_outliers, Run& run);
 

@@ -8,12 +8,13 @@ namespace {
 
 using namespace transformesh;
 
-/// If the stability is below this, a note states that part of the motion is arbitrary. Spheres of
-/// 1280 and 10000 faces have stabilities of 0.039 and 0.015; a cylinder of 3000 faces has 0.038. An
-/// ellipsoid with axes 1, 0.95 and 0.9, whose motion is determined, has 0.052.
+/// If RegistrationResult::stability is below this limit, a note states that part of the motion is
+/// arbitrary. Spheres of 1280 and 10000 faces have stabilities of 0.039 and 0.015; a cylinder of
+/// 3000 faces has 0.038. An ellipsoid with axes 1, 0.95 and 0.9, whose motion is determined, has
+/// 0.052.
 constexpr double low_stability = 0.05;
-/// If the overlap is below this share of the mesh, a note states that the position is doubtful. The
-/// least overlap of a registration is 0.2.
+/// If less than this share of the mesh lies on the reference, a note states that the alignment may
+/// be wrong. The registration itself assumes an overlap of at least 0.2.
 constexpr double low_overlap = 0.3;
 
 struct Choices {

@@ -1,4 +1,4 @@
-/// tm-carry: transfers columns from the first mesh of a chain to the last.
+/// tm-carry: transfers properties of vertices and faces from the first mesh of a chain to the last.
 #include <sstream>
 
 #include "frame/run.h"

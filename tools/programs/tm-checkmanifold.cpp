@@ -1,4 +1,4 @@
-/// tm-checkmanifold: tests whether a mesh is an oriented manifold, and names the places of defects.
+/// tm-checkmanifold: tests whether a mesh is an oriented manifold, and states where it has defects.
 #include "frame/advice.h"
 #include "frame/run.h"
 #include "repair/crack_tolerance.h"

@@ -1,4 +1,4 @@
-/// tm-clean: removes self-intersections (paper 3).
+/// tm-clean: removes self-intersections (section 3 of the TransforMesh paper).
 #include "clean/box/clean_box.h"
 #include "frame/run.h"
 #include "io/comments.h"

@@ -17,7 +17,7 @@ struct Options {
   CompareOptions compare;
 };
 
-// Writes the mesh with the distance of each vertex.
+// Writes the mesh with the property `distance`: the distance of each vertex from the reference.
 void write_distances(const Mesh& reference, const Options& options, tool::Run& run) {
   Document& document = run.document();
   const auto& measure = options.is_signed ? signed_vertex_distances : vertex_distances;

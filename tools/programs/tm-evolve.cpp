@@ -1,4 +1,5 @@
-/// tm-evolve: the evolution of paper 5.1, with any motion of the vertices.
+/// tm-evolve: moves the vertices of a mesh by any motion, and remeshes and cleans the mesh after
+/// each step (section 5.1 of the TransforMesh paper).
 #include <cstdint>
 #include <cstdlib>
 

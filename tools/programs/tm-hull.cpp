@@ -16,7 +16,7 @@ struct Options {
   HullOptions hull;
   std::optional<Length> edge;
   std::string keep = "largest";
-  std::string outlines;  ///< output folder for outlines
+  std::string outlines;  ///< output folder for the silhouettes of the hull; empty: none
 };
 
 void declare(tool::Program& program, Options& options) {

@@ -11,7 +11,8 @@ namespace {
 
 using namespace transformesh;
 
-/// Throws InputError if a requested size overflows.
+/// Throws InputError if a size is not finite and the report prints it. If `only` is not empty, the
+/// report prints only this key.
 void check_size(const std::string& key, const Value& value, const std::string& only) {
   const auto* size = std::get_if<double>(&value);
   if (size == nullptr || std::isfinite(*size) || !(only.empty() || only == key)) return;
@@ -20,7 +21,7 @@ void check_size(const std::string& key, const Value& value, const std::string& o
                    "ask for another value with --get");
 }
 
-// Writes the mesh with the mean curvature of each vertex.
+// Writes the mesh with the property `curvature`: the mean curvature at each vertex.
 void write_curvatures(const std::string& path, tool::Run& run) {
   Document& document = run.document();
   std::vector<double> curvatures = mean_curvatures(document.mesh);

@@ -1,4 +1,4 @@
-/// tm-morph-step: one step of a surface towards a target (paper 5.2).
+/// tm-morph-step: one step of a surface towards a target (section 5.2 of the TransforMesh paper).
 #include "frame/column_notes.h"
 #include "frame/displacement_report.h"
 #include "frame/run.h"
@@ -33,7 +33,7 @@ Target target_of(const Options& options, tool::Run& run) {
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }
-  // A prepared target was checked when it was written.
+  // A target file of --write-target was checked when it was written.
   if (!target.is_prepared)
     run.say().note_all(check_target(target, input_name(options.target), run.progress()));
   if (options.step.gap_edges > 0 && target.thickness.empty())

@@ -1,5 +1,5 @@
-/// tm-morph: evolves a mesh until it coincides with a target, or follows a movie of targets (paper
-/// 5.2).
+/// tm-morph: evolves a mesh until it coincides with a target, or follows a movie of targets
+/// (section 5.2 of the TransforMesh paper).
 #include "evolution/loop/record.h"
 #include "evolution/loop/run_folder.h"
 #include "evolution/recorded_loops.h"
@@ -29,8 +29,8 @@ Target read(const std::string& name, tool::Run& run) {
   return target;
 }
 
-// Returns the target of the interrupted run if the program continues one; otherwise reads the
-// target.
+// Returns the target from the state of the run that is continued. If no run is continued, reads the
+// file of --target.
 Target target_of(const tool::MorphChoices& choices, Record& record, tool::Run& run) {
   if (const auto kept = record.find(state_target)) return read_target(*kept, state_target);
   Target target = read(choices.target, run);

@@ -1,4 +1,5 @@
-/// tm-photo-step: moves a surface towards agreement with calibrated photographs (paper 5.3).
+/// tm-photo-step: moves a surface towards agreement with calibrated photographs (section 5.3 of the
+/// TransforMesh paper).
 #include "frame/column_notes.h"
 #include "frame/displacement_report.h"
 #include "mesh/touching_borders.h"

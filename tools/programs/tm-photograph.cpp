@@ -63,7 +63,8 @@ void declare(tool::Program& program, Options& options) {
   program.options.seed(&sensor.seed);
 }
 
-// Throws InputError if products of lengths in the cameras would overflow or vanish.
+// Throws InputError if the mesh is so large or so small that products of lengths in camera matrices
+// would overflow or underflow.
 void check_size(double diagonal) {
   if (!(diagonal > 0)) throw InputError("the mesh is empty or a single point");
   if (diagonal < 1e-100 || diagonal > 1e100)

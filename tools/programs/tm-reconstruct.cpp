@@ -1,5 +1,5 @@
-/// tm-reconstruct: reconstructs a closed, clean mesh from calibrated photographs (paper 5.3), or a
-/// mesh per time step of a movie.
+/// tm-reconstruct: reconstructs a closed, clean mesh from calibrated photographs (section 5.3 of
+/// the TransforMesh paper), or a mesh per time step of a movie.
 #include "evolution/loop/iteration_text.h"
 #include "evolution/loop/record.h"
 #include "frame/memory.h"
@@ -16,7 +16,8 @@ namespace {
 
 using namespace transformesh;
 
-// Returns the initial mesh, if one is given, with the comments of the result.
+// Returns the mesh of --start with the comments of the result. Without --start, returns an empty
+// mesh with these comments.
 Document initial_state(const std::string& start, tool::Run& run) {
   Document document;
   if (!start.empty()) document = run.in().read(start);

@@ -1,5 +1,5 @@
 /// tm-remesh: brings edge lengths into an interval and valences close to six, and improves the
-/// shape of triangles (paper 5.1.2).
+/// shape of triangles (section 5.1.2 of the TransforMesh paper).
 #include "frame/column_notes.h"
 #include "frame/run.h"
 #include "geometry/source_points.h"
@@ -14,7 +14,8 @@ namespace {
 
 using namespace transformesh;
 
-constexpr double most_apart = 2;  // largest ratio of reference edge and mean edge without a note
+// Largest ratio of reference edge to mean edge, or the inverse, without a note.
+constexpr double most_apart = 2;
 
 StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {
   const DecimateOptions options = tool::decimate_options(choices, document, run);
@@ -42,8 +43,8 @@ bool refers_to_edge(const std::optional<Length>& length) {
   return length && length->unit == Length::Unit::reference_edge;
 }
 
-// Prints a note if the reference edge differs much from the mean edge, because its comment may be
-// from an earlier mesh.
+// Prints a note if the reference edge differs much from the mean edge, because the file may state
+// the reference edge of an earlier mesh.
 void note_reference_edge(const tool::RemeshChoices& choices, const Document& document,
                          tool::Run& run) {
   const bool is_used = refers_to_edge(choices.min_edge) || refers_to_edge(choices.max_edge) ||

@@ -11,8 +11,8 @@ namespace {
 
 using namespace transformesh;
 
-/// Speed of a turn. Half of it does not look smooth, and twice as many pictures take twice the time
-/// to draw.
+/// Pictures per second of a movie in which the camera turns around the mesh. Half of it does not
+/// look smooth, and twice as many pictures take twice the time to draw.
 constexpr double frames_per_second = 25;
 
 void render(const tool::RenderOptions& options, tool::Run& run) {

@@ -30,8 +30,8 @@ bool is_unchanged(const RepairResult& result, const Document& document, const to
          !common.as_float && !common.as_double;
 }
 
-/// Sets the style of the document if no mesh is written (--dry-run, --print-pipeline): coordinates
-/// are rounded as for standard output.
+/// Sets the format and the type of coordinates if no mesh is written (--dry-run, --print-pipeline).
+/// Coordinates are rounded as they would be on standard output.
 void set_style_of_stdout(Document& document, const tool::Run& run) {
   const tool::CommonValues& common = run.program().common;
   std::optional<Scalar> coordinate;

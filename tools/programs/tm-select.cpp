@@ -26,8 +26,8 @@ void report(const SelectionResult& result, tool::Run& run) {
              shortest_text(result.distance) + " away");
 }
 
-/// Returns a name such as `part-007.ply`. Numbers have enough digits that sorted names are in order
-/// of number.
+/// Returns a name such as `part-007.ply`. Numbers have leading zeros, so that the order of the
+/// names is the order of the numbers.
 std::string part_name(const Choices& c, std::size_t number, std::size_t count,
                       const std::string& format) {
   const std::size_t digits = std::max<std::size_t>(3, std::to_string(count).size());

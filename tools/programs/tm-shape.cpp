@@ -13,7 +13,7 @@ struct Options {
   std::string around, of;
 };
 
-// Returns the options without relative lengths, which resolve_lengths() adds.
+// Returns the options of the library without lengths, which resolve_lengths() sets.
 ShapeOptions plain_options(const Options& options, tool::Run& run) {
   const std::vector<std::string>& words = run.in().names();
   if (words.empty()) throw UsageError("no KIND given: sphere, for example; see --help");
@@ -33,9 +33,9 @@ ShapeOptions plain_options(const Options& options, tool::Run& run) {
   return shape;
 }
 
-// Resolves relative lengths. Relative lengths refer to the bounding box of the mesh given by
-// --around, or else of the shape. If a length sets the size of the shape, it refers to the default
-// size.
+// Sets the lengths of the shape. Percentages refer to the bounding box of the mesh of --around.
+// Without --around, they refer to the bounding box of the shape, with default values for lengths
+// that are not set yet.
 void resolve_lengths(ShapeOptions& shape, const Options& options, tool::Run& run) {
   const auto resolve = [&](const std::optional<Length>& length, std::optional<double>& value) {
     if (!length) return;

@@ -1,6 +1,7 @@
-// All programs in one file, for the portable tarball. Links to the file have the names of the
-// programs. The file runs the program by whose name it is called, or `tm` for any other name. The
-// programs share nearly all of their code, so one file has a fifteenth of the size of all programs.
+// An executable that contains all programs, for the portable tarball. Symbolic links to it have the
+// names of the programs. It runs the program whose name it is called by, or `tm` for any other
+// name. The programs share nearly all of their code, so the executable has a fifteenth of the size
+// of all separate programs.
 #include "all_programs.h"
 
 using namespace transformesh;
