@@ -1,7 +1,7 @@
 /// Removes parts of a surface that photographs contradict: thin sheets across holes, bridges
-/// between strands, and fillings of narrow gaps. The visual hull has such parts. Reference:
-/// Kutulakos & Seitz, "A theory of shape by space carving", IJCV 38(3), 2000. Unlike there, the
-/// surface of a mesh recedes, not voxels, and photographs compare windows, not colors.
+/// between strands, and fillings of narrow gaps. The visual hull has such parts.
+/// Reference: Kutulakos & Seitz, "A theory of shape by space carving", IJCV 38(3), 2000. Unlike
+/// there, the surface of a mesh recedes, not voxels, and photographs compare windows, not colors.
 ///
 /// The surface of a hull contains the object, so that a part on which photographs disagree lies
 /// outside of the object. Each round moves such parts inwards and then takes a short sweep: remesh,

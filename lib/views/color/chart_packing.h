@@ -1,6 +1,7 @@
 /// Packs rectangles into a texture. They are sorted by decreasing height and placed from left to
-/// right in rows (shelves). Reference: Coffman, Garey, Johnson & Tarjan, "Performance bounds for
-/// level-oriented two-dimensional packing algorithms", SIAM J. Computing 9(4), 1980.
+/// right in rows (shelves).
+/// Reference: Coffman, Garey, Johnson & Tarjan, "Performance bounds for level-oriented
+/// two-dimensional packing algorithms", SIAM J. Computing 9(4), 1980.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,8 +1,8 @@
 /// Exposure compensation: finds a factor (gain) for each photograph, so that intensities at points
-/// of a surface agree after multiplication by the gains. Reference: the gain compensation of Brown
-/// & Lowe, "Automatic panoramic image stitching using invariant features", IJCV 74(1), 2007,
-/// section 6. Unlike in this reference, each color channel has its own gain, so that white balances
-/// are compensated as well.
+/// of a surface agree after multiplication by the gains.
+/// Reference: the gain compensation of Brown & Lowe, "Automatic panoramic image stitching using
+/// invariant features", IJCV 74(1), 2007, section 6. Unlike in this reference, each color channel
+/// has its own gain, so that white balances are compensated as well.
 ///
 /// The gains minimize a sum over all surface points and all pairs of good views of a point
 /// (BestViewColors). A pair contributes (g1 a - g2 b)^2 / 100. Here g1 and g2 are the gains of the

@@ -1,8 +1,9 @@
 /// Samples a photograph at points of a surface: returns the color of a point and the quality of
-/// this observation. Reference: Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending:
-/// mapping dense photographic data set on high-resolution sampled 3D models", Computers & Graphics
-/// 32(4), 2008. The quality falls to zero towards contours of the surface and borders of the image,
-/// so that blends of photographs have no seams there.
+/// this observation.
+/// Reference: Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending: mapping dense
+/// photographic data set on high-resolution sampled 3D models", Computers & Graphics 32(4), 2008.
+/// The quality falls to zero towards contours of the surface and borders of the image, so that
+/// blends of photographs have no seams there.
 #pragma once
 
 #include <vector>

@@ -17,11 +17,11 @@ inline constexpr float contour_intensity = 127.5F;  ///< half-way between 0 and 
 
 /// Returns the distance of every pixel from the contour, in pixels, positive outside. Without a
 /// contour all distances are infinite. Distances above `limit` are replaced by `limit`. Smaller
-/// distances are not affected, except for those within a few pixels of `limit`. Reference:
-/// Danielsson, "Euclidean distance mapping", CGIP 14 (1980). Unlike in this reference, the nearest
-/// contour segment is propagated from pixel to pixel, not the nearest pixel. Distances may be too
-/// large by a few hundredths of a pixel, because a pixel only considers the nearest segments of its
-/// neighbors. O(pixels), in two passes over the image; deterministic.
+/// distances are not affected, except for those within a few pixels of `limit`.
+/// Reference: Danielsson, "Euclidean distance mapping", CGIP 14 (1980). Unlike in this reference,
+/// the nearest contour segment is propagated from pixel to pixel, not the nearest pixel. Distances
+/// may be too large by a few hundredths of a pixel, because a pixel only considers the nearest
+/// segments of its neighbors. O(pixels), in two passes over the image; deterministic.
 GrayImage signed_distance(const GrayImage& silhouette,
                           float limit = std::numeric_limits<float>::infinity());
 

@@ -404,7 +404,7 @@ ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options,
                       const Progress& progress) {
   check(options);
   std::vector<View> seen;
-  std::vector<std::size_t> place;  // Index in `views` of each view that has a silhouette.
+  std::vector<std::size_t> place;  // index in `views` of each view that has a silhouette
   for (std::size_t i = 0; i < views.size(); ++i)
     if (!views[i].silhouette.empty()) place.push_back(i);
   if (place.size() < 2 || options.least_agreement == 0) return {};

@@ -6,9 +6,8 @@
 namespace transformesh {
 namespace {
 
-constexpr int side =
-    /// Side of a tile in pixels. Larger tiles need fewer planes but more bits per residual.
-    8;
+/// Side of a tile in pixels. Larger tiles need fewer planes but more bits per residual.
+constexpr int side = 8;
 constexpr std::size_t area = std::size_t{side} * side;
 
 /// The 16-bit numbers of a tile. Outside of the image, a tile repeats the last row and column of

@@ -39,9 +39,9 @@ inline Sample sample<Interpolation::bilinear>(const GrayImage& image, int column
 }
 
 /// Weights of four consecutive pixels for the intensity and for its derivative. They are
-/// polynomials of the position `t` between the inner two pixels. Reference: Keys, "Cubic
-/// convolution interpolation for digital image processing", IEEE TASSP 29 (1981), with a = -1/2,
-/// also known as Catmull-Rom.
+/// polynomials of the position `t` between the inner two pixels.
+/// Reference: Keys, "Cubic convolution interpolation for digital image processing", IEEE TASSP 29
+/// (1981), with a = -1/2, also known as Catmull-Rom.
 struct CubicWeights {
   Eigen::Array4f intensity;
   Eigen::Array4f slope;

@@ -6,8 +6,8 @@
 namespace transformesh {
 
 enum class MaskRule {
-  not_black,  ///< Pixels that are not black are inside; the rule for masks of few intensities.
-  alpha,      ///< Pixels that are at least half opaque are inside; the rule if transparency varies.
+  not_black,  ///< pixels that are not black are inside; the rule for masks of few intensities
+  alpha,      ///< pixels that are at least half opaque are inside; the rule if transparency varies
   /// Pixels above the mean of the least and the largest intensity are inside; the rule for noisy
   /// black and white.
   between_intensities,
