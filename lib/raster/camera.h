@@ -49,7 +49,7 @@ EyeAxes eye_axes(const Orbit& orbit);
 /// The point at which a camera looks, and its distance from the camera.
 struct Aim {
   Vec3 target = Vec3::Zero();
-  double distance = 1;  ///< > 0
+  double distance = 1;  ///< distance of the camera from `target`, > 0
 };
 
 /// Returns the aim with which the points fill the image except for a margin: 4 % of width or height

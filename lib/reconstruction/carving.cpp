@@ -56,7 +56,8 @@ CarvedSurface measured(const Mesh& mesh, const CarvingEvidence& evidence) {
   return surface;
 }
 
-// Carves for a few rounds. Returns false if a stage fails, as when nothing of the surface is left.
+// Takes four rounds of carving and a full sweep. Returns false if a stage fails, for example
+// because nothing of the surface is left.
 bool carve_and_settle(Document& document, CarvingEvidence& evidence, const CarvingStages& stages) {
   try {
     for (int round = 0; round < rounds_before_settling; ++round) {

@@ -21,14 +21,15 @@ namespace transformesh {
 /// Measures that decide whether a surface is better than that before carving, from photographs at
 /// one scale.
 struct CarvingEvidence {
-  std::vector<WindowSums> of_vertex;  ///< Disagreement::of_vertex
+  /// Sums over the windows around each vertex (Disagreement::of_vertex).
+  std::vector<WindowSums> of_vertex;
   double outline = 1;  ///< mean intersection over union of the surface's outlines and exact masks
 };
 
 struct CarvingStages {
   std::function<CarvingEvidence(const Mesh&)> measure;
   std::function<void(Document&)> sweep;   ///< cleans, then takes a short sweep
-  std::function<void(Document&)> settle;  ///< takes a sweep
+  std::function<void(Document&)> settle;  ///< takes a full sweep
   std::function<void()> keep;             ///< called each time `document` of carve() is replaced
   double distance = 0;                    ///< largest movement of a vertex in a round; input units
 };
@@ -36,10 +37,10 @@ struct CarvingStages {
 /// Carves until photographs contradict at most 0.5 % of the observed surface, in at most 16 rounds.
 /// After every four rounds, calls `settle` and compares the surface with the last one that was
 /// kept. The surface is kept if its score is higher by 0.1 % and `outline` is less than 0.001 below
-/// that before carving. The score is the weight of windows where photographs agree, times 1 - s /
-/// 2. Here s is the contradicted fraction of the observed area. Carving ends at a surface that is
+/// that before carving. The score is the weight of windows where photographs agree, times (1 - s /
+/// 2), where s is the contradicted fraction of the observed area. Carving ends at a surface that is
 /// not kept, or if a stage throws anything but CancelledError. The document is the last surface
-/// that was kept, or else unchanged.
+/// that was kept; it is unchanged if none was kept.
 void carve(Document& document, const CarvingStages& stages);
 
 }  // namespace transformesh

@@ -49,7 +49,8 @@ void append(Mesh& mesh, const Mesh& other) {
 // Vertices that are projected outside of the image count as outside of the mask: nothing is known
 // about them.
 bool is_within_mask(const Mesh& mesh, const View& view) {
-  // Tolerance in pixels: the contour of a mask without intermediate intensities is as inaccurate.
+  // Tolerance in pixels. Contours of masks without intermediate intensities have errors of up to a
+  // pixel.
   constexpr double most_outside_px = 1;
   // Limit up to which distances from the mask are computed; must exceed `most_outside_px`.
   constexpr float limit_px = 4;

@@ -48,8 +48,8 @@ constexpr double most_stiffness = 16;
 /// mesh that are farther away belong to other parts of the object. Steps at scale 1 hardly correct
 /// errors of that size.
 constexpr double reach_px = 10;
-/// Steps of a sweep between two rounds of carving. After five or more steps, the stiffness has
-/// brought the carved parts back, and thin sheets across holes stay closed.
+/// Number of steps of a sweep between two rounds of carving. After five or more steps, the
+/// stiffness has brought the carved parts back, and thin sheets across holes stay closed.
 constexpr int carving_steps = 2;
 /// Largest movement in a round of carving, in edge lengths. The steps after each round bring parts
 /// back by up to one edge length.
@@ -138,8 +138,8 @@ class ReconstructionLoop : public Loop {
 
   Photographs& photographs_;
   const Document& initial_;
-  /// The cleaned given mesh before its intersection with the hull; the initial mesh if none was
-  /// intersected.
+  /// The given mesh, cleaned but not intersected with the hull. If no mesh was intersected with the
+  /// hull, the initial mesh.
   const Document given_;
   const ReconstructionOptions& options_;
   std::vector<ScaleStep> scale_steps_;
@@ -154,7 +154,7 @@ class ReconstructionLoop : public Loop {
   double stiffness_ = 1;     ///< factor by which the stiffness of the options is multiplied
   std::size_t handles_ = 0;  ///< number of removed handles
 
-  Sweep sweep_;  ///< the last sweep
+  Sweep sweep_;  ///< measures of the last sweep
   ReconstructionResult result_;
 };
 

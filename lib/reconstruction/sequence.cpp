@@ -30,9 +30,11 @@ constexpr const char* from_before = "before";
 
 struct Surface {
   Document document;
-  std::string start;  ///< one of `from_hull`, `from_given`, `from_before`
+  /// Mesh with which the surface began: `from_hull`, `from_given` or `from_before`.
+  std::string start;
   ReconstructionResult result;
-  double agreement = 0;  ///< mean agreement with silhouettes over the views
+  /// Mean intersection over union of outline and silhouette, over the views.
+  double agreement = 0;
   SurfaceQuality quality;
 
   bool is_tracked() const { return start == from_before; }
@@ -197,7 +199,7 @@ void SequenceLoop::count() {
   result_.tracked += surface_.is_tracked() ? 1 : 0;
   result_.accepted += is_accepted() ? 1 : 0;
   if (surface_.is_tracked()) return;
-  // Round as in the CSV file.
+  // Round as in the CSV file, so that a resumed run decides in the same way.
   const SurfaceQuality& quality = surface_.quality;
   reference_ = {read_back(fixed(quality.dissimilarity, 6)), read_back(fixed(quality.coverage, 4)),
                 read_back(fixed(quality.least_agreement, 4))};

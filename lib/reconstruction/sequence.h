@@ -4,9 +4,9 @@
 /// (tracking_faults()), the time step is also reconstructed from its visual hull, and the better
 /// surface is used.
 ///
-/// Each time step is an iteration of the loop: it is recorded, resumed and limited like one.
-/// Reconstructions within a time step have states of their own. Throws what reconstruct() throws,
-/// with the number of the time step. Deterministic.
+/// Each time step is an iteration of a Loop (evolution/loop), after which the run can be resumed.
+/// The reconstruction of a time step has a recorded state of its own. Throws what reconstruct()
+/// throws, with the number of the time step. Deterministic.
 #pragma once
 
 #include <functional>

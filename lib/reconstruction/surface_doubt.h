@@ -19,12 +19,13 @@
 namespace transformesh {
 
 struct SurfaceDoubt {
-  std::vector<WindowSums> sums;   ///< Disagreement::of_vertex
+  /// Sums over the windows around each vertex (Disagreement::of_vertex).
+  std::vector<WindowSums> sums;
   std::vector<double> of_vertex;  ///< doubt of each vertex, rounded to six digits
   /// Doubtful places of at least 25 squared pixels, the largest first.
   std::vector<DoubtfulPlace> places;
   double share = 0;         ///< area of the doubtful places, as a fraction of the visible area
-  double disagreement = 0;  ///< WindowSums::excess of all windows
+  double disagreement = 0;  ///< disagreement beyond noise, over all windows (WindowSums::excess)
   double floor = 0;         ///< mean dissimilarity that would result from noise alone
 };
 

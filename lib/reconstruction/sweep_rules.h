@@ -19,11 +19,11 @@ bool is_wide(std::span<const ViewPair> pairs);
 /// merely too large, the number falls by less.
 bool is_torn(std::size_t initial_pixels, std::size_t pixels_now);
 
-/// True if the surface disintegrates in a sweep. One of three criteria suffices. There are more
-/// than 100 components, and ten times those of the initial mesh. Or more than three tenths of the
-/// vertices are outside of silhouettes, and more than when the sweep began. Or less than three
-/// tenths of the pixels are compared, and less than half of the fraction when the sweep began. Such
-/// a surface never recovers.
+/// True if the surface falls apart in a sweep. Such a surface never recovers. One of three criteria
+/// suffices. First, there are more than 100 components, and more than ten times those of the
+/// initial mesh. Second, more than three tenths of the vertices are outside of silhouettes, and
+/// more than when the sweep began. Third, less than three tenths of the pixels are compared, and
+/// less than half of the fraction when the sweep began.
 bool is_exploded(const Sweep& sweep, std::size_t initial_components);
 
 /// Returns CorrelationOptions::robust for the last sweeps: `factor` times the mean disagreement

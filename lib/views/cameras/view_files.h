@@ -24,10 +24,10 @@ inline constexpr double preview_reduction = 4;
 /// cameras without a partner may be left out (image_files.h).
 ///
 /// Throws InputError, with the name of the file, if a file cannot be read or paired, or if a
-/// silhouette has no pixel inside. Also throws it if an image has not the size that its camera
-/// states, or not the aspect ratio of its silhouette. Images of different sizes with the same
-/// intrinsics are an error, too. Files are decoded in parallel; result and error do not depend on
-/// the number of threads.
+/// silhouette has no pixel inside. Also throws it if the size of an image differs from that in the
+/// camera file, or its aspect ratio from that of its silhouette. Images of different sizes with the
+/// same intrinsics are an error, too. Files are decoded in parallel; result and error do not depend
+/// on the number of threads.
 std::vector<View> views_from(const ViewSources& sources);
 
 /// A color photograph, which is decoded on request.

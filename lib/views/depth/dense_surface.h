@@ -36,9 +36,9 @@ struct DenseSurface {
   Mesh mesh;
   Box box;  ///< box in which the surface was searched
   double cell = 0;
-  double scale = 1;                     ///< scale of the photographs whose depths were fused
-  std::size_t pixels = 0;               ///< number of pixels of all photographs at that scale
-  std::size_t consistent = 0;           ///< number of pixels whose depth other views confirm
+  double scale = 1;            ///< factor by which photographs were shrunk for the depth maps
+  std::size_t pixels = 0;      ///< number of pixels of all photographs at that scale
+  std::size_t consistent = 0;  ///< number of pixels whose depth other views confirm
   std::vector<std::string> idle_views;  ///< names of views without a confirmed depth
   std::size_t dropped_components = 0;
 };

@@ -36,9 +36,9 @@ bool DepthSurface::is_same(float here, float there) const {
   return there > 0 && std::abs(1 / here - 1 / there) <= gap_;
 }
 
-// Returns distance from the tangent plane / difference of depth at pixel (x, y). The tangent plane
-// is found from the neighbors on both sides along x and y or, if one is on another surface, from
-// the pixel and one neighbor.
+// Returns the factor that converts a difference of depth at pixel (x, y) to a distance from the
+// tangent plane. The tangent plane is found from the neighbors on both sides along x and y or, if
+// one is on another surface, from the pixel and one neighbor.
 double DepthSurface::height_per_depth(int x, int y) const {
   const GrayImage& depth = map_.depth;
   const float here = depth.at(x, y);

@@ -40,7 +40,8 @@ class DepthSurface {
   Eigen::Matrix3d to_ray_;
   DepthMap map_;
   double gap_;  ///< largest difference of inverse depths of neighboring pixels on the same surface
-  /// For each pixel: distance from the tangent plane / difference of depth.
+  /// For each pixel, the factor that converts a difference of depth to a distance from the tangent
+  /// plane.
   GrayImage height_;
 };
 

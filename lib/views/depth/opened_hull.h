@@ -36,8 +36,8 @@ struct OpenedHullOptions {
 };
 
 struct OpenedHull {
-  Mesh mesh;         ///< see HullResult::mesh
-  double scale = 1;  ///< scale of the photographs whose depths were fused
+  Mesh mesh;  ///< closed, oriented 2-manifold without self-intersection, like HullResult::mesh
+  double scale = 1;  ///< factor by which photographs were shrunk for the depth maps
 };
 
 /// Returns the opened hull. Returns nothing if no hollow is deep enough, or if silhouettes would

@@ -115,13 +115,13 @@ class Sweep {
   int first_row_ = 0, end_row_ = 0;
   int first_column_ = 0, end_column_ = 0;
   int planes_ = 0;
-  /// Inverse depth of the first plane; distance between planes in inverse depth.
+  /// Inverse depth of the first plane, and difference of the inverse depths of consecutive planes.
   double nearest_ = 0, gap_ = 0;
   /// For each pixel of the rectangle: 1 if its point on the current plane is inside the hull, else
   /// 0.
   std::vector<std::uint8_t> is_inside_;
-  MatchingCosts costs_;  ///< costs of the rectangle's pixels
-  MatchingCosts sums_;   ///< costs summed along paths
+  MatchingCosts costs_;  ///< costs of the planes at the pixels of the rectangle
+  MatchingCosts sums_;   ///< `costs_` summed along paths (semiglobal_matching.h)
 };
 
 // Sets the rectangle and the planes. The number of planes follows from the neighbor in which the

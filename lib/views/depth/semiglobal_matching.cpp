@@ -48,8 +48,8 @@ class Paths {
     }
   }
 
-  /// Extends all paths to the next pixel. Subtracts the least cost of the previous pixel, which
-  /// keeps numbers small and does not change the order of the planes.
+  /// Extends the paths to all planes of the next pixel. Subtracts the least cost of the previous
+  /// pixel, which keeps numbers small and does not change the order of the planes.
   void enter(std::span<const float> costs, std::span<float> sums, bool begins) {
     constexpr float none = std::numeric_limits<float>::infinity();
     const std::size_t count = costs.size();

@@ -1,10 +1,10 @@
 /// Computes signed distances from the contour of a silhouette, at pixel centers and between them.
 ///
 /// Pixels of a silhouette are above 127.5 inside and below outside. The contour is the curve where
-/// the bilinearly interpolated intensity is 127.5. Masks with intensities 0 and 255 only thus have
-/// their contour half-way between pixels. Masks with antialiased edges have a more precise contour.
-/// The border of an image is not part of the contour, even if the object extends beyond the image.
-/// The contour of the object outside of the image is not known.
+/// the bilinearly interpolated intensity is 127.5. Masks that only have the intensities 0 and 255
+/// thus have their contour half-way between pixels. Masks with antialiased edges have a more
+/// precise contour. The border of an image is not part of the contour, even if the object extends
+/// beyond the image. The contour of the object outside of the image is not known.
 #pragma once
 
 #include <limits>

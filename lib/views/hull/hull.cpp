@@ -27,7 +27,7 @@ namespace transformesh {
 namespace {
 
 constexpr double most_nodes = 1 << 28;  ///< largest number of grid nodes: 1 GiB of values
-/// Side of a block, in nodes. A smaller part of larger blocks is entirely inside or outside of
+/// Side of a block, in nodes. Larger blocks are less often entirely inside or outside of
 /// silhouettes; smaller blocks save fewer lookups.
 constexpr std::size_t block_nodes = 8;
 /// Upper bound of the error of interpolated distances from a contour, in pixels.

@@ -23,7 +23,7 @@ double dividing_threshold(std::span<const GrayImage> images);
 /// closing by a disc fills gaps. Throws UsageError if options are out of range. O(pixels).
 GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& options = {});
 
-/// Returns the silhouette with intensities 255 inside and 0 outside only, as in mask files.
+/// Returns the silhouette in two intensities, 255 inside and 0 outside, as in mask files.
 GrayImage binary_silhouette(const GrayImage& silhouette);
 
 /// Returns the fraction of the pixels that are inside the silhouette.

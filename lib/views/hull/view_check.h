@@ -31,7 +31,8 @@ struct ViewCheckOptions {
 
 struct BadView {
   std::string name;
-  double agreement = 0;  ///< fraction of its silhouette that the hull of the others covers
+  /// Fraction of the view's silhouette that the hull of the other views covers.
+  double agreement = 0;
 };
 
 /// Returns "the view 'NAME' is left out: ..." with the agreement in percent.

@@ -49,7 +49,7 @@ struct CorrelationRow {
 /// Values of the windows around the pixels of one row.
 struct WindowRow {
   const float* weight = nullptr;  ///< weight rho of the window; 0 for windows that are not compared
-  const float* energy = nullptr;  ///< rho (1 - cc)
+  const float* energy = nullptr;  ///< rho (1 - cc) of the window
   const float* deviations = nullptr;  ///< sqrt(v1 v2): the product of both standard deviations
 };
 
@@ -57,7 +57,7 @@ struct CorrelationSums {
   double energy = 0;  ///< sum of rho (1 - cc), also if a robust loss is differentiated
   /// The sum that is differentiated; equals `energy` if CorrelationOptions::robust is 0.
   double loss = 0;
-  double weight = 0;       ///< sum of rho
+  double weight = 0;       ///< sum of the weights rho of all windows
   std::size_t pixels = 0;  ///< number of compared windows
 };
 

@@ -22,8 +22,9 @@ struct PhotoScene {
 
 /// Shrinks views by `scale` (at_scale) and chooses the pairs to compare (choose_pairs). Throws
 /// InputError if there is no such pair, UsageError as at_scale() does. O(pixels). Parallel over
-/// views; the result does not depend on the number of threads. If the views are packed, so is the
-/// scene. It then takes 2 bytes per pixel, or 3 if photographs have fractional intensities.
+/// views; the result does not depend on the number of threads. If the images of `views` are packed
+/// (packable_image.h), those of the scene are packed, too. The scene then takes 2 bytes per pixel,
+/// or 3 if photographs have fractional intensities.
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs = {});
 
 /// Returns the same scene as photo_scene(), but clears images and silhouettes of `views` as early

@@ -55,8 +55,8 @@ constexpr double coarse_alpha_by_size = 1.0 / 50;
 /// surface. Its thickness is then hardly more than two offsets plus the noise of the points.
 constexpr double hollow_by_offset = 4;
 constexpr double hollow_by_diagonal = hollow_by_offset * offset_by_diagonal;
-/// Largest accepted fraction of the wrap's area at which it is hollow, in the sense of
-/// `hollow_by_offset`.
+/// Largest accepted fraction of a wrap's area at which the wrap is hollow: thinner than the limit
+/// above.
 constexpr double most_hollow = 0.05;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -21,8 +21,8 @@ constexpr double jump = 4;
 /// points. A few percent of the points of sparse reconstructions are outliers. With twice this
 /// fraction, a second, sparsely sampled part of the object would be lost more often.
 constexpr double least_body = 1.0 / 20;
-/// In clouds of fewer points, no point counts as an outlier, because a body could have fewer than
-/// five points.
+/// In point clouds with fewer points than this, no point counts as an outlier, because a body could
+/// have fewer than five points.
 constexpr std::size_t least_points = 100;
 
 struct Neighborhoods {

@@ -1,5 +1,5 @@
 /// Finds outliers: points so far from the others that a surface around all points (alpha wrap,
-/// Poisson surface) would be spoiled by them.
+/// Poisson surface) would extend to them.
 ///
 /// The spacing at a point is the distance to its sixth neighbor. Neighbors are connected if their
 /// distance is at most twice the spacing at both. Connected groups of at least a twentieth of the
