@@ -8,8 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// PairOptions::spread above scale 1, where pairs of views should be close together (see
-/// `near_pairs_`).
+/// PairOptions::spread above scale 1. Keeps pairs of views close together (see `near_pairs_`).
 constexpr double near_spread = 1.5;
 
 }  // namespace
