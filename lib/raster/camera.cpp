@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double field_of_view_deg = 30;  ///< along the shorter side of the image
+constexpr double field_of_view_deg = 30;  ///< field of view along the shorter side of the image
 /// Fraction of the image's width or height that the points fill.
 constexpr double filled_share = 0.92;
 
@@ -27,21 +27,22 @@ EyeAxes front_axes(Axis up) {
   }
 }
 
-/// Returns pixels per unit of x / depth, without zoom.
+/// Returns the focal length in pixels, without zoom.
 double focal_length(int width, int height) {
   return 0.5 * std::min(width, height) / elementary::tan(radians(field_of_view_deg / 2));
 }
 
-/// Result of fit(): position of the camera along one direction of the image, and position along the
-/// axis that points backwards.
+/// Result of fit(): `middle` is the position of the camera along one axis of the image. `eye_back`
+/// is its position along the axis that points from the target to the camera.
 struct Fit {
   double middle = 0;
   double eye_back = 0;
 };
 
-/// Uses coordinates along `direction` and `back`. A camera at (m, b) observes point (u, d) inside
-/// the image if |u - m| * slope <= b - d. This bounds b + slope m and b - slope m from below. The
-/// least b results if both are at their bounds.
+/// Returns the position nearest to the points from which all of them are inside the image along
+/// `direction`. All coordinates are along `direction` and `back`. The point (u, d) is inside the
+/// image of a camera at (m, b) if |u - m| * slope <= b - d. These conditions bound b + slope m and
+/// b - slope m from below. If both are at their bounds, b is least.
 Fit fit(std::span<const Vec3> points, const Vec3& direction, const Vec3& back, double slope) {
   double plus = -HUGE_VAL;
   double minus = -HUGE_VAL;
@@ -120,11 +121,11 @@ Aim turn_aim(std::span<const Vec3> points, const Orbit& orbit, int width, int he
   const Vec3 up = front_axes(orbit.up).up;
   const Vec3 middle = box_middle(points);
 
-  // Let a be the azimuth, and h and r height and radius of a point in cylindrical coordinates. In
-  // the image, the point is r sin a to the right of the center and h cosine - r sine cos a above
-  // it. The point is r cosine cos a + h sine nearer to the camera than the center. The distance
-  // must exceed this number plus the slope times the offset to the right, up or down. Each sum has
-  // its maximum at a known azimuth.
+  // Let (r, a, h) be cylindrical coordinates of a point around `middle`: radius, azimuth relative
+  // to the camera, and height. The point is r sin a to the right of `middle`, as observed by the
+  // camera. It is h cosine - r sine cos a above `middle`, and r cosine cos a + h sine nearer to the
+  // camera. The distance must be at least the last number plus the slope times the offset to the
+  // right, up or down. The maximum of each such sum over all a has a closed form.
   double distance = 0;
   for (const Vec3& point : points) {
     const double height_of = up.dot(point - middle);

@@ -8,10 +8,10 @@
 namespace transformesh {
 namespace {
 
-/// Up to this limit, products of three numbers and their squares do not overflow.
+/// Largest accepted absolute value. Products of three such numbers do not overflow, nor do squares.
 constexpr double largest_number = 1e100;
-/// Limit of the ratio of skew and principal point to the focal lengths. Above it, K R is singular
-/// in double precision.
+/// Largest accepted ratio of skew and principal point to the focal lengths. Above it, the product
+/// of intrinsics and rotation is singular in double precision.
 constexpr double most_oblique = 1e12;
 
 bool is_in_range(const Eigen::MatrixXd& numbers) {
@@ -62,7 +62,8 @@ void check_read_again(const CameraRecord& record, const PinholeCamera& again) {
 }
 
 void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who) {
-  // Tolerance of rotations in files, whose numbers may be rounded to three digits.
+  // Tolerance of the product of the matrix with its transpose, because numbers in files may be
+  // rounded to three digits.
   constexpr double rounding = 1e-3;
   const Eigen::Matrix3d product = rotation * rotation.transpose();
   if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= rounding)) {

@@ -1,4 +1,4 @@
-/// Checks of numbers that all formats of camera files share.
+/// Checks the numbers of cameras that are read from files; used by all formats of camera files.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace transformesh {
 
-/// Returns the name of the source and the line that is read, for example `dino_par.txt line 3`.
+/// Returns the file name of `source` and the current line of `rows` for messages, for example
+/// `dino_par.txt line 3`.
 std::string place_of(const TextRows& rows, const Source& source);
 
 /// Return "" if the numbers are valid, else an error message, in which `who` is the name of the
@@ -17,15 +18,15 @@ std::string place_of(const TextRows& rows, const Source& source);
 std::string intrinsics_problem(const Eigen::Matrix3d& intrinsics, const std::string& who);
 std::string translation_problem(const Vec3& translation, const std::string& who);
 
-/// Throw InputError, naming the current line of `rows` and the camera `who`, if numbers are not
-/// valid.
+/// Throw InputError if numbers are not valid. The message contains the current line of `rows` and
+/// `who`, the name of the camera.
 void check_intrinsics(const TextRows& rows, const Eigen::Matrix3d& intrinsics,
                       const std::string& who);
 void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who);
 void check_translation(const TextRows& rows, const Vec3& translation, const std::string& who);
 
-/// Throws InputError unless `again` is valid. `again` is the camera of `record` after writing and
-/// reading.
+/// Throws InputError unless `again` is valid. `again` is the camera that results if the camera of
+/// `record` is written to a file and read from it.
 void check_read_again(const CameraRecord& record, const PinholeCamera& again);
 
 }  // namespace transformesh

@@ -1,4 +1,5 @@
-/// Cameras as in camera files: with names and possibly sizes of their photographs.
+/// Cameras with the data that camera files contain in addition: names and sometimes sizes of their
+/// photographs.
 #pragma once
 
 #include <string>
@@ -9,31 +10,36 @@
 
 namespace transformesh {
 
-/// The unit of intrinsics in a camera file: pixels, or a side of the image.
+/// The unit of intrinsics in a camera file: a pixel, the width of the image, or its larger side.
 enum class IntrinsicsUnit { pixel, width, larger_side };
 
 /// A camera and the data of its photograph in a camera file.
 struct CameraRecord {
-  std::string name;   ///< name of the image as written in the file; else the stem of the file
-  std::string place;  ///< file and line for messages, such as `dino_par.txt line 3`
+  /// Name of the image as written in the camera file; if it contains none, the name of the camera
+  /// file without extension.
+  std::string name;
+  std::string place;  ///< camera file and line for messages, such as `dino_par.txt line 3`
   PinholeCamera camera;
-  int width = 0;  ///< size of the image; 0 if the file does not contain it
+  int width = 0;  ///< width of the image; 0 if the camera file does not contain it
   int height = 0;
-  /// Distortion of the photograph; `camera` is the pinhole camera without it.
+  /// Lens distortion of the photograph; `camera` is the pinhole camera of the photograph without
+  /// distortion.
   LensDistortion distortion;
-  /// If true, the principal point is relative to the center of the image, whose size is unknown.
+  /// True if the principal point is relative to the center of the image, because the size of the
+  /// image is unknown.
   bool is_centered = false;
-  /// Units other than pixels mean that the size of the image is unknown.
+  /// Unit of the intrinsics of `camera`. If it is not the pixel, the size of the image is still
+  /// unknown.
   IntrinsicsUnit unit = IntrinsicsUnit::pixel;
 
-  /// Sets the size of the image, and converts intrinsics to pixels. Throws InputError if the file
-  /// contains another size; `image` is the name of the image in the message.
+  /// Sets the size of the image, and converts intrinsics to pixels. Throws InputError if the camera
+  /// file contains another size; the message then names `image`.
   void set_size(int columns, int rows, const std::string& image);
 };
 
 struct CameraList {
   std::vector<CameraRecord> cameras;
-  bool names_images = false;  ///< if true, cameras have the names of their images
+  bool names_images = false;  ///< true if the names of cameras are names of images
 };
 
 }  // namespace transformesh

@@ -9,8 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Interpolates bilinearly. Up to half a pixel beyond the border, border pixels are repeated;
-/// farther outside, the result is 0.
+/// Returns the intensity at `place`, by bilinear interpolation. At most half a pixel outside of the
+/// pixel centers, the nearest pixel of the border counts; farther outside, the result is 0.
 float intensity_at(const GrayImage& image, const Eigen::Vector2d& place) {
   const double right = image.width - 1;
   const double bottom = image.height - 1;

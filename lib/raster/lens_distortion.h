@@ -20,13 +20,13 @@ struct LensDistortion {
 
   bool operator==(const LensDistortion&) const = default;
   bool is_none() const { return *this == LensDistortion(); }
-  /// Returns the distorted position of the undistorted point (x, y).
+  /// Returns the distorted position of the point (x, y) of the undistorted ray (x, y, 1).
   Eigen::Vector2d distorted(double x, double y) const;
 };
 
-/// Resamples the image as a pinhole camera with the same intrinsics (K: last row 0 0 1) would have
-/// recorded it. Interpolates bilinearly; pixels outside of the original image are 0. The size does
-/// not change. O(pixels), parallel.
+/// Resamples the image as a pinhole camera with the same intrinsics would have recorded it. The
+/// last row of `intrinsics` must be 0 0 1. Interpolates bilinearly; pixels outside of the original
+/// image are 0. The size does not change. O(pixels), parallel.
 GrayImage undistorted(const GrayImage& image, const Eigen::Matrix3d& intrinsics,
                       const LensDistortion& distortion);
 /// Undistorts each color channel like a gray image.

@@ -22,8 +22,8 @@ Eigen::Matrix3d read_matrix(TextRows& rows, char letter, const std::string& name
   return matrix;
 }
 
-/// Scales K to k33 = 1, because its scale is arbitrary. Throws if K is not a calibration matrix,
-/// which is zero below its diagonal.
+/// Scales the calibration matrix so that k33 is 1, because its scale is arbitrary. Throws
+/// InputError if the matrix is not zero below its diagonal, or if k33 is 0.
 void normalize(const TextRows& rows, Eigen::Matrix3d& intrinsics, const std::string& who) {
   const bool is_upper = intrinsics(1, 0) == 0 && intrinsics(2, 0) == 0 && intrinsics(2, 1) == 0;
   if (!is_upper || intrinsics(2, 2) == 0) {

@@ -14,8 +14,8 @@ namespace transformesh {
 /// Throws InputError, naming file and line, if numbers are missing or do not describe a camera.
 CameraList read_middlebury(const Source& source);
 
-/// Returns text that is read back as the same cameras. Throws InputError if a name contains blanks
-/// or `#`, and if the text cannot represent a camera.
+/// Returns text from which read_middlebury() reads the same cameras. Throws InputError if a name
+/// contains blanks or `#`, or if a camera is not valid (check_read_again()).
 std::string write_middlebury(const CameraList& list);
 
 }  // namespace transformesh

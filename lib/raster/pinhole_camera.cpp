@@ -26,7 +26,8 @@ Projection PinholeCamera::projection() const {
 double PinholeCamera::focal_length() const { return (intrinsics(0, 0) + intrinsics(1, 1)) / 2; }
 
 PinholeCamera PinholeCamera::shrunk(double factor) const {
-  // Pixel 0 extends from -1/2 to 1/2. Hence the corner of the image, at -1/2, is fixed.
+  // Pixel 0 extends from -1/2 to 1/2. The corner of the image is therefore at -1/2, before and
+  // after shrinking.
   PinholeCamera camera = *this;
   camera.intrinsics.topRows<2>() /= factor;
   camera.intrinsics(0, 2) += 0.5 / factor - 0.5;
@@ -47,8 +48,9 @@ Vec3 viewed_point(std::span<const PinholeCamera> cameras) {
     mean += camera.center() / static_cast<double>(cameras.size());
   }
 
-  // The squared distance from an axis is a quadratic form that vanishes along the axis. The sum of
-  // these forms is minimal where its derivative is zero.
+  // The result is the point with the least sum of squared distances from the viewing axes. Each
+  // squared distance is a quadratic form. The sum of the forms is minimal where its derivative is
+  // zero.
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Vec3 moment = Vec3::Zero();
   for (const PinholeCamera& camera : cameras) {
@@ -58,7 +60,8 @@ Vec3 viewed_point(std::span<const PinholeCamera> cameras) {
     moment += across * (camera.center() - mean);
   }
 
-  // Along directions that no axis determines, the result is the mean of the centers.
+  // Along directions in which the sum is constant, as for parallel axes, the result is the mean of
+  // the camera centers.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
   Vec3 offset = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {

@@ -27,7 +27,7 @@ void flush(png_structp) {}
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-/// Copies the first channels of a row of pixels.
+/// Copies the first `channels` channels of each pixel of a row: RGB or RGBA.
 void pack(const Pixel* pixels, int width, std::size_t channels, png_byte* bytes) {
   for (int x = 0; x < width; ++x) bytes = std::copy_n(pixels[x].begin(), channels, bytes);
 }

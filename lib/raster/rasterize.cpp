@@ -11,7 +11,7 @@ namespace transformesh {
 
 namespace {
 
-// A call per face took as long as the computation.
+// Inlined, because a function call for each face took as long as the computation.
 [[gnu::always_inline]] inline EdgeFunctions functions_of(const Vec3& a, const Vec3& b,
                                                          const Vec3& c) {
   EdgeFunctions functions;
@@ -24,10 +24,11 @@ namespace {
   return functions;
 }
 
-constexpr int usual_rows_per_band = 16;       ///< affects time only
-constexpr int columns_worth_narrowing = 8;    ///< narrower bounds are not worth narrowed()
+constexpr int usual_rows_per_band = 16;  ///< affects time only
+/// If a face has fewer columns than this, calling narrowed() takes more time than it saves.
+constexpr int columns_worth_narrowing = 8;
 constexpr std::size_t items_per_task = 4096;  ///< affects time only
-/// Number of faces whose bounds are stored at a time, to limit memory.
+/// Number of faces whose bounds are stored at the same time while sorting, to limit memory.
 constexpr std::size_t faces_at_once = std::size_t{1} << 16;
 
 /// A range of pixels; `last` is included.
@@ -44,7 +45,7 @@ struct Bounds {
   bool is_empty() const { return columns.first > columns.last || rows.first > rows.last; }
 };
 
-/// Values that depend on the face only, computed before its pixels are drawn.
+/// Values that are computed once for a face, before its pixels are drawn.
 struct FaceSetup {
   EdgeFunctions functions;
   Bounds bounds;
@@ -53,20 +54,21 @@ struct FaceSetup {
 using Corners = std::array<Vec3, 3>;
 using PixelPlace = Eigen::Array2d;
 
-/// Returns the integers in [low, high] that are pixels of a row or column.
+/// Returns the integers in [low, high] that are in [0, size - 1]: the pixels of a row or column of
+/// `size` pixels.
 Range pixels_between(double low, double high, int size) {
   if (!(low <= high)) return {};
   low = std::max(low, 0.0);
   high = std::min(high, size - 1.0);
   if (!(low <= high)) return {};
-  // Both are not negative, so that truncation rounds down. std::ceil and std::floor would be calls
-  // of the C library on processors without SSE 4.1.
+  // `low` and `high` are not negative, so that the conversion to int rounds down. std::ceil and
+  // std::floor would be slower: without SSE 4.1 they are calls of the C library.
   const int below = static_cast<int>(low);
   return {below < low ? below + 1 : below, static_cast<int>(high)};
 }
 
-/// Returns the bounds of the image of a face; the whole image if the face reaches behind the
-/// camera. `pixels` has the pixel of each vertex.
+/// Returns a bounding box of the pixels of a face. Returns the whole image if the face reaches
+/// behind the camera. `pixels` contains the projection of each vertex of the mesh.
 Bounds bounds_of(const Face& face, const Corners& corners, const std::vector<PixelPlace>& pixels,
                  int width, int height) {
   if (!(corners[0].z() > 0 && corners[1].z() > 0 && corners[2].z() > 0))
@@ -85,8 +87,8 @@ void unite(Range& range, const Range& other) {
   range.last = std::max(range.last, other.last);
 }
 
-/// Returns the columns of a row where all edge functions can be positive, with one more column on
-/// both sides.
+/// Returns the columns of a row in which all edge functions can be positive, and one more column on
+/// both sides. Edge function i is `start[i] + slope[i] * x` in column x.
 Range narrowed(Range columns, const std::array<double, 3>& slope,
                const std::array<double, 3>& start) {
   double low = columns.first;
@@ -100,7 +102,8 @@ Range narrowed(Range columns, const std::array<double, 3>& slope,
   return {static_cast<int>(std::ceil(low)), static_cast<int>(std::floor(high))};
 }
 
-/// Draws the pixels of a face in row `y`. `row` begins at column `left`.
+/// Draws the pixels of a face in row `y` of the image. `row` points to the pixel of that row in
+/// column `left`.
 void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row, int left) {
   std::array<double, 3> slope;
   std::array<double, 3> start;
@@ -116,7 +119,8 @@ void draw_row(const FaceSetup& setup, Index face, int y, FacePixel* row, int lef
     const double e0 = slope[0] * x + start[0];
     const double e1 = slope[1] * x + start[1];
     const double e2 = slope[2] * x + start[2];
-    // A single branch, because half of the pixels of a small face are outside, in no pattern.
+    // A single condition without short-circuit: half of the tested pixels of a small face are
+    // outside, so that branches would be mispredicted.
     if (!((e0 >= 0) & (e1 >= 0) & (e2 >= 0))) continue;
     const double sum = e0 + e1 + e2;
     if (!(sum > 0)) continue;
@@ -165,8 +169,9 @@ Corners BandRasterizer::corners_of(const Face& face) const {
   return {projected_[face[0]], projected_[face[1]], projected_[face[2]]};
 }
 
-// Sorts faces into the bands of rows that they touch, in face order. Faces are set up again when
-// they are drawn, because stored setups would take several times the memory of the mesh.
+// Sorts faces into the bands of rows that they touch, in face order. FaceSetup is computed only
+// when a face is drawn, because storing it for all faces would take several times the memory of the
+// mesh.
 void BandRasterizer::sort_faces() {
   Bounds all;
   std::vector<Bounds> some;
@@ -191,7 +196,7 @@ void BandRasterizer::sort_faces() {
   box_ = {all.columns.first, all.columns.last + 1, all.rows.first, all.rows.last + 1};
 }
 
-// Finds the box of the vertices, which contains that of the faces.
+// Sets `box_` to the bounding box of all projected vertices, which contains all visible faces.
 void BandRasterizer::bound_vertices() {
   PixelPlace low(HUGE_VAL, HUGE_VAL);
   PixelPlace high = -low;
@@ -227,7 +232,7 @@ void BandRasterizer::draw(std::size_t band, const PixelBox& part, FacePixel* pix
   }
 }
 
-/// Draws the rows of a face from `first` to `last`.
+/// Draws those pixels of a face that are in rows `first` to `last`, both included.
 void BandRasterizer::draw_face(Index face, int first, int last, const PixelBox& part,
                                FacePixel* pixels) const {
   const Corners corners = corners_of(mesh_.faces[face]);

@@ -8,8 +8,9 @@
 namespace transformesh {
 namespace {
 
-/// Rings of vertices that are compared together, and over which movements decrease. Edges are three
-/// pixels long: four rings are windows of 25 pixels, in which noise hardly decides.
+/// Photographs are compared on four rings of neighbors around a vertex together, and movements
+/// decrease over two rings. Edges are three pixels long: four rings are 25 pixels wide, in which
+/// noise hardly decides.
 constexpr int compared_rings = 4;
 constexpr int blended_rings = 2;
 /// Returns the vertex of a face that is closest to a point.
@@ -21,7 +22,8 @@ Index closest_corner(const Mesh& mesh, Index face, const Vec3& point) {
   return best;
 }
 
-/// Adds the sums of each vertex of `from` to a vertex of `to` that is near.
+/// Adds the WindowSums of each vertex of `from` to those of a vertex of `to` that is at most about
+/// `reach` away.
 std::vector<WindowSums> carried(const MeasuredMesh& from, const Mesh& to, double reach) {
   const ClosestPointQuery closest(to);
   std::vector<WindowSums> sums(to.positions.size());
@@ -33,7 +35,7 @@ std::vector<WindowSums> carried(const MeasuredMesh& from, const Mesh& to, double
   return sums;
 }
 
-/// Returns, for each vertex, 1 if the start returns there, else 0.
+/// Returns, for each vertex of the result, 1 if it moves back to the initial mesh, else 0.
 std::vector<double> returning(const std::vector<WindowSums>& of_result,
                               const std::vector<WindowSums>& of_start) {
   std::vector<double> shares;

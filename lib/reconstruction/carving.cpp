@@ -12,23 +12,26 @@
 namespace transformesh {
 namespace {
 
-/// Share of the observed area. True surfaces have contradicted parts of 0 to 0.3 %, near contours.
+/// Carving ends if photographs contradict less than this fraction of the observed area. On true
+/// surfaces they contradict 0 to 0.3 %, near contours.
 constexpr double least_share = 0.005;
-/// Rounds blur the surface, so that only a settled surface can be judged. On two linked tori three
-/// rounds in sequence lost score although they removed most of a filling.
+/// Number of rounds before a full sweep. Rounds blur the surface, so that only the surface after a
+/// full sweep can be judged. On two linked tori, three rounds without such a sweep lowered the
+/// score although they removed most of a filling.
 constexpr int rounds_before_settling = 4;
-/// Limit of the time, which parts that never settle would take. Other values were not measured.
+/// Limits the time if carving never reaches the accepted fraction. Other values were not measured.
 constexpr int most_settlings = 4;
-/// Least increase of the score. Lower values carve on by the noise of the score, which reached 0.1
-/// % on the knot 2,3, until strands tear.
+/// Least ratio of the new score to the best one. At lower values, noise of the score lets carving
+/// continue until strands tear. This noise reached 0.1 % on the torus knot 2,3.
 constexpr double least_improvement = 1.001;
-/// A strand that tears uncovers more of the masks. Other values were not measured.
+/// Tolerated decrease of the mean overlap of outlines and exact masks. A strand that tears lowers
+/// the overlap by more. Other values were not measured.
 constexpr double most_outline_lost = 0.001;
 
-/// A surface of a round, as it is compared with those of other rounds.
+/// Measures by which surfaces of different rounds are compared.
 struct CarvedSurface {
   double confirmed = 0;           ///< weight of the windows on parts on which photographs agree
-  double contradicted_share = 0;  ///< fraction of the observed area
+  double contradicted_share = 0;  ///< fraction of the observed area that photographs contradict
   double outline = 1;
 
   double score() const { return confirmed * (1 - contradicted_share / 2); }
@@ -53,7 +56,8 @@ CarvedSurface measured(const Mesh& mesh, const CarvingEvidence& evidence) {
   return surface;
 }
 
-// Carves for a few rounds. Returns false if a stage fails, as when nothing of the surface is left.
+// Takes four rounds of carving and a full sweep. Returns false if a stage fails, for example
+// because nothing of the surface is left.
 bool carve_and_settle(Document& document, CarvingEvidence& evidence, const CarvingStages& stages) {
   try {
     for (int round = 0; round < rounds_before_settling; ++round) {

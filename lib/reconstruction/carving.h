@@ -1,11 +1,12 @@
-/// Opens parts of a surface that no photographs confirm: films across holes, bridges between
-/// strands, and fillings of narrow gaps, all of which the visual hull has.
+/// Removes parts of a surface that photographs contradict: thin sheets across holes, bridges
+/// between strands, and fillings of narrow gaps. The visual hull has such parts.
 /// Reference: Kutulakos & Seitz, "A theory of shape by space carving", IJCV 38(3), 2000. Unlike
 /// there, the surface of a mesh recedes, not voxels, and photographs compare windows, not colors.
 ///
 /// The surface of a hull contains the object, so that a part on which photographs disagree lies
-/// outside of the object. Each round moves such parts inwards and then takes a sweep, whose steps
-/// bring confirmed parts back to the object. If the two sides of a film meet, cleaning opens it.
+/// outside of the object. Each round moves such parts inwards and then takes a short sweep: remesh,
+/// steps towards agreement of the photographs, clean. The steps bring confirmed parts back to the
+/// object. If the two sides of a thin sheet meet, cleaning removes the sheet there.
 #pragma once
 
 #include <functional>
@@ -17,26 +18,29 @@
 
 namespace transformesh {
 
-/// Evidence for a surface at a scale.
+/// Measures that decide whether a surface is better than that before carving, from photographs at
+/// one scale.
 struct CarvingEvidence {
-  std::vector<WindowSums> of_vertex;  ///< Disagreement::of_vertex
-  double outline = 1;                 ///< mean overlap with exact masks
+  /// Sums over the windows around each vertex (Disagreement::of_vertex).
+  std::vector<WindowSums> of_vertex;
+  double outline = 1;  ///< mean intersection over union of the surface's outlines and exact masks
 };
 
 struct CarvingStages {
   std::function<CarvingEvidence(const Mesh&)> measure;
   std::function<void(Document&)> sweep;   ///< cleans, then takes a short sweep
-  std::function<void(Document&)> settle;  ///< takes a sweep
-  std::function<void()> keep;             ///< called after each settled surface that is kept
-  double distance = 0;                    ///< largest movement in a round
+  std::function<void(Document&)> settle;  ///< takes a full sweep
+  std::function<void()> keep;             ///< called each time `document` of carve() is replaced
+  double distance = 0;                    ///< largest movement of a vertex in a round; input units
 };
 
-/// Carves until at most 0.5 % of the observed surface is contradicted, at most 16 rounds. After
-/// every four rounds the surface settles and is judged. It is kept if the score rises by 0.1 % and
-/// the outline is less than 0.001 below that before carving. The score is the weight of windows on
-/// parts on which photographs agree, reduced by half of the contradicted share of the surface.
-/// Carving ends at a surface that is not kept, or if a stage throws anything but CancelledError.
-/// The document is the last surface that was kept, or else unchanged.
+/// Carves until photographs contradict at most 0.5 % of the observed surface, in at most 16 rounds.
+/// After every four rounds, calls `settle` and compares the surface with the last one that was
+/// kept. The surface is kept if its score is higher by 0.1 % and `outline` is less than 0.001 below
+/// that before carving. The score is the weight of windows where photographs agree, times (1 - s /
+/// 2), where s is the contradicted fraction of the observed area. Carving ends at a surface that is
+/// not kept, or if a stage throws anything but CancelledError. The document is the last surface
+/// that was kept; it is unchanged if none was kept.
 void carve(Document& document, const CarvingStages& stages);
 
 }  // namespace transformesh

@@ -8,13 +8,15 @@
 namespace transformesh {
 namespace {
 
-/// Tolerated decrease of the agreement with silhouettes: the uncertainty that the edges of the
-/// initial mesh leave.
+/// Tolerated decrease of the intersection over union with silhouettes: the inaccuracy that follows
+/// from the edge length of the initial mesh.
 constexpr double agreement_lost = 0.005;
-/// Between true surfaces, on which dissimilarity exceeds the floor by up to 0.09, and wrong ones,
-/// on which it exceeds the floor by 0.5 (disagreement.h).
+/// Limit between true and wrong surfaces. On true surfaces, dissimilarity exceeds the level that
+/// noise explains by up to 0.09, on wrong surfaces by 0.5 (disagreement.h).
 constexpr double most_disagreement = 0.2;
-constexpr double most_doubtful = 0.03;  ///< a choice that tolerates small unconfirmed places
+/// Largest accepted area of doubtful places, as a fraction of the observed area. Chosen to tolerate
+/// small places that photographs do not confirm.
+constexpr double most_doubtful = 0.03;
 
 std::string in_words_of(const SurfaceDoubt& doubt) {
   if (doubt.disagreement > most_disagreement)

@@ -1,4 +1,5 @@
-/// Decides whether a reconstruction has converged: it has if no fault is found.
+/// Decides whether a reconstruction has converged. It has converged if it has none of the faults
+/// below.
 #pragma once
 
 #include <string>
@@ -8,23 +9,28 @@
 
 namespace transformesh {
 
-/// Measures of the result by which convergence is decided, in addition to the sweeps.
+/// Measures of the resulting surface by which convergence is decided, in addition to faults of the
+/// sweeps.
 struct SurfaceEvidence {
-  double first_agreement = 1;  ///< overlap of initial mesh and exact masks; mean over the views
-  double agreement = 1;        ///< overlap of result and exact masks; mean over the views
+  /// Mean intersection over union of the outlines of the initial mesh and exact masks.
+  double first_agreement = 1;
+  /// Mean intersection over union of the outlines of the result and exact masks.
+  double agreement = 1;
   SurfaceDoubt doubt;
 };
 
 /// Reasons why a reconstruction has not converged.
 struct ReconstructionFaults {
-  double lost_at = 0;       ///< scale after which less of the surface was compared; 0: none
-  double late_at = 0;       ///< fine scale at which the topology changed; 0: none
+  /// Scale of photographs during which the compared part of the surface shrank
+  /// (SweepVerdict::is_lost); 0: none.
+  double lost_at = 0;
+  double late_at = 0;       ///< scale below 2 at which the topology changed; 0: none
   bool is_at_rest = false;  ///< true if the surface hardly moved in the last sweep
 
-  /// Returns the first fault as a sentence, or "" if there is none. Besides the members above,
-  /// three measures are faults. The outline agrees with masks by 0.005 less than that of the
-  /// initial mesh. Photographs disagree by more than 0.2 beyond their noise, or on more than 3 % of
-  /// the visible surface. A thin place is doubtful.
+  /// Returns the first fault as a sentence, or "" if there is none. Besides the members above, four
+  /// conditions are faults. The overlap of outlines and exact masks is more than 0.005 below that
+  /// of the initial mesh. Photographs disagree by more than 0.2 beyond their noise. A doubtful
+  /// place is thin (surface_doubt.h). Doubtful places are more than 3 % of the observed surface.
   std::string in_words(const SurfaceEvidence& evidence) const;
   void remember(LoopState& loop_state) {
     loop_state("lost", lost_at)("late", late_at)("rest", is_at_rest);

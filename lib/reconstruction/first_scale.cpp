@@ -7,16 +7,18 @@ namespace {
 
 /// Dissimilarity from which on windows are more different than alike.
 constexpr double different = 0.5;
-/// Tolerated share of different windows. On four generated scenes the share at scale 1 was 0.001 to
-/// 0.035 on the true surface and on decimated ones. The share was 0.038 to 0.57 on smoothed and
-/// noisy surfaces, spheres and hulls. Half of the limit sends accurate starts through coarse
-/// scales. At twice the limit, a hull with deep hollows begins at a scale at which they are not
-/// found.
+/// Tolerated share of windows with a larger dissimilarity than `different`. On four generated
+/// scenes the share at scale 1 was 0.001 to 0.035 on the true surface and on decimated ones. The
+/// share was 0.038 to 0.57 on smoothed and noisy surfaces, spheres and hulls. At half of the limit,
+/// the refinement of accurate meshes begins at unnecessarily coarse scales. At twice the limit, the
+/// refinement of a hull with deep hollows begins at too fine a scale to find the hollows.
 constexpr double most_different = 0.03;
-/// Ratio within which shares count as equal. The coarsest of equal scales finds the largest errors.
+/// Shares of different windows count as equal if their ratio is at most this. The coarsest of the
+/// scales with equal shares is chosen, because it corrects the largest errors.
 constexpr double equal_ratio = 1.05;
 
-/// Returns the share of windows at vertices that disagree; 1 if nothing is compared.
+/// Returns the share of windows that belong to vertices with a dissimilarity above `different`; 1
+/// if no windows are compared.
 double different_share(const std::vector<WindowSums>& sums) {
   double all = 0;
   double wrong = 0;

@@ -13,8 +13,8 @@
 namespace transformesh {
 namespace {
 
-// Width of photographs at the coarsest scale by default. Smaller photographs tolerate worse initial
-// meshes but lose thin parts.
+// Width in pixels of photographs at the coarsest scale by default. Smaller photographs tolerate
+// worse initial meshes but lose thin parts.
 constexpr double coarsest_pixels = 28.5;
 /// Relative tolerance for a scale or an edge that nearly equals the requested one.
 constexpr double tolerance = 0.999;

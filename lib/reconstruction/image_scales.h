@@ -1,5 +1,5 @@
-/// The schedule of a reconstruction from coarse to fine (paper 5.3.1): scales of photographs, and
-/// lengths of edges at these scales.
+/// The schedule of a reconstruction from coarse to fine (paper 5.3.1): factors by which photographs
+/// are reduced (scales), and lengths of edges at these scales.
 #pragma once
 
 #include <optional>
@@ -16,13 +16,13 @@ struct ScaleStep {
   double edge = 0;  ///< edge length; input units
 };
 
-/// Returns the scales from the coarsest to 1, which decrease by a factor of sqrt(2). Then follow
-/// steps at scale 1 whose edges decrease by that factor. Scales are rounded to 4 decimals and edges
-/// to 9 digits, as in a CSV file, so that the file contains exactly the numbers that were used.
-/// `pixel` is the length of a pixel's side at scale 1.
+/// Returns steps from the coarsest scale to scale 1, whose scales decrease by a factor of sqrt(2).
+/// They are followed by steps at scale 1 whose edges decrease by the same factor. Scales are
+/// rounded to 4 decimals and edges to 9 digits, as in a CSV file, so that the file contains exactly
+/// the numbers that were used. `pixel` is the length of a pixel's side at scale 1.
 std::vector<ScaleStep> coarse_to_fine(const ScaleOptions& options, int image_width, double pixel);
 
-/// Returns `factor` times `edge`, rounded to 9 digits as arguments of remesh() are.
+/// Returns `factor` times `edge`, rounded to 9 digits like the edge lengths that remesh() gets.
 double edge_times(double factor, double edge);
 
 /// Calls remesh() for edges of about this length, and rounds the result as written to a file.

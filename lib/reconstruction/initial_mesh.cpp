@@ -46,10 +46,13 @@ void append(Mesh& mesh, const Mesh& other) {
     mesh.faces.push_back({a + offset, b + offset, c + offset});
 }
 
-// Vertices outside of the image count as outside of the mask: nothing is known about them.
+// Vertices that are projected outside of the image count as outside of the mask: nothing is known
+// about them.
 bool is_within_mask(const Mesh& mesh, const View& view) {
-  constexpr double most_outside_px = 1;  // contours of masks of two intensities are as uncertain
-  // Must exceed `most_outside_px`; farther distances are not needed.
+  // Tolerance in pixels. Contours of masks without intermediate intensities have errors of up to a
+  // pixel.
+  constexpr double most_outside_px = 1;
+  // Limit up to which distances from the mask are computed; must exceed `most_outside_px`.
   constexpr float limit_px = 4;
   const GrayImage distances = signed_distance(view.silhouette.unpacked(), limit_px);
   const Projection projection = view.camera.projection();
@@ -81,8 +84,8 @@ void clip(Document& document, const Mesh& hull, const std::string& name, const P
   round_as_written(document);
 }
 
-/// Returns the edge length of cells, enlarged until the box contains at most `most_cells`. The
-/// initial mesh is coarsened later anyway.
+/// Returns the edge length of the hull's grid cells, enlarged until the box contains at most
+/// `most_cells`. The hull is coarsened later anyway.
 double affordable(double edge, const Box& box) {
   constexpr double most_cells = 1 << 26;  // chosen by hand, to limit memory
   const Vec3 size = box.max() - box.min();
@@ -107,9 +110,11 @@ void add_silhouette(const PackableImage& silhouette, Rectangle& rectangle) {
       if (silhouette.at(x, y) > contour_intensity) rectangle.add({x, y});
 }
 
-/// Returns the part of the view around mesh and silhouette, with a margin for a surface that moves.
+/// Returns the view cropped to the mesh and the silhouette, with a margin so that the surface can
+/// move.
 View around(const Mesh& mesh, const View& view) {
-  // A larger margin leaves more room for the surface but takes more memory.
+  // Margin in pixels, plus a fraction of the cropped size. A larger margin leaves more room for the
+  // surface but takes more memory.
   constexpr double margin_px = 32;
   constexpr double margin_share = 0.05;
   Rectangle rectangle;
@@ -144,8 +149,9 @@ Mesh hull_of_silhouettes(std::vector<View>& views, const InitialMeshOptions& opt
   return mesh;
 }
 
-/// Returns the reason why thresholded silhouettes have no hull, and removes them then. Returns
-/// nothing if they have one. Mistakes of cameras that check_views() recognizes stay errors.
+/// Makes `document` the hull of thresholded silhouettes and returns "". If this fails, removes the
+/// silhouettes and returns the reason. Rethrows errors of check_views() if a threshold was given,
+/// or if they mean anything but that views disagree.
 std::string reason_against_hull(Document& document, std::vector<View>& views,
                                 const InitialMeshOptions& options, double edge,
                                 const Progress& progress) {
@@ -163,8 +169,8 @@ std::string reason_against_hull(Document& document, std::vector<View>& views,
   }
 }
 
-/// Makes the hull of thresholded silhouettes. If these have none, as on photographs of a table,
-/// makes a surface from depth maps.
+/// Makes the hull of thresholded silhouettes. If there is no such hull, as for photographs of an
+/// object on a table, makes a surface from depth maps.
 InitialMesh make_without_masks(Document& document, std::vector<View>& views,
                                const InitialMeshOptions& options, double edge,
                                const Progress& progress) {

@@ -1,6 +1,6 @@
 /// Makes the initial mesh of a reconstruction (paper 5.3): the visual hull, or a given mesh. A
-/// given mesh may be inaccurate and have another topology than the object. It is clipped by the
-/// hull of exact masks.
+/// given mesh may be inaccurate and have another topology than the object. It may be intersected
+/// with the hull of exact masks.
 #pragma once
 
 #include <optional>
@@ -18,24 +18,30 @@
 namespace transformesh {
 
 struct InitialMesh {
-  std::optional<Mesh> outlined;       ///< hull whose outlines replace masks
-  std::optional<Document> unclipped;  ///< the given mesh, cleaned, if it is closed and was clipped
-  /// Reason why the mesh is made from depth maps; empty if it is not.
+  /// Visual hull of thresholded silhouettes, if views had no masks. Its outlines then replace these
+  /// silhouettes.
+  std::optional<Mesh> outlined;
+  /// The cleaned given mesh before the intersection with the hull, if it was closed and was
+  /// intersected.
+  std::optional<Document> unclipped;
+  /// Reason why the mesh was made from depth maps; empty if it was not.
   std::string why_dense;
 };
 
-/// Replaces the document's mesh by the initial mesh, cleaned and rounded as written to a file.
-/// Views without masks get silhouettes if there is a threshold; in this case returns the hull of
-/// the silhouettes. Edges of a hull are 3 `pixel` long, so that the hull would shave an accurate
-/// mesh. A given mesh is only clipped if a vertex is more than a pixel outside of a mask, or if the
-/// mesh has holes, which the hull closes. Throws as visual_hull() and clean() do. Throws GoalError
-/// if the given mesh does not intersect the hull.
+/// Replaces the document's mesh by the initial mesh, cleaned and rounded as written to a file. If
+/// views have no masks, they get silhouettes by `threshold` or, if no mesh is given either, by
+/// Otsu's threshold. `outlined` is then the hull of these silhouettes. If no mesh is given and the
+/// silhouettes have no hull, the mesh is made from depth maps. The edges of a hull are 3 `pixel`
+/// long, so that the intersection with a hull could make an accurate mesh worse. A given mesh is
+/// therefore intersected only if a vertex is more than a pixel outside of an exact mask, or if the
+/// mesh is open. Throws as visual_hull() and clean() do. Throws GoalError if the given mesh does
+/// not intersect the hull.
 InitialMesh make_initial_mesh(Document& document, std::vector<View>& views,
                               const InitialMeshOptions& options, double pixel,
                               const Progress& progress = Progress());
 
 /// Returns the hull of the views' masks. Views without masks first get silhouettes by the
-/// threshold, which must agree (check_views). `edge` is HullOptions::edge.
+/// threshold, which check_views() checks. `edge` is HullOptions::edge.
 Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
              std::optional<double> edge, const Progress& progress = Progress());
 
@@ -43,11 +49,13 @@ Mesh hull_of(std::vector<View>& views, const InitialMeshOptions& options,
 /// view, if a view does not show the mesh.
 void outline(std::vector<View>& views, const Mesh& mesh);
 
-/// Returns the length of a pixel's side at the point at which the cameras look.
+/// Returns the median length of a pixel's side at the point at which the cameras look
+/// (viewed_point()); input units.
 double pixel_size(const std::vector<View>& views);
 
-/// Crops packed views to the mesh and their silhouettes, with a margin for a surface that moves.
-/// Pixels outside count as unknown afterwards.
+/// Crops views with packed images (packable_image.h) to a rectangle around the mesh and their
+/// silhouette. A margin lets the surface move. Pixels outside of the rectangle count as unknown
+/// afterwards.
 void crop_views(std::vector<View>& views, const Mesh& mesh);
 
 }  // namespace transformesh

@@ -1,5 +1,5 @@
-/// The initial state of a reconstruction (paper 5.3). It is stored in the record, so that a resumed
-/// run has the same.
+/// The initial state of a reconstruction (paper 5.3). It is stored in the record of the run
+/// (evolution/loop/record.h), so that a resumed run has the same initial state.
 #pragma once
 
 #include <optional>
@@ -14,15 +14,17 @@ namespace transformesh {
 
 struct InitialState {
   Document document;
-  std::optional<Mesh> outlined;  ///< hull whose outlines replace masks
-  /// Scale of the photographs that opened the hull, if it was opened. Longer edges, as at coarser
-  /// scales, would close hollows.
+  std::optional<Mesh> outlined;  ///< InitialMesh::outlined: hull of thresholded silhouettes
+  /// Coarsest scale of the reconstruction, if hollows of the hull were opened by depth maps
+  /// (opened_hull.h): the scale of these depth maps. Longer edges, as at coarser scales, would
+  /// close the hollows.
   std::optional<double> coarsest;
-  /// The given mesh, cleaned, if the initial mesh is a part of it.
+  /// InitialMesh::unclipped: the cleaned given mesh, if the initial mesh is only a part of it.
   std::optional<Document> unclipped;
   /// Reason why the mesh is made from depth maps (dense_surface.h); empty if it is not.
   std::string why_dense;
-  std::optional<double> first_scale;  ///< scale to begin with (first_scale.h), if it was chosen
+  /// Scale at which the refinement of a given mesh begins (first_scale.h), if it was computed.
+  std::optional<double> first_scale;
 };
 
 struct InitialStateOptions {
@@ -30,13 +32,14 @@ struct InitialStateOptions {
   PairOptions pairs;
 };
 
-/// Calls make_initial_mesh(). Then opens the hull if `opens_hollows` is true and photographs show
-/// hollows (opened_hull.h). If no mesh is given, only the comments of `document` are used.
+/// Calls make_initial_mesh(). If the result is a hull and `opens_hollows` is true, removes fillings
+/// of hollows that photographs show (opened_hull.h). If no mesh is given, only the file format and
+/// comments of `document` are used.
 InitialState make_initial_state(const Document& document, std::vector<View>& views,
                                 const InitialStateOptions& options, Record& record,
                                 const Progress& progress = Progress());
 
-/// Sets InitialState::first_scale, also in the record.
+/// Sets InitialState::first_scale and stores it in the record.
 void set_first_scale(InitialState& initial_state, double scale, Record& record);
 
 /// Reads the initial state from the record of a resumed run. Throws InputError if the record has

@@ -8,8 +8,9 @@
 
 namespace transformesh {
 
-/// Returns the intersection over union of outline and mask in each view that has a mask. Uses the
-/// distances from silhouettes of the scene, because the silhouettes may have been cleared.
+/// Returns the intersection over union of outline and mask in each view that has a mask. Derives
+/// the masks from PhotoScene::distances, because the silhouettes of the views may have been
+/// cleared.
 std::vector<double> outline_agreements(const Mesh& mesh, const PhotoScene& scene);
 
 }  // namespace transformesh

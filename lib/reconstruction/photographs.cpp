@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// PairOptions::spread above scale 1.
+/// PairOptions::spread above scale 1. Keeps pairs of views close together (see `near_pairs_`).
 constexpr double near_spread = 1.5;
 
 }  // namespace
@@ -33,7 +33,7 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
 const PhotoScene& Photographs::at(double scale) {
   if (scale == scale_) return scene_;
   scene_ = PhotoScene();
-  // No other scale follows scale 1, so that the views are not needed any more.
+  // Scale 1 is the last one, so that the full views are not needed afterwards.
   const bool is_last = spends_views_ && scale == 1;
   const PairOptions& pairs = scale > 1 ? near_pairs_ : pairs_;
   scene_ = is_last ? take_photo_scene(views_, scale, pairs) : photo_scene(views_, scale, pairs);

@@ -1,5 +1,5 @@
-/// Photographs of a reconstruction at one scale after the other, and steps towards them
-/// (paper 5.3).
+/// Photographs of a reconstruction, reduced to one scale at a time, and steps of the surface
+/// towards agreement of the photographs (paper 5.3).
 #pragma once
 
 #include <optional>
@@ -17,49 +17,54 @@
 namespace transformesh {
 
 struct SweepForces {
-  double loss = 0;                               ///< CorrelationOptions::robust
-  double stiffness = 1;                          ///< factor of the stiffness in the options
-  std::optional<int> iterations = std::nullopt;  ///< number of steps; default: that of the options
+  double loss = 0;       ///< CorrelationOptions::robust; 0: no robust loss
+  double stiffness = 1;  ///< factor by which the stiffness of the options is multiplied
+  /// Number of steps; default: the number in the options.
+  std::optional<int> iterations = std::nullopt;
 };
 
-/// The photographs at the most recently requested scale, and steps towards them.
+/// Keeps the reduced photographs of the scale that was requested last, and moves or measures
+/// surfaces by them.
 class Photographs {
  public:
   Photographs(std::vector<View>& views, int width, const ReconstructionOptions& options,
               const InitialState& initial_state);
 
-  /// Takes the steps of a sweep.
+  /// Moves the surface by the steps of one sweep.
   PhotoStepsResult sweep(Mesh& mesh, double scale, const SweepForces& forces,
                          const Progress& progress);
-  /// Measures the surface by a step without movement. Compares pairs of views in one order or in
-  /// both.
+  /// Measures the surface by a step without movement. Compares each pair of views in one order if
+  /// `in_one_order`, else in both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
-  /// Measures the surface at scale 1; without `doubt` in half of the time.
+  /// Measures the surface at scale 1. Leaves SurfaceMeasures::doubt empty if `with_doubt` is false,
+  /// which halves the time.
   SurfaceMeasures measures(const Mesh& mesh, bool with_doubt, const Progress& progress);
-  /// Returns Disagreement::of_vertex of a surface at a scale. Keeps the views, and the scene of the
-  /// last scale.
+  /// Returns Disagreement::of_vertex of a surface at a scale. Does not change the stored scale, and
+  /// does not clear the views.
   std::vector<WindowSums> disagreement_at(const Mesh& mesh, double scale, const Progress& progress);
-  /// Measures the surface at a scale, which the scene then has.
+  /// Measures the surface at a scale. The photographs of this scale are then the stored ones.
   CarvingEvidence carving_evidence(const Mesh& mesh, double scale, const Progress& progress);
-  /// True if exact masks are known, so that the surface must fill them.
+  /// True if masks are exact, so that the outlines of the surface must equal them.
   bool has_exact_outlines() const { return steps_.step.meaning == SilhouetteMeaning::exact; }
   int width() const { return width_; }
   double pixel() const { return pixel_size(views_); }
 
  private:
+  /// Returns the photographs at a scale; computes them unless it is the stored scale.
   const PhotoScene& at(double scale);
-  /// Returns SurfaceMeasures::outlines at a scale.
+  /// Returns the overlaps of the surface's outlines and exact masks (SurfaceMeasures::outlines) at
+  /// a scale.
   std::vector<double> outlines(const Mesh& mesh, double scale);
-  /// Returns the options with the window radius of the scale and the silhouette weight for its
-  /// pairs.
+  /// Returns the options of steps, with the window radius for the scale and the weight of
+  /// silhouettes for the pairs of views at the scale.
   PhotoStepsOptions steps_at(double scale);
 
   std::vector<View>& views_;
   int width_;
   bool spends_views_;
   PairOptions pairs_;
-  /// Pairs above scale 1, where the surface may be inaccurate. Views that are far apart would
-  /// compare places that the true surface occludes.
+  /// Options of pairs above scale 1, at which the surface may be inaccurate. Pairs of views that
+  /// are far apart would compare places that the true surface occludes.
   PairOptions near_pairs_;
   PhotoStepsOptions steps_;
   std::optional<double> pull_;

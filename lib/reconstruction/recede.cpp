@@ -10,13 +10,14 @@
 namespace transformesh {
 namespace {
 
-/// A vertex moves from the first excess on, and by the full distance from the second one on. On the
-/// knots 2,3 and 2,5 half of the vertices with an excess of 0.4 were within a pixel of the truth.
-/// Half of those with 0.8 were more than three pixels outside.
+/// A vertex moves if WindowSums::excess around it is above `moves_from`, and by the full distance
+/// from `moves_fully` on. On the torus knots 2,3 and 2,5, half of the vertices with an excess of
+/// 0.4 were within a pixel of the truth. Half of those with 0.8 were more than three pixels
+/// outside.
 constexpr double moves_from = 0.4;
 constexpr double moves_fully = 0.8;
 
-/// Fractions of the largest distance by which vertices move.
+/// Computes for each vertex the fraction of the largest distance by which it moves.
 class Movements {
  public:
   Movements(const Mesh& mesh, const std::vector<WindowSums>& sums)
@@ -33,7 +34,7 @@ class Movements {
       is_open_[v] = !is_observed_[v] || of_vertex_[v] > 0;
   }
 
-  /// Returns all fractions.
+  /// Returns the fraction of each vertex.
   const std::vector<double>& find() {
     for (Index v = 0; v < is_open_.size(); ++v)
       if (is_open_[v]) continue_into_unobserved(take_connected(v, laplacian_, is_open_));
@@ -57,7 +58,8 @@ class Movements {
   std::vector<double> areas_;
   std::vector<double> of_vertex_;
   std::vector<bool> is_observed_;
-  std::vector<bool> is_open_;  ///< moving or unobserved, and in no part yet
+  /// True for moving or unobserved vertices that are in no connected set yet.
+  std::vector<bool> is_open_;
 };
 
 }  // namespace

@@ -1,9 +1,10 @@
-/// Moves parts of a surface inwards that photographs do not confirm. A step of carving (carving.h).
+/// Moves parts of a surface inwards on which photographs disagree. This is a part of carving
+/// (carving.h).
 ///
 /// The visual hull contains the object, so that a part on which photographs disagree lies outside
-/// of the object. Such a part often continues where fewer than two views observe it, as a plug
-/// between strands does. Its unobserved area then recedes too. The lower side of an object on a
-/// table, whose surroundings are confirmed, stays.
+/// of the object. Such a part often continues where fewer than two views observe it, as a filling
+/// between two strands does. Its unobserved area then moves inwards too. The unobserved lower side
+/// of an object on a table stays, because photographs agree on the surface around it.
 #pragma once
 
 #include <vector>
@@ -14,10 +15,12 @@
 namespace transformesh {
 
 /// Moves vertices inwards along their normals, by up to `distance`. `sums` is
-/// Disagreement::of_vertex. The excess of all windows in two rings around an observed vertex
-/// decides how far the vertex moves. Up to 0.4 it stays, from 0.8 on it moves by `distance`, and
-/// in proportion between. Unobserved vertices of a connected set of moving and unobserved vertices
-/// move by the ratio of moving area to unobserved area, at most 1. O(n).
+/// Disagreement::of_vertex. The movement of a vertex that two views observe depends on
+/// WindowSums::excess of all windows in the two rings of vertices around it. If the excess is at
+/// most 0.4, the vertex stays. From 0.8 on, it moves by `distance`. The movement is linear between
+/// these values. Unobserved vertices move together with the moving vertices to which they are
+/// connected. Each moves by `distance` times the ratio of moving area to unobserved area of the
+/// connected set, at most 1. O(n).
 void move_contradicted_inwards(Mesh& mesh, const std::vector<WindowSums>& sums, double distance);
 
 }  // namespace transformesh

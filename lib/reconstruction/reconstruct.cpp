@@ -40,20 +40,22 @@
 namespace transformesh {
 namespace {
 
-/// Factor by which the stiffness grows after each explosion of the surface, and the limit of the
-/// total factor.
+/// Factor by which the stiffness grows each time that the surface falls apart (is_exploded()), and
+/// the limit of the product of these factors.
 constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
-/// Farthest distance in pixels from which the surface of a given start returns. Farther parts of
-/// the start are other parts of the object; steps at scale 1 hardly find errors of that size.
+/// Farthest distance in pixels by which vertices move back onto a given initial mesh. Parts of that
+/// mesh that are farther away belong to other parts of the object. Steps at scale 1 hardly correct
+/// errors of that size.
 constexpr double reach_px = 10;
-/// Steps of a sweep between two rounds of carving. After five or more, the thin plate has brought
-/// the carved parts back, and films stay closed.
+/// Number of steps of a sweep between two rounds of carving. After five or more steps, the
+/// stiffness has brought the carved parts back, and thin sheets across holes stay closed.
 constexpr int carving_steps = 2;
-/// Largest movement in a round of carving, in edges. The steps bring parts back by up to an edge.
+/// Largest movement in a round of carving, in edge lengths. The steps after each round bring parts
+/// back by up to one edge length.
 constexpr double carving_edges = 1.5;
-/// Least scale at which the loop starts again after an explosion; at finer scales too much work
-/// would be repeated. Slightly below 2, because scales are rounded.
+/// Finest scale at which the loop restarts if the surface falls apart; at finer scales too much
+/// work would be repeated. Slightly below 2, because scales are rounded.
 constexpr double stiffer_scale = 1.99;
 
 ScaleOptions scales_of(const ReconstructionOptions& options, const InitialState& initial_state) {
@@ -136,7 +138,9 @@ class ReconstructionLoop : public Loop {
 
   Photographs& photographs_;
   const Document& initial_;
-  const Document given_;  ///< the given mesh, cleaned but not clipped
+  /// The given mesh, cleaned but not intersected with the hull. If no mesh was intersected with the
+  /// hull, the initial mesh.
+  const Document given_;
   const ReconstructionOptions& options_;
   std::vector<ScaleStep> scale_steps_;
 
@@ -145,12 +149,12 @@ class ReconstructionLoop : public Loop {
   std::size_t scale_step_ = 0;  ///< index of the scale of the next sweep
   ScaleRule rule_;
   ReconstructionFaults faults_;
-  bool is_carved_ = false;  ///< the surface was carved at this scale
+  bool is_carved_ = false;  ///< true if the surface was carved at the current scale
   double loss_ = 0;
-  double stiffness_ = 1;     ///< factor of the stiffness in the options
+  double stiffness_ = 1;     ///< factor by which the stiffness of the options is multiplied
   std::size_t handles_ = 0;  ///< number of removed handles
 
-  Sweep sweep_;  ///< the last sweep
+  Sweep sweep_;  ///< measures of the last sweep
   ReconstructionResult result_;
 };
 
@@ -161,7 +165,8 @@ void ReconstructionLoop::start(Document& document, const Progress& progress) {
   coarsen(document, scale_steps_[scale_step_].edge, progress);
 }
 
-// True if all sweeps so far were at the first scale, and that scale was chosen by default.
+// True if the first scale was chosen by default, all sweeps so far were at this scale, and a finer
+// one follows.
 bool ReconstructionLoop::may_begin_finer() const {
   return !options_.scales.coarsest && scale_step_ == first_ &&
          scale_step_ + 1 < scale_steps_.size();
@@ -177,7 +182,8 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
   start(document, progress);
 }
 
-// Returns true if the last sweep made the surface explode, and starts again with a stiffer one.
+// Returns true if the surface fell apart in the last sweep (is_exploded()). Then restarts from the
+// initial mesh with a larger stiffness.
 bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
   if (!is_exploded(sweep_, connected_components(initial_.mesh).components.size())) return false;
   const std::string what = "the surface explodes at scale " + fixed(sweep_.scale_step.scale, 4);
@@ -267,10 +273,11 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
   if (!begin_robust()) begin_next_scale(document, progress);
 }
 
-// Carves once per scale. Returns true if that changed the surface, which then needs more sweeps.
+// Calls carve() (carving.h) once per scale. Returns true if the surface changed and thus needs more
+// sweeps.
 bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
   // Only the hull of exact masks is known to contain the object. At coarse scales photographs
-  // disagree on right surfaces, too: a strand of the knot 2,3 was cut at scale 2.
+  // disagree on true surfaces, too: a strand of the torus knot 2,3 was cut at scale 2.
   if (is_carved_ || loss_ > 0 || options_.initial.is_given || !photographs_.has_exact_outlines() ||
       !is_late_scale(scale_steps_[scale_step_].scale))
     return false;
@@ -305,9 +312,9 @@ bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
   return true;
 }
 
-// Begins further sweeps with a robust loss, once, after the last scale. Returns true if there are
-// such sweeps. Earlier sweeps need the full weight of disagreeing windows, because these show where
-// the surface is inaccurate.
+// After the last scale, once, begins further sweeps with a robust loss (robust_loss()). Returns
+// true if such sweeps follow. Earlier sweeps need the full weight of disagreeing windows, because
+// these show where the surface is inaccurate.
 bool ReconstructionLoop::begin_robust() {
   if (scale_step_ + 1 < scale_steps_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
   loss_ = robust_loss(options_.robust, rule_.dissimilarity());
@@ -353,7 +360,8 @@ void ReconstructionLoop::judge(Document& document, const Progress& progress) {
   result_.doubtful_places = std::move(end.doubt.places);
 }
 
-// Brings better parts of the start back, or the whole start. Returns the measures of the document.
+// Brings those parts of the given mesh back that are at least as good as the result, or the whole
+// given mesh. Returns the measures of the changed document.
 SurfaceMeasures ReconstructionLoop::best_of(const SurfaceMeasures& start, SurfaceMeasures end,
                                             Document& document, const Progress& progress) {
   Document restored = document;
@@ -375,7 +383,8 @@ SurfaceMeasures ReconstructionLoop::best_of(const SurfaceMeasures& start, Surfac
   return start;
 }
 
-// Makes the given mesh the result. Faults of the sweeps are not faults of that mesh.
+// Makes the given mesh the result. Clears `faults_`, because faults of the sweeps are not faults of
+// the given mesh.
 void ReconstructionLoop::keep_start(Document& document, const std::string& reason) {
   document = given_;
   document.mesh.vertex_columns.erase(doubt_column);

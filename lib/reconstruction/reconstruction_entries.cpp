@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t most_places = 10;  ///< number of places in a report
+/// Largest number of doubtful places in a report; keeps reports short.
+constexpr std::size_t most_places = 10;
 
 std::string texts_of(const std::vector<DoubtfulPlace>& places) {
   std::string text;

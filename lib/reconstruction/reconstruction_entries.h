@@ -1,4 +1,5 @@
-/// Report entries of reconstructions and of the check of views (entries.h).
+/// Makes the entries (names and values, entries.h) of JSON and text reports on reconstructions and
+/// on checks of views.
 #pragma once
 
 #include "entries/entries.h"
@@ -8,11 +9,12 @@
 
 namespace transformesh {
 
-/// Doubtful places are one text: the largest places, separated by semicolons.
+/// The entry `doubtful_places` is a text: up to ten places, the largest first, separated by
+/// semicolons.
 Entries entries_of(const ReconstructionResult& result);
 Entries entries_of(const SequenceResult& result);
 
-/// Entries of a check after which `views` views are left.
+/// Returns the entries of a check of views; `views` is the number of views that are left after it.
 Entries entries_of(const ViewCheck& check, std::size_t views);
 
 }  // namespace transformesh

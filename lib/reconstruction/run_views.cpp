@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-/// Longer side of the pictures; chosen by hand, to keep pages small.
+/// Largest width and height of the stored photographs in pixels. Chosen by hand, to keep web pages
+/// that contain them small.
 constexpr double most_pixels = 320;
 
 std::string three_digits(std::size_t number) {

@@ -5,16 +5,19 @@
 namespace transformesh {
 namespace {
 
-// Limits of ScaleRule and SweepVerdict. Stricter limits of rest take more sweeps per scale.
+// Limits described at ScaleRule and SweepVerdict in the header. Stricter values of `share_at_rest`
+// and `improvement` take more sweeps per scale.
 constexpr double share_at_rest = 0.015;
 constexpr double improvement = 0.99;
 constexpr double least_coverage_kept = 0.9;
 constexpr double least_pixels_kept = 0.5;
-/// Fraction of the vertices. If fewer vertices are outside of silhouettes, none count as entering.
+/// If a smaller fraction of the vertices is outside of silhouettes, no vertices count as entering
+/// silhouettes.
 constexpr double outside_share = 0.002;
-/// Vertices are entering if their number fell below this fraction since the last sweep.
+/// Vertices are entering silhouettes if the number of vertices outside fell below this fraction of
+/// the number after the last sweep.
 constexpr double entering_share = 0.9;
-/// Slightly below 2, because scales are rounded.
+/// Scales below this are late. Slightly below 2, because scales are rounded.
 constexpr double late_scale = 1.99;
 
 double real(std::size_t count) { return static_cast<double>(count); }

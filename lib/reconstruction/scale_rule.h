@@ -18,27 +18,28 @@ struct Sweep {
   PhotoStepsResult steps;
 };
 
-/// True if the scale is below 2. The topology should be found by then, and photographs show thin
-/// parts.
+/// True if the scale is below 2. The topology should not change any more at such scales, because
+/// thin parts are visible in photographs from scale 2 on.
 bool is_late_scale(double scale);
 
 struct SweepVerdict {
-  bool is_done = false;  ///< the next scale may begin
-  /// Vertices hardly move, none enters silhouettes, and the topology stays.
+  bool is_done = false;  ///< true if the sweeps at this scale are finished
+  /// True if vertices hardly move or the dissimilarity hardly falls, no vertices enter silhouettes
+  /// from outside, and the topology did not change.
   bool is_at_rest = false;
-  /// Since the scale began, the fraction of visible pixels that are compared fell by a tenth, or
-  /// their number fell by half. Photographs may then agree only because less of the surface is
-  /// compared.
+  /// True if fewer pixels are compared than in the first sweep of the scale: their fraction of the
+  /// visible pixels fell by a tenth, or their number fell by half. Photographs may then agree only
+  /// because less of the surface is compared.
   bool is_lost = false;
-  /// The number of components or holes changed at a scale below 2. This is typical of thin sheets
-  /// and necks that no photograph confirms.
+  /// True if the number of components or handles changed at a scale below 2. Such changes are
+  /// typical of thin sheets and necks that no photograph confirms.
   bool is_late = false;
 };
 
-/// Finishes a scale if vertices move by less than 1.5 % of an edge. Also finishes it if the
-/// dissimilarity falls by less than a hundredth from one sweep to the next. Otherwise finishes it
-/// after `sweeps` sweeps. While vertices enter silhouettes from outside or the topology changes,
-/// only finishes it after twice as many.
+/// Decides after each sweep whether the scale is finished. It is finished if vertices move by less
+/// than 1.5 % of an edge on average, or if the dissimilarity falls by less than 1 % from one sweep
+/// to the next. Otherwise it is finished after `sweeps` sweeps. If vertices enter silhouettes from
+/// outside or the topology changes, it is only finished after `2 * sweeps` sweeps.
 class ScaleRule {
  public:
   explicit ScaleRule(std::size_t sweeps = 4) : sweeps_(sweeps) {}
@@ -60,7 +61,7 @@ class ScaleRule {
     Topology topology;
   };
   LastSweep before_;
-  double coverage_ = 0;     ///< coverage when the scale began
+  double coverage_ = 0;     ///< PhotoStepResult::coverage when the scale began
   std::size_t pixels_ = 0;  ///< number of compared pixels when the scale began
 };
 

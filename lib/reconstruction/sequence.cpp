@@ -30,9 +30,11 @@ constexpr const char* from_before = "before";
 
 struct Surface {
   Document document;
-  std::string start;  ///< one of `from_hull`, `from_given`, `from_before`
+  /// Mesh with which the surface began: `from_hull`, `from_given` or `from_before`.
+  std::string start;
   ReconstructionResult result;
-  double agreement = 0;  ///< mean agreement with silhouettes over the views
+  /// Mean intersection over union of outline and silhouette, over the views.
+  double agreement = 0;
   SurfaceQuality quality;
 
   bool is_tracked() const { return start == from_before; }
@@ -85,9 +87,10 @@ class SequenceLoop : public Loop {
   // State of the last time step.
   std::string name_;
   std::vector<View> views_;
-  bool are_outlines_ = false;  ///< true if silhouettes are outlines of a hull instead of masks
+  /// True if the views have no masks, and their silhouettes are the outlines of a hull.
+  bool are_outlines_ = false;
   Surface surface_;
-  std::string fault_;  ///< faults of the tracked surface
+  std::string fault_;  ///< faults of the tracked surface; see tracking_faults()
   double seconds_ = 0;
 };
 
@@ -95,7 +98,7 @@ std::string SequenceLoop::state_of(const std::string& start) const {
   return options_.states.empty() ? "" : options_.states + '/' + start;
 }
 
-// Removes states within a time step that another run left behind.
+// Removes the states of unfinished time steps that another run left in the same folder.
 void SequenceLoop::start(Document& /*document*/, const Progress& /*progress*/) {
   for (const char* start : {from_hull, from_given, from_before}) remove_state(state_of(start));
 }
@@ -134,7 +137,7 @@ Surface SequenceLoop::made_from_hull(const Progress& progress) {
   return made(from_hull, std::move(document), progress);
 }
 
-// Returns nothing if the surface was lost.
+// Returns the surface that begins with the previous one, or nothing if its reconstruction fails.
 std::optional<Surface> SequenceLoop::tracked(const Document& before, const Progress& progress) {
   try {
     return made(from_before, before, progress);
@@ -196,7 +199,7 @@ void SequenceLoop::count() {
   result_.tracked += surface_.is_tracked() ? 1 : 0;
   result_.accepted += is_accepted() ? 1 : 0;
   if (surface_.is_tracked()) return;
-  // Round as in the CSV file.
+  // Round as in the CSV file, so that a resumed run decides in the same way.
   const SurfaceQuality& quality = surface_.quality;
   reference_ = {read_back(fixed(quality.dissimilarity, 6)), read_back(fixed(quality.coverage, 4)),
                 read_back(fixed(quality.least_agreement, 4))};

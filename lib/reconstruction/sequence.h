@@ -1,11 +1,12 @@
-/// Reconstructs a movie (paper 5.3.3), one time step after the other. Each time step begins with
-/// the previous surface. The result is compared with the last surface that was not tracked. If it
-/// is worse (tracking_faults), the surface is also reconstructed from its visual hull, and the
-/// better of both is used.
+/// Reconstructs a movie of a moving object (paper 5.3.3), one time step after the other. Each time
+/// step begins with the surface of the previous one; its surface is called tracked. A tracked
+/// surface is compared with the last surface that was not tracked. If it is worse
+/// (tracking_faults()), the time step is also reconstructed from its visual hull, and the better
+/// surface is used.
 ///
-/// Each time step is an iteration of the loop: it is recorded, resumed and limited like one.
-/// Reconstructions within a time step have states of their own. Throws what reconstruct() throws,
-/// with the number of the time step. Deterministic.
+/// Each time step is an iteration of a Loop (evolution/loop), after which the run can be resumed.
+/// The reconstruction of a time step has a recorded state of its own. Throws what reconstruct()
+/// throws, with the number of the time step. Deterministic.
 #pragma once
 
 #include <functional>
@@ -20,22 +21,26 @@
 namespace transformesh {
 
 struct SequenceOptions {
-  /// `initial` and the coarsest scale apply to surfaces that do not begin with the previous one.
+  /// The members `initial` and `scales.coarsest` apply only to surfaces that are not tracked.
   ReconstructionOptions reconstruction;
-  double track = 4;  ///< coarsest scale of surfaces that begin with the previous one
-  std::vector<std::string> comments = {};  ///< comments of surfaces that begin with a hull
-  std::string folder;                  ///< folder for surfaces NAME.ply or NAME.off; empty: none
-  Format format = Format::ply_little;  ///< format of the surfaces
-  /// Folder for states within a time step, in that of the record; empty: none.
+  double track = 4;  ///< coarsest scale of photographs for tracked surfaces
+  /// Comments for the file headers of surfaces that are reconstructed from a visual hull.
+  std::vector<std::string> comments = {};
+  /// Folder in which the surface of each time step is stored as NAME.ply or NAME.off; empty: none.
+  std::string folder;
+  Format format = Format::ply_little;  ///< file format of these surfaces
+  /// Folder for the state of an unfinished time step, from which a run resumes; empty: none.
   std::string states = {};
   std::function<void(const std::string& message)> on_step = {};
   std::function<void(const std::string& message)> on_note = {};
 };
 
 struct SequenceResult {
-  std::size_t time_steps = 0;  ///< number of finished time steps, with those of earlier runs
-  std::size_t tracked = 0;     ///< number of time steps that use the previous surface
-  std::size_t accepted = 0;    ///< number of time steps without tracking faults
+  /// Number of finished time steps, including those before a run was resumed.
+  std::size_t time_steps = 0;
+  std::size_t tracked = 0;  ///< number of time steps whose surface is tracked
+  /// Number of time steps whose surface has no tracking faults or is not tracked.
+  std::size_t accepted = 0;
 };
 
 /// Reconstructs all time steps. `views_of` returns the views of a time step; it is called once per

@@ -10,17 +10,18 @@
 namespace transformesh {
 namespace {
 
-/// Tolerated decrease of the agreement of one outline, and required increase of the mean. Two
-/// pixels per thousand are a tenth of the contour of an object that is 150 pixels wide; without
-/// the tolerance, single pixels of the contour would decide.
+/// Tolerated decrease of the overlap (intersection over union) with one mask, and required increase
+/// of the mean overlap. For an object that is 150 pixels wide, 0.002 of its area is a tenth of the
+/// pixels of its contour. Without the tolerance, single pixels of the contour would decide.
 constexpr double outline_step = 0.002;
-/// Required ratio of disagreements. Sweeps from the true surface of generated scenes lowered the
+/// Largest ratio of the result's disagreement to that of the initial mesh at which the result
+/// counts as clearly better. Sweeps from the true surface of generated scenes lowered the
 /// disagreement by up to 4 % in photographs of 400 to 480 pixels, and by more in smaller ones.
-/// Sweeps from a start with errors of a third of a pixel lowered it by 38 %. A ratio near 1 accepts
-/// surfaces that fit noise.
+/// Sweeps from an initial mesh with errors of a third of a pixel lowered it by 38 %. A ratio near 1
+/// accepts surfaces that fit noise.
 constexpr double clear_ratio = 0.8;
 
-/// Returns the largest decrease of the agreement of an outline, and its view.
+/// Returns the largest decrease of the overlap with a mask, and the index of its view.
 std::pair<double, std::size_t> largest_loss(const SurfaceMeasures& start,
                                             const SurfaceMeasures& result) {
   std::pair<double, std::size_t> largest{0, 0};

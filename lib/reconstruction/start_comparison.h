@@ -1,8 +1,9 @@
-/// Compares the surface of a reconstruction with the mesh that the caller gave as its start.
+/// Compares the surface of a reconstruction with the mesh that the caller gave as initial mesh (the
+/// start).
 ///
-/// The photographs cannot distinguish surfaces that are nearer to the truth than their noise and
-/// their sharpness allow. Steps then fit noise: the dissimilarity falls although the surface gets
-/// worse. So a result replaces a given start only if it agrees clearly better.
+/// Noise and blur of photographs limit the accuracy that they can confirm. Steps of a surface with
+/// smaller errors fit noise: the dissimilarity falls although the surface gets worse. A result
+/// therefore replaces a given start only if photographs agree clearly better on the result.
 #pragma once
 
 #include <string>
@@ -13,7 +14,7 @@
 
 namespace transformesh {
 
-/// Measures of a surface at scale 1.
+/// Measures of a surface by photographs of full size (scale 1).
 struct SurfaceMeasures {
   PhotoStepResult windows;  ///< measures of all compared windows
   SurfaceDoubt doubt;
@@ -25,14 +26,15 @@ struct SurfaceMeasures {
   double mean_outline() const;
 };
 
-/// True if a disagreement beyond noise (WindowSums::excess) is lower by at least a fifth.
+/// True if `of_result` is lower than `of_start` by at least a fifth. Both are disagreements of
+/// photographs beyond their noise (WindowSums::excess).
 bool is_clearly_less(double of_result, double of_start);
 
 /// Returns the reason why the start is kept, as a sentence, or "" if the result replaces the start.
-/// The start is kept if the result has a larger dissimilarity, or if the outline of the result
-/// agrees by more than 0.002 less with a mask. The start is also kept if neither evidence improves
-/// clearly: the disagreement beyond noise, by is_clearly_less(), and the mean agreement of
-/// outlines, by more than 0.002.
+/// The start is kept if the result has a larger dissimilarity. It is kept if the overlap of the
+/// result with any exact mask is lower by more than 0.002. It is also kept unless at least one of
+/// two measures improves clearly. These are the disagreement beyond noise, compared by
+/// is_clearly_less(), and the mean overlap, which must increase by more than 0.002.
 std::string reason_to_keep(const SurfaceMeasures& start, const SurfaceMeasures& result);
 
 }  // namespace transformesh

@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-// Limits of a doubtful place (see the header).
+// Least area of a doubtful place, and thickness below which it is thin, in pixels (see the header).
 constexpr double least_area_px = 25;
 constexpr double thin_px = 6;
 

@@ -2,9 +2,9 @@
 ///
 /// The doubt of a vertex is the disagreement of photographs around it beyond their noise
 /// (WindowSums::excess of disagreement.h), from 0 to 1. It is 1 if the vertex is visible in fewer
-/// than two views. A place is a connected set of visible vertices with a doubt above one half. It
-/// is thin, such as a thin sheet or a fin, if most of it has another side of the surface within six
-/// pixels (local_thickness.h).
+/// than two views. A doubtful place is a connected set of vertices that are visible in two views
+/// and have a doubt above one half. It is thin, such as a thin sheet or a fin, if the surface is
+/// less than six pixels thick at more than half of its vertices (local_thickness.h).
 #pragma once
 
 #include <cstddef>
@@ -19,23 +19,26 @@
 namespace transformesh {
 
 struct SurfaceDoubt {
-  std::vector<WindowSums> sums;       ///< Disagreement::of_vertex
-  std::vector<double> of_vertex;      ///< rounded to six digits
-  std::vector<DoubtfulPlace> places;  ///< areas of at least 25 squared pixels, the largest first
-  double share = 0;                   ///< area of the places, as a fraction of the visible area
-  double disagreement = 0;            ///< WindowSums::excess of all windows
-  double floor = 0;                   ///< mean dissimilarity that noise explains
+  /// Sums over the windows around each vertex (Disagreement::of_vertex).
+  std::vector<WindowSums> sums;
+  std::vector<double> of_vertex;  ///< doubt of each vertex, rounded to six digits
+  /// Doubtful places of at least 25 squared pixels, the largest first.
+  std::vector<DoubtfulPlace> places;
+  double share = 0;         ///< area of the doubtful places, as a fraction of the visible area
+  double disagreement = 0;  ///< disagreement beyond noise, over all windows (WindowSums::excess)
+  double floor = 0;         ///< mean dissimilarity that would result from noise alone
 };
 
-/// Excess of the windows around a vertex above which photographs contradict it. Chosen by hand.
+/// Limit of WindowSums::excess around a vertex, above which photographs contradict the surface
+/// there. Chosen by hand.
 inline constexpr double contradicted = 0.5;
 
-/// Rings of vertices whose windows are compared together for a doubt. One ring opened no more of
-/// two tori that touch when carving; other values were not measured.
+/// Number of rings of neighbors whose windows decide together about a vertex. When carving two tori
+/// that touch, one ring did not separate more of them. Other values were not measured.
 inline constexpr int doubt_rings = 2;
 
-/// Adds to the sums of each vertex those of its neighbors, `rings` times, so that no single window
-/// decides.
+/// Adds to the WindowSums of each vertex those of its neighbors, `rings` times, so that no single
+/// window decides.
 std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian,
                                int rings);
 
@@ -44,13 +47,15 @@ std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplac
 std::vector<Index> take_connected(Index first, const UniformLaplacian& laplacian,
                                   std::vector<bool>& is_marked);
 
-/// Measures a surface by a scene at scale 1. Throws and costs as disagreement(), and as
-/// local_thickness() if there are places. The result does not depend on the number of threads.
+/// Measures a surface by photographs of full size: `scene` must have scale 1. Throws as
+/// disagreement() and local_thickness() do. Takes as long as disagreement(), and also
+/// local_thickness() if there are doubtful places. The result does not depend on the number of
+/// threads.
 SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                            const PhotoconsistencyOptions& options = {},
                            const Progress& progress = {});
 
-/// Writes the vertex column `doubt`.
+/// Name of the vertex column that set_doubt_column() writes.
 inline constexpr const char* doubt_column = "doubt";
 void set_doubt_column(Mesh& mesh, const SurfaceDoubt& doubt);
 

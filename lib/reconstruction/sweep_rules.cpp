@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-// Limits of is_exploded() and is_wide() (see the header).
+// Limits of is_exploded() and is_wide(), described in the header.
 constexpr std::size_t exploded_components = 100;
 constexpr double exploded_share = 0.3;
 constexpr double wide_deg = 40;

@@ -1,4 +1,4 @@
-/// The time steps of a movie, as given on a command line.
+/// Finds the time steps of a movie from a text file or from folders.
 #pragma once
 
 #include <string>
@@ -7,13 +7,14 @@
 namespace transformesh {
 
 struct TimeStep {
-  std::string text;  ///< replaces {}: the line, or the path of the folder
+  /// Text that replaces {} in paths: a line of the file, or the path of a folder.
+  std::string text;
   std::string name;  ///< the last component of `text`
 };
 
-/// Returns the lines of a file that are not blank, or the folders in a folder or matching a
-/// pattern, in natural order. Throws InputError if there is none. Throws UsageError if two of them
-/// have the same name.
+/// If `where` is a file, returns its lines that are not blank. Otherwise returns the folders in the
+/// folder `where`, or those that match the pattern `where`, in natural order. Throws InputError if
+/// there is none. Throws UsageError if two of them have the same name.
 std::vector<TimeStep> time_steps(const std::string& where);
 
 /// Returns the path with each {} replaced by the text of the time step.

@@ -20,7 +20,8 @@ Vec3 read_vector(TextRows& rows, const std::string& what) {
   return vector;
 }
 
-/// Converts Bundler's camera frame (looks along -z, y up) to ours (looks along z, y down).
+/// Reads one camera. Converts its coordinates from Bundler's convention (looks along -z, y up) to
+/// ours (looks along z, y down).
 CameraRecord read_camera(TextRows& rows, const Source& source, std::size_t number) {
   CameraRecord record;
   record.name = "camera" + std::to_string(number);

@@ -7,10 +7,10 @@ namespace transformesh {
 namespace {
 
 /// Number of bytes at the beginning of a file in which format_of_json() and format_of_program()
-/// search for words.
+/// search for words that are typical of a format.
 constexpr std::size_t searched = 4096;
 
-/// Advances to the first row that is not a comment. Returns false if there is none.
+/// Advances to the first row that does not begin with `#`. Returns false if there is none.
 bool first_row(TextRows& rows) {
   while (rows.next_row()) {
     if (!rows.peek().starts_with('#')) return true;
@@ -59,14 +59,15 @@ std::optional<CameraFormat> format_of_program(std::string_view beginning) {
   return format_of_json(beginning);
 }
 
-/// Recognizes a format by its first row, which contains words that are not numbers.
+/// Recognizes a format by the current row, the first one that is no comment. The row contains words
+/// that are not numbers.
 std::optional<CameraFormat> format_of_words(TextRows rows) {
   if (colmap_section(rows) != ColmapSection::none) return CameraFormat::colmap;
   if (rows.peek() == "CONTOUR") return CameraFormat::matrices;
   if (rows.peek() == "extrinsic" && rows.words_left() == 1) return CameraFormat::mvsnet;
   if (rows.words_left() < 20) return {};
-  // Accept Middlebury's parameters without the leading number of cameras as well. The reader then
-  // reports the missing number.
+  // Also recognize Middlebury's files if the first line, the number of cameras, is missing. The
+  // reader then reports the missing number.
   rows.word();
   return are_numbers(rows) ? std::optional(CameraFormat::middlebury) : std::nullopt;
 }
@@ -83,7 +84,8 @@ std::optional<CameraFormat> camera_format(std::string_view bytes) {
   const bool has_row = first_row(rows);
   const std::size_t words = has_row ? rows.words_left() : 0;
   const bool has_numbers = has_row && are_numbers(rows);
-  // A comment may be the name of a matrix. Hence numbers are examined before comments.
+  // A comment may be the name of a matrix, with any text. Hence numbers are examined before the
+  // comment "# Bundle file".
   if (has_numbers && (words == 4 || words == 12)) return CameraFormat::matrices;
   if (bytes.starts_with("# Bundle file")) return CameraFormat::bundler;
   if (has_numbers && words == 1) return CameraFormat::middlebury;

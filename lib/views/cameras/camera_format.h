@@ -1,4 +1,4 @@
-/// Formats of camera files, and how they are recognized.
+/// Formats of camera files, and recognition of the format of a file.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ namespace transformesh {
 enum class CameraFormat {
   middlebury,
   colmap,
-  colmap_binary,  ///< format for writing only
+  colmap_binary,  ///< files cameras.bin and images.bin; this value is used for writing only
   bundler,
   matrices,
   opencv,
@@ -26,7 +26,8 @@ enum class CameraFormat {
   openmvs
 };
 
-/// Recognizes the format by the beginning of a file. Returns nothing if it is not a camera file.
+/// Recognizes the format of a file by its first bytes. Returns nothing if it is no known camera
+/// file.
 std::optional<CameraFormat> camera_format(std::string_view bytes);
 
 }  // namespace transformesh

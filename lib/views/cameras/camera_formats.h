@@ -1,5 +1,5 @@
-/// Readers and writers of single camera formats, with one source file per format. Internal to
-/// camera_file and camera_output.
+/// Readers and writers of all camera formats, with one source file per format. Used only in this
+/// folder.
 #pragma once
 
 #include "io/formats/text_rows.h"
@@ -19,13 +19,14 @@ CameraList read_bundler(const Source& source);
 /// Names cameras after `stem`.
 CameraList read_opencv(const Source& source, const std::string& stem);
 CameraList read_metashape(const Source& source);
-/// Reads the table of cameras, or the XMP file of one camera, which is named after `stem`.
+/// Reads a CSV table of cameras, or the XMP file of one camera. The camera of an XMP file is named
+/// after `stem`.
 CameraList read_reality_capture(const Source& source, const std::string& stem);
-/// Names cameras without a name after `stem`.
+/// Reads 3x4 projection matrices. Cameras without a name in the file are named after `stem`.
 CameraList read_matrices(const Source& source, const std::string& stem);
-/// Reads cameras and images from one text.
+/// Reads a text that contains both cameras.txt and images.txt.
 CameraList read_colmap(const Source& source);
-/// Reads cameras and images from two texts.
+/// Reads cameras.txt and images.txt.
 CameraList read_colmap(const Source& cameras, const Source& images);
 /// Reads cameras.bin and images.bin.
 CameraList read_colmap_binary(const Source& cameras, const Source& images);
@@ -39,16 +40,16 @@ CameraList read_mvsnet(const Source& source, const std::string& stem);
 CameraList read_llff(const Source& source, const std::string& stem);
 CameraList read_neus(const Source& source, const std::string& stem);
 CameraList read_nvm(const Source& source);
-/// Reads the file of one view, named after the folder of `source`. Returns nothing if it has no
-/// pose.
+/// Reads the file meta.ini of one view. Its camera is named after the folder of `source`. Returns
+/// an empty list if the view has no pose.
 CameraList read_mve(const Source& source);
 CameraList read_openmvs(const Source& source);
 
-/// Decomposes a projection into a camera. Returns "" if this succeeds, else an error message, in
-/// which `who` is the name of the camera.
+/// Decomposes a projection into intrinsics and pose of `camera`. Returns "" if this succeeds, else
+/// an error message, in which `who` is the name of the camera.
 std::string decompose(const Projection& projection, const std::string& who, PinholeCamera& camera);
 
-/// The COLMAP text file to which a row belongs.
+/// The COLMAP text file to which a row belongs: cameras.txt, images.txt or neither.
 enum class ColmapSection { none, cameras, images };
 ColmapSection colmap_section(TextRows rows);
 
@@ -63,11 +64,13 @@ std::string write_transforms(const CameraList& list);
 std::string write_meshroom(const CameraList& list);
 std::string write_openmvs(const CameraList& list);
 
-/// Throws InputError unless the record is a pinhole without skew for an image of known size. Also
-/// throws if adding half a pixel to the principal point loses digits. Messages name `program`.
+/// Throws InputError unless the record is a pinhole camera without skew for an image of known size.
+/// Also throws if the principal point is so large that adding half a pixel to it loses digits.
+/// Messages contain `program`, the name of the format.
 void check_sized_pinhole(const CameraRecord& record, const std::string& program);
 
-/// Returns the index of the first camera in the list with the same lens as `record`.
+/// Returns the index of the first camera in the list that has the same intrinsics, distortion and
+/// image size as `record`.
 std::size_t lens_of(const CameraList& list, const CameraRecord& record);
 
 }  // namespace transformesh

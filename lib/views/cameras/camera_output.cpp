@@ -33,7 +33,7 @@ void check_complete(const CameraList& list) {
   }
 }
 
-/// Throws if a lens has distortion and the format cannot store distortion.
+/// Throws InputError if a lens has distortion and the format cannot store distortion.
 void check_undistorted(const CameraList& list, CameraFormat format) {
   const bool is_pinhole = format == CameraFormat::middlebury || format == CameraFormat::matrices ||
                           format == CameraFormat::openmvs;
@@ -47,7 +47,8 @@ void check_undistorted(const CameraList& list, CameraFormat format) {
   }
 }
 
-/// A format that is written as one text, and the name of its file in a folder.
+/// A format that can be written as one text. `name` is the name of the file in a folder, or empty
+/// if the format has several files there.
 struct TextFormat {
   CameraFormat format;
   const char* name;
@@ -71,7 +72,8 @@ std::string write_only_opencv(const CameraList& list) {
   return write_opencv(list.cameras.front());
 }
 
-/// Formats without a name are written to several files in a folder.
+/// All formats that can be written as one text. In a folder, formats without a name are written to
+/// several files.
 constexpr std::array text_formats{
     TextFormat{CameraFormat::middlebury, "cameras_par.txt", write_middlebury},
     TextFormat{CameraFormat::transforms, "transforms.json", write_transforms},
@@ -81,7 +83,8 @@ constexpr std::array text_formats{
     TextFormat{CameraFormat::matrices, "", write_matrices},
     TextFormat{CameraFormat::opencv, "", write_only_opencv}};
 
-/// Returns the row of a format. Throws if the format is only read, or needs several files.
+/// Returns the row of a format in `text_formats`. Throws InputError if the format is only read, or
+/// needs several files.
 const TextFormat& text_format(CameraFormat format) {
   if (format == CameraFormat::colmap_binary)
     throw InputError("COLMAP's binary model has several files: name a folder for them");
@@ -94,7 +97,8 @@ const TextFormat& text_format(CameraFormat format) {
   return *found;
 }
 
-/// Throws if two cameras would be written to one file, or if the name of a file begins with a dot.
+/// Throws InputError if two cameras would be written to one file, or if the name of a file begins
+/// with a dot.
 void check_files(const std::vector<CameraText>& files, const CameraList& list) {
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < files.size(); ++i) {

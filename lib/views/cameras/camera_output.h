@@ -15,22 +15,24 @@ struct CameraText {
   std::string text;
 };
 
-/// Returns one text that is read back as the same cameras. Throws InputError if the format cannot
-/// store the cameras:
+/// Returns the content of a single file, from which the same cameras can be read. Throws InputError
+/// if the format cannot store the cameras:
 /// - Only Middlebury, matrices, COLMAP, OpenCV, transforms.json, Meshroom and OpenMVS are written.
 /// - OpenCV's files contain one camera, and COLMAP's binary model has several files.
 /// - COLMAP, transforms.json, Meshroom and OpenMVS need the sizes of the images.
-/// - Only Middlebury and matrices have skew.
-/// - Middlebury, matrices and OpenMVS have no distortion; only COLMAP and OpenCV have k4 to k6.
-/// - Middlebury needs names without blanks; all formats need names that are not empty.
+/// - Only Middlebury and matrices can store skew.
+/// - Middlebury, matrices and OpenMVS cannot store distortion.
+/// - Only COLMAP and OpenCV can store the distortion coefficients k4 to k6.
+/// - Middlebury needs names without blanks; no format stores empty names.
 ///
-/// Also throws if a camera depends on the size of an image that is not known.
+/// Also throws if intrinsics of a camera depend on the size of its image, and the size is not
+/// known.
 std::string write_cameras(const CameraList& list, CameraFormat format);
 
-/// Returns the files that programs of the format expect in a folder. These are COLMAP's three
-/// files, one file such as `cameras_par.txt` or `transforms.json`, or for each camera a matrix
-/// `NAME.txt` or OpenCV's `NAME.yml`. Throws as write_cameras() does, except that several files are
-/// possible.
+/// Returns the files that programs which use this format expect in a folder. These are COLMAP's
+/// three files, one file such as `cameras_par.txt` or `transforms.json`, or for each camera a
+/// matrix `NAME.txt` or OpenCV's `NAME.yml`. Throws as write_cameras() does, except for formats
+/// that need several files.
 std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat format);
 
 }  // namespace transformesh

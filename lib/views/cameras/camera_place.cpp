@@ -34,7 +34,8 @@ bool has_cameras(const std::string& folder) {
          (!colmap_extension(folder, folder).empty() || !camera_files_in(folder).empty());
 }
 
-/// Throws if `folder` is COLMAP's model `0` and a model `1` is beside it.
+/// Throws InputError if `folder` is COLMAP's model `0` and its parent folder also contains a model
+/// `1`.
 void check_single_model(const fs::path& folder) {
   const fs::path second = folder.parent_path() / "1";
   if (folder.filename() == "0" && is_folder(second.string()))

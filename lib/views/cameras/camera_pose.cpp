@@ -8,7 +8,8 @@ namespace transformesh {
 
 std::string set_pose(const Eigen::Matrix3d& rotation, const Vec3& translation,
                      const std::string& who, PinholeCamera& camera) {
-  // Tolerance of rotations in files, whose numbers may be rounded to three digits.
+  // Tolerance of the product of the matrix with its transpose, because numbers in files may be
+  // rounded to three digits.
   constexpr double rounding = 1e-3;
   const Eigen::Matrix3d error = rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
   if (!(error.cwiseAbs().maxCoeff() <= rounding))

@@ -1,4 +1,4 @@
-/// Poses of cameras from the numbers of camera files.
+/// Sets poses of cameras to numbers that were read from camera files, if they are valid.
 #pragma once
 
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace transformesh {
 
-/// Sets rotation and translation of `camera`. `rotation` maps the world to the camera. Returns ""
-/// if the pose is valid, else an error message, in which `who` is the name of the camera.
+/// Sets rotation and translation of `camera`. They map world coordinates to camera coordinates.
+/// Returns "" if the pose is valid, else an error message, in which `who` is the name of the
+/// camera.
 std::string set_pose(const Eigen::Matrix3d& rotation, const Vec3& translation,
                      const std::string& who, PinholeCamera& camera);
-/// Does the same as set_pose(), with the camera's center instead of the translation.
+/// Does the same as set_pose(), but gets the camera's center instead of the translation.
 std::string set_pose_at(const Eigen::Matrix3d& rotation, const Vec3& center, const std::string& who,
                         PinholeCamera& camera);
 

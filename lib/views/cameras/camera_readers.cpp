@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Adapts a reader that needs no default name, because its files name all cameras.
+/// Adapts a reader without the parameter `stem` to CameraReader::read. Its files contain names of
+/// all cameras.
 template <CameraList (*read)(const Source&)>
 CameraList named(const Source& source, const std::string&) {
   return read(source);

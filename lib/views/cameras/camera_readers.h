@@ -1,5 +1,5 @@
-/// The table from formats of camera files to their names and readers. Internal to camera_file and
-/// camera_output.
+/// The table of camera formats, with the name and the reader of each format. Used only in this
+/// folder.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ namespace transformesh {
 struct CameraReader {
   CameraFormat format;
   const char* program;  ///< the program that writes files of this format, or the name of the format
-  /// Cameras that have no name in the file are named after `stem`.
+  /// Reads a file of this format. Cameras that have no name in the file are named after `stem`.
   CameraList (*read)(const Source& source, const std::string& stem);
 };
 
-/// Returns the table's row of the format. COLMAP's binary model has the row of its texts.
+/// Returns the table's row for the format. COLMAP's binary and text formats share a row.
 const CameraReader& reader_of(CameraFormat format);
 
-/// Returns a clause that lists all formats, for messages.
+/// Returns a list of all formats as text, for messages.
 std::string known_camera_formats();
 
 }  // namespace transformesh

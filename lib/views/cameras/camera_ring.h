@@ -16,11 +16,11 @@ struct CameraRing {
   double distance = 1;         ///< distance of the cameras from the center, > 0
   int width = 320;             ///< width of the images in pixels, >= 1
   int height = 240;            ///< height of the images in pixels, >= 1
-  double focal_length = 1090;  ///< in pixels, > 0
+  double focal_length = 1090;  ///< focal length in pixels, > 0
 };
 
-/// Returns a distance at which the points fill most of the image's shorter side. The points are
-/// replaced by the smallest ball around the ring's center that contains them.
+/// Returns a distance at which the smallest ball around the ring's center that contains all points
+/// fills 0.88 of the image's shorter side.
 double distance_for(std::span<const Vec3> points, const CameraRing& ring);
 
 /// Returns cameras view0000, view0001, ... at equal angles around the z axis, beginning at +x. The

@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// No character begins a comment within a row, because names of images may contain #.
+/// Rules for reading rows. No character begins a comment within a row, because names of images may
+/// contain #.
 constexpr TextRows::Rules rules{'\0', false};
 
 /// One camera of cameras.txt: intrinsics, and the size of the images that were taken with it.
@@ -43,8 +44,8 @@ int read_side(TextRows& rows, const char* name, const std::string& who) {
   return side;
 }
 
-/// A camera model with the names of its parameters after cx and cy. SIMPLE models have one focal
-/// length.
+/// A camera model of COLMAP, with the names of those parameters that follow cx and cy. Models
+/// without `has_two_focals` have one focal length.
 struct Model {
   std::string_view name;
   bool has_two_focals = false;
@@ -60,8 +61,8 @@ double& parameter(LensDistortion& distortion, std::string_view name) {
   return name[0] == 'k' ? distortion.radial[index] : distortion.tangential[index];
 }
 
-/// Reads a camera. Subtracts 0.5 from the principal point, because COLMAP's first pixel center is
-/// (0.5, 0.5) and ours is (0, 0).
+/// Reads one row of cameras.txt. Subtracts 0.5 from the principal point, because COLMAP's first
+/// pixel center is (0.5, 0.5) and ours is (0, 0).
 void read_lens(TextRows& rows, Lenses& lenses) {
   const std::string id(rows.word());
   const std::string who = "camera " + quoted(id);
@@ -128,8 +129,8 @@ CameraRecord read_image(TextRows& rows, const Source& source, const Lenses& lens
   return record;
 }
 
-/// Skips the second line of an image, which contains observed points. The line may be empty, and
-/// missing at the end of the file.
+/// Skips the second line of an image in images.txt, which contains observed points. The line may be
+/// empty, or missing at the end of the file.
 void skip_points(TextRows& rows, const Source& source, const std::string& name) {
   const char* line = rows.rest();
   const char* end = std::find(line, source.end(), '\n');
@@ -155,7 +156,7 @@ CameraList read_images(TextRows& rows, const Source& source, const Lenses& lense
   return list;
 }
 
-/// True if the current row describes a camera.
+/// True if the current row is a row of cameras.txt.
 bool at_lens(const TextRows& rows) { return colmap_section(rows) == ColmapSection::cameras; }
 
 [[noreturn]] void fail_without_images(const TextRows& rows) {

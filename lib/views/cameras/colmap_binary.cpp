@@ -9,7 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Camera models, indexed by their number in files, with their number of parameters.
+/// A camera model of COLMAP. In `models`, its index is the number by which binary files identify
+/// it.
 struct Model {
   const char* name;
   int parameters;
@@ -75,7 +76,8 @@ std::string images_text(const Source& source) {
   return text.take();
 }
 
-/// Splits a row of text into words. rest() is the remaining text, for names with blanks.
+/// Splits a row of text into words. rest() returns the text after the last word, for names that
+/// contain blanks.
 class Words {
  public:
   explicit Words(std::string_view row) : rest_(row) {}
@@ -96,7 +98,7 @@ class Words {
   std::string_view rest_;
 };
 
-/// Returns the rows that are neither empty nor comments.
+/// Returns the rows of a text, without empty rows and comments.
 std::vector<std::string_view> rows_of(std::string_view text) {
   std::vector<std::string_view> rows;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
@@ -112,7 +114,8 @@ std::int32_t number_of_model(std::string_view name) {
   return static_cast<std::int32_t>(model - models.begin());
 }
 
-/// Encodes the number of rows, followed by the bytes that `add` writes for each row.
+/// Converts rows of text to binary: the number of rows, followed by the bytes that `add` writes for
+/// each row.
 template <class Add>
 std::string binary_rows(const std::string& text, const Add& add) {
   const std::vector<std::string_view> rows = rows_of(text);

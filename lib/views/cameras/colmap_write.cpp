@@ -15,7 +15,7 @@ bool is_same_lens(const CameraRecord& a, const CameraRecord& b) {
          a.width == b.width && a.height == b.height;
 }
 
-/// Adds coefficients in the order of FULL_OPENCV.
+/// Appends the distortion coefficients in the order of COLMAP's model FULL_OPENCV.
 void add(const LensDistortion& distortion, TextBuffer& text) {
   const auto& [k1, k2, k3, k4, k5, k6] = distortion.radial;
   const auto& [p1, p2] = distortion.tangential;

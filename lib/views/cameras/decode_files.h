@@ -1,4 +1,4 @@
-/// Decodes many image files.
+/// Decodes many image files in parallel.
 #pragma once
 
 #include <exception>
@@ -12,8 +12,8 @@
 
 namespace transformesh {
 
-/// Decodes all files; `decode` gets the index of each. If several files are bad, always reports the
-/// first one.
+/// Calls `decode` with the index and the bytes of each file, in parallel. If several files cause an
+/// InputError, rethrows that of the first file in the list.
 template <typename Decode>
 void decode_all(const std::vector<std::string>& paths, const Decode& decode) {
   std::vector<std::exception_ptr> failures(paths.size());
@@ -31,10 +31,10 @@ void decode_all(const std::vector<std::string>& paths, const Decode& decode) {
   }
 }
 
-/// Packs the image if `count` images of its size have more than `most_pixels` pixels. Unpacked
-/// images are faster to read.
+/// Packs the image (packable_image.h) if `count` images of its size have more than `most_pixels`
+/// pixels together. Unpacked images are faster to read.
 inline void pack_one_of(std::size_t count, PackableImage& image) {
-  constexpr double most_pixels = 8e6;  ///< 32 MB of floats
+  constexpr double most_pixels = 8e6;  ///< number of pixels that may stay unpacked: 32 MB of floats
   if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();
 }
 

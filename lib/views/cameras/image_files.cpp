@@ -27,7 +27,8 @@ std::vector<std::string> image_folders(const CameraList& cameras, const std::str
   return {folders.begin(), folders.end()};
 }
 
-/// Returns `where` if it is a folder, else its folder before the first wildcard.
+/// Returns `where` if it is a folder, else the part of the path up to the last slash before the
+/// first wildcard.
 std::string root_of(const std::string& where) {
   if (is_folder(where)) return where;
   const std::string start = where.substr(0, where.find_first_of("*?["));

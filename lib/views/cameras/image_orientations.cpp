@@ -9,13 +9,14 @@
 namespace transformesh {
 namespace {
 
-constexpr int first_exchanging_sides = 5;  ///< 5 to 8 exchange width and height, by Exif
+/// Orientations 5 to 8 of Exif exchange width and height.
+constexpr int first_exchanging_sides = 5;
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-/// Throws if the camera has the size of the turned picture.
+/// Throws InputError if width and height of the camera's image are those of the turned picture.
 void check_camera(const std::string& path, const std::string& bytes, int orientation,
                   const CameraRecord& camera) {
   if (orientation < first_exchanging_sides || camera.width == camera.height) return;
@@ -34,7 +35,8 @@ void check_orientations(const std::vector<std::string>& paths, const CameraList&
   std::vector<std::string> turned;
   bool is_size_known = true;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    // Exif data precede the pixels, in at most 64 kB; TIFF may have its directory at the end.
+    // Read whole files. JPEG has Exif data in at most 64 kB before the pixels, but TIFF may have
+    // its directory at the end.
     const std::string bytes = file_bytes(paths[i]);
     const int orientation = exif_orientation(bytes);
     if (orientation == 1) continue;

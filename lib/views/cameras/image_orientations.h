@@ -1,4 +1,4 @@
-/// Checks for photographs whose Exif data ask viewers to turn them.
+/// Checks whether Exif data of photographs ask viewers to turn or mirror the pictures.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 namespace transformesh {
 
 /// Checks the Exif orientations of the images at `paths`, one for each camera. Pixels are used as
-/// they are stored, because most programs calibrate cameras for them; `sources.on_note` is told if
-/// a file states another orientation. Throws InputError if the size of a camera shows that it was
-/// calibrated for the turned picture.
+/// stored, because most programs calibrate cameras for stored pixels. Calls `sources.on_note` if
+/// the Exif data of a file state another orientation. Throws InputError if the size of a camera's
+/// image shows that the camera was calibrated for the turned picture.
 void check_orientations(const std::vector<std::string>& paths, const CameraList& cameras,
                         const ViewSources& sources);
 

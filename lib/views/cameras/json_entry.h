@@ -1,5 +1,5 @@
-/// Values of JSON files (RFC 8259) of cameras. Each value knows its path in the file, such as
-/// `frames[3].fl_x`, for messages.
+/// Reads values of JSON files (RFC 8259) that describe cameras. Each value stores its path in the
+/// file, such as `frames[3].fl_x`, for error messages.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,15 +11,16 @@
 
 namespace transformesh {
 
-/// Parses an object. Skips its members `structure` and `control_points`, which hold points and are
-/// large. Throws InputError with the byte if the text is malformed.
+/// Parses a JSON file. Skips the members `structure` and `control_points`, which contain points and
+/// are large. Throws InputError, with the position of the error in bytes, if the text is malformed.
 nlohmann::json parse_camera_json(const Source& source);
 
-/// Returns the JSON as one line. Throws InputError, naming `record`, if text in it is not UTF-8.
+/// Returns the JSON as one line of text. Throws InputError, with the name of `record`, if a string
+/// in it is not UTF-8.
 std::string json_text(const nlohmann::ordered_json& json, const CameraRecord& record);
 
 /// A value in a JSON file. The parsed JSON and its source must outlive the object. All members
-/// throw InputError, naming the file and the path, if the value is of another kind.
+/// throw InputError, with the file and the path, if the value has another type than they return.
 class JsonEntry {
  public:
   JsonEntry(const nlohmann::json& value, const Source& source, std::string path = {})
@@ -28,24 +29,26 @@ class JsonEntry {
   bool has(const char* key) const;
   JsonEntry at(const char* key) const;
   JsonEntry at(std::size_t index) const;
-  /// Returns the elements of an array. Empty text counts as an empty array, because Meshroom writes
-  /// it so.
+  /// Returns the elements of an array. An empty string counts as an empty array, because Meshroom
+  /// writes it instead of an array.
   std::vector<JsonEntry> elements() const;
 
-  /// Returns a finite number. Meshroom writes numbers as text.
+  /// Returns a finite number. Also converts a string to a number, because Meshroom writes numbers
+  /// as strings.
   double number() const;
   double number(const char* key, double otherwise) const;
-  /// Returns a list of `count` numbers.
+  /// Returns the numbers of an array, which must have `count` elements.
   std::vector<double> numbers(std::size_t count) const;
-  /// Returns text; a number is converted to text, so that identifiers can be either.
+  /// Returns a string. Converts a number to a string, because identifiers may be strings or
+  /// numbers.
   std::string text() const;
   std::string text(const char* key, const std::string& otherwise) const;
   bool is_list() const { return value_->is_array(); }
   bool is_true() const { return value_->is_boolean() && value_->get<bool>(); }
-  /// Returns a whole number of 1 to 1e9, such as the width of an image.
+  /// Returns an integer between 1 and 1e9, such as the width of an image.
   int side() const;
 
-  /// Returns the name of the file and the path.
+  /// Returns the name of the file and the path of the value in the file.
   std::string place() const { return source_->name + ' ' + path_; }
   [[noreturn]] void fail(const std::string& what) const;
 

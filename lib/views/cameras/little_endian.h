@@ -1,4 +1,4 @@
-/// Numbers and texts in little-endian binary files of cameras and points.
+/// Reads and writes numbers and texts of little-endian binary files of cameras and points.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,11 @@
 
 namespace transformesh {
 
-/// Reads consecutive values. All members throw InputError, with the byte, if the file ends before.
+/// Reads consecutive values. All members throw InputError, with the size of the file, if the file
+/// ends too early.
 class LittleEndianReader {
  public:
-  /// `what` names the file in messages, such as "COLMAP's binary file".
+  /// `what` describes the file in messages, such as "COLMAP's binary file".
   LittleEndianReader(const Source& source, std::string what)
       : source_(source), what_(std::move(what)), rest_(source.bytes) {}
 
@@ -57,7 +58,7 @@ class LittleEndianReader {
   std::string_view rest_;
 };
 
-/// Writes consecutive values.
+/// Writes consecutive values to a string of bytes.
 class LittleEndianWriter {
  public:
   template <class Number>

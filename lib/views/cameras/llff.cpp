@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t row_size = 17;  ///< a 3x5 matrix and two depths
+constexpr std::size_t row_size = 17;  ///< numbers per image: a 3x5 matrix and two depths
 
 int side(double value, const char* what, const std::string& who, const Source& source) {
   if (!(value >= 1 && value <= 1e9))
@@ -17,8 +17,9 @@ int side(double value, const char* what, const std::string& who, const Source& s
   return static_cast<int>(value);
 }
 
-/// The first three columns of the matrix are the camera's axes: down, right and backwards. The
-/// fourth is the center. The fifth contains height, width and focal length.
+/// Reads the 17 numbers of one image. The first three columns of the 3x5 matrix are the camera's
+/// axes: down, right and backwards. The fourth is the center. The fifth contains height, width and
+/// focal length.
 CameraRecord read_row(const double* row, const std::string& who, const Source& source) {
   CameraRecord record;
   record.place = source.name + ' ' + who;

@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-/// Revisions of the format's version 1.2 in which the meaning of intrinsics changed.
+/// Revisions (the third number of version 1.2.x) from which on the meaning of intrinsics is
+/// different.
 constexpr int relative_principal_point = 1;
 constexpr int focal_length_in_mm = 2;
 constexpr int ratio_of_pixels = 5;  ///< older revisions store the inverse of `pixelRatio`
@@ -19,10 +20,10 @@ constexpr int ratio_of_pixels = 5;  ///< older revisions store the inverse of `p
 /// Lens parameters that several views share.
 struct Lens {
   CameraRecord record;
-  std::string problem;  ///< why the lens is not read, or ""
+  std::string problem;  ///< reason why the lens is not supported, or ""
 };
 
-/// Returns the revision of version 1.2; -1 for older versions.
+/// Returns the revision x of version 1.2.x; -1 for older versions, 1000 for newer ones.
 int revision_of(const JsonEntry& file) {
   const std::vector<double> version = file.at("version").numbers(3);
   if (version[0] != 1) file.at("version").fail("is not 1");
@@ -85,7 +86,7 @@ Lens read_lens(const JsonEntry& entry, int revision) {
   return lens;
 }
 
-/// Rotations are written column by column.
+/// Reads a pose. The file contains the rotation matrix column by column.
 void read_pose(const JsonEntry& transform, PinholeCamera& camera) {
   const std::vector<double> numbers = transform.at("rotation").numbers(9);
   const std::vector<double> center = transform.at("center").numbers(3);
@@ -111,7 +112,7 @@ CameraList read_meshroom(const Source& source) {
   CameraList list;
   list.names_images = true;
   for (const JsonEntry& view : file.at("views").elements()) {
-    // Views that could not be placed have no pose.
+    // Views whose pose Meshroom could not determine have no entry in `poses`.
     const auto pose = poses.find(view.text("poseId", view.text("viewId", "")));
     if (pose == poses.end()) continue;
     if (view.has("rigId")) view.fail("belongs to a rig, which is not supported");

@@ -10,13 +10,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The newest version whose intrinsics are in pixels.
+/// The newest version of the format whose intrinsics are in pixels.
 const Json version{"1", "2", "0"};
 
 /// Meshroom writes all numbers as text.
 Json text_of(double value) { return shortest_text(value); }
 
-/// Writes the coefficients column by column.
+/// Returns the coefficients of a matrix as a list of texts, column by column.
 template <class Matrix>
 Json texts_of(const Matrix& matrix) {
   Json list = Json::array();

@@ -32,7 +32,8 @@ int side(const pugi::xml_node& resolution, const char* name, const Source& sourc
   return static_cast<int>(numbers[0]);
 }
 
-/// Returns the adjusted calibration if the file also has the initial one.
+/// Returns the calibration of a sensor. If the file has an initial and an adjusted one, returns the
+/// adjusted one.
 pugi::xml_node calibration_of(const pugi::xml_node& sensor) {
   pugi::xml_node found;
   for (const pugi::xml_node& calibration : xml_elements(sensor, "calibration"))
@@ -40,8 +41,8 @@ pugi::xml_node calibration_of(const pugi::xml_node& sensor) {
   return found;
 }
 
-/// Reads the model of frame cameras in Metashape's manual. Its p1 and p2 are OpenCV's p2 and p1.
-/// Its principal point is relative to the image's center.
+/// Reads a sensor with the camera model "frame" of Metashape's manual. The model's p1 and p2 are
+/// OpenCV's p2 and p1. The principal point is relative to the image's center.
 Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
   Sensor sensor;
   const auto calibration = calibration_of(element);
@@ -121,7 +122,7 @@ CameraList read_metashape(const Source& source) {
   CameraList list;
   list.names_images = true;
   for (const pugi::xml_node& element : xml_elements(chunks[0], "camera")) {
-    // Cameras that could not be aligned have no transform.
+    // Skip cameras without a transform: Metashape could not determine their pose.
     if (const auto transform = xml_element(element, "transform"))
       list.cameras.push_back(read_camera(element, transform, sensors, source));
   }

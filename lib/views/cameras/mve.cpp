@@ -12,10 +12,11 @@
 namespace transformesh {
 namespace {
 
-/// MVE undistorts the photographs into this file of each view.
+/// Name, without extension, of the file in the folder of each view that contains the undistorted
+/// photograph.
 constexpr const char* image_name = "undistorted";
 
-/// Entries `section.key` of the file with the text after the equals sign.
+/// The entries of the file, as a map from `section.key` to the text after the equals sign.
 class Entries {
  public:
   explicit Entries(const Source& source) : source_(source) {
@@ -31,7 +32,8 @@ class Entries {
     }
   }
 
-  /// Returns the numbers of an entry; `otherwise` if there is no such entry.
+  /// Returns the numbers of the entry `key` of the section `camera`; `otherwise` if there is no
+  /// such entry.
   std::vector<double> numbers(const char* key, std::vector<double> otherwise) const {
     const auto entry = entries_.find(std::string("camera.") + key);
     if (entry == entries_.end()) return otherwise;
@@ -52,7 +54,7 @@ class Entries {
   std::map<std::string, std::string> entries_;
 };
 
-/// Sets the size of the undistorted image if it lies beside the file.
+/// Sets the size of the image if the undistorted image is in the same folder as the file `source`.
 void set_size(const Source& source, CameraRecord& record) {
   const std::filesystem::path folder = std::filesystem::path(source.name).parent_path();
   for (const char* extension : {".png", ".jpg"}) {
@@ -64,8 +66,8 @@ void set_size(const Source& source, CameraRecord& record) {
   }
 }
 
-/// The focal length is a fraction of the image's larger side if pixels are square. The principal
-/// point is a fraction of width and height.
+/// Reads the intrinsics. The focal length is a fraction of the image's larger side; pixels must be
+/// square. The principal point is a fraction of width and height.
 void read_lens(const Entries& entries, double focal, const Source& source, CameraRecord& record) {
   const double aspect = entries.numbers("pixel_aspect", {1})[0];
   const std::vector<double> center = entries.numbers("principal_point", {0.5, 0.5});
@@ -90,7 +92,7 @@ CameraList read_mve(const Source& source) {
   const Entries entries(source);
   CameraList list;
   list.names_images = true;
-  // Views that could not be placed have the focal length 0.
+  // Views whose pose MVE could not determine have the focal length 0.
   const double focal = entries.numbers("focal_length", {0})[0];
   if (focal == 0) return list;
   CameraRecord record;

@@ -7,7 +7,8 @@
 namespace transformesh {
 namespace {
 
-/// The converters copy COLMAP's principal points. There the center of the first pixel is (.5, .5).
+/// Coordinates of the first pixel's center. Such files are converted from COLMAP's, with the same
+/// principal point, and COLMAP's first pixel center is (.5, .5).
 constexpr double pixel_center = 0.5;
 
 void read_title(TextRows& rows, std::string_view title) {

@@ -24,7 +24,7 @@ Stems plain_stems(const NamedFiles& files) {
   return stems;
 }
 
-/// Returns the stem with its folder below `root`, or the stem alone if the folder is not below
+/// Returns the stem with its folder relative to `root`, or the stem alone if the file is not in
 /// `root`.
 std::string stem_with_folder(std::string_view path, const std::string& root) {
   namespace fs = std::filesystem;
@@ -91,8 +91,8 @@ std::string counts_text(const NamedFiles& first, const NamedFiles& second) {
       (is_count_equal ? "either all names must agree, or none" : counts_text(files, others)));
 }
 
-/// Returns for each of `stems` the index of the equal one in `second_stems`; nothing if no stems
-/// are equal. Throws InputError if only some stems have an equal one.
+/// Returns for each of `stems` the index of the equal stem in `second_stems`. Returns nothing if no
+/// stem has an equal one. Throws InputError if only some have.
 std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Stems& second_stems,
                                                    const NamedFiles& first,
                                                    const NamedFiles& second) {
@@ -113,7 +113,7 @@ std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Ste
   return partners;
 }
 
-/// Returns the stems of both lists, with folders if both lists have repeated stems.
+/// Returns the stems of both lists, with their folders if each of the lists contains equal stems.
 std::pair<Stems, Stems> comparable_stems(const NamedFiles& first, const NamedFiles& second) {
   const bool have_folders = has_repeats(plain_stems(first)) && has_repeats(plain_stems(second));
   return have_folders ? std::pair(stems_with_folders(first), stems_with_folders(second))

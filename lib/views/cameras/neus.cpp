@@ -1,8 +1,8 @@
 // The cameras_sphere.npz of IDR and NeuS: matrices world_mat_N of 4x4 numbers, from the world to
-// pixels. Their scale_mat_N, which map a unit sphere to the world, are not used: results are in the
-// world. Reference: Yariv, Kasten, Moran, Galun, Atzmon, Basri & Lipman, "Multiview neural surface
-// reconstruction by disentangling geometry and appearance", NeurIPS 2020. The manual of the program
-// describes the file under "Data convention".
+// pixels. The matrices scale_mat_N, which map a unit sphere to the world, are not used: cameras are
+// in world coordinates. Reference: Yariv, Kasten, Moran, Galun, Atzmon, Basri & Lipman, "Multiview
+// neural surface reconstruction by disentangling geometry and appearance", NeurIPS 2020. The manual
+// of the program describes the file under "Data convention".
 #include "io/streams/zip_archive.h"
 #include "views/cameras/camera_formats.h"
 #include "views/cameras/npy_array.h"

@@ -10,10 +10,10 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t preamble_size = 8;  ///< signature and version
+constexpr std::size_t preamble_size = 8;  ///< bytes of signature and version
 
-/// Returns the text of the header's dictionary. Removes the dictionary and all bytes before it from
-/// `rest`.
+/// Returns the header, the text of a Python dictionary. Removes the header and all bytes before it
+/// from `rest`.
 std::string_view take_header(const Source& source, std::string_view& rest) {
   const auto fail = [&] { source.fail("NumPy's array is cut off in its header"); };
   if (!rest.starts_with(npy_signature)) source.fail("not an array of NumPy");
@@ -29,7 +29,7 @@ std::string_view take_header(const Source& source, std::string_view& rest) {
   return header;
 }
 
-/// Returns the text after a key of the dictionary.
+/// Returns the text after `key` and the colon in the header.
 std::string_view after(const Source& source, std::string_view header, const char* key) {
   const std::size_t at = header.find('\'' + std::string(key) + '\'');
   const std::size_t colon = at == std::string_view::npos ? at : header.find(':', at);
@@ -57,7 +57,8 @@ std::vector<std::size_t> shape_of(const Source& source, std::string_view text) {
   return shape;
 }
 
-/// Returns the number of values in `shape`. Throws unless the file contains exactly their bytes.
+/// Returns the number of values of an array with this shape. Throws InputError unless `bytes` is
+/// the size of exactly this number of values.
 std::size_t checked_count(const Source& source, const std::vector<std::size_t>& shape,
                           std::size_t value_size, std::size_t bytes) {
   const std::size_t available = bytes / value_size;

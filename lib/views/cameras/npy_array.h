@@ -1,5 +1,5 @@
-/// Arrays of NumPy. Reference: NumPy Enhancement Proposal 1, "A simple file format for NumPy
-/// arrays".
+/// Reads arrays in the file format of NumPy. Reference: NumPy Enhancement Proposal 1, "A simple
+/// file format for NumPy arrays".
 #pragma once
 
 #include <string>
@@ -17,9 +17,10 @@ struct NpyArray {
   std::vector<double> values;  ///< the last index changes fastest
 };
 
-/// Reads an array of floats or doubles in either byte order. Arrays in Fortran's order have at most
-/// two dimensions. Throws InputError, naming the file, if the bytes are something else, if there
-/// are more or fewer numbers than the shape states, or if a number is not finite.
+/// Reads an array of floats or doubles in either byte order. Arrays in Fortran order (column-major)
+/// must have at most two dimensions. Throws InputError, with the name of the file, if the bytes are
+/// no such array. Also throws it if there are more or fewer numbers than the shape states, or if a
+/// number is not finite.
 NpyArray read_npy(const Source& source);
 
 }  // namespace transformesh

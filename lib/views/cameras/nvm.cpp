@@ -12,14 +12,14 @@ namespace transformesh {
 namespace {
 
 /// VisualSFM maps a measured point p to the undistorted point p (1 + r |p|^2). Images are resampled
-/// by the inverse map, a series up to r^3, whose error is 55 r^4 |p|^8. In the corners of
-/// photographs, where |p| is up to .6, the error is .0001 focal lengths at this limit of |r|. At
-/// twice the limit it is more than 10 times as large.
+/// by the inverse of this map, approximated by a series up to r^3, whose error is 55 r^4 |p|^8. In
+/// the corners of photographs, |p| is up to .6. There the error is .0001 focal lengths if |r|
+/// equals this limit. At twice the limit it is more than 10 times as large.
 constexpr double most_distortion = 0.1;
 
 constexpr TextRows::Rules rules{'\0', false};
 
-/// Intrinsics in the first line, for all cameras.
+/// Intrinsics that the first line of a file may state for all cameras.
 struct FixedIntrinsics {
   bool is_given = false;
   Eigen::Matrix3d intrinsics = Eigen::Matrix3d::Identity();
@@ -65,7 +65,7 @@ Eigen::Matrix3d read_rotation(TextRows& rows, const std::string& who) {
   return rotation.normalized().toRotationMatrix();
 }
 
-/// Names have quotation marks instead of blanks.
+/// Reads the name of an image, in which the file has quotation marks instead of blanks.
 std::string read_name(TextRows& rows) {
   std::string name(rows.word());
   std::replace(name.begin(), name.end(), '"', ' ');

@@ -30,7 +30,8 @@ LensDistortion distortion_of(const OpencvStorage& storage) {
   LensDistortion distortion;
   const auto found = storage.find({"distortion_coefficients", "distCoeffs", "dist_coeffs", "D"});
   if (!found) return distortion;
-  // Coefficients after the eighth describe a thin prism and a tilted sensor.
+  // Coefficients after the eighth describe a thin prism and a tilted sensor, which are not
+  // supported.
   for (std::size_t i = 8; i < found->size(); ++i)
     if ((*found)[i] != 0)
       storage.fail(
@@ -111,7 +112,7 @@ std::vector<double> numbers_of(const LensDistortion& distortion) {
   return numbers;
 }
 
-/// Adds a camera for each pose; all have the same lens.
+/// Adds a camera to `list` for each pose in the file; all have the same intrinsics and distortion.
 void add_cameras(const OpencvStorage& storage, const Source& source, const std::string& name,
                  CameraList& list) {
   CameraRecord record;
@@ -135,8 +136,8 @@ void add_cameras(const OpencvStorage& storage, const Source& source, const std::
   }
 }
 
-/// Returns the suffixes of the keys in a file of several cameras. These are `0`, `1` and so on, or
-/// `_0`, `_1` and so on; the first number may also be 1.
+/// Returns the suffixes of keys in a file of several cameras, one for each camera. These are `0`,
+/// `1` and so on, or `_0`, `_1` and so on; the first number may also be 1.
 std::vector<std::string> camera_suffixes(const Source& source) {
   for (const char* separator : {"", "_"}) {
     for (const int first : {0, 1}) {
@@ -152,7 +153,7 @@ std::vector<std::string> camera_suffixes(const Source& source) {
   return {};
 }
 
-/// Adds a camera for each matrix of 3x4 numbers, which is named by its key.
+/// Adds a camera to `list` for each 3x4 matrix in the file, with the key of the matrix as its name.
 void add_projections(const Source& source, CameraList& list) {
   const OpencvStorage storage(source);
   for (const std::string& key : storage.matrix_keys()) {

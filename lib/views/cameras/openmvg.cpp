@@ -10,7 +10,8 @@ namespace {
 
 JsonEntry data_of(const JsonEntry& entry) { return entry.at("value").at("ptr_wrapper").at("data"); }
 
-/// Reads the distortion by the name of its list: radial coefficients, then two tangential ones.
+/// Reads the distortion. The name of the list in the file determines its coefficients: radial ones,
+/// followed by two tangential ones in `disto_t2`.
 void read_distortion(const JsonEntry& data, LensDistortion& distortion) {
   if (data.has("fisheye")) data.at("fisheye").fail("is not supported: undistort the images");
   if (data.has("disto_k1")) distortion.radial[0] = data.at("disto_k1").numbers(1)[0];
@@ -25,10 +26,11 @@ void read_distortion(const JsonEntry& data, LensDistortion& distortion) {
   }
 }
 
-/// Integer coordinates are pixel centers, as in OpenMVG's features.
+/// Reads the intrinsics. The principal point needs no shift: integer coordinates are pixel centers,
+/// as in OpenMVG's features.
 CameraRecord read_lens(const JsonEntry& data) {
   CameraRecord record;
-  // Lenses with distortion may keep the parameters of the pinhole in an object of their own.
+  // Lenses with distortion may have the parameters of the pinhole camera in a nested object.
   const JsonEntry pinhole = data.has("value0") ? data.at("value0") : data;
   record.width = pinhole.at("width").side();
   record.height = pinhole.at("height").side();
@@ -75,7 +77,7 @@ CameraList read_openmvg(const Source& source) {
   list.names_images = true;
   for (const JsonEntry& entry : file.at("views").elements()) {
     const JsonEntry view = data_of(entry);
-    // Views that could not be placed have no pose.
+    // Views whose pose OpenMVG could not determine have no entry in `poses`.
     const auto pose = poses.find(view.at("id_pose").text());
     if (pose == poses.end()) continue;
     const auto lens = lenses.find(view.at("id_intrinsic").text());

@@ -8,10 +8,11 @@
 namespace transformesh {
 namespace {
 
-constexpr std::uint32_t newest_version = 7;    ///< newest version of the format that was tested
-constexpr std::uint32_t no_pose = 0xffffffff;  ///< value of the format
+constexpr std::uint32_t newest_version = 7;  ///< newest version of the format that was tested
+/// Number in the file that marks an image without pose.
+constexpr std::uint32_t no_pose = 0xffffffff;
 
-/// Rotation, and center in the world or on a platform.
+/// Rotation and center, relative to the world or to the platform that carries the camera.
 struct Pose {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Vec3 center = Vec3::Zero();
@@ -112,8 +113,9 @@ class Scene {
     list.cameras.push_back(std::move(record));
   }
 
-  /// Composes the pose of the platform and the pose of the camera on the platform. Intrinsics of
-  /// cameras without a size are fractions of the image's larger side. Integers are pixel centers.
+  /// Sets the camera of `record`: composes the pose of the platform and the pose of the camera on
+  /// the platform. If the image size is missing, intrinsics are fractions of the image's larger
+  /// side. Integer coordinates are pixel centers.
   void place(const PlatformCamera& camera, const Pose& pose, const std::string& who,
              CameraRecord& record) {
     if (camera.width > 0 && camera.height > 0) {

@@ -13,7 +13,7 @@ void add_text(std::string_view text, LittleEndianWriter& bytes) {
   bytes.add(text);
 }
 
-/// Adds the numbers row by row.
+/// Appends the numbers of a matrix, row by row.
 void add_matrix(const Eigen::MatrixXd& matrix, LittleEndianWriter& bytes) {
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) bytes.add(matrix(i, j));
@@ -24,7 +24,8 @@ void add_counted(const std::vector<std::string>& items, LittleEndianWriter& byte
   for (const std::string& item : items) bytes.add(std::string_view(item));
 }
 
-/// Writes a platform with one camera. Platform and camera have the same coordinate system.
+/// Returns the bytes of a platform with one camera, whose coordinate system is that of the
+/// platform.
 std::string platform_bytes(const CameraRecord& record) {
   LittleEndianWriter bytes;
   add_text("", bytes);
@@ -65,7 +66,8 @@ std::string write_openmvs(const CameraList& list) {
   bytes.add(std::uint32_t{0});
   add_counted(platforms, bytes);
   add_counted(images, bytes);
-  constexpr int lists_of_points_and_lines = 6;  // lists of the format that stay empty
+  // Number of further lists of the format, which stay empty.
+  constexpr int lists_of_points_and_lines = 6;
   for (int i = 0; i < lists_of_points_and_lines; ++i) bytes.add(std::uint64_t{0});
   add_matrix(Eigen::Matrix4d::Identity(), bytes);
   return bytes.take();

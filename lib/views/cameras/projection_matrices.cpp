@@ -12,12 +12,13 @@ namespace {
 
 constexpr TextRows::Rules rules{'#', false};
 
-/// Skew below this fraction of the focal length results from rounding to 12 digits, and is set to
-/// 0.
+/// Skew below this fraction of the focal length is set to 0, because it results from rounding
+/// numbers to 12 digits.
 constexpr double no_skew = 1e-11;
 
-/// Decomposes a projection, up to scale and sign, into K [R | t] with K33 = 1, positive focal
-/// lengths and det R = 1. RQ decomposition by Gram-Schmidt from the last row upwards.
+/// Decomposes a projection, whose scale and sign are arbitrary, into K [R | t] with K33 = 1,
+/// positive focal lengths and det R = 1. Computes the RQ decomposition by Gram-Schmidt
+/// orthogonalization, beginning with the last row.
 PinholeCamera decomposed(Projection projection) {
   const double sign = projection.leftCols<3>().determinant() < 0 ? -1 : 1;
   projection *= sign / projection.row(2).head<3>().norm();
@@ -43,7 +44,8 @@ bool is_singular(const Projection& projection) {
   return !(std::abs(left.determinant()) > 1e-12 * size);
 }
 
-/// Returns the name in a comment before a matrix, without surrounding blanks.
+/// Returns the text of a comment without surrounding blanks. It is the name of the matrix that
+/// follows.
 std::string name_in(std::string_view comment) {
   constexpr std::string_view blanks = " \t\r\v\f";
   const std::size_t first = std::min(comment.find_first_not_of(blanks), comment.size());
@@ -83,7 +85,7 @@ CameraList read_matrices(const Source& source, const std::string& stem) {
   TextRows rows(source, 0, rules);
   CameraList list;
   while (rows.next_row()) {
-    // Files of Furukawa's data sets begin with this word.
+    // Skip the word CONTOUR with which files of Furukawa's data sets begin.
     if (rows.peek() == "CONTOUR" && list.cameras.empty()) {
       rows.skip_row();
       continue;

@@ -13,11 +13,11 @@
 namespace transformesh {
 namespace {
 
-/// Width of the film to which focal lengths refer.
+/// Width of 35 mm film; the focal lengths in these files are for this width.
 constexpr double film_width_mm = 36;
 
-/// Lens parameters, in the table and in XMP files. Unit: the image's larger side, except for
-/// `focal_mm`.
+/// Lens parameters that a table row or an XMP file contains. Lengths are fractions of the image's
+/// larger side, except for `focal_mm`.
 struct Lens {
   double focal_mm = 0;
   double aspect = 1;
@@ -67,9 +67,9 @@ Eigen::Matrix3d turned(double angle_deg, int axis) {
   return rotation;
 }
 
-/// Returns the rotation from the world to the camera. Without rotation the camera looks down along
-/// -z, with north (y) up. Heading rotates it clockwise about the vertical; then pitch and roll
-/// rotate it about its own x and y axes.
+/// Returns the rotation from the world to the camera. If all angles are 0, the camera looks down
+/// along -z, and north (y) is up in the image. Heading rotates the camera clockwise about the
+/// vertical axis. Then pitch and roll rotate it about its own x and y axes.
 Eigen::Matrix3d rotation_of(double heading, double pitch, double roll) {
   const Eigen::Matrix3d to_world = turned(-heading, 2) * turned(pitch, 0) * turned(roll, 1);
   return Vec3(1, -1, -1).asDiagonal() * to_world.transpose();
@@ -86,7 +86,7 @@ std::vector<std::string> fields_of(std::string_view line) {
   }
 }
 
-/// A row of the table, accessed by the names of columns.
+/// A row of a CSV table, whose fields are accessed by the names of columns.
 class Row {
  public:
   Row(const std::vector<std::string>& columns, const std::vector<std::string>& fields,
@@ -110,7 +110,7 @@ class Row {
     source_.fail_at_line(place_,
                          column + " is " + quoted(text(column)) + ", which is not a finite number");
   }
-  /// Returns 0 if there is no such column.
+  /// Returns the number in a column, or 0 if there is no such column.
   double optional_number(const std::string& column) const {
     return fields_.contains(column) ? number(column) : 0;
   }
@@ -160,7 +160,8 @@ CameraList read_table(const Source& source) {
   return list;
 }
 
-/// Returns the numbers of an attribute of the description, or of an element in it.
+/// Returns the numbers of the attribute `name` of `description` or, if there is none, of its child
+/// element `name`.
 std::vector<double> values(const pugi::xml_node& description, const std::string& name,
                            const Source& source) {
   if (const auto attribute = xml_attribute(description, name.c_str()))

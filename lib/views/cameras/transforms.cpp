@@ -12,10 +12,11 @@
 namespace transformesh {
 namespace {
 
-/// The center of the first pixel is (0.5, 0.5).
+/// In these files, the center of the first pixel is (0.5, 0.5); ours is (0, 0).
 constexpr double pixel_center = 0.5;
 
-/// A frame of the file. Keys that are missing in the frame are read from the top level of the file.
+/// A frame (image) of the file. Keys that are missing in the frame are read from the top level of
+/// the file.
 struct Frame {
   JsonEntry entry;
   JsonEntry file;
@@ -38,7 +39,8 @@ void check_model(const Frame& frame) {
     frame.at("is_fisheye").fail("is true: undistort the images");
 }
 
-/// Returns the focal length in pixels, or as a fraction of the image's side if `side` is 0.
+/// Returns the focal length that follows from the field of view, in pixels. If `side` is 0, the
+/// size of the image is unknown, and the unit is the side of the image.
 double focal_of(const Frame& frame, const char* angle_key, int side) {
   const double angle = frame.at(angle_key).number();
   if (!(angle > 0 && angle < 3.14159)) frame.at(angle_key).fail("is not between 0 and pi");
@@ -88,8 +90,8 @@ void read_lens(const Frame& frame, CameraRecord& record) {
   if (frame.number("k4") != 0) frame.at("k4").fail("is not supported: undistort the images");
 }
 
-/// Reads the matrix that maps the camera's coordinates, x to the right, y up, z backwards, to the
-/// world's.
+/// Reads the matrix that maps camera coordinates to world coordinates. In camera coordinates, x
+/// points to the right, y up and z backwards.
 void read_pose(const JsonEntry& matrix, CameraRecord& record) {
   Eigen::Matrix3d to_world;
   Vec3 center;

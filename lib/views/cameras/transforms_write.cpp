@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The center of the first pixel is (0.5, 0.5).
+/// In these files, the center of the first pixel is (0.5, 0.5); ours is (0, 0).
 constexpr double pixel_center = 0.5;
 
 void check(const CameraRecord& record) {
@@ -39,7 +39,8 @@ Json lens_json(const CameraRecord& record) {
   return json;
 }
 
-/// Returns the matrix from the camera, with y up and z backwards, to the world.
+/// Returns the matrix that maps camera coordinates, with y up and z backwards, to world
+/// coordinates.
 Json matrix_of(const PinholeCamera& camera) {
   const Eigen::Matrix3d to_world = camera.rotation.transpose();
   const Vec3 center = camera.center();

@@ -24,8 +24,9 @@ struct Blend {
   std::vector<float> weights;
 };
 
-/// A Gaussian, convolved with the area of a pixel of the smaller image if `scale` > 1. Its standard
-/// deviation is above half a pixel, so that sums over pixel centers approximate integrals well.
+/// The weight of a pixel as a function of its distance: a Gaussian. If `scale` > 1, it is convolved
+/// with the area of a pixel of the smaller image. The Gaussian is wider than half a pixel, so that
+/// sums over pixel centers approximate integrals well.
 class Kernel {
  public:
   explicit Kernel(double scale, double deviation)
@@ -69,7 +70,8 @@ std::vector<Blend> blends(int size, double scale, const Kernel& kernel) {
   return result;
 }
 
-/// Sums weighted rows of the larger image. blend_columns() then sums columns of the result.
+/// Writes the weighted sum of several rows of the larger image to `sum`. blend_columns() then
+/// combines columns of this sum.
 void blend_rows(const GrayImage& image, const Blend& blend, std::vector<float>& sum) {
   std::fill(sum.begin(), sum.end(), 0.0F);
   for (std::size_t k = 0; k < blend.weights.size(); ++k) {
@@ -101,10 +103,11 @@ GrayImage resampled(const GrayImage& image, double scale, double deviation) {
   return result;
 }
 
-/// Returns the blur of scale 1 with three taps. It is truncated to one pixel on both sides.
+/// Returns the blur of at_scale() at scale 1. Its Gaussian is truncated to one pixel on both sides,
+/// so that it has three weights (taps).
 ThreeTapBlur taps_at_scale_one() {
   const Kernel kernel(1, blur_at_scale_one);
-  constexpr int size = 3;  // taps: the pixel and its two neighbors
+  constexpr int size = 3;  // the pixel and its two neighbors
   const auto weights = [&]<std::size_t count>(int place, std::array<float, count>& taps) {
     const Blend blend = blend_at(place, size, kernel);
     std::copy_n(blend.weights.begin(), count, taps.begin());

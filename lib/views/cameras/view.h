@@ -14,24 +14,26 @@ struct View {
   std::string name;  ///< name of the image file, without folder and extension
   PinholeCamera camera;
   PackableImage image;
-  PackableImage silhouette;  ///< has the size of the image; empty if unknown
+  PackableImage silhouette;  ///< empty if unknown; otherwise has the size of the image
 };
 
 std::vector<PinholeCamera> cameras_of(std::span<const View> views);
 
-/// Shrinks an image for evolutions from coarse to fine (paper 5.3.1). Each pixel is the mean over
-/// its area in `image` after a Gaussian blur, which removes detail that is too fine. The standard
-/// deviation is 0.45 `scale`, in pixels of `image`. At scale 1 it is 0.6, which only reduces noise.
-/// Outside of the image, border pixels are repeated. Pixels on the right and at the bottom that do
-/// not fill a pixel of the result are dropped. Throws UsageError if `scale` is below 1 or no pixel
-/// would be left. O(pixels); deterministic.
+/// Shrinks an image for evolutions from coarse to fine (paper 5.3.1). Each pixel of the result is
+/// the mean over its area in `image` after a Gaussian blur. The blur removes detail that is finer
+/// than the pixels of the result. Its standard deviation is 0.45 `scale`, in pixels of `image`. At
+/// scale 1 it is 0.6, which only reduces noise. Outside of the image, border pixels are repeated.
+/// Pixels on the right and at the bottom of `image` that do not fill a whole pixel of the result
+/// are dropped. Throws UsageError if `scale` is below 1 or no pixel would be left. O(pixels);
+/// deterministic.
 GrayImage at_scale(const GrayImage& image, double scale);
 
-/// Shrinks image, silhouette and camera. The camera is PinholeCamera::shrunk(), so that the corners
-/// of the image keep their directions. At scale 1 the silhouette does not change.
+/// Shrinks image, silhouette and camera. The camera becomes PinholeCamera::shrunk(), so that rays
+/// through the corners of the image do not change. At scale 1 the silhouette does not change.
 View at_scale(const View& view, double scale);
 
-/// Returns a rectangle of a view, with its camera. The rectangle must be inside of the view.
+/// Returns the part of a view in a rectangle of pixels, with the camera of that part. The rectangle
+/// must be inside of the image.
 View cropped(const View& view, int column, int row, int columns, int rows);
 
 }  // namespace transformesh

@@ -33,7 +33,7 @@ struct SizedCamera {
   std::string path;  ///< path of the image
 };
 
-/// Throws if images of different sizes have the same intrinsics.
+/// Throws InputError if images of different sizes have the same intrinsics.
 void check_sizes(const std::vector<SizedCamera>& cameras) {
   for (const SizedCamera& camera : cameras) {
     const auto same_lens = std::find_if(
@@ -57,7 +57,8 @@ void set_sizes(const std::vector<std::string>& paths, CameraList& cameras) {
   check_sizes(sized);
 }
 
-/// Returns the file of each camera, and removes cameras that are left out.
+/// Returns the image file of each camera. Removes cameras from the list that have no image and are
+/// left out.
 std::vector<std::string> pair_cameras(CameraList& cameras, const NamedFiles& names,
                                       const NamedFiles& files, const ViewSources& sources) {
   PairedFiles pairs = pair_files(names, files, cameras.names_images, sources);
@@ -93,8 +94,8 @@ std::vector<View> views_from(const ViewSources& sources) {
   CameraList list = cameras_from(sources.cameras);
   std::vector<std::string> images;
   std::vector<std::string> silhouettes;
-  // Silhouettes are paired with images rather than with cameras. Matrix files contain no names of
-  // images, so that silhouettes could then only be paired by order.
+  // If there are images, silhouettes are paired with images, not with cameras. Some camera files
+  // contain no names of images, so that silhouettes could only be paired with cameras by order.
   NamedFiles leaders = names_of(list, sources.cameras);
   if (!sources.images.empty()) {
     const NamedFiles files = image_files("image", sources.images, list);

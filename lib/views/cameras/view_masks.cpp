@@ -17,7 +17,8 @@ std::string and_others(const std::string& path, std::size_t count) {
   return count == 1 ? path : path + " and " + counted(count - 1, "further mask");
 }
 
-/// Calls on_note() with the first path that has the property, and with the number of such paths.
+/// Calls `sources.on_note` with the first path whose element of `properties` equals `property`,
+/// with the number of such paths, and with `text`.
 template <class Property>
 void note_masks(const std::vector<std::string>& paths, const std::vector<Property>& properties,
                 Property property, const std::string& text, const ViewSources& sources) {
@@ -28,12 +29,12 @@ void note_masks(const std::vector<std::string>& paths, const std::vector<Propert
       and_others(paths[static_cast<std::size_t>(first)], static_cast<std::size_t>(count)) + text);
 }
 
-/// Least ratio of the sizes of photograph and scaled mask. Masks with a smaller ratio were probably
-/// cropped rather than scaled.
+/// Least ratio of the sizes of a photograph and its mask at which the mask is scaled. At smaller
+/// ratios, the mask was probably cropped.
 constexpr double least_scale = 1.25;
 
-/// True if mask and photograph differ in size but not in aspect ratio. Sides may have been rounded
-/// to whole pixels.
+/// True if mask and photograph differ in size but not in aspect ratio. Tolerates sides that were
+/// rounded to whole pixels.
 bool is_scaled_size(const GrayImage& mask, const PackableImage& photograph) {
   if (photograph.empty()) return false;
   const double ratio = static_cast<double>(mask.width) / photograph.width;

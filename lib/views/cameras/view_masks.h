@@ -9,10 +9,10 @@
 
 namespace transformesh {
 
-/// Reads a mask into the silhouette of each view. A mask that is smaller or larger than its
-/// photograph, with the same aspect ratio, is scaled. `sources.on_note` is told how masks were
-/// read. Throws InputError, naming the file, if a mask has another aspect ratio or no pixel inside.
-/// Parallel; deterministic.
+/// Reads the mask at `paths[i]` into the silhouette of `views[i]`. A mask of another size than its
+/// photograph is scaled if it has the same aspect ratio. Calls `sources.on_note` with messages on
+/// how masks were interpreted. Throws InputError, naming the file, if a mask has another aspect
+/// ratio or no pixel inside. Parallel; deterministic.
 void decode_masks(const std::vector<std::string>& paths, const ViewSources& sources,
                   std::vector<View>& views);
 

@@ -9,9 +9,10 @@
 namespace transformesh {
 namespace {
 
-// Smaller angles make windows more similar, larger ones determine depth better.
+// Best angle of a pair of views. At smaller angles, windows of the photographs are more similar; at
+// larger angles, they determine depth better.
 constexpr double best_angle_deg = 15;
-/// Neighbors within this angle are kept, whatever PairOptions::spread demands.
+/// Pairs up to this angle are admitted, even if they exceed the limit by PairOptions::spread.
 constexpr double near_deg = 30;
 
 double badness(const ViewPair& pair) {

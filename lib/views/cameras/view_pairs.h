@@ -16,13 +16,15 @@ namespace transformesh {
 struct ViewPair {
   std::size_t first = 0;
   std::size_t second = 0;
-  double angle_deg = 0;  ///< between the cameras' centers, as seen from the scene's center
+  /// Angle at the scene's center between the directions to both cameras' centers.
+  double angle_deg = 0;
 };
 
-/// Returns the best neighbors of each view, sorted by `first`, then by quality. Quality is the
-/// difference of the angle from 15 degrees, which counts twice for smaller angles. Hence views on a
-/// sparse ring get their nearest neighbors, and views on a dense ring get neighbors that are far
-/// enough away. Views without admissible neighbor have no pair. Deterministic; O(n^2 log n).
+/// Returns the best neighbors of each view, sorted by `first`, then by quality. A pair is better if
+/// its angle is closer to 15 degrees; for smaller angles, the difference counts twice. Hence views
+/// on a sparse ring get their nearest neighbors, and views on a dense ring get neighbors that are
+/// far enough away. Views without a neighbor that `options` admit have no pair. Deterministic;
+/// O(n^2 log n).
 std::vector<ViewPair> choose_pairs(std::span<const PinholeCamera> cameras, const Vec3& scene_center,
                                    const PairOptions& options = {});
 

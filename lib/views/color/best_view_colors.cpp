@@ -7,14 +7,15 @@
 namespace transformesh {
 namespace {
 
-/// Fraction of the best quality above which a view counts as good (count_good()).
+/// A view of a point counts as good if its quality is at least this fraction of the best quality
+/// (count_good()).
 constexpr float voting_share = 0.6F;
-/// Usual difference of intensities between views of the same surface point. Larger values suppress
-/// fewer highlights; smaller ones also suppress correct views.
+/// Usual difference of intensities between views of the same surface point, in 0 to 255. If it is
+/// larger, fewer highlights are suppressed; if it is smaller, correct views are suppressed as well.
 constexpr float usual_difference = 24;
 
-/// Qualities are coded as the leading bits of floats from 2^-16 to 2^16, with eleven bits of the
-/// mantissa.
+/// Qualities are stored in 16 bits: the leading bits of floats from 2^-16 to 2^16, with eleven bits
+/// of the mantissa.
 constexpr float least_quality = 0x1p-16F;
 constexpr float largest_quality = 0x1.ffp15F;
 constexpr int bits_left_out = 12;
@@ -32,8 +33,7 @@ float quality_of(std::uint16_t code) {
   return std::bit_cast<float>(above + std::bit_cast<std::uint32_t>(least_quality));
 }
 
-// Returns the median of the first `count` values. The other values must be larger than any
-// intensity.
+// Returns the median of the first `count` values. All other values must be larger than these.
 float median_of(std::array<float, 4> values, std::size_t count) {
   std::sort(values.begin(), values.end());
   return (values[(count - 1) / 2] + values[count / 2]) / 2;

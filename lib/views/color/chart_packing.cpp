@@ -8,12 +8,14 @@
 namespace transformesh {
 namespace {
 
-/// Candidate widths, relative to the side of a square with the total area of the boxes.
+/// Widths of the texture that are tried, relative to the side of a square with the total area of
+/// all boxes.
 constexpr std::array widths{1.02, 1.1, 1.2, 1.35, 1.5};
 
 int up_to_multiple(int value) { return (value + 3) / 4 * 4; }
 
-/// `order` has the highest boxes first.
+/// Packs the boxes into a texture of this width. `order` lists the indices of boxes, the highest
+/// box first.
 Packing pack(std::span<const Eigen::Vector2i> sizes, std::span<const std::size_t> order,
              int width) {
   Packing packing{std::vector<Eigen::Vector2i>(sizes.size()), width, 0};

@@ -1,4 +1,5 @@
-/// Packs boxes into a texture: sorted by decreasing height, on shelves from left to right.
+/// Packs rectangles into a texture. They are sorted by decreasing height and placed from left to
+/// right in rows (shelves).
 /// Reference: Coffman, Garey, Johnson & Tarjan, "Performance bounds for level-oriented
 /// two-dimensional packing algorithms", SIAM J. Computing 9(4), 1980.
 #pragma once
@@ -15,8 +16,8 @@ struct Packing {
   int height = 0;
 };
 
-/// Packs the boxes for several widths and returns the packing of the smallest area. O(n log n),
-/// deterministic.
+/// Packs boxes of these sizes into textures of several widths, and returns the packing with the
+/// smallest area. O(n log n), deterministic.
 Packing pack_boxes(std::span<const Eigen::Vector2i> sizes);
 
 }  // namespace transformesh

@@ -16,13 +16,13 @@
 namespace transformesh {
 namespace {
 
-/// Least cosine between a face and the mean normal of its chart. The second limit applies to faces
-/// that would otherwise be in a chart of at most `few_faces` faces. Larger values distort less but
-/// make more charts.
+/// Least cosine of the angle between the normal of a face and the mean normal of its chart.
+/// `least_cosine` applies to faces that would otherwise be in a chart of at most `few_faces` faces.
+/// Larger values of the cosines distort less but make more charts.
 constexpr double usual_cosine = 0.5;
 constexpr double least_cosine = 0.2;
 constexpr std::size_t few_faces = 12;
-/// Number of candidate rotations in a right angle.
+/// Number of rotations of a chart, between 0 and 90 degrees, that are tried.
 constexpr int turns = 12;
 
 using Corners = std::array<Eigen::Vector2d, 3>;
@@ -37,7 +37,8 @@ class ChartGrower {
       normal_[f] = face_normal(mesh, static_cast<Index>(f));
   }
 
-  /// Returns charts of the given faces only. The faces of a chart are in the order of growth.
+  /// Returns charts that consist of `faces` only. The faces of a chart have the order in which it
+  /// grew.
   std::vector<std::vector<Index>> grow(const std::vector<Index>& faces) {
     charts_.clear();
     axis_.clear();
@@ -88,7 +89,8 @@ class ChartGrower {
     axis_.push_back(axis);
   }
 
-  /// Moves the faces of small charts to adjacent charts whose axis fits best.
+  /// Moves each face of a chart of at most `few_faces` faces to the adjacent chart whose mean
+  /// normal fits best, if any.
   void merge_few() {
     for (std::size_t c = 0; c < charts_.size(); ++c) {
       if (charts_[c].size() > few_faces) continue;
@@ -139,8 +141,8 @@ std::vector<Corners> turned(std::vector<Corners> faces, double angle) {
   return faces;
 }
 
-/// Returns the faces, rotated such that their bounding box has the smallest area and is wider than
-/// high.
+/// Returns the faces of a chart, rotated such that their bounding box has the smallest area of all
+/// tried rotations and is wider than high.
 std::vector<Corners> well_turned(const std::vector<Corners>& faces) {
   std::vector<Corners> best = faces;
   double least = HUGE_VAL;
@@ -173,7 +175,8 @@ Chart flattened(const Mesh& mesh, std::vector<Index> faces, const Vec3& axis) {
   return chart;
 }
 
-/// Removes and returns the faces that cover a texel of an earlier face in the chart.
+/// Removes the faces from the chart that cover a texel which an earlier face of the chart covers.
+/// Returns these faces.
 std::vector<Index> take_overlaps(Chart& chart, double texel) {
   std::vector<char> is_over(chart.faces.size(), 0);
   const auto width = static_cast<int>(chart.size.x() / texel) + 1;
@@ -209,7 +212,8 @@ std::vector<Chart> make_charts(const Mesh& mesh, double texel) {
   std::vector<Index> left(mesh.faces.size());
   std::iota(left.begin(), left.end(), Index{0});
   std::vector<Chart> charts;
-  // The first face of a chart overlaps no other one, so that fewer faces are left in each round.
+  // The first face of each chart is never removed by take_overlaps(), so that fewer faces are left
+  // in each round.
   while (!left.empty()) {
     std::vector<Index> over;
     for (std::vector<Index>& faces : grower.grow(left)) {

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t places_per_task = 1024;  ///< affects time only
 const Eigen::Array3f middle_gray = Eigen::Array3f::Constant(128);
 
-/// Returns pairs of adjacent vertices, in the order of the edges.
+/// Returns the two vertices of each edge, in the order of Edges.
 std::vector<std::array<Index, 2>> neighbors(const Mesh& mesh) {
   const Edges edges(mesh);
   std::vector<std::array<Index, 2>> pairs;
@@ -30,7 +30,8 @@ std::vector<std::array<Index, 2>> neighbors(const Mesh& mesh) {
   return pairs;
 }
 
-/// Assigns colors to unobserved vertices, ring by ring from the observed ones.
+/// Assigns colors to vertices that are visible in no view: in each round, to those that are
+/// adjacent to vertices with a color.
 void fill_unseen(const Mesh& mesh, std::vector<char>& is_known,
                  std::vector<Eigen::Array3f>& colors) {
   std::vector<std::array<Index, 2>> pairs = neighbors(mesh);

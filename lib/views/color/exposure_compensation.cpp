@@ -7,15 +7,16 @@
 namespace transformesh {
 namespace {
 
-// Chosen values. A larger `intensity_variance`, in squared intensities, keeps gains closer to 1.
-// Intensities that are nearly black or white are unreliable. A larger ratio than `most_different`
-// is hardly a difference of exposure.
+// Values chosen by hand. A larger `intensity_variance`, in squared intensities, keeps gains closer
+// to 1. Intensities below `least_intensity` or above `largest_intensity` are unreliable. A larger
+// ratio of intensities than `most_different` is hardly caused by exposure.
 constexpr double intensity_variance = 100;
 constexpr float least_intensity = 8, largest_intensity = 247;
-constexpr float most_different = 1.5F;  ///< limit of the ratio of two comparable intensities
+constexpr float most_different = 1.5F;  ///< largest ratio of intensities of a point in two views
 constexpr double most_gain = 4;
 
-/// Sums of intensities over the surface points that are visible in both of two views.
+/// Sums over the surface points that are visible in both of two views: the intensities in each
+/// view, and the number of points.
 struct Overlap {
   double first = 0, second = 0;
   double count = 0;
@@ -48,11 +49,11 @@ Overlaps overlaps_of(std::span<const BestViewColors> seen, int channel) {
   return overlaps;
 }
 
-/// The normal equations of all gains of a channel.
+/// The normal equations that determine the gains of all views for one color channel.
 class Equations {
  public:
-  /// Adds the equation gain = 1 for each view, with the weight of one surface point. This equation
-  /// alone determines the gain of a view that overlaps no other view.
+  /// Adds the equation gain = 1 for each view, with the weight of one surface point. It determines
+  /// the gain of views that have no common points with others.
   explicit Equations(std::size_t views)
       : matrix_(static_cast<Eigen::Index>(views), static_cast<Eigen::Index>(views)),
         right_(Eigen::VectorXd::Ones(matrix_.rows())) {

@@ -11,15 +11,15 @@ namespace transformesh {
 namespace {
 
 constexpr int rows_per_band = 16;  ///< affects time only
-/// Differences of depth, in pixel sides at that depth. Neighboring pixels with a larger difference
-/// than `contour_step` belong to different parts of the surface. A place that is farther than
-/// `hidden_step` from the depth of its pixel is hidden.
+/// Limits of differences of depth, in units of a pixel's side at that depth. Neighboring pixels
+/// whose depths differ by more than `contour_step` show different parts of the surface. A point is
+/// hidden if its depth differs from that of its pixel by more than `hidden_step`.
 constexpr float contour_step = 8;
 constexpr double hidden_step = 6;
 constexpr double least_facing = 0.1;  ///< least cosine between the normal and the viewing direction
-/// Distance from a contour, in pixels, from which on quality is full.
+/// Distance from a contour, in pixels, from which on the contour does not reduce the quality.
 constexpr int full_margin = 8;
-constexpr std::uint8_t most_margin = 64;  ///< limit of distances from contours
+constexpr std::uint8_t most_margin = 64;  ///< largest stored distance from a contour, in pixels
 
 Raster<float> depths(const Mesh& mesh, const Camera& camera) {
   const BandRasterizer bands(mesh, camera, rows_per_band);
@@ -48,8 +48,8 @@ bool is_contour(const Raster<float>& depth, int x, int y, float focal) {
          std::abs(depth.at(x, y + 1) - here) > step;
 }
 
-/// Returns distances to the nearest contour, in steps to one of the eight neighbors. Sweeps down
-/// and up through the image.
+/// Returns the distance of each pixel from the nearest contour, as the number of steps to one of
+/// the eight neighbors. Makes one pass down and one pass up through the image.
 Raster<std::uint8_t> margins(const Raster<float>& depth, float focal) {
   Raster<std::uint8_t> margin(depth.width, depth.height, 0);
   parallel_for(static_cast<std::size_t>(depth.height), 16, [&](std::size_t first, std::size_t end) {
@@ -74,8 +74,8 @@ Raster<std::uint8_t> margins(const Raster<float>& depth, float focal) {
   return margin;
 }
 
-/// Halves the size of an image. Each pixel is the mean of four; an odd last row or column is
-/// dropped.
+/// Returns the image at half the width and height. Each pixel is the mean of four pixels; an odd
+/// last row or column is dropped.
 Image half_of(const Image& image) {
   Image half(image.width / 2, image.height / 2);
   parallel_for(static_cast<std::size_t>(half.height), 16, [&](std::size_t first, std::size_t end) {
@@ -97,7 +97,8 @@ Eigen::Array3f intensities_at(const Image& image, int x, int y) {
   return {static_cast<float>(pixel[0]), static_cast<float>(pixel[1]), static_cast<float>(pixel[2])};
 }
 
-/// Interpolates bilinearly. Points beyond the outermost pixel centers get the color of the border.
+/// Returns the color at (x, y) by bilinear interpolation. Points outside of the rectangle of pixel
+/// centers get the color at its border.
 Eigen::Array3f interpolated(const Image& image, double x, double y) {
   x = std::clamp(x, 0.0, image.width - 1.0);
   y = std::clamp(y, 0.0, image.height - 1.0);
@@ -130,8 +131,9 @@ PhotographSampler::PhotographSampler(const Mesh& mesh, const PinholeCamera& came
   }
 }
 
-/// Interpolates between the two levels of the pyramid whose pixels are closest to `spacing`. Pixels
-/// are not larger than `margin`, so that colors from beyond a contour are not averaged.
+/// Returns the color at (x, y). Interpolates between the two pictures of `pyramid_` whose pixel
+/// sizes are closest to `spacing`, but not above `margin`. Larger pixels would include colors from
+/// the other side of a contour.
 Eigen::Array3f PhotographSampler::color_at(double x, double y, double spacing, int margin) const {
   const double size = std::min(spacing, static_cast<double>(margin));
   std::size_t octave = 0;
@@ -160,7 +162,8 @@ ViewColor PhotographSampler::at(const Place& place) const {
   const double facing = place.normal.dot((center_ - place.point).normalized());
   if (!(facing > least_facing)) return {};
 
-  // Blends use the 16th power of the quality. The eighth root makes the weight the squared margin.
+  // Blends use the 16th power of the quality as weight. Due to the eighth root, the weight is
+  // proportional to the squared margin.
   const double share = std::min(1.0, static_cast<double>(margin) / full_margin);
   const double quality = facing * pixel_ / side * std::sqrt(std::sqrt(std::sqrt(share)));
   const Eigen::Array3f color = color_at(x, y, place.spacing / side, margin) + 0.5F;

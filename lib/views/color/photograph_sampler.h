@@ -1,7 +1,9 @@
-/// Samples a photograph at points of a surface: returns the color of a point and its quality.
+/// Samples a photograph at points of a surface: returns the color of a point and the quality of
+/// this observation.
 /// Reference: Callieri, Cignoni, Corsini & Scopigno, "Masked photo blending: mapping dense
 /// photographic data set on high-resolution sampled 3D models", Computers & Graphics 32(4), 2008.
-/// Quality falls to zero towards contours and borders, so that blends have no seams along them.
+/// The quality falls to zero towards contours of the surface and borders of the image, so that
+/// blends of photographs have no seams there.
 #pragma once
 
 #include <vector>
@@ -22,12 +24,14 @@ struct Place {
 
 class PhotographSampler {
  public:
-  /// `pixel` is the length of a pixel's side of quality 1. Takes 11 bytes per pixel.
+  /// The quality is 1 if a pixel's side at the surface has the length `pixel`, at perpendicular
+  /// view. Takes 11 bytes per pixel of `picture`.
   PhotographSampler(const Mesh& mesh, const PinholeCamera& camera, Image picture, double pixel);
 
-  /// Returns quality 0 if the surface occludes the point, or if the point is observed from inside
-  /// or at a grazing angle. The quality is also 0 if the pixel is on a contour or on the border of
-  /// the picture, and thus may show something else. Thread-safe.
+  /// Returns the color of the point and the quality. The quality is 0 if the surface occludes the
+  /// point, or if the camera is behind the surface or observes it at a grazing angle. It is also 0
+  /// if the pixel is on a contour or on the border of the picture, and thus may show something
+  /// else. Thread-safe.
   ViewColor at(const Place& place) const;
 
  private:
@@ -37,9 +41,11 @@ class PhotographSampler {
   Vec3 center_;
   double focal_;
   double pixel_;
-  std::vector<Image> pyramid_;   ///< each has half the size of the one before
-  Raster<float> depth_;          ///< 0 for background
-  Raster<std::uint8_t> margin_;  ///< number of pixels to the nearest contour or border
+  /// The picture, then reduced pictures; each has half the width and height of the previous one.
+  std::vector<Image> pyramid_;
+  Raster<float> depth_;  ///< depth of the surface at each pixel; 0 for background
+  /// For each pixel, the distance to the nearest contour or border, in pixels.
+  Raster<std::uint8_t> margin_;
 };
 
 }  // namespace transformesh

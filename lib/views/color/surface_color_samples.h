@@ -1,4 +1,4 @@
-/// Samples the colors of many surface points, from one photograph after the other. Internal to
+/// Samples the colors of many surface points, from one photograph after the other. Used only by
 /// color_vertices and texture_surface.
 #pragma once
 
@@ -13,27 +13,30 @@
 
 namespace transformesh {
 
-/// Places of one kind with their samples. `place` is called by several threads.
+/// A list of surface points, such as all vertices, with their colors in the views. `place` returns
+/// a point; several threads call it.
 struct ColorSamples {
   std::size_t count = 0;
   std::function<Place(std::size_t)> place;
-  std::vector<BestViewColors> seen;  ///< one per place, after sample_colors()
+  /// Colors of each point in its best views; set by sample_colors().
+  std::vector<BestViewColors> seen;
 };
 
-/// Returns the length of a pixel's side at the center of the mesh. Throws InputError unless the
-/// mesh is in front of at least one camera.
+/// Returns the usual length of a pixel's side at the center of the mesh, over all views. Throws
+/// InputError unless the mesh is in front of at least one camera.
 double usual_pixel(const Mesh& mesh, std::span<const PictureView> views);
 
-/// Returns samples at vertices, with half the mean edge length as spacing. Keeps a reference to the
-/// mesh.
+/// Returns the list of all vertices, with half the mean edge length as Place::spacing. Keeps a
+/// reference to `mesh` and `normals`.
 ColorSamples vertex_color_samples(const Mesh& mesh, std::span<const Vec3> normals);
 
-/// Fills `seen` of all `samples`.
+/// Sets ColorSamples::seen of all `samples`.
 void sample_colors(const Mesh& mesh, std::span<const PictureView> views, double pixel,
                    std::span<ColorSamples* const> samples, const Progress& progress);
 
-/// Returns blended colors, corrected by the gains of all views. An unobserved vertex gets the mean
-/// color of its neighbors that have one, or middle gray if there are none.
+/// Returns the color of each vertex, blended from its best views after exposure correction by
+/// `gains`. A vertex that no view observes gets the mean color of those neighbors that have one. It
+/// gets middle gray if no vertices of its component have a color.
 std::vector<Eigen::Array3f> vertex_colors(const Mesh& mesh, const ColorSamples& samples,
                                           std::span<const Gain> gains, ColorResult& result);
 

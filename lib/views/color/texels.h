@@ -1,4 +1,4 @@
-/// Enumerates the texels whose centers are covered by a triangle of a texture.
+/// Enumerates the texels (pixels of a texture) whose centers are in a triangle.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,9 @@
 namespace transformesh {
 
 /// Calls action(x, y, weights) for each texel of a `width` x `height` texture whose center is in
-/// the triangle. Centers are at integers. All barycentric weights must be at least `inside`;
-/// negative values also accept centers slightly outside. Degenerate triangles have no texels.
+/// the triangle. Texel centers have integer coordinates. A center is in the triangle if its
+/// barycentric weights are at least `inside`. If `inside` is negative, centers slightly outside are
+/// accepted as well. Degenerate triangles have no texels.
 template <class Action>
 void for_texels(const std::array<Eigen::Vector2d, 3>& corners, double inside, int width, int height,
                 const Action& action) {

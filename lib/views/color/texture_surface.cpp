@@ -16,9 +16,11 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_shrinkings = 60;  ///< each shrinking of the charts enlarges texels by a tenth
+/// Largest number of times that texels are enlarged by a tenth until the charts fit into the
+/// texture.
+constexpr int most_shrinkings = 60;
 
-/// Location of a texel on the surface.
+/// The point on the surface to which a texel belongs.
 struct Texel {
   Index face = no_index;
   std::array<float, 2> weight{};  ///< barycentric weights of the face's corners 0 and 1
@@ -65,8 +67,8 @@ bool could_fit(const std::vector<Chart>& charts, double texel, int most_size) {
 }
 
 Layout lay_out(const Mesh& mesh, double texel, const AtlasOptions& options) {
-  // A texture of `most_size` texels cannot resolve lengths below `least`. This limits the memory of
-  // the search for overlaps.
+  // A texture that is `most_size` texels wide hardly resolves lengths below `least`. Overlaps are
+  // not searched at a much finer resolution, which limits memory.
   const double least = diagonal_of(bounding_box(mesh)) / options.most_size;
   Layout layout{make_charts(mesh, std::max(texel, least / 4)), {}, texel};
   for (int i = 0; i < most_shrinkings; ++i, layout.texel *= 1.1) {
@@ -81,7 +83,8 @@ Layout lay_out(const Mesh& mesh, double texel, const AtlasOptions& options) {
                   {.counts = {static_cast<std::size_t>(options.most_size), layout.charts.size()}});
 }
 
-/// Converts the corners of a face to texels. The center of the first texel is at 0.
+/// Converts the corners of a face from chart coordinates to texture coordinates, in texels. The
+/// center of the first texel is at 0.
 std::array<Eigen::Vector2d, 3> in_texture(const std::array<Eigen::Vector2d, 3>& corners,
                                           const Eigen::Vector2i& place, double texel, int padding) {
   std::array<Eigen::Vector2d, 3> result;
@@ -90,7 +93,7 @@ std::array<Eigen::Vector2d, 3> in_texture(const std::array<Eigen::Vector2d, 3>& 
   return result;
 }
 
-/// Calls action(face, corners in texels), chart by chart.
+/// Calls `action` with each face and its three corners in texture coordinates, chart by chart.
 template <class Action>
 void for_faces(const Layout& layout, int padding, const Action& action) {
   for (std::size_t c = 0; c < layout.charts.size(); ++c) {
@@ -135,7 +138,8 @@ Pixel pixel_of(const Eigen::Array3f& color) {
           static_cast<std::uint8_t>(color[2] + 0.5F), 255};
 }
 
-/// Texels with alpha 0 have no color yet. Each round colors those with a colored neighbor.
+/// Extends the colors of charts to texels around them. Texels with alpha 0 have no color yet. Each
+/// round colors those that have a colored neighbor.
 void spread(Image& picture, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     const Image before = picture;
@@ -161,7 +165,7 @@ void spread(Image& picture, int rounds) {
   }
 }
 
-/// Sets the remaining texels, far from all charts, to the mean color.
+/// Sets the texels that have no color yet, far from all charts, to the mean color.
 void fill_rest(Image& picture) {
   Eigen::Array3d sum = Eigen::Array3d::Zero();
   double count = 0;
@@ -197,7 +201,7 @@ Atlas texture_surface(Mesh& mesh, std::span<const PictureView> views, const Atla
   const Layout layout = lay_out(mesh, pixel, options);
   const Raster<Texel> texels = texels_of(layout, options.padding);
 
-  // Colors of vertices are used for texels that are not visible in any view.
+  // Sample colors at vertices, too: they are used for texels that are not visible in any view.
   const std::vector<Vec3> normals = vertex_normals(mesh);
   ColorSamples at_vertices = vertex_color_samples(mesh, normals);
   ColorSamples at_texels = looks_at_texels(mesh, normals, texels, layout.texel);

@@ -1,13 +1,14 @@
-/// A texture of a surface from calibrated photographs: an atlas of planar charts (charts.h), whose
-/// texels are colored like vertices (color_vertices.h).
+/// Makes a texture of a surface from calibrated photographs. The texture is an atlas of planar
+/// charts (charts.h). Its pixels (texels) are colored like vertices (color_vertices.h).
 ///
-/// Texels have the size of a pixel at the mesh, or are larger if the atlas would exceed its limit.
-/// Charts are padded by texels that repeat their border, so that colors between charts do not bleed
-/// into reduced versions of the texture. Texels that are not visible in any view are interpolated
-/// from the colors of vertices.
+/// Texels have the size of a photograph's pixel at the mesh. They are larger if the atlas would
+/// otherwise exceed AtlasOptions::most_size. Around each chart are texels that repeat its border,
+/// so that reduced versions of the texture do not mix charts with other colors. Texels that are not
+/// visible in any view are interpolated from the colors of vertices.
 ///
-/// Cost: as color_vertices, for texels. Memory: 50 bytes per texel and 20 bytes per pixel of one
-/// photograph. The result does not depend on the number of threads.
+/// Time: like color_vertices(), but for each texel instead of each vertex. Memory: 50 bytes per
+/// texel and 20 bytes per pixel of one photograph. The result does not depend on the number of
+/// threads.
 #pragma once
 
 #include "transformesh/image.h"
@@ -16,10 +17,10 @@
 
 namespace transformesh {
 
-/// Writes the face column `texcoord`: lists of u and v of each corner as floats, v upwards. Removes
-/// red, green, blue and alpha of the vertices, because viewers would multiply the texture by them.
-/// Throws UsageError if options are out of range, GoalError if the charts do not fit into the
-/// largest atlas, and what color_vertices() throws.
+/// Writes the face column `texcoord`: for each face, the list of u and v of its corners as floats;
+/// v points upwards. Removes the vertex columns red, green, blue and alpha, because viewers would
+/// multiply the texture by these colors. Throws UsageError if options are out of range, GoalError
+/// if the charts do not fit into the largest atlas, and what color_vertices() throws.
 Atlas texture_surface(Mesh& mesh, std::span<const PictureView> views,
                       const AtlasOptions& options = {}, const Progress& progress = {});
 

@@ -12,12 +12,12 @@
 namespace transformesh {
 namespace {
 
-/// Fringes at the border are removed if they are narrower than twice this number of edges. An edge
-/// is about half a cell long. On photographs of a table, fringes of single pixels fell apart when
-/// the surface was refined.
+/// Fringes at the border of the surface are removed if they are narrower than twice this number of
+/// edges. An edge is about half a cell long. For photographs of objects on a table, fringes as wide
+/// as a pixel fell apart when the surface was refined.
 constexpr int fringe_rings = 6;
 
-/// Sizes of pixels and cells.
+/// Scale of the photographs and side of a grid cell.
 struct Sizes {
   double scale = 1;
   double cell = 0;
@@ -64,7 +64,8 @@ void count_pixels(std::span<const View> views, std::span<const DepthMap> maps,
   }
 }
 
-/// Drops components of less than `share` times the area of the largest one.
+/// Drops components with less than `share` times the area of the largest one. Returns the number of
+/// dropped components.
 std::size_t drop_crumbs(Mesh& mesh, double share) {
   const Components parts = connected_components(mesh);
   const std::vector<double> areas = component_areas(mesh, parts);

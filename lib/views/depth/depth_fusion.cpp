@@ -12,11 +12,12 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t nodes_per_task = 1 << 14;  ///< affects time only
-/// A node is unobserved if at most this many views observe its neighborhood on average. Its value
-/// is then found by diffusion. Larger values diffuse into regions with few depths.
+/// A node counts as unobserved if, on average, at most this number of views has a distance for the
+/// nodes around it. Its value is then found by diffusion. Larger values replace more values of
+/// regions with few depths.
 constexpr float unheard = 0.5F;
 
-/// One view's depth map with its projection: evidence about points in space.
+/// A view's depth map with its projection. It decides whether points in space are free or solid.
 struct Witness {
   Projection projection;
   const GrayImage* depths;
@@ -35,8 +36,8 @@ struct Witness {
   }
 };
 
-/// Sum and number of the distances of each node from the surfaces of views. The unit of distances
-/// is the truncation.
+/// For each node, the sum and the number of its distances from the surfaces in depth maps.
+/// Distances are in units of the truncation.
 struct Votes {
   std::vector<float> sum;
   std::vector<float> count;
@@ -90,7 +91,8 @@ class Fusion {
   Votes votes_;
 };
 
-// Returns the mean of all distances and the prior at nodes inside the hull; -1 (solid) elsewhere.
+// Returns the mean of the distances of each node inside the hull, including those of the prior,
+// which are -1 (solid). Returns -1 for all other nodes.
 std::vector<float> Fusion::means_of_votes() const {
   const auto prior = static_cast<float>(options_.prior);
   std::vector<float> means(hull_.values.size(), -1.0F);
@@ -99,7 +101,7 @@ std::vector<float> Fusion::means_of_votes() const {
   return means;
 }
 
-/// Returns the unobserved nodes that are not on the boundary of the grid.
+/// Returns the indices of unobserved nodes that are not on the boundary of the grid.
 std::vector<std::size_t> Fusion::unseen_nodes() const {
   std::vector<std::size_t> nodes;
   for (std::size_t z = 1; z + 1 < hull_.nodes[2]; ++z)
@@ -109,7 +111,8 @@ std::vector<std::size_t> Fusion::unseen_nodes() const {
   return nodes;
 }
 
-// Repeatedly replaces the value of each unobserved node by the mean of its neighbors in the hull.
+// Diffusion: repeatedly replaces the value of each unobserved node by the mean of its neighbors
+// inside the hull.
 void Fusion::continue_into_unseen(std::vector<float>& means) const {
   const std::vector<std::size_t> nodes = unseen_nodes();
   const std::array<std::size_t, 3> strides{1, hull_.nodes[0], hull_.nodes[0] * hull_.nodes[1]};
@@ -149,7 +152,8 @@ void Fusion::vote(std::size_t z) {
   }
 }
 
-// Replaces each value inside the hull by the mean over nodes inside the hull along an axis.
+// Replaces the value of each node inside the hull by a mean along `axis`, over the nearest nodes
+// that are inside the hull.
 void Fusion::blur(std::vector<float>& values, int axis) const {
   std::vector<float> blurred(values.size(), 0);
   std::array<std::size_t, 3> strides{1, hull_.nodes[0], hull_.nodes[0] * hull_.nodes[1]};

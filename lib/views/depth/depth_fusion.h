@@ -1,17 +1,18 @@
-/// Opens a visual hull where depth maps show hollows: fuses signed distances to visible surfaces on
-/// the grid of the hull.
+/// Removes fillings of hollows from a visual hull where depth maps show hollows. Signed distances
+/// from the surfaces in the depth maps are fused on the grid of the hull.
 /// Reference: Curless & Levoy, "A volumetric method for building complex models from range images",
 /// SIGGRAPH 1996.
 ///
-/// A node in front of the depth of a view has a positive distance (free). A node closely behind
-/// that depth has a negative distance (solid). If a node is farther behind, the view gives no
-/// evidence. Distances are truncated at a few cells and averaged over views and neighboring nodes.
-/// The number of views is their weight against the prior. Hence a few wrong depths among many nodes
-/// open nothing, and no thin sheets remain between rays.
+/// For each view, a grid node in front of the surface in its depth map has a positive distance
+/// (free). A node closely behind the surface has a negative distance (solid). Nodes farther behind
+/// get no distance from the view. Distances are truncated at a few cells and averaged over views
+/// and neighboring nodes. The average includes `prior` views that count every node as solid. Hence
+/// a few wrong depths among many nodes open nothing, and no thin sheets remain between viewing
+/// rays.
 ///
-/// Unobserved nodes get values by diffusion from the nodes around them (Davis, Marschner, Garr &
-/// Levoy, "Filling holes in complex surfaces using volumetric diffusion", 3DPVT 2002). Space behind
-/// surfaces thus becomes solid, and gaps in a surface are filled smoothly.
+/// Nodes that too few views observe get values by diffusion from the nodes around them (Davis,
+/// Marschner, Garr & Levoy, "Filling holes in complex surfaces using volumetric diffusion", 3DPVT
+/// 2002). Space behind surfaces thus becomes solid, and gaps in a surface are filled smoothly.
 #pragma once
 
 #include <span>
@@ -24,13 +25,15 @@ namespace transformesh {
 
 struct DepthFusionOptions {
   double truncation = 3;  ///< distances are truncated at this value; cells, > 0
-  double prior = 0.5;  ///< weight of the assumption that unobserved space is solid, in views; > 0
+  /// Weight of the assumption that all space in the hull is solid, as a number of views; > 0.
+  double prior = 0.5;
   int blur = 1;      ///< radius of the neighborhood over which distances are averaged; cells, >= 0
-  int rounds = 200;  ///< rounds of diffusion, >= 0; each reaches one cell farther
+  int rounds = 200;  ///< number of rounds of diffusion, >= 0; each reaches one cell farther
 };
 
-/// Returns at each node the maximum of the hull's value and the fused value. O(nodes * views),
-/// parallel; the result does not depend on the number of threads.
+/// Returns at each node the maximum of the hull's value and the fused signed distance. `hull` is
+/// negative inside. `maps[i]` is the depth map of `views[i]`. O(nodes * views), parallel; the
+/// result does not depend on the number of threads.
 ValueGrid fuse_depths(const ValueGrid& hull, std::span<const View> views,
                       std::span<const DepthMap> maps, const DepthFusionOptions& options = {},
                       const Progress& progress = {});

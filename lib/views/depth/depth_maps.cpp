@@ -11,10 +11,10 @@
 namespace transformesh {
 namespace {
 
-/// Number of views whose planes are swept before progress is reported again.
+/// Number of views whose depth maps are computed before progress is reported again.
 constexpr std::size_t views_at_once = 8;
 
-/// True if the other view has about the same depth at the point.
+/// True if the depth map `map` of another view has about the depth of the point at its pixel.
 bool is_found(const Vec3& point, const Projection& projection, const DepthMap& map,
               double tolerance) {
   const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
@@ -50,7 +50,8 @@ GrayImage agreed(std::size_t view, std::span<const View> views, std::span<const 
   return depth;
 }
 
-/// Patches of pixels that are connected if neighboring depths differ by less than the tolerance.
+/// Finds patches of a depth map: sets of connected pixels. Adjacent pixels are connected if their
+/// inverse depths differ by less than `tolerance` planes.
 class Islands {
  public:
   Islands(DepthMap& map, double tolerance)

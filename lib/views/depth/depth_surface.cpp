@@ -8,10 +8,10 @@
 namespace transformesh {
 namespace {
 
-/// Least cosine between ray and normal. The slopes of steeper surfaces are too inaccurate. Without
-/// a limit, distances from steep surfaces would vanish.
+/// Least cosine between viewing ray and normal; smaller ones are replaced by it. Slopes of steeper
+/// surfaces are too inaccurate. Without a limit, distances from steep surfaces would become 0.
 constexpr double least_cosine = 0.2;
-/// Cosine of pixels without neighbors on the same surface.
+/// Cosine that is assumed at pixels without neighbors on the same surface.
 constexpr double unknown_cosine = 0.5;
 
 }  // namespace
@@ -36,7 +36,9 @@ bool DepthSurface::is_same(float here, float there) const {
   return there > 0 && std::abs(1 / here - 1 / there) <= gap_;
 }
 
-// The normal is that of the plane through the pixels beside this one, two pixels apart if possible.
+// Returns the factor that converts a difference of depth at pixel (x, y) to a distance from the
+// tangent plane. The tangent plane is found from the neighbors on both sides along x and y or, if
+// one is on another surface, from the pixel and one neighbor.
 double DepthSurface::height_per_depth(int x, int y) const {
   const GrayImage& depth = map_.depth;
   const float here = depth.at(x, y);
@@ -55,7 +57,8 @@ double DepthSurface::height_per_depth(int x, int y) const {
   return std::max(std::abs(own_ray.dot(normal.normalized())), least_cosine * own_ray.norm());
 }
 
-// Interpolates between the four pixels if they are on the same surface; else takes the nearest one.
+// Returns the depth at (x, y): interpolated between four pixels if they are on the same surface,
+// else that of the nearest pixel.
 double DepthSurface::depth_at(double x, double y) const {
   const GrayImage& depth = map_.depth;
   const auto column = static_cast<int>(x), row = static_cast<int>(y);

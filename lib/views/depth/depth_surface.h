@@ -1,4 +1,4 @@
-/// The surface of a depth map, as signed distances of points from its tangent planes.
+/// The surface in a depth map. Computes signed distances of points from its tangent planes.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,21 @@ namespace transformesh {
 
 /// Distance of a point from the surface that a view observes.
 struct SurfaceDistance {
-  double distance = 0;  ///< from the tangent plane; positive in front of the surface
-  double cosine = 0;    ///< between the ray and the normal, at least `least_cosine`
+  double distance = 0;  ///< distance from the tangent plane; positive in front of the surface
+  double cosine = 0;    ///< cosine of the angle between viewing ray and normal; at least 0.2
 };
 
 class DepthSurface {
  public:
   /// Neighboring pixels belong to the same surface if their inverse depths differ by at most
-  /// `tolerance` planes of the map.
+  /// `tolerance` times DepthMap::plane_gap.
   DepthSurface(const PinholeCamera& camera, DepthMap map, double tolerance);
 
-  /// Returns nothing if the depth is unknown at the pixel of the point.
+  /// Returns the distance of a point from the surface at its pixel, or nothing if the depth is
+  /// unknown at that pixel.
   std::optional<SurfaceDistance> distance_of(const Vec3& point) const;
   const GrayImage& depth() const { return map_.depth; }
-  /// Returns the point of the surface at a pixel, whose depth must be known.
+  /// Returns the point of the surface at pixel (x, y). The depth of the pixel must be known.
   Vec3 point_of(int x, int y) const;
 
  private:
@@ -38,8 +39,10 @@ class DepthSurface {
   Vec3 center_;
   Eigen::Matrix3d to_ray_;
   DepthMap map_;
-  double gap_;        ///< largest difference of inverse depths on a surface
-  GrayImage height_;  ///< distance from the tangent plane per difference of depth
+  double gap_;  ///< largest difference of inverse depths of neighboring pixels on the same surface
+  /// For each pixel, the factor that converts a difference of depth to a distance from the tangent
+  /// plane.
+  GrayImage height_;
 };
 
 }  // namespace transformesh

@@ -27,7 +27,8 @@ Site block_counts(const NodeGrid& grid) {
 }
 
 NodeGrid grid_around(const Box& box, double spacing) {
-  constexpr double most_nodes = 1e15;  // Numbers of edges must be below 2^64.
+  // Limit of the number of nodes, because edge keys (grid_cubes.h) must be below 2^64.
+  constexpr double most_nodes = 1e15;
   NodeGrid grid{box.min(), spacing, {}};
   double count = 1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -40,7 +41,7 @@ NodeGrid grid_around(const Box& box, double spacing) {
   return grid;
 }
 
-/// Collects the blocks near the surface of a view.
+/// Collects the blocks near the surface in a depth map.
 class NearBlocks {
  public:
   NearBlocks(const NodeGrid& grid, const Box& box, double reach)
@@ -56,7 +57,7 @@ class NearBlocks {
   }
 
  private:
-  // Adds the blocks that the cube around a point meets.
+  // Adds the blocks that intersect a cube around `point`, whose half side is `reach_`.
   void add_around(const Vec3& point) {
     if (!box_.contains(point)) return;
     Site low{}, high{};
@@ -103,7 +104,8 @@ std::vector<std::uint64_t> blocks_near(const NodeGrid& grid, const Box& box, dou
   return keys;
 }
 
-/// Returns the mean distance of a point from the surfaces, truncated at `reach`.
+/// Returns the weighted mean distance of a point from the surfaces, truncated at `reach`; NaN if
+/// the weight is below `least_weight`.
 float mean_distance(const Vec3& point, double reach, double least_weight,
                     std::span<const DepthSurface> surfaces) {
   double sum = 0, weight = 0;
@@ -124,8 +126,8 @@ Site first_node(const DistanceBlocks& blocks, std::size_t block) {
 /// Number of nodes along the side of a block that is extended by one node at both ends.
 constexpr std::size_t side_around = side + 2;
 
-/// Returns the index of a node in values_around(). `site` is relative to the first node of the
-/// block. Unsigned numbers wrap around, so that -1 is allowed.
+/// Returns the index of a node in the result of values_around(). `site` is relative to the first
+/// node of the block. An element may be -1, because unsigned numbers wrap around.
 std::size_t number_around(const Site& site) {
   return number_of({site[0] + 1, site[1] + 1, site[2] + 1},
                    {side_around, side_around, side_around});
@@ -136,7 +138,8 @@ std::vector<float> values_around(const DistanceBlocks& blocks, std::size_t block
   const Site start = first_node(blocks, block);
   std::vector<float> values;
   values.reserve(side_around * side_around * side_around);
-  // Negative indices wrap around to large numbers, which are outside of the grid.
+  // The index -1 wraps around to a large number, which is outside of the grid, so that its value is
+  // unknown.
   for (std::size_t z = 0; z < side_around; ++z)
     for (std::size_t y = 0; y < side_around; ++y)
       for (std::size_t x = 0; x < side_around; ++x)
@@ -145,7 +148,7 @@ std::vector<float> values_around(const DistanceBlocks& blocks, std::size_t block
   return values;
 }
 
-/// Returns the mean of the known values among the 3x3x3 nodes around and at `at`.
+/// Returns the mean of the known values among the 3x3x3 nodes whose middle is `at`.
 float mean_around(std::span<const float> values, const Site& at) {
   float sum = 0, count = 0;
   for (std::size_t k = 0; k < 27; ++k) {

@@ -24,7 +24,7 @@ std::vector<View> shrunk(std::span<const View> views, double scale) {
   return result;
 }
 
-/// A hull, and the same hull opened by depths that were found at a scale.
+/// A visual hull, and the same hull after fuse_depths() with depth maps of photographs at `scale`.
 struct Opening {
   ValueGrid hull, opened;
   double scale;
@@ -32,8 +32,9 @@ struct Opening {
   double deep_share() const;
 };
 
-/// Returns the fraction of the nodes inside the hull that are open and as deep as the deepest node.
-/// Values of a hull are clamped at four cells, so that all deeper nodes are equally deep.
+/// Returns the number of free nodes deep inside the hull, as a fraction of all nodes inside the
+/// hull. A node is free if it is outside of the opened hull. It is deep if its value is the least
+/// one: values are clamped at four cells.
 double Opening::deep_share() const {
   const float deepest = *std::min_element(hull.values.begin(), hull.values.end());
   std::size_t inside = 0;
@@ -66,7 +67,8 @@ Opening open_at(double size_px, std::span<const View> views, const OpenedHullOpt
   return opening;
 }
 
-/// Returns the agreement of the mesh with the silhouettes, averaged over the views.
+/// Returns the intersection over union of the silhouettes of mesh and views, averaged over the
+/// views.
 double mean_agreement(const Mesh& mesh, std::span<const View> views) {
   const std::vector<double> agreements = silhouette_agreements(mesh, views);
   return std::accumulate(agreements.begin(), agreements.end(), 0.0) /

@@ -1,5 +1,6 @@
-/// Opens the visual hull where photographs show hollows that no silhouette shows, and that are too
-/// deep for steps from the hull (photo_step.h) to reach.
+/// Removes fillings of hollows from a visual hull, by depth maps. No silhouette shows these
+/// hollows, and they are too deep for steps of the hull's surface towards the photographs
+/// (photo_step.h).
 #pragma once
 
 #include <optional>
@@ -15,15 +16,16 @@
 namespace transformesh {
 
 struct OpenedHullOptions {
-  /// Photographs are shrunk so that the longest side of the object has this length: `trial_px` to
-  /// search for hollows, `size_px` if there are any. Larger sizes find smaller hollows but take
-  /// longer.
+  /// Photographs are shrunk so that the longest side of the object has a certain length in pixels.
+  /// It is `trial_px` for a first search for hollows, and then `size_px` if there are any. Larger
+  /// sizes find smaller hollows but take longer.
   double trial_px = 140, size_px = 250;
   double cell_px = 1.5;  ///< size of a grid cell, in pixels of the shrunk photographs
-  /// Least fraction of the hull's volume that must be open and deeper than four cells, in [0, 1].
+  /// Least fraction of the hull's volume that depth maps must show to be free, more than four cells
+  /// below its surface; [0, 1].
   double least_share = 0.005;
-  /// Largest decrease of the mean silhouette_agreement(), in [0, 1]. If photographs do not belong
-  /// to the cameras, depths remove more than hollows.
+  /// Largest accepted decrease of the mean silhouette_agreement(), in [0, 1]. It decreases by more
+  /// if depth maps are wrong, for example if photographs do not belong to the cameras.
   double most_agreement_lost = 0.05;
   std::optional<double> keep = std::nullopt;  ///< InitialMeshOptions::keep
   PairOptions pairs;
@@ -34,13 +36,14 @@ struct OpenedHullOptions {
 };
 
 struct OpenedHull {
-  Mesh mesh;         ///< see HullResult::mesh
-  double scale = 1;  ///< scale of the photographs whose depths were fused
+  Mesh mesh;  ///< closed, oriented 2-manifold without self-intersection, like HullResult::mesh
+  double scale = 1;  ///< factor by which photographs were shrunk for the depth maps
 };
 
-/// Returns nothing if no hollow is deep enough, or if silhouettes would change too much. Every view
-/// must have a photograph and a silhouette. Throws as visual_hull() does. O(pixels at `size_px` *
-/// planes * pairs). Parallel; the result does not depend on the number of threads.
+/// Returns the opened hull. Returns nothing if no hollow is deep enough, or if silhouettes would
+/// change too much. Every view must have a photograph and a silhouette. Throws as visual_hull()
+/// does. O(pixels at `size_px` * planes * pairs). Parallel; the result does not depend on the
+/// number of threads.
 std::optional<OpenedHull> opened_hull(std::span<const View> views,
                                       const OpenedHullOptions& options = {},
                                       const Progress& progress = {});

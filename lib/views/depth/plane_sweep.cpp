@@ -16,9 +16,9 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_planes = 400;  ///< limits time and memory per view
+constexpr int most_planes = 400;  ///< largest number of planes; limits time and memory per view
 
-/// Range of depths, and bounding rectangle in the image, of the nodes inside the hull.
+/// Range of depths of the nodes inside the hull, and their bounding rectangle in the image.
 struct Extent {
   double near = std::numeric_limits<double>::infinity();
   double far = 0;
@@ -45,8 +45,9 @@ Extent extent_of(const ValueGrid& hull, const Projection& projection) {
   return extent;
 }
 
-/// A neighboring view, relative to the reference view. The point at `depth` on the ray of pixel (x,
-/// y) of the reference has homogeneous pixel depth * turn * (x, y, 1) + shift in the neighbor.
+/// A neighboring view of the reference view, whose depths are computed. The point at `depth` on the
+/// ray of pixel (x, y) of the reference view is at the homogeneous pixel depth * turn * (x, y, 1) +
+/// shift of the neighbor.
 struct Neighbor {
   GrayImage image;
   Eigen::Matrix3d turn;
@@ -114,15 +115,17 @@ class Sweep {
   int first_row_ = 0, end_row_ = 0;
   int first_column_ = 0, end_column_ = 0;
   int planes_ = 0;
-  /// Inverse depth of the first plane; distance between planes in inverse depth.
+  /// Inverse depth of the first plane, and difference of the inverse depths of consecutive planes.
   double nearest_ = 0, gap_ = 0;
-  /// Per pixel of the rectangle: whether the current plane is inside the hull.
+  /// For each pixel of the rectangle: 1 if its point on the current plane is inside the hull, else
+  /// 0.
   std::vector<std::uint8_t> is_inside_;
-  MatchingCosts costs_;  ///< costs of the rectangle's pixels
-  MatchingCosts sums_;   ///< costs summed along paths
+  MatchingCosts costs_;  ///< costs of the planes at the pixels of the rectangle
+  MatchingCosts sums_;   ///< `costs_` summed along paths (semiglobal_matching.h)
 };
 
-// The number of planes follows from the neighbor in which the center of the rectangle moves most.
+// Sets the rectangle and the planes. The number of planes follows from the neighbor in which the
+// center of the rectangle moves most between the least and the largest depth.
 bool Sweep::find_planes() {
   const Extent extent = extent_of(hull_, view_.camera.projection());
   if (!extent.is_before_camera()) return false;
@@ -147,8 +150,8 @@ bool Sweep::find_planes() {
   return true;
 }
 
-// Marks the pixels whose point on the plane is in the hull, or at most a cell outside. Returns
-// false if there is none.
+// Marks the pixels whose point on the plane is in the hull, or at most one cell outside. Returns
+// false if there are no such pixels.
 bool Sweep::mark_inside(double depth) {
   is_inside_.assign(size(), 0);
   first_row_ = rows_;
@@ -221,7 +224,8 @@ void Sweep::compare(const Neighbor& neighbor, double depth, float* best, float* 
       });
 }
 
-// If there is only one neighbor, its correlation is the mean.
+// Computes the costs of all pixels on a plane. If there is only one neighbor, its correlation is
+// used instead of the mean of two.
 void Sweep::score(int plane) {
   const double depth = depth_of(plane);
   if (!mark_inside(depth)) return;
@@ -237,7 +241,8 @@ void Sweep::score(int plane) {
   }
 }
 
-// Candidates are the planes on which the pixel was compared.
+// Returns the depth of a pixel, or 0 if it is unknown. Only planes on which the pixel was compared
+// are considered.
 float Sweep::best_depth(int x, int y) const {
   const std::span<const float> costs = costs_.at(x, y);
   const std::span<const float> sums = sums_.at(x, y);

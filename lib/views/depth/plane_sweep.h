@@ -2,13 +2,15 @@
 /// Reference: Collins, "A space-sweep approach to true multi-image matching", CVPR 1996.
 ///
 /// The planes are perpendicular to the viewing axis, equidistant in inverse depth, and intersect
-/// the visual hull. On each plane the photograph is compared with its neighbors in windows
-/// (correlation.h). Only points in the hull count. The cost of a plane is 1 minus the mean
-/// correlation of the two neighbors that agree best; other neighbors may be occluded.
+/// the visual hull. On each plane, windows of the photograph are compared with its neighboring
+/// photographs (correlation.h). Only points in the hull count. The cost of a plane at a pixel is 1
+/// minus the mean correlation of the two neighbors that agree best. In other neighbors, the point
+/// may be occluded.
 ///
-/// Costs are summed along paths (semiglobal_matching.h). The depth of a pixel is the one with the
-/// least sum, interpolated between planes by a parabola. If the correlation is low at this depth,
-/// the depth is unknown. Other depths may still be wrong: see depth_maps.h.
+/// Costs are summed along paths (semiglobal_matching.h). The depth of a pixel is that of the plane
+/// with the least sum, interpolated between planes by a parabola. If the correlation is low at this
+/// depth, the depth is unknown. Some of the known depths are still wrong; depth_maps.h removes most
+/// of them.
 #pragma once
 
 #include <span>
@@ -22,14 +24,15 @@ namespace transformesh {
 
 struct PlaneSweepOptions {
   CorrelationOptions correlation = {.noise_variance = 4, .contrast = 0};
-  double step = 2;  ///< distance of consecutive planes in the image, at most; pixels, > 0
+  /// Largest movement of a point in a neighboring image between consecutive planes; pixels, > 0.
+  double step = 2;
   SemiglobalOptions semiglobal;
   double least_correlation = 0.3;  ///< least mean correlation of the two best neighbors; [0, 1]
 };
 
 struct DepthMap {
-  GrayImage depth;       ///< size of the view; depth as in PinholeCamera; 0 if unknown
-  double plane_gap = 0;  ///< distance between planes, in inverse depth
+  GrayImage depth;  ///< depth of each pixel of the view, as defined by PinholeCamera; 0 if unknown
+  double plane_gap = 0;  ///< difference of inverse depths of consecutive planes
 };
 
 /// Returns the depth map of `view`. `hull` is negative inside. All depths are unknown if there are

@@ -31,7 +31,8 @@ class Paths {
     return x >= 0 && y >= 0 && x < costs_.columns && y < costs_.rows;
   }
 
-  /// Follows all paths of a direction. A path begins where the previous pixel would be outside.
+  /// Follows all paths in direction (dx, dy). A path begins at a pixel whose predecessor would be
+  /// outside of the rectangle.
   void go(int dx, int dy) {
     for (int y = 0; y < costs_.rows; ++y)
       for (int x = 0; x < costs_.columns; ++x)
@@ -47,8 +48,8 @@ class Paths {
     }
   }
 
-  /// Extends the path to this pixel. The least cost before it is subtracted, which keeps numbers
-  /// small and does not change the order of the planes.
+  /// Extends the paths to all planes of the next pixel. Subtracts the least cost of the previous
+  /// pixel, which keeps numbers small and does not change the order of the planes.
   void enter(std::span<const float> costs, std::span<float> sums, bool begins) {
     constexpr float none = std::numeric_limits<float>::infinity();
     const std::size_t count = costs.size();
@@ -72,8 +73,10 @@ class Paths {
   SemiglobalOptions options_;
   MatchingCosts sums_;
   std::vector<bool> shows_;
-  std::vector<float> before_, now_;  ///< padded by a plane of infinite cost on both sides
-  float least_ = 0;                  ///< minimum of `before_`
+  /// Path costs of the previous and of this pixel, with a plane of infinite cost added on both
+  /// sides.
+  std::vector<float> before_, now_;
+  float least_ = 0;  ///< minimum of `before_`
 };
 
 }  // namespace

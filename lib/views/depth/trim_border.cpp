@@ -9,7 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Marks the vertices of all faces that have a marked vertex.
+/// Returns the marks, extended by one ring: all vertices of faces that have a marked vertex are
+/// marked.
 std::vector<char> grown(const Mesh& mesh, const std::vector<char>& is_marked) {
   std::vector<char> result = is_marked;
   for (const Face& face : mesh.faces)
@@ -45,7 +46,7 @@ void drop_fringes(Mesh& mesh, int rings) {
   mesh = select_faces(mesh, keeps);
 }
 
-/// Returns the faces whose umbrellas are the largest ones of all their vertices.
+/// Returns true for faces that belong to the largest umbrella of each of their three vertices.
 std::vector<bool> in_largest_umbrellas(const Mesh& mesh) {
   const Umbrellas umbrellas = find_umbrellas(mesh, Edges(mesh));
   std::vector<Index> sizes(umbrellas.vertex_of.size(), 0);
@@ -67,8 +68,7 @@ std::vector<bool> in_largest_umbrellas(const Mesh& mesh) {
 
 void trim_border(Mesh& mesh, int rings) {
   drop_fringes(mesh, rings);
-  // Dropping faces can divide the umbrellas of their vertices. The loop thus ends when no face is
-  // dropped.
+  // Repeat until no face is dropped, because dropping faces can divide umbrellas of other vertices.
   for (;;) {
     const std::vector<bool> keeps = in_largest_umbrellas(mesh);
     if (std::find(keeps.begin(), keeps.end(), false) == keeps.end()) return;

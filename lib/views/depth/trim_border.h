@@ -1,14 +1,16 @@
-/// Removes fringes at the border of an open surface from a grid, and makes the surface a manifold.
+/// Removes fringes at the border of an open surface, which was extracted from a grid, and makes the
+/// surface a manifold.
 #pragma once
 
 #include "transformesh/mesh.h"
 
 namespace transformesh {
 
-/// Removes parts that are narrower than about twice `rings` edges: faces are kept if a vertex
-/// within `rings` edges has a distance of at least `rings` edges from the border. This is an
-/// opening in the sense of morphology. Then keeps only the largest umbrella of each vertex. Every
-/// edge must have at most two faces. O(faces); deterministic.
+/// Removes parts that are narrower than about twice `rings` edges. Keeps a face if each of its
+/// vertices is at most `rings` + 1 edges away from a vertex that is more than `rings` edges away
+/// from the border. This is a morphological opening. Then keeps only the largest umbrella of each
+/// vertex: its largest set of faces that are connected across edges. Every edge must have at most
+/// two faces. O(faces); deterministic.
 void trim_border(Mesh& mesh, int rings);
 
 }  // namespace transformesh

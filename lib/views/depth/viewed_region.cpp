@@ -11,11 +11,12 @@
 namespace transformesh {
 namespace {
 
-/// Cells along the longest side. Depths are bounded by cells, not by the exact box, so that more
-/// cells would only spare a few planes.
+/// Number of grid cells along the longest side. The region only bounds the depths of a plane sweep.
+/// Smaller cells would bound them more tightly, which only saves a few planes.
 constexpr double cells = 96;
-/// Radius of the default region, as a fraction of the median distance of the cameras. A larger one
-/// includes the space between and behind cameras, where planes need many pixels of parallax.
+/// Radius of the default region, as a fraction of the median distance of the cameras. A larger
+/// radius includes the space between and behind cameras. Planes there are so near to cameras that a
+/// sweep needs many of them.
 constexpr double radius_share = 0.6;
 
 double median_distance(std::span<const PinholeCamera> cameras, const Vec3& center) {
@@ -92,9 +93,12 @@ ValueGrid viewed_region(std::span<const View> views, const std::optional<Box>& b
 }
 
 std::optional<Box> box_of_points(std::vector<Vec3> points) {
-  constexpr std::size_t least_points = 100;  // boxes of fewer points are unreliable
-  constexpr std::size_t outliers = 50;  // one of this number of points is an outlier at each end
-  constexpr double margin = 0.1;  // fraction of the size, because parts of objects lack points
+  // Least number of points, because boxes of fewer points are unreliable.
+  constexpr std::size_t least_points = 100;
+  // One of this number of points is left out at each end, as an outlier.
+  constexpr std::size_t outliers = 50;
+  // Margin as a fraction of the size, because parts of objects lack points.
+  constexpr double margin = 0.1;
   if (points.size() < least_points) return std::nullopt;
   Box box(Vec3::Zero());
   const auto end = static_cast<std::ptrdiff_t>(points.size() / outliers);

@@ -16,15 +16,18 @@
 namespace transformesh {
 namespace {
 
-// Chosen resolution of the comparison. Time grows with the square of the image side and the cube of
-// the hull resolution.
+// Resolution at which candidate thresholds are compared, chosen by hand. Time grows with the square
+// of the image side and the cube of the hull resolution.
 constexpr double largest_side_px = 320;  ///< largest side of shrunk photographs
 constexpr int hull_resolution = 48;      ///< cells along the longest side of the box
-constexpr double share_to_keep = 0.1;    ///< HullOptions::keep, against phantoms
-/// Number of candidates below the dividing threshold. Each is 2^(1/4) times smaller than the one
-/// before.
+/// HullOptions::keep: smaller components of a hull are dropped, because they are hardly parts of
+/// the object.
+constexpr double share_to_keep = 0.1;
+/// Number of candidates below dividing_threshold(). Each candidate is the previous one divided by
+/// 2^(1/4).
 constexpr int steps_down = 8;
-/// Candidates whose agreement is this close to the best are considered equal.
+/// Candidate thresholds count as equally good if their agreement is at most this much below the
+/// best.
 constexpr double agreement_tolerance = 0.001;
 
 struct SmallView {
@@ -39,7 +42,8 @@ std::vector<SmallView> shrunk(std::span<const View> views) {
       const GrayImage& image = views[i].image;
       if (image.empty()) continue;
       result[i].scale = std::max(1.0, std::max(image.width, image.height) / largest_side_px);
-      // at_scale() would blur even a photograph that keeps its size.
+      // Do not call at_scale() for scale 1, because it blurs even photographs whose size does not
+      // change.
       result[i].view = result[i].scale > 1 ? at_scale(views[i], result[i].scale) : views[i];
     }
   });
@@ -60,8 +64,8 @@ std::vector<View> views_at(double intensity, const std::vector<SmallView>& small
   return views;
 }
 
-/// Returns the mean agreement of the silhouettes with the silhouettes of their visual hull. Returns
-/// nothing if the silhouettes do not bound a hull.
+/// Returns the mean intersection over union of the views' silhouettes and the silhouettes of their
+/// visual hull. Returns nothing if there is no hull.
 std::optional<double> hull_agreement(const std::vector<View>& views) {
   Mesh hull;
   try {

@@ -10,7 +10,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::int32_t no_segment = -1;  ///< not an index
+/// Marks pixels without a known nearest segment; not an index.
+constexpr std::int32_t no_segment = -1;
 
 using Point = Eigen::Vector2f;
 
@@ -28,9 +29,9 @@ struct Segment {
   }
 };
 
-/// Computes the distance of each pixel to the nearest segment of the contour, up to `limit`.
-/// Marching squares yields the segments; two sweeps over the image pass the nearest segment from
-/// pixel to pixel.
+/// Computes the distance of each pixel center from the nearest segment of the contour, up to
+/// `limit`. Marching squares yields the segments. Two passes over the image propagate the nearest
+/// segment from pixel to pixel.
 class ContourDistance {
  public:
   ContourDistance(const GrayImage& silhouette, float limit)
@@ -47,7 +48,8 @@ class ContourDistance {
   }
 
  private:
-  /// Adds the segments of the contour in the square of four pixel centers, by marching squares.
+  /// Adds the segments of the contour in the square whose corners are the centers of pixels (x, y)
+  /// to (x + 1, y + 1), by marching squares.
   void trace_cell(int x, int y) {
     static constexpr std::array<std::array<int, 2>, 4> corners = {
         {{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};

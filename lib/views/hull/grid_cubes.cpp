@@ -9,11 +9,12 @@
 namespace transformesh {
 namespace {
 
-/// Least distance of a vertex from the ends of its edge, as a fraction of the edge. Larger values
-/// give better shaped but less accurate faces.
+/// Least distance of a vertex from the ends of the edge on which it lies, as a fraction of the edge
+/// length. Larger values give faces of better shape but less accuracy.
 constexpr double least_share = 0.05;
 
-/// Corners of a cube as bits x, y, z, ordered so that the tetrahedron has positive orientation.
+/// Four corners of a cube, ordered so that the tetrahedron has positive orientation. Bits 0, 1 and
+/// 2 of a corner are its position along x, y and z.
 using Tetrahedron = std::array<unsigned, 4>;
 constexpr std::array<Tetrahedron, 6> kuhn = {{{{0, 1, 3, 7}},
                                               {{0, 2, 6, 7}},
@@ -22,7 +23,8 @@ constexpr std::array<Tetrahedron, 6> kuhn = {{{{0, 1, 3, 7}},
                                               {{0, 6, 4, 7}},
                                               {{0, 5, 1, 7}}}};
 
-/// Even permutations that move each corner, and each pair of corners, to the front.
+/// Even permutations of the corners of a tetrahedron. `one_first` moves each corner to the front,
+/// `two_first` each pair of corners.
 constexpr std::array<std::array<unsigned, 4>, 4> one_first = {
     {{{0, 1, 2, 3}}, {{1, 0, 3, 2}}, {{2, 3, 0, 1}}, {{3, 2, 1, 0}}}};
 constexpr std::array<std::array<unsigned, 4>, 6> two_first = {{{{0, 1, 2, 3}},
@@ -80,8 +82,9 @@ class Cube {
     }
   }
 
-  /// Requires two corners of one Kuhn tetrahedron. The bits of one are a subset of the bits of the
-  /// other. The edge thus starts at corner `a & b` and extends along the axes `a ^ b`.
+  /// Returns the key of the edge between corners `a` and `b` of one tetrahedron. In Kuhn's
+  /// subdivision, the bits of one corner are a subset of the bits of the other. The edge thus
+  /// starts at corner `a & b` and extends along the axes `a ^ b`.
   EdgeKey key(unsigned a, unsigned b) const { return node_[a & b] * 8 + (a ^ b); }
 
   std::array<std::size_t, 8> node_{};

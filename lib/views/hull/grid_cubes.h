@@ -1,6 +1,6 @@
-/// Parts of marching tetrahedra (marching_tetrahedra.h) that do not depend on how values are
-/// stored: faces in a cube of the grid, and their vertices. Nodes of unknown value leave the
-/// surface open.
+/// Parts of marching tetrahedra (marching_tetrahedra.h) that do not depend on how the values at
+/// grid nodes are stored. These are the faces in one cube of the grid, and the vertices of faces.
+/// The surface has holes at nodes whose value is unknown.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace transformesh {
 
-/// Positions and numbers of the nodes of a grid.
+/// A regular grid: positions and indices of its nodes.
 struct NodeGrid {
   Vec3 origin = Vec3::Zero();          ///< position of node (0, 0, 0)
   double spacing = 1;                  ///< distance between neighboring nodes, > 0
   std::array<std::size_t, 3> nodes{};  ///< number of nodes along x, y and z
 
-  /// Returns the number of a node; x varies fastest.
+  /// Returns the index of a node; x varies fastest.
   std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
     return (z * nodes[1] + y) * nodes[0] + x;
   }
@@ -28,23 +28,25 @@ struct NodeGrid {
   }
 };
 
-/// Identifies an edge of the grid: eight times the index of its first node, plus 1, 2 and 4 if the
-/// edge extends along x, y and z.
+/// Identifies an edge of a tetrahedron: eight times the index of its first node, plus 1, 2 and 4 if
+/// the edge extends along x, y and z.
 using EdgeKey = std::uint64_t;
-/// A face by the edges of the grid on which its vertices lie.
+/// A triangle of the surface, given by the edges on which its three vertices lie.
 using EdgeKeyFace = std::array<EdgeKey, 3>;
 
-/// A cube of the grid. Corners are numbered by bits x, y, z.
+/// A cube of the grid. In the index of a corner, bits 0, 1 and 2 are its position along x, y and z.
 struct GridCube {
   std::array<std::size_t, 8> nodes{};
-  std::array<float, 8> values{};  ///< negative inside; not a number if unknown
+  /// Values at the corners: negative inside the surface; NaN if unknown.
+  std::array<float, 8> values{};
 };
 
-/// Appends the faces in the cube's tetrahedra, except for tetrahedra with an unknown corner.
+/// Appends to `faces` the triangles in the six tetrahedra of the cube. Skips tetrahedra with a
+/// corner of unknown value.
 void cut_cube(const GridCube& cube, std::vector<EdgeKeyFace>& faces);
 
-/// Returns the mesh of these faces, with vertices in the order of their edges. `value` returns the
-/// value of a node. Parallel; the result does not depend on the number of threads.
+/// Returns the mesh of these faces. Its vertices have the order of their edge keys. `value` returns
+/// the value at a node. Parallel; the result does not depend on the number of threads.
 Mesh mesh_of_cut_edges(const NodeGrid& grid, const std::vector<EdgeKeyFace>& faces,
                        const std::function<float(std::size_t node)>& value);
 

@@ -1,9 +1,10 @@
 /// Samples the function of hull.h on a regular grid and extracts its zero set by marching
 /// tetrahedra.
 ///
-/// The grid is processed in blocks of nodes. A block that is entirely outside of one silhouette, or
-/// inside all of them, is decided by one distance lookup per view. Nodes of the other blocks are
-/// sampled one by one. O(views * (blocks + sampled nodes)) time; 4 bytes per node.
+/// The grid is processed in blocks of nodes. If a block is entirely outside of one silhouette, or
+/// inside all silhouettes, one distance lookup per view suffices for all of its nodes. At the nodes
+/// of other blocks, the function is computed one by one. O(views * (blocks + sampled nodes)) time;
+/// 4 bytes per node.
 #include "transformesh/hull.h"
 
 #include <Eigen/Geometry>
@@ -25,11 +26,11 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_nodes = 1 << 28;  ///< 1 GiB of values
-/// Side of a block, in nodes. Fewer of the larger blocks are entirely inside or outside; a smaller
-/// block saves fewer lookups.
+constexpr double most_nodes = 1 << 28;  ///< largest number of grid nodes: 1 GiB of values
+/// Side of a block, in nodes. Larger blocks are less often entirely inside or outside of
+/// silhouettes; smaller blocks save fewer lookups.
 constexpr std::size_t block_nodes = 8;
-/// Bound of the error of interpolated distances.
+/// Upper bound of the error of interpolated distances from a contour, in pixels.
 constexpr double distance_slack_px = 1;
 
 /// Evaluates the distance from the contour of one silhouette at points in space.
@@ -82,7 +83,7 @@ double field(const std::vector<Carver>& carvers, const Vec3& point) {
 
 enum class Verdict { carved, kept, open };
 
-/// Bounding rectangle of the image of a box, in pixels.
+/// Bounding rectangle of the image of a box in a view, in pixels.
 struct Footprint {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
@@ -111,8 +112,9 @@ struct Footprint {
   }
 };
 
-/// Decides whether one view carves or keeps a whole box. Distances are 1-Lipschitz in the image, so
-/// that the distance at the center of the footprint bounds all distances in it.
+/// Decides from one view whether a whole box is outside of its silhouette (carved) or inside
+/// (kept), if possible. Distances from the contour are 1-Lipschitz in the image. The distance at
+/// the center of the footprint therefore bounds all distances in the footprint.
 Verdict verdict_of(const Carver& carver, const Box& box) {
   const Footprint footprint(carver.projection, box);
   if (!footprint.is_before_camera) return Verdict::open;
@@ -135,7 +137,7 @@ Verdict verdict_of(const std::vector<Carver>& carvers, const Box& box) {
   return verdict;
 }
 
-/// Samples the field at the nodes of a grid, block by block.
+/// Computes the function F of hull.h at the nodes of a grid, block by block.
 class Sampler {
  public:
   Sampler(const std::vector<Carver>& carvers, ValueGrid& grid)
@@ -165,11 +167,11 @@ class Sampler {
       low[axis] = block[axis] * block_nodes;
       high[axis] = std::min(low[axis] + block_nodes, grid_.nodes[axis]);
     }
-    // The box extends one cell below the block, so that no edge of the grid which enters a carved
-    // or kept block crosses the surface.
+    // The box begins one cell before the block. Grid edges that enter a carved or kept block from
+    // lower indices are then in the box, and do not meet the surface.
     const Vec3 cell = Vec3::Constant(grid_.spacing);
     const Verdict verdict = verdict_of(carvers_, Box{place(low) - cell, place(high)});
-    if (verdict == Verdict::carved) return;  // run() has marked all nodes as outside
+    if (verdict == Verdict::carved) return;  // run() has already set all nodes to outside
     for (std::size_t z = low[2]; z < high[2]; ++z)
       for (std::size_t y = low[1]; y < high[1]; ++y)
         for (std::size_t x = low[0]; x < high[0]; ++x) measure({x, y, z}, verdict);
@@ -186,7 +188,8 @@ class Sampler {
 
   const std::vector<Carver>& carvers_;
   ValueGrid& grid_;
-  float far_;  ///< values are clamped to [-far_, far_]; beyond, only their sign matters
+  /// Values are clamped to [-far_, far_], because only the sign of farther values matters.
+  float far_;
   Site blocks_{};
 };
 

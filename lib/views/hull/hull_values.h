@@ -1,5 +1,5 @@
-/// Internal interface of the visual hull (hull.h): its implicit function, and hulls of lists of
-/// views.
+/// Internal interface of the visual hull (hull.h): its bounding box, its implicit function on a
+/// grid, and visual_hull() for internal View objects.
 #pragma once
 
 #include <span>
@@ -11,20 +11,21 @@
 namespace transformesh {
 
 /// Returns the smallest axis-parallel box around all points that are in front of every camera and
-/// project into the bounding rectangle of every silhouette. Rectangles are enlarged by one pixel.
-/// Solves a linear program exactly. A side of a rectangle at the border of its image is no
-/// constraint, because the object may continue beyond it. A view without silhouette only requires
-/// that the object is in front of its camera. Throws InputError, naming the view, if a silhouette
-/// has no pixel inside. Also throws it if no point satisfies all constraints, and if the
-/// silhouettes do not bound the object on all sides.
+/// project into the bounding rectangle of every silhouette, enlarged by one pixel. Solves a linear
+/// program exactly. A side of a rectangle that lies at the border of the image is not a constraint,
+/// because the object may continue beyond the image. A view without silhouette only requires that
+/// the object is in front of its camera. Throws InputError, with the name of the view, if a
+/// silhouette has no pixel inside. Also throws InputError if no point satisfies all constraints, or
+/// if the silhouettes do not bound the object on all sides.
 Box silhouette_box(std::span<const View> views);
 
-/// Equals visual_hull() of hull.h, for a list of views.
+/// Does the same as visual_hull() of hull.h, for View objects instead of Views.
 HullResult visual_hull(std::span<const View> views, const HullOptions& options = {},
                        const Progress& progress = {});
 
-/// Returns the function F of hull.h on a grid, clamped to plus and minus four cells. Ignores
-/// `options.keep`: the zero set contains all components. Throws and costs as visual_hull().
+/// Returns the function F of hull.h on a grid. Values are clamped to plus and minus four cell
+/// sides. Ignores `options.keep`: the zero set contains all components. Throws as visual_hull()
+/// does, and takes about as long.
 ValueGrid hull_values(std::span<const View> views, const HullOptions& options = {},
                       const Progress& progress = {});
 

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// True if the pixel or one of its eight neighbors is inside.
+/// True if pixel (x, y) or one of its eight neighbors is inside the silhouette.
 bool is_near(const GrayImage& silhouette, int x, int y) {
   for (int j = std::max(y - 1, 0); j <= std::min(y + 1, silhouette.height - 1); ++j)
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, silhouette.width - 1); ++i)
@@ -19,7 +19,8 @@ bool is_near(const GrayImage& silhouette, int x, int y) {
   return false;
 }
 
-/// Sets all pixels of `held` to 0 that are not near the silhouette `box`.
+/// Sets all pixels of `held` to 0, except for those inside the silhouette `box` and their
+/// neighbors.
 void blacken(PackableImage& held, const GrayImage& box) {
   if (held.empty()) return;
   const bool is_packed = held.is_packed();

@@ -1,4 +1,5 @@
-/// Restricts views to the contents of a box, for photographs with clutter around the object.
+/// Blackens photographs and silhouettes outside of a box in space, for photographs with other
+/// things around the object.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace transformesh {
 
-/// Sets pixels of photographs and silhouettes to 0 (black, outside) if neither they nor one of
-/// their neighbors show the box. Packed images stay packed. Throws UsageError if the box is not
+/// Sets pixels of photographs and silhouettes to 0 (black, outside), except for pixels that show
+/// the box and their neighbors. Packed images stay packed. Throws UsageError if the box is not
 /// finite or has no interior. Throws InputError, with the name of the view, if a view does not show
 /// the box. O(pixels); parallel over views, deterministic.
 void keep_in_box(std::vector<View>& views, const Box& box);

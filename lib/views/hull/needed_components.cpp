@@ -11,16 +11,17 @@
 namespace transformesh {
 namespace {
 
-/// Images of components are compared in views shrunk to this many pixels, which bounds the time.
-/// Chosen by hand; not measured.
+/// Components are compared in views whose larger side is shrunk to at most this many pixels, which
+/// limits the time. Chosen by hand; not measured.
 constexpr double most_side_px = 320;
-/// Fraction of a component's pixels. Hulls of coarse cells do not cover a rim of the silhouettes,
-/// and phantoms may cover parts of this rim. Objects that are visible in half of the views show
-/// more than half of their pixels there. Lower values keep phantoms; higher values drop objects
-/// that others often hide.
+/// A component is needed if more than this fraction of its pixels is not covered by larger needed
+/// components. Hulls of coarse cells leave a rim of the silhouettes uncovered, and phantoms (see
+/// the header) may cover parts of this rim. Parts of the object that are visible in half of the
+/// views have more than half of their pixels uncovered there. Lower values keep phantoms; higher
+/// values drop parts of the object that others often hide.
 constexpr double least_uncovered = 0.1;
-/// Fraction of the largest volume. Reconstructions also drop smaller components at their end
-/// (ReconstructionOptions).
+/// Components with less than this fraction of the largest volume are dropped. Reconstructions drop
+/// such components at their end in any case (ReconstructionOptions::crumbs).
 constexpr double least_volume_share = 0.001;
 
 Camera small_camera(const View& view) {
@@ -30,7 +31,7 @@ Camera small_camera(const View& view) {
           static_cast<int>(image.height / scale)};
 }
 
-/// Pixels of all views that needed components cover.
+/// The pixels of all views that are covered by the components that were found to be needed.
 class CoveredPixels {
  public:
   explicit CoveredPixels(std::span<const View> views) {
@@ -40,8 +41,8 @@ class CoveredPixels {
     }
   }
 
-  /// Returns the fraction of the pixels of the mesh, over all views, that was not covered. Marks
-  /// the pixels of the mesh as covered if the fraction is above `limit`.
+  /// Returns the fraction of the pixels of `mesh`, over all views, that were not covered before.
+  /// Marks the pixels of `mesh` as covered if this fraction is above `limit`.
   double add(const Mesh& mesh, double limit) {
     std::vector<Raster<char>> before = covered_;
     std::vector<std::size_t> shown(cameras_.size(), 0), fresh(cameras_.size(), 0);
@@ -71,7 +72,8 @@ class CoveredPixels {
   std::vector<Raster<char>> covered_;
 };
 
-/// Returns the components of positive volume that are not tiny, the largest first.
+/// Returns the components of positive volume, the largest first, without those below
+/// `least_volume_share`.
 std::vector<Index> candidates(const std::vector<Component>& components) {
   double largest = 0;
   for (const Component& component : components) largest = std::max(largest, component.volume);

@@ -26,15 +26,15 @@ GrayImage offset_silhouette(GrayImage distances, float offset) {
   return distances;
 }
 
-/// Closes the silhouette: dilates and then erodes it by a disc. Erosion does not start at the
-/// border of the image, because the border is not part of the contour.
+/// Returns the morphological closing of the silhouette: dilates and then erodes it by a disc. The
+/// border of the image is not eroded, because it is not part of the contour.
 GrayImage closed(const GrayImage& silhouette, float radius) {
-  // Distances far above `radius` are not needed. The margin of four pixels is for the distance
-  // transform, because distances pass through neighbors that may be farther from the contour.
+  // Larger distances than `radius` are not needed. The distance transform needs a margin of four
+  // pixels, because it propagates distances through neighbors that may be farther from the contour.
   const float limit = radius + 4;
   const GrayImage wide = offset_silhouette(signed_distance(silhouette, limit), radius);
   GrayImage narrow = offset_silhouette(signed_distance(wide, limit), -radius);
-  // Keep the exact contour at places where nothing was closed.
+  // Keep the contour of the given silhouette at places where nothing was closed.
   for (std::size_t i = 0; i < narrow.pixels.size(); ++i)
     narrow.pixels[i] = std::max(narrow.pixels[i], silhouette.pixels[i]);
   return narrow;
@@ -43,8 +43,9 @@ GrayImage closed(const GrayImage& silhouette, float radius) {
 /// Number of pixels of each intensity.
 using Histogram = std::array<std::size_t, 256>;
 
-/// Returns the last intensity of the dark class: the one with the largest variance between the two
-/// classes (Otsu's equation 14). Classes with a fraction of pixels below float epsilon are ignored.
+/// Returns the largest intensity of the dark class. This is the intensity that maximizes the
+/// variance between the two classes (Otsu's equation 14). Ignores divisions in which a class has
+/// less than float epsilon of the pixels.
 std::ptrdiff_t otsu_threshold(const Histogram& counts) {
   const double scale = 1 / std::accumulate(counts.begin(), counts.end(), 0.0);
   double mean = 0;
@@ -83,8 +84,9 @@ double dividing_threshold(std::span<const GrayImage> images) {
   const auto is_used = [](std::size_t count) { return count > 0; };
   if (std::none_of(counts.begin(), counts.end(), is_used)) return contour_intensity;
 
-  // All intensities in the gap between the two classes have the same variance between classes.
-  // NOLINTBEGIN(readability-qualified-auto): an iterator of an array is a pointer here only
+  // The variance between the classes is the same for all thresholds in the gap between the classes.
+  // Find both ends of the gap. NOLINTBEGIN(readability-qualified-auto): an iterator of an array is
+  // a pointer here only
   const auto first_bright = counts.begin() + otsu_threshold(counts) + 1;
   const auto bright = std::find_if(first_bright, counts.end(), is_used);
   // NOLINTEND(readability-qualified-auto)

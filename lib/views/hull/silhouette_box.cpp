@@ -1,6 +1,6 @@
-/// Bounds the visual hull by a box. Each side of the box is the result of a linear program in three
-/// variables, which CGAL solves exactly. There is one constraint per camera, and one per side of a
-/// silhouette's bounding rectangle.
+/// Computes a box that contains the visual hull. Each coordinate of the box is the result of a
+/// linear program in three variables, which CGAL solves exactly. There is one constraint per
+/// camera, and one per side of a silhouette's bounding rectangle.
 #include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
@@ -24,7 +24,8 @@ using HalfSpace = Eigen::RowVector4d;
 using LinearProgram = CGAL::Quadratic_program<double>;
 using Solution = CGAL::Quadratic_program_solution<CGAL::Gmpzf>;
 
-/// First and last column, or row, that contains a pixel inside the silhouette.
+/// First and last column (or row) that contains a pixel inside the silhouette; empty if `last` <
+/// `first`.
 struct Range {
   int first = 0;
   int last = -1;
@@ -85,7 +86,7 @@ LinearProgram program_of(const std::vector<HalfSpace>& bounds) {
   return program;
 }
 
-/// Returns the minimum of the coordinate for sign 1, the maximum for sign -1.
+/// Returns the minimum of the coordinate along `axis` if `sign` is 1, the maximum if `sign` is -1.
 double least(LinearProgram program, int axis, double sign) {
   program.set_c(axis, sign);
   const Solution solution = CGAL::solve_linear_program(program, CGAL::Gmpzf());

@@ -19,19 +19,20 @@
 namespace transformesh {
 namespace {
 
-/// Resolution of a check.
+/// Resolution at which views are compared with their hull.
 struct Fineness {
-  int side_px = 160;  ///< greatest side of the object in shrunk silhouettes
+  int side_px = 160;  ///< largest width or height of the object in shrunk silhouettes
   int cells = 64;     ///< HullOptions::resolution
 };
 constexpr Fineness coarse;
 constexpr Fineness fine{320, 128};
-constexpr std::size_t least_views = 3;  ///< views are dropped only while more than these are left
-/// Grid points along each side of the box in suspicions().
+/// At least this number of views stay if views are left out.
+constexpr std::size_t least_views = 3;
+/// Number of grid points along each side of the box in suspicions().
 constexpr int vote_points = 48;
 
-/// Returns the mean of each block of `side` x `side` pixels. The camera of the result is
-/// PinholeCamera::shrunk(side).
+/// Returns an image of the means of blocks of `side` x `side` pixels. It belongs to the camera that
+/// PinholeCamera::shrunk(side) returns.
 GrayImage block_means(const GrayImage& image, int side) {
   GrayImage means(image.width / side, image.height / side);
   for (int y = 0; y < means.height; ++y) {
@@ -45,7 +46,7 @@ GrayImage block_means(const GrayImage& image, int side) {
   return means;
 }
 
-/// Returns the larger side of the bounding rectangle of the pixels inside, in pixels.
+/// Returns the larger side of the bounding rectangle of the silhouette's inside, in pixels.
 int extent(const GrayImage& silhouette) {
   int left = silhouette.width, right = -1, top = silhouette.height, bottom = -1;
   for (int y = 0; y < silhouette.height; ++y) {
@@ -60,7 +61,8 @@ int extent(const GrayImage& silhouette) {
   return std::max({right - left, bottom - top, 0}) + 1;
 }
 
-/// Returns the views without photographs, with silhouettes and cameras shrunk by whole factors.
+/// Returns the views with silhouettes and cameras shrunk by an integer factor, and without
+/// photographs. The object is then at most `side_px` pixels large.
 std::vector<View> shrunk(std::span<const View> views, int side_px) {
   std::vector<View> result(views.size());
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
@@ -74,7 +76,7 @@ std::vector<View> shrunk(std::span<const View> views, int side_px) {
   return result;
 }
 
-/// Agreement of some views with their common hull.
+/// Comparison of the silhouettes of some views with those of their visual hull.
 struct Agreement {
   std::vector<double> of_view;  ///< silhouette_agreement() of each view
   bool has_hull = false;        ///< if false, all agreements are 0
@@ -114,8 +116,8 @@ bool is_border_inside(const GrayImage& silhouette) {
   return 2 * inside > count;
 }
 
-/// Returns a cube around the point at which the cameras look. Half of its side is the median radius
-/// that the views cover there.
+/// Returns a cube around the point at which the cameras look. Half of its side is the median, over
+/// the views, of half of the image's diagonal, projected to that point.
 Box viewed_box(const std::vector<View>& views) {
   const Vec3 center = viewed_point(cameras_of(views));
   std::vector<double> reaches;
@@ -145,9 +147,10 @@ Sight seen_at(const View& view, const Projection& projection, const Vec3& point)
   return is_inside ? Sight::object : Sight::background;
 }
 
-/// Returns for each view how many grid points it carves that most views observe as object. If k
-/// views carve the same point, it counts 1 / k^2 for each of them. Points carved by more than a
-/// third of the views are mostly background and usually do not count.
+/// Returns for each view a number of grid points at which it probably is wrong. At such a point,
+/// the view shows background although more than half of the views show the object. If k views show
+/// background at a point, it counts 1 / k^2 for each of them. If these are more than a third of the
+/// views, the point is probably background and usually does not count.
 std::vector<double> suspicions(const std::vector<View>& views) {
   const Box box = viewed_box(views);
   std::vector<Projection> projections;
@@ -186,7 +189,7 @@ std::string names_of(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Searches for a mistake that explains why views disagree.
+/// Searches for a mistake of cameras or masks that explains why views disagree.
 class Diagnosis {
  public:
   Diagnosis(std::vector<View> views, Agreement agreement, const ViewCheckOptions& options,
@@ -196,24 +199,28 @@ class Diagnosis {
         options_(options),
         progress_(progress) {}
 
-  /// Returns the views to leave out, or none if there is no hull and no known mistake explains why.
-  /// Throws InputError if a known mistake explains why views disagree, such as mirrored cameras, or
-  /// if views must not be left out.
+  /// Returns the indices of the views to leave out. Returns none if the views have no hull and no
+  /// known mistake explains this. Throws InputError if a known mistake, such as mirrored cameras,
+  /// explains why views disagree. Also throws InputError if the options do not allow to leave views
+  /// out.
   std::vector<std::size_t> run() {
     try_cameras();
     try_inverted();
     try_shifts();
     find_bad();
     if (options_.drops_bad_views && !bad_.empty()) return bad_;
-    // The caller's visual_hull() reports why there is no hull. Possibly only the box is missing.
+    // Do not fail: visual_hull(), which is called later, reports why there is no hull. Possibly
+    // only its box must be given.
     if (bad_.empty() && !agreement_.has_hull) return {};
     try_exchanges();
     fail_for_bad();
   }
-  /// Returns for each bad view the fraction of its silhouette that the hull of the others covers.
+  /// Returns for each bad view the fraction of its silhouette that the hull of the good views
+  /// covers.
   const std::vector<double>& agreement_with_others() const { return agreement_of_bad_; }
 
-  /// Throws InputError if views agree after inversion of the masks whose border is inside.
+  /// Throws InputError if all views agree after inverting those masks that are white at more than
+  /// half of the pixels of the image border.
   void try_inverted() const;
 
  private:
@@ -230,7 +237,7 @@ class Diagnosis {
   }
   bool agree(const Agreement& found) const { return found.least() >= options_.least_agreement; }
   bool agree(const std::vector<View>& views) const { return agree(agreement(views)); }
-  std::vector<View> rest() const;  ///< all views except the bad ones
+  std::vector<View> rest() const;  ///< all views except those in `bad_`
 
   std::vector<View> views_;
   Agreement agreement_;
@@ -268,7 +275,7 @@ void Diagnosis::try_inverted() const {
     invert(view.silhouette);
     names.push_back(view.name);
   }
-  // If at most a third of the masks may be inverted, and the options allow to drop views, run()
+  // If at most a third of the masks look inverted, and the options allow to leave out views, run()
   // leaves out the views of these masks.
   const bool is_dropped = options_.drops_bad_views && 3 * names.size() <= views.size();
   if (names.empty() || is_dropped || !agree(views)) return;
@@ -281,7 +288,8 @@ void Diagnosis::try_inverted() const {
                    "all views agree");
 }
 
-// The last pair is left out: after the shift, its silhouette may belong to no camera.
+// Omits the last pair of silhouette and camera, because shifted lists of equal length have one pair
+// less.
 void Diagnosis::try_shifts() const {
   if (views_.size() <= least_views) return;
   for (const std::size_t forward : {1U, 0U}) {
@@ -306,8 +314,8 @@ std::vector<View> Diagnosis::rest() const {
   return views;
 }
 
-/// Leaves out the most suspicious views one after the other until the rest agrees. Leaves out none
-/// if the rest never agrees.
+/// Adds the views with the largest suspicions() to `bad_`, one after the other, until all other
+/// views agree. Clears `bad_` if they never agree.
 void Diagnosis::find_bad() {
   if (views_.size() <= least_views) return;
   const std::vector<double> suspicion = suspicions(views_);
@@ -324,7 +332,8 @@ void Diagnosis::find_bad() {
   bad_.clear();
 }
 
-/// Restores each view whose suspicion was caused only by other bad views.
+/// Removes each view from `bad_` that agrees with the good views, because other bad views caused
+/// its suspicion. Then computes `agreement_of_bad_`.
 void Diagnosis::keep_only_bad() {
   const std::vector<std::size_t> suspects = bad_;
   for (const std::size_t suspect : suspects) {
@@ -400,8 +409,8 @@ ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options,
     if (!views[i].silhouette.empty()) place.push_back(i);
   if (place.size() < 2 || options.least_agreement == 0) return {};
 
-  // At low resolution thin parts of the object may vanish, although the views are correct. A second
-  // check at higher resolution avoids false alarms.
+  // At low resolution thin parts of the object may vanish, so that correct views disagree. Such
+  // views are accepted by a second check at higher resolution.
   progress("check views");
   for (const std::size_t i : place)
     seen.push_back({views[i].name, views[i].camera, {}, views[i].silhouette});

@@ -6,11 +6,12 @@
 namespace transformesh {
 namespace {
 
-constexpr int side =
-    8;  ///< side of a tile; larger tiles need fewer planes but more bits per residual
+/// Side of a tile in pixels. Larger tiles need fewer planes but more bits per residual.
+constexpr int side = 8;
 constexpr std::size_t area = std::size_t{side} * side;
 
-/// The 16-bit numbers of a tile. Tiles that extend beyond the image repeat its last row and column.
+/// The 16-bit numbers of a tile. Outside of the image, a tile repeats the last row and column of
+/// the image.
 using Square = std::array<int, area>;
 
 Square square_at(const Raster<std::uint16_t>& words, int left, int top) {
@@ -23,7 +24,7 @@ Square square_at(const Raster<std::uint16_t>& words, int left, int top) {
   return square;
 }
 
-/// Returns the number of bits of signed numbers from `least` to `most`: 0, 4, 8 or 16.
+/// Returns the number of bits that signed numbers from `least` to `most` need: 0, 4, 8 or 16.
 std::uint16_t bits_of(int least, int most) {
   if (least == 0 && most == 0) return 0;
   if (least >= -8 && most < 8) return 4;
@@ -36,7 +37,7 @@ std::uint16_t word_at(const std::uint8_t* bytes, std::size_t i) {
 
 int byte_at(const std::uint8_t* bytes, std::size_t i) { return static_cast<std::int8_t>(bytes[i]); }
 
-/// Sign-extends the 4-bit number at index `i`.
+/// Returns the signed 4-bit number at index `i`.
 int half_byte_at(const std::uint8_t* bytes, std::size_t i) {
   const int upper = i % 2 == 0 ? bytes[i / 2] << 4 : bytes[i / 2];
   return static_cast<std::int8_t>(upper & 0xf0) / 16;

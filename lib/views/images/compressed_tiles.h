@@ -1,6 +1,6 @@
-/// Lossless compression of smooth 16-bit images, such as distances. The image is divided into
-/// square tiles. Each tile is stored as a plane and the residuals from it, with as many bits as the
-/// residuals need.
+/// Lossless compression of smooth 16-bit images, such as coded distances. The image is divided into
+/// square tiles. For each tile, the coefficients of a plane and the differences from this plane are
+/// stored, with as many bits as the differences need.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@ class CompressedTiles {
   explicit CompressedTiles(const Raster<std::uint16_t>& words);
 
   bool empty() const { return tiles_.empty(); }
-  /// Returns the memory in bytes.
+  /// Returns the size of the compressed image in memory, in bytes.
   std::size_t size() const { return tiles_.size() * sizeof(Tile) + bytes_.size(); }
   std::uint16_t at(int x, int y) const;
-  /// Writes all 16-bit numbers of the image, row by row.
+  /// Decompresses all 16-bit numbers of the image to `words`, row by row.
   void copy_to(std::vector<std::uint16_t>& words) const;
 
  private:
-  /// The number at (x, y) in a tile is `start` + x `across` + y `down` plus a residual. Residuals
-  /// begin at `bytes` and have `bits` bits each. If `bits` is 16, the numbers themselves are
-  /// stored.
+  /// The number at (x, y) in a tile is `start` + x * `across` + y * `down` plus a residual. The
+  /// residuals of a tile begin at index `bytes` of `bytes_` and have `bits` bits each. If `bits` is
+  /// 16, the numbers themselves are stored instead.
   struct Tile {
     std::uint32_t bytes = 0;
     std::uint16_t start = 0;

@@ -13,8 +13,8 @@
 namespace transformesh {
 namespace {
 
-/// Limit on the number of scans. Each scan processes the whole image, so that a small file could
-/// take hours. Progressive images have about ten scans.
+/// Largest accepted number of scans in a file. Each scan processes the whole image, so that a small
+/// file with many scans could take hours. Progressive images have about ten scans.
 constexpr int most_scans = 100;
 
 struct ErrorManager {
@@ -36,9 +36,9 @@ struct ErrorManager {
 }
 
 /// Treats warnings as errors, because libjpeg would replace damaged data by a guess. Ignores a few
-/// warnings about labels.
+/// warnings that concern only metadata.
 void take_message(j_common_ptr jpeg, int intensity) {
-  constexpr int warning = -1;  // message level of libjpeg
+  constexpr int warning = -1;  // libjpeg's message level for warnings
   if (intensity != warning) return;
   switch (jpeg->err->msg_code) {
     case JWRN_ADOBE_XFORM:

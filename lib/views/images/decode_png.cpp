@@ -28,8 +28,8 @@ void take(png_structp png, png_bytep data, png_size_t size) {
 
 void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
-/// Returns false if libpng fails in `action`. libpng leaves `action` by longjmp, so that `action`
-/// must not create objects with destructors.
+/// Calls `action`. Returns false if libpng fails in it. libpng then leaves `action` by longjmp, so
+/// that `action` must not create objects with destructors.
 template <class Action>
 bool completes(png_structp png, const Action& action) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
@@ -69,7 +69,8 @@ class Reader {
     demand([this] { read_header(png_, info_); });
     const auto width = png_get_image_width(png_, info_);
     const auto height = png_get_image_height(png_, info_);
-    // Deflate expands one byte to at most 1032 bytes.
+    // Limit of pixels per byte of the file: PNG's compression (deflate) expands one byte to at most
+    // 1032 bytes.
     const unsigned bits = png_get_channels(png_, info_) * png_get_bit_depth(png_, info_);
     check_size(source_, width, height, std::uint64_t{8} * 1032 / bits);
     demand([this] {
@@ -90,7 +91,7 @@ class Reader {
     const auto height = static_cast<std::size_t>(layout.height);
     const std::size_t row_size = png_get_rowbytes(png_, info_);
     // Interlaced images need memory for all rows, because no row is complete before the last pass.
-    // The memory is not initialized, so that pages are only touched as far as libpng decodes.
+    // The memory is not initialized, so that only the part that libpng decodes is really used.
     // NOLINTNEXTLINE(*-avoid-c-arrays)
     const std::unique_ptr<png_byte[]> samples(
         new png_byte[passes_ == 1 ? row_size : height * row_size]);

@@ -7,7 +7,8 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Reads integers of the header, and samples written as text. Skips blanks and comments.
+/// Reads integers written as text: those of the header, and samples in text formats. Skips blanks
+/// and comments.
 class Numbers {
  public:
   explicit Numbers(const Source& source) : source_(source), place_(source.begin() + 2) {}
@@ -38,7 +39,7 @@ class Numbers {
   const char* place_;
 };
 
-/// Reads the samples of one row. Throws if a sample exceeds the maximum.
+/// Reads the samples of one row. Throws InputError if a sample exceeds `maximum`.
 class SampleReader {
  public:
   SampleReader(const Source& source, Numbers& numbers, unsigned maximum)
@@ -76,9 +77,10 @@ class SampleReader {
   unsigned maximum_;
 };
 
-/// Returns the place of the first binary sample. Throws if samples are missing.
+/// Returns the address of the first binary sample. Throws InputError if fewer than `size` bytes
+/// follow.
 const char* start_of_samples(const Source& source, const char* place, std::size_t size) {
-  // Exactly one blank ends the header. Samples after it may have the values of blanks.
+  // Exactly one blank ends the header. Further bytes are samples, even if they look like blanks.
   const bool has_blank = place != source.end() && is_blank(*place);
   if (!has_blank) source.fail_at_byte(place, "a blank must follow the maximum");
   const auto available = static_cast<std::size_t>(source.end() - place) - 1;

@@ -19,7 +19,7 @@ struct Input {
   std::string_view bytes;
   std::uint64_t place = 0;
   bool are_warnings_failures = false;
-  std::string failure;  ///< the first message
+  std::string failure;  ///< the first error message of libtiff
 };
 
 Input& input_of(thandle_t handle) { return *static_cast<Input*>(handle); }
@@ -56,8 +56,8 @@ int keep_failure(TIFF* /*tiff*/, void* input, const char* /*module*/, const char
   return 1;  // libtiff prints nothing
 }
 
-/// Handles warnings. When a file is opened, they concern labels that libtiff does not know. Later
-/// they concern damaged data that libtiff replaces by a guess.
+/// Handles warnings of libtiff. When a file is opened, they concern unknown tags and are ignored.
+/// Later they concern damaged data that libtiff replaces by a guess, and are errors.
 int keep_warning(TIFF* tiff, void* input, const char* module, const char* format, va_list values) {
   if (!static_cast<Input*>(input)->are_warnings_failures) return 1;
   return keep_failure(tiff, input, module, format, values);
@@ -79,7 +79,8 @@ Tiff open(Input& input) {
                                 nullptr, nullptr, options.get()));
 }
 
-/// Returns uninitialized samples, so that pages are only touched as far as libtiff decodes.
+/// Returns uninitialized memory for samples, so that only the part that libtiff decodes is really
+/// used.
 template <class Sample>  // NOLINTNEXTLINE(*-avoid-c-arrays)
 std::unique_ptr<Sample[]> samples(std::uint64_t count) {
   // NOLINTNEXTLINE(*-avoid-c-arrays)
@@ -97,7 +98,8 @@ class Reader {
     stride_ = field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
     photometric_ = field<std::uint16_t>(TIFFTAG_PHOTOMETRIC);
     is_tiled_ = TIFFIsTiled(tiff_.get()) != 0;
-    // Compressed data have no known limit; missing data are noticed during decoding.
+    // For compressed data, the number of pixels per byte is not limited here; missing data are
+    // noticed during decoding.
     constexpr std::uint64_t any = std::numeric_limits<std::uint32_t>::max();
     const bool is_compressed = field<std::uint16_t>(TIFFTAG_COMPRESSION) != COMPRESSION_NONE;
     check_size(source, width_, height_, is_compressed ? any : 8);
@@ -155,15 +157,16 @@ class Reader {
       refuse_format(source_, "TIFF with channels in separate planes");
   }
 
-  /// Returns the number of rows of a strip or of a row of tiles.
+  /// Returns the number of pixel rows that are decoded together: those of a strip or of a row of
+  /// tiles.
   std::uint32_t rows_per_band() const {
     const auto rows = field<std::uint32_t>(is_tiled_ ? TIFFTAG_TILELENGTH : TIFFTAG_ROWSPERSTRIP);
     return std::clamp(rows, 1U, height_);
   }
 
-  /// Allocates a strip or tile, which libtiff decodes as a whole. Memory is thus allocated before
-  /// missing data are noticed. Throws if the size is implausible for the size of the file. No
-  /// compression in use reduces a photograph by a factor of 2^16.
+  /// Allocates memory for a strip or tile, which libtiff decodes as a whole. The memory is thus
+  /// allocated before missing data are noticed. Throws InputError if the file is too small for such
+  /// a strip or tile. No common compression reduces a photograph by a factor of 2^16.
   template <class Sample>
   std::unique_ptr<Sample[]> claimed_samples(std::uint64_t count) const {  // NOLINT(*-c-arrays)
     constexpr std::uint64_t always_fine = 1 << 24;  // bytes that may be allocated for any file

@@ -21,7 +21,8 @@ void append(const Sample* pixel, const SampleLayout& layout, const Value& value,
 }  // namespace
 
 bool IntensityRows::start(const SampleLayout& layout) {
-  /// Pixels that are allocated at once; larger images grow while rows are decoded.
+  /// Number of pixels for which memory is allocated at first; memory for larger images grows while
+  /// rows are decoded.
   constexpr std::size_t most_at_once = 1 << 24;
   layout_ = layout;
   image_.width = layout.width;
@@ -74,7 +75,8 @@ template void IntensityRows::add_row(const std::uint16_t* row);
 
 void check_size(const Source& source, std::uint64_t width, std::uint64_t height,
                 std::uint64_t pixels_per_byte) {
-  constexpr std::uint64_t largest = 1 << 29;  // pixels; indices of pixels stay within 32 bits
+  // Largest number of pixels; indices of pixels then fit into 32 bits.
+  constexpr std::uint64_t largest = 1 << 29;
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width == 0 || height == 0) source.fail("the image has no pixel: " + size);
   if (width > largest || height > largest || width * height > largest) {

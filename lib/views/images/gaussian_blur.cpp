@@ -12,15 +12,17 @@
 namespace transformesh {
 namespace {
 
-/// The intensities of a row, padded for whole blocks.
+/// The intensities of a row of pixels, with unused elements at the end so that whole blocks can be
+/// read.
 using Row = std::vector<double>;
 
-/// Number of pixels that are summed at once, in registers.
+/// Number of pixels whose sums are computed together, in registers.
 constexpr std::size_t block = 16;
 
 Row make_row(int width) { return Row(static_cast<std::size_t>(width) + block); }
 
-/// Returns an odd number of weights, rounded to floats.
+/// Returns the weights of a Gaussian, rounded to floats. Their number is odd, and the middle one is
+/// the largest.
 std::vector<double> gaussian_weights(double deviation) {
   const auto reach = static_cast<int>(std::lrint(8 * deviation + 1)) / 2;
   std::vector<double> weights;
@@ -39,9 +41,9 @@ int mirrored(int i, int count) {
   return std::min(place, period - place);
 }
 
-/// Writes the sum over i of weights[i] * rows[i][x] for each x. Products are exact in double
-/// precision, so that each sum is rounded once, to a float. The result equals that of fused
-/// multiply-adds of floats, also on machines without them.
+/// Writes the sum over i of weights[i] * rows[i][x] to result[x]. Products of floats are exact in
+/// double precision, so that each addition is rounded only once, to a float. The result equals that
+/// of fused multiply-add instructions for floats, also on machines without them.
 void weigh(const std::vector<double>& weights, const std::vector<const double*>& rows, int width,
            float* result) {
   for (std::size_t x = 0; x < static_cast<std::size_t>(width); x += block) {
@@ -75,7 +77,8 @@ GrayImage blur_rows(const GrayImage& image, const std::vector<double>& weights) 
   return result;
 }
 
-/// Adds rows at the same distance above and below before multiplication by their common weight.
+/// Blurs along columns. Rows at the same distance above and below a pixel are added first, because
+/// they have the same weight.
 GrayImage blur_columns(const GrayImage& image, const std::vector<double>& weights) {
   GrayImage result(image.width, image.height);
   const std::vector<double> half(weights.begin() + static_cast<int>(weights.size() / 2),

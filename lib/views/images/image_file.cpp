@@ -39,7 +39,7 @@ constexpr Format pnm{"P", "PNM", decode_pnm};
 constexpr Format webp{"RIFF", "WebP"};
 constexpr Format heif{"", "HEIF"};
 
-/// Returns null if no format matches the first bytes.
+/// Returns the format that matches the first bytes of a file, or null if none does.
 const Format* format_of(std::string_view bytes) {
   if (is_pnm(bytes)) return &pnm;
   if (bytes.starts_with(webp.start) && bytes.substr(0, 12).ends_with("WEBP")) return &webp;

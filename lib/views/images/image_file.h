@@ -14,7 +14,8 @@
 
 namespace transformesh {
 
-/// True if the bytes begin like an image file, even if the format is not supported.
+/// True if the bytes begin like an image file of a known format, even if the format is not
+/// supported.
 bool is_image(std::string_view bytes);
 
 /// Decodes a color picture: 8 bits per channel, opaque. Throws as decode_photograph() does.

@@ -10,16 +10,17 @@ namespace transformesh {
 
 struct Sample {
   float intensity = 0;
-  float slope = 0;  ///< derivative in the given direction
+  /// Derivative of the interpolated intensity in the direction that the caller gives.
+  float slope = 0;
 };
 
-/// Besides the pixel itself, interpolation reads `margin` pixels to the left and above, and
-/// `margin` + 1 pixels to the right and below.
+/// Number of pixels that interpolation reads to the left of and above a pixel. To the right and
+/// below, it reads one pixel more.
 template <Interpolation interpolation>
 inline constexpr int margin = interpolation == Interpolation::catmull_rom ? 1 : 0;
 
-/// Evaluates the image at pixel (column, row) plus (s, t), both in [0, 1), and its derivative in
-/// direction (along_x, along_y).
+/// Returns the interpolated intensity at (column + s, row + t), and its derivative in direction
+/// (along_x, along_y). `s` and `t` are in [0, 1).
 template <Interpolation interpolation>
 Sample sample(const GrayImage& image, int column, int row, float s, float t, float along_x,
               float along_y);
@@ -37,8 +38,8 @@ inline Sample sample<Interpolation::bilinear>(const GrayImage& image, int column
           along_x * (top_step + t * (bottom_step - top_step)) + along_y * down};
 }
 
-/// Weights of four consecutive pixels, as cubic polynomials of the position t between the inner
-/// two.
+/// Weights of four consecutive pixels for the intensity and for its derivative. They are
+/// polynomials of the position `t` between the inner two pixels.
 /// Reference: Keys, "Cubic convolution interpolation for digital image processing", IEEE TASSP 29
 /// (1981), with a = -1/2, also known as Catmull-Rom.
 struct CubicWeights {

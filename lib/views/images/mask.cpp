@@ -6,12 +6,14 @@
 namespace transformesh {
 namespace {
 
-// Chosen limits. They separate noisy black and white from labels, and from photographs that are cut
-// out in front of black.
-constexpr float least_range = 64;  ///< least range of intensities; labels usually span less
-/// Number of dark intensities from which on black counts as noisy.
+// Limits, chosen by hand. They distinguish masks with noisy black and white from label images, and
+// from photographs whose background was replaced by black.
+/// Least difference between the darkest and the brightest intensity; that of label images is
+/// usually smaller.
+constexpr float least_range = 64;
+/// Black counts as noisy if there are at least this number of dark intensities.
 constexpr std::size_t few_dark_intensities = 3;
-/// Limit of the fraction of gray pixels among pixels that are not dark.
+/// Largest fraction of gray pixels among pixels that are not dark.
 constexpr double most_between = 0.2;
 
 bool varies(const GrayImage& image) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float intensities_per_unit = 256;  ///< 16-bit codes per unit of intensity
 constexpr float distances_per_unit = 64;     ///< 16-bit codes per pixel of distance
-constexpr float no_distance = 32768;         ///< the code of distance 0
+constexpr float no_distance = 32768;         ///< 16-bit code of distance 0
 constexpr std::uint16_t last_word = 65535;   ///< largest 16-bit number
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -18,7 +18,7 @@ std::uint16_t word_of(float value) {
   return static_cast<std::uint16_t>(std::clamp(value + 0.5F, 0.0F, 65535.0F));
 }
 
-/// Encodes a distance in 16 bits. The first and the last code represent infinite distances.
+/// Encodes a distance in 16 bits. The codes 0 and 65535 represent negative and positive infinity.
 std::uint16_t word_of_distance(float distance) {
   if (std::isinf(distance)) return distance < 0 ? 0 : last_word;
   return word_of(std::clamp(no_distance + distances_per_unit * distance, 1.0F, 65534.0F));
@@ -31,7 +31,7 @@ float distance_of(std::uint16_t word) {
 
 float intensity_of(std::uint16_t word) { return static_cast<float>(word) / intensities_per_unit; }
 
-constexpr float inside_mask = 255;  ///< intensity of pixels inside
+constexpr float inside_mask = 255;  ///< intensity of pixels inside a mask
 
 bool is_of_mask(float intensity) { return intensity == 0 || intensity == inside_mask; }
 bool is_byte(float intensity) {
@@ -104,7 +104,8 @@ bool PackableImage::blur_when_read(const ThreeTapBlur& taps) {
   return true;
 }
 
-// Rounds intensities to 1/256 as pack() does, so that the result equals a packed blurred image.
+// Rounds blurred intensities to 1/256 as pack() does, so that they equal those of a packed blurred
+// image.
 void PackableImage::read_blurred(int x, int y, int columns, int rows, float* out) const {
   blur_rectangle(bytes_, width, height, *blur_, {x, y}, columns, rows, out);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(columns) * rows;

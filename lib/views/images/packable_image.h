@@ -1,11 +1,12 @@
-/// A gray image that can be packed: floats, or at most 16 bits per pixel if many large images are
-/// stored. A reconstruction from 20 photographs of 1.9 megapixels takes 1.57 GB with packed images
-/// and 2.47 GB without, and 17 % more CPU time.
+/// A gray image that can be packed to save memory. It is stored as floats or, if packed, in at most
+/// 16 bits per pixel. A reconstruction from 20 photographs of 1.9 megapixels takes 1.57 GB with
+/// packed images and 2.47 GB without, and 17 % more CPU time.
 ///
-/// Intensities of masks take one bit, integers from 0 to 255 one byte; other intensities are
-/// rounded to 1/256 and take two bytes. Distances from contours are rounded to 1/64 pixel and
-/// clamped to 511 pixels, except if they are infinite. Depths are rounded up by at most a 65534th
-/// of their range. Distances and depths take about one byte (compressed_tiles.h).
+/// A packed image takes one bit per pixel if all intensities are 0 or 255, and one byte if they are
+/// integers from 0 to 255. Other intensities are rounded to 1/256 and take two bytes. Distances
+/// from contours are rounded to 1/64 pixel and clamped to 511 pixels; infinite distances stay
+/// infinite. Depths are rounded up by at most a 65534th of their range. Distances and depths take
+/// about one byte per pixel (compressed_tiles.h).
 #pragma once
 
 #include <algorithm>
@@ -35,20 +36,22 @@ class PackableImage {
   bool is_packed() const {
     return !bits_.empty() || !bytes_.empty() || !words_.empty() || !tiles_.empty();
   }
-  /// Returns the memory in bytes.
+  /// Returns the size of the image in memory, in bytes.
   std::size_t size() const;
 
   void pack(Kind kind = Kind::intensities);
-  /// Blurs an image of packed bytes whenever it is read. The result equals a blurred image that is
-  /// packed. Returns false, and does nothing, if the image is not of this kind.
+  /// Makes all reading functions return blurred intensities, without storing a blurred image. They
+  /// equal those of a blurred image that is packed. Returns false, and does nothing, unless the
+  /// image is packed with one byte per pixel.
   bool blur_when_read(const ThreeTapBlur& taps);
   GrayImage unpacked() const;
-  /// Returns the image itself if it is not packed; else unpacks it to `room` and returns that.
+  /// Returns the stored floats if the image is not packed. Otherwise unpacks the image to `room`
+  /// and returns `room`.
   const GrayImage& unpacked(GrayImage& room) const;
-  /// Returns a rectangle, which must be inside of the image.
+  /// Returns a rectangle of the image. It must be inside of the image.
   PackableImage cropped(int column, int row, int columns, int rows) const;
   void unpack_rectangle(int column, int row, int columns, int rows, GrayImage& part) const;
-  /// Reads `count` pixels of a row, from (x, y) on.
+  /// Writes the values of `count` pixels of row `y`, from column `x` on, to `out`.
   void read(int x, int y, int count, float* out) const;
 
   float at(int x, int y) const {
@@ -56,10 +59,11 @@ class PackableImage {
   }
   /// Requires that the image is not packed.
   float& at(int x, int y) { return floats_.at(x, y); }
-  /// Returns an image with fast access: itself, or its 16-bit codes in `room` if it is packed in
-  /// tiles.
+  /// Returns an equal image with fast access to single pixels: this image or, if it is packed in
+  /// tiles, `room` with its 16-bit codes.
   const PackableImage& opened(PackableImage& room) const;
-  /// Returns the largest of the four depths from (x, y) to (x + 1, y + 1). Requires opened().
+  /// Returns the largest depth of the four pixels from (x, y) to (x + 1, y + 1). The image must be
+  /// the result of opened().
   float largest_of_four(int x, int y) const {
     const auto largest = [&](const auto& values) {
       const auto* const top = values.data() + index(x, y);
@@ -91,7 +95,7 @@ class PackableImage {
   std::vector<std::uint16_t> words_;
   std::optional<ThreeTapBlur> blur_;
   CompressedTiles tiles_;  ///< 16-bit codes of distances and depths
-  float offset_ = 0;       ///< smallest depth; 0 if there is none
+  float offset_ = 0;       ///< smallest positive depth; 0 if there is none
   float step_ = 0;
 };
 

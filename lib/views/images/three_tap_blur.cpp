@@ -5,8 +5,8 @@
 namespace transformesh {
 namespace {
 
-/// Converts rows of an image to floats, with one more pixel on each side if there is one. Stores
-/// the last three rows.
+/// Converts parts of rows of an image to floats. The parts have one more pixel than the result on
+/// each side, unless they end at the border. Stores the last three rows.
 class Rows {
  public:
   Rows(const std::vector<std::uint8_t>& bytes, int width, int first, int count)
@@ -62,8 +62,8 @@ void blur_rectangle(const std::vector<std::uint8_t>& bytes, int width, int heigh
     } else {
       blend(source.row(y - 1), source.row(y), source.row(y + 1), taps.inside, count, sums);
     }
-    // `at` is the element of `sums` at the first pixel of the result. The range from `inner_begin`
-    // to `inner_end` has pixels on both sides.
+    // `at` is the element of `sums` at the first pixel of the result. Pixels from `inner_begin` to
+    // before `inner_end` have neighbors on both sides.
     const float* const at = sums + (column - first);
     const int inner_begin = column == 0 ? 1 : 0;
     const int inner_end = column + columns == width ? columns - 1 : columns;

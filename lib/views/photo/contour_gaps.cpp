@@ -12,18 +12,20 @@
 namespace transformesh {
 namespace {
 
-/// Depth tolerance for vertices next to the background, in pixels. Near a contour a surface curves
-/// away from the camera by less than this. A larger value also accepts vertices behind a near part
-/// of the surface; a smaller one rejects rims of blunt surfaces.
+/// A vertex next to the background is on the rim if the visible surface around it is nearer by at
+/// most this depth, in pixel sides. Near its contour, a surface curves away from the camera by
+/// less. A larger value also accepts vertices behind another part of the surface; a smaller one
+/// rejects rims of flat surfaces.
 constexpr double pixels_of_curvature = 20;
 
-/// Farther pixels, which no image has, may not fit in an integer.
+/// Vertices with larger pixel coordinates are ignored: no image has such pixels, and their
+/// coordinates may not fit in an integer.
 constexpr double most_pixels = 1e9;
 
-/// Sides of the faces around a vertex that a camera observes, as bits.
+/// Bits that say whether a camera observes front sides or back sides of faces at a vertex.
 enum Facing : char { unseen = 0, front = 1, back = 2, both = 3 };
 
-/// Returns the sides of the faces around the vertices that are marked.
+/// Returns for each marked vertex which sides of its faces a camera at `eye` observes.
 std::vector<char> facings(const Mesh& mesh, const Vec3& eye, const std::vector<char>& is_marked) {
   std::vector<char> result(mesh.positions.size(), unseen);
   for (const Face& face : mesh.faces) {
@@ -37,7 +39,7 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye, const std::vector<c
   return result;
 }
 
-/// Pixels that show the surface, as do their eight neighbors.
+/// The pixels that show the surface and whose eight neighbors show it, too.
 class InnerPixels {
  public:
   explicit InnerPixels(const VisibleDepths& depths) : box_(depths.box()) {
@@ -68,9 +70,9 @@ class InnerPixels {
   Raster<char> is_inner_;
 };
 
-/// True if a pixel next to (x, y) shows background and a point at `depth` can border on it. Returns
-/// false if the surface around (x, y) is nearer to the camera than the point by more than
-/// `pixels_of_curvature`. Another part of the surface then borders on the background.
+/// True if a pixel next to (x, y) shows background and the surface at `depth` can border on it.
+/// False if the visible surface around (x, y) is nearer to the camera than `depth` by more than
+/// `pixels_of_curvature`. In this case, another part of the surface borders on the background.
 bool borders_on_background(const VisibleDepths& depths, const PackableImage& image, double x,
                            double y, double depth, double pixel) {
   const int column = static_cast<int>(std::lround(x));
@@ -87,18 +89,19 @@ bool borders_on_background(const VisibleDepths& depths, const PackableImage& ima
   return has_background && farthest > depth - pixels_of_curvature * pixel;
 }
 
-/// A vertex inside of the silhouette, next to the background.
+/// A vertex inside of a silhouette that is next to the background of the surface's image.
 struct RimVertex {
   std::size_t vertex;
-  double gap;  ///< < 0
+  double gap;  ///< signed distance from the contour in input units, < 0
 };
 
-/// True if the bilinear interpolation of the distances around pixel (x, y) is clearly negative.
+/// True if all distances from the contour in the square at pixel (x, y) are negative, even without
+/// interpolating them.
 template <class Distances>
 bool is_deep_inside(const Distances& distances, int x, int y) {
-  // Distances of neighbors differ by up to the square root of 2, and by some hundredths more
-  // because they are approximate. Another half pixel is for rounding to a pixel, and one is the
-  // slack.
+  // The limit exceeds the sum of four terms. Distances at neighboring pixels differ by up to
+  // sqrt(2). Their errors are some hundredths of a pixel. Rounding to a pixel adds half a pixel.
+  // One pixel is the tolerance for silhouettes that are not exact.
   constexpr float deep_px = -4;
   return x >= 0 && y >= 0 && x < distances.width && y < distances.height &&
          distances.at(x, y) < deep_px;
@@ -120,7 +123,7 @@ void add_view(const Mesh& mesh, const View& view, const VisibleDepths& depths,
     const double y = q.y() / q.z();
     if (!(std::abs(x) < most_pixels && std::abs(y) < most_pixels)) continue;
     const bool is_inner = inner.has(static_cast<int>(x + 0.5), static_cast<int>(y + 0.5));
-    // Most vertices end here.
+    // This quick test suffices for most vertices: they are neither outside nor on the rim.
     if (is_inner && is_deep_inside(distances, static_cast<int>(x), static_cast<int>(y))) continue;
     const double slack = is_exact ? 0 : q.z() / focal;
     const double gap = distance_at(distances, x, y) * q.z() / focal + slack;

@@ -12,7 +12,8 @@ namespace {
 
 using Row = Eigen::ArrayXf;
 
-/// Ring buffer of the last rows of several images, each row padded with zeros on both sides.
+/// Ring buffer that stores the last rows of several images (planes). Each row is padded with zeros
+/// on both sides.
 class RowRing {
  public:
   RowRing(int rows, int width, int planes, int padding)
@@ -91,11 +92,11 @@ class Correlation {
   }
 
  private:
-  static constexpr int rows = 2 * radius + 1;  ///< rows of a window
+  static constexpr int rows = 2 * radius + 1;  ///< number of rows of a window
 
   using Rows = std::array<const float*, rows>;
 
-  /// Returns the rows of an image that are covered by windows around row `y`.
+  /// Returns those rows of an image (plane) that are in windows around row `y`.
   Rows reach(const RowRing& ring, int plane, int y) const {
     Rows result;
     for (int k = 0; k < rows; ++k)
@@ -103,7 +104,7 @@ class Correlation {
     return result;
   }
 
-  /// Sums `term` over the window around each pixel of a row.
+  /// Sets `out` to the sums of `term` over the window around each pixel of a row.
   template <typename Term>
   void sum_windows(const Term& term, Row& out) {
     float* __restrict column = column_.data() + radius;
@@ -127,9 +128,9 @@ class Correlation {
     sum_windows([&](std::size_t k, int x) { return a[k][x] * b[k][x]; }, sums_[sum12]);
   }
 
-  /// Sets weights to rho, and to 0 for windows of which at most half is visible.
+  /// Sets `weight_` to rho for each window, and to 0 for windows of which at most half is visible.
   void find_weights(int y) {
-    constexpr float half = 0.5F * rows * rows;  // pixels of half a window
+    constexpr float half = 0.5F * rows * rows;  // number of pixels of half a window
     const float* __restrict seen = compared_.row(is_seen, y);
     const float* __restrict n = sums_[count].data();
     float* __restrict weight = weight_.data();
@@ -138,7 +139,7 @@ class Correlation {
     weight_ *= least_ / (least_ + static_cast<float>(options_.contrast));
   }
 
-  /// Computes energy and loss of each window, and `pull_`: the derivative of the loss with respect
+  /// Computes energy and loss of each window, and `pull_`, the derivative of the loss with respect
   /// to 1 - cc.
   void find_loss() {
     energy_ = weight_ * (1 - correlation_);
@@ -151,7 +152,7 @@ class Correlation {
     pull_ *= share_.square();
   }
 
-  /// Computes the windows around row `y` and adds their sums to `totals_`.
+  /// Compares the windows around the pixels of row `y` and adds their sums to `totals_`.
   void compare(int y) {
     find_moments(y);
     const auto noise = static_cast<float>(options_.noise_variance);
@@ -171,8 +172,8 @@ class Correlation {
     totals_.pixels += static_cast<std::size_t>((weight_ > 0).count());
   }
 
-  /// Stores the contributions of the windows around row `y` to the derivatives at their pixels. The
-  /// derivative of a window is linear in the intensities of a pixel, with these factors.
+  /// Stores factors of the windows around row `y`. The derivative of a window with respect to a
+  /// pixel's intensity is a linear function of both intensities of the pixel, with these factors.
   void keep_factors(int y) {
     by_deviations_ = pull_ * inverse_ / deviations_;
     by_variance_ = pull_ * inverse_ / variance2_;
@@ -201,7 +202,7 @@ class Correlation {
   CorrelationOptions options_;
   RowRing compared_;
   RowRing factors_;
-  Row column_;  ///< sums over the columns of a window, with zeros on both sides
+  Row column_;  ///< sums over the rows of a window, for each column; with zeros on both sides
   std::array<Row, moments> sums_;
   std::array<Row, factor_planes> factor_sums_;
   Row inverse_, mean1_, mean2_, variance1_, variance2_, deviations_, correlation_;

@@ -1,13 +1,14 @@
-/// Windowed normalized cross-correlation of two images under a mask, and its exact derivative with
-/// respect to the second image.
+/// Computes the windowed normalized cross-correlation (cc) of two images, in which some pixels are
+/// not visible, and its exact derivative with respect to the second image.
 /// Reference: Pons, Keriven & Faugeras, "Multi-view stereo reconstruction and scene flow estimation
 /// with a global image-based matching score", IJCV 72(2), 2007.
 ///
-/// Sums run over the visible pixels of a square window. Then cc = v12 / sqrt(v1 v2), where the
-/// variance of the noise is added to the variances v1 and v2. The weight of a window is rho =
-/// min(v1, v2) / (min(v1, v2) + contrast). The energy is the sum of rho (1 - cc) over all visible
-/// pixels of whose window more than half is visible. Its derivative treats rho as constant. The
-/// derivative by an intensity of the second image sums over all windows with that pixel.
+/// Let v1, v2 and v12 be the variances and the covariance of both images over the visible pixels of
+/// a square window. The variance of the noise is added to v1 and v2. Then cc = v12 / sqrt(v1 v2).
+/// The weight of a window is rho = min(v1, v2) / (min(v1, v2) + contrast). The energy is the sum of
+/// rho (1 - cc) over all visible pixels whose window is more than half visible. Its derivative
+/// treats rho as constant. The derivative with respect to an intensity of the second image is a sum
+/// over all windows that contain that pixel.
 ///
 /// Let s be `robust`, and e = 1 - cc. If s > 0, the sum of rho s e / (s + e) is differentiated
 /// instead. This is the loss of Geman & McClure, "Statistical methods for tomographic image
@@ -31,10 +32,13 @@ struct ComparedRow {
   float* is_seen = nullptr;
   float* first = nullptr;
   float* second = nullptr;
-  float* slope = nullptr;  ///< derivative of `second` with respect to the coordinate of interest
+  /// Derivative of `second` with respect to a coordinate, such as the depth of the point at a
+  /// pixel.
+  float* slope = nullptr;
 };
 
-/// Derivatives of the loss with respect to the coordinate of interest of each point.
+/// Derivatives of the loss with respect to the coordinate (see ComparedRow::slope) at each pixel of
+/// a row.
 struct CorrelationRow {
   const float* is_seen = nullptr;
   const float* gradient = nullptr;  ///< first derivative
@@ -42,23 +46,25 @@ struct CorrelationRow {
   const float* curvature = nullptr;
 };
 
-/// Windows around the pixels of one row.
+/// Values of the windows around the pixels of one row.
 struct WindowRow {
-  const float* weight = nullptr;      ///< rho; 0 for windows that are not compared
-  const float* energy = nullptr;      ///< rho (1 - cc)
-  const float* deviations = nullptr;  ///< sqrt(v1 v2)
+  const float* weight = nullptr;  ///< weight rho of the window; 0 for windows that are not compared
+  const float* energy = nullptr;  ///< rho (1 - cc) of the window
+  const float* deviations = nullptr;  ///< sqrt(v1 v2): the product of both standard deviations
 };
 
 struct CorrelationSums {
-  double energy = 0;       ///< sum of rho (1 - cc), whether robust or not
-  double loss = 0;         ///< the sum that is differentiated; equals `energy` if not robust
-  double weight = 0;       ///< sum of rho
+  double energy = 0;  ///< sum of rho (1 - cc), also if a robust loss is differentiated
+  /// The sum that is differentiated; equals `energy` if CorrelationOptions::robust is 0.
+  double loss = 0;
+  double weight = 0;       ///< sum of the weights rho of all windows
   std::size_t pixels = 0;  ///< number of compared windows
 };
 
-/// Compares the rows from `first_row` to `end_row` - 1. Calls `fill` for each row in this order.
-/// Calls `look` with the windows of a row, and later `take` with its derivatives, both in the same
-/// order. `take` and `look` may be empty. Throws UsageError if options are out of range.
+/// Compares the rows from `first_row` to `end_row` - 1. Calls `fill` for each row, in this order,
+/// to get its pixels. Calls `look` with the windows of each row, and later `take` with the
+/// derivatives of each row, in the same order. `take` and `look` may be empty. Throws UsageError if
+/// options are out of range.
 CorrelationSums correlate(int width, int first_row, int end_row, const CorrelationOptions& options,
                           const std::function<void(int y, const ComparedRow&)>& fill,
                           const std::function<void(int y, const CorrelationRow&)>& take,

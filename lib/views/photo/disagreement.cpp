@@ -14,13 +14,14 @@
 namespace transformesh {
 namespace {
 
-/// Ratio of the variance of independent noise to the squared median magnitude of its mixed second
-/// difference. After the blur of scale 1, the variance of noise is 0.1523 times the variance of its
-/// mixed second difference. The median magnitude of a standard normal variable is 0.6745.
+/// Ratio of the variance of noise to the squared median magnitude of its mixed second differences.
+/// After the blur of scale 1 (at_scale()), the variance of independent noise is 0.1523 times that
+/// of its mixed second differences. The median magnitude of a standard normal variable is 0.6745.
 constexpr double variance_by_squared_median = 0.1523 / (0.6745 * 0.6745);
 
-/// Cap of the floor in WindowSums::excess(). If noise explains more, photographs have hardly
-/// anything in common, and the excess would be the quotient of two small numbers.
+/// Largest floor (dissimilarity that noise explains) that WindowSums::excess() uses. If it is
+/// larger, photographs have hardly anything in common, and the excess would be the quotient of two
+/// small numbers.
 constexpr double largest_floor = 0.9;
 
 struct Window {
@@ -28,11 +29,11 @@ struct Window {
   float excess() const { return (energy - floor) / weight; }
 };
 
-/// Stores the two best windows per pixel of the compared box, over all pairs with one reference
-/// view.
+/// Stores the two best windows of each pixel, over all pairs with the same reference view. Pixels
+/// are those of VisibleSurface::compared.
 class BestWindows {
  public:
-  /// Clears all windows for a box of this size; keeps the allocated memory.
+  /// Clears all windows, for a rectangle of this size; keeps the allocated memory.
   void begin(int width, int height) {
     width_ = width;
     windows_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), {});
@@ -91,7 +92,7 @@ void add_pair(const Warp& warp, const VisibleSurface& seen, double noise,
       });
 }
 
-/// Comparison of one reference view with the other views of its pairs.
+/// Result of comparing one reference view with the other views of its pairs, and memory for that.
 struct Compared {
   VisibleSurface room;
   WarpRoom warp_room;
@@ -132,7 +133,7 @@ void add_to_vertices(const Mesh& mesh, const Compared& view, Disagreement& resul
   }
 }
 
-/// Returns the noise variance of each view, over the pixels that show the surface.
+/// Returns the variance of the noise in each photograph, from the pixels that show the surface.
 std::vector<double> noise_variances(std::span<const View> views, const SeenViews& seen) {
   std::vector<double> noise(views.size());
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
@@ -193,7 +194,7 @@ Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double leas
   // Sums are added in the order of the views, so that the result does not depend on the threads.
   Disagreement result;
   result.of_vertex.resize(mesh.positions.size());
-  // To save memory, only as many views as there are threads are compared at once.
+  // To save memory, at most one view per thread is compared at the same time.
   std::vector<Compared> compared(std::min(allowed_thread_count(), count));
   for (std::size_t begin = 0; begin < count; begin += compared.size()) {
     const std::size_t end = std::min(compared.size(), count - begin);

@@ -1,14 +1,17 @@
-/// Measures how much photographs disagree on each part of a surface, and how much of this is noise.
+/// Measures how much photographs disagree on each part of a surface, and how much of this
+/// disagreement noise explains.
 ///
-/// Each pixel of a view is compared in windows (correlation.h) with the other views of its pairs.
-/// If there are three or more comparisons, the second best counts, else the best. The reason is
-/// that even on the true surface some views observe a point at a grazing angle or near an occluding
-/// contour. On a wrong surface, no views agree. The dissimilarity of a vertex is the mean of 1 - cc
-/// over the windows around it, weighted by rho and by the vertex's barycentric weight.
+/// The window around each pixel of a view is compared with the other views of its pairs
+/// (correlation.h, which also defines cc, rho, v1 and v2). If there are three or more comparisons
+/// of a pixel, the second best one counts, else the best one. The reason is that even on the true
+/// surface some views observe a point at a grazing angle or near an occluding contour. On a wrong
+/// surface, no two views agree. The dissimilarity of a vertex is the mean of 1 - cc over the
+/// windows around it, weighted by rho and by the vertex's barycentric weight.
 ///
-/// The floor is the expected dissimilarity if photographs differed only by noise: the mean of
-/// (noise + noise_variance) / sqrt(v1 v2). In generated scenes, dissimilarity and floor differ by
-/// .01 to .09 on the true surface, and by .5 or more on wrong surfaces.
+/// The floor is the dissimilarity that is expected if photographs differ only by noise: the mean of
+/// (variance of the noise + CorrelationOptions::noise_variance) / sqrt(v1 v2). In generated scenes,
+/// dissimilarity and floor differ by .01 to .09 on the true surface, and by .5 or more on wrong
+/// surfaces.
 #pragma once
 
 #include <span>
@@ -21,15 +24,16 @@
 
 namespace transformesh {
 
-/// Sums over compared windows.
+/// Sums over compared windows, for example those around a vertex.
 struct WindowSums {
-  double weight = 0;  ///< sum of rho; 0 if nothing is compared
-  double energy = 0;  ///< rho (1 - cc)
-  double floor = 0;   ///< rho times the floor
+  double weight = 0;  ///< sum of the weights rho of windows; 0 if nothing is compared
+  double energy = 0;  ///< sum of rho (1 - cc)
+  double floor = 0;   ///< sum of rho times the floor of each window
 
   double dissimilarity() const { return weight > 0 ? energy / weight : 0; }
   double mean_floor() const { return weight > 0 ? floor / weight : 0; }
-  /// Dissimilarity beyond the floor, from 0 (explained by noise) to 1 (nothing in common).
+  /// Returns the dissimilarity beyond the floor, from 0 (explained by noise) to 1 (nothing in
+  /// common).
   double excess() const;
   WindowSums& operator+=(const WindowSums& other);
 };
@@ -39,18 +43,18 @@ struct Disagreement {
   std::vector<WindowSums> of_vertex;
 };
 
-/// Compares the views of a scene. noise_variance() assumes the blur of scale 1; at other scales the
-/// variance is up to a tenth too large. `least_cosine` is that of PhotoStepOptions. Takes a little
-/// longer than photoconsistency(), and throws as that does. The result does not depend on the
-/// number of threads.
+/// Compares the photographs of a scene on a surface. The variance of noise assumes the blur of
+/// scale 1 (at_scale()); at other scales it is up to a tenth too large. `least_cosine` is that of
+/// PhotoStepOptions. Takes a little longer than photoconsistency(), and throws as
+/// photoconsistency() does. The result does not depend on the number of threads.
 Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                           const PhotoconsistencyOptions& options = {},
                           const Progress& progress = {});
 
 /// Returns the variance of the noise in a photograph of any scale (at_scale), in squared
-/// intensities.
-/// Uses pixels where `depth` is above 0; returns 0 if there are none. The variance is estimated
-/// from mixed second differences, which texture hardly affects unless it is as fine as the pixels.
+/// intensities. Uses pixels at which `depth` is above 0; returns 0 if there are none. The variance
+/// is estimated from mixed second differences, which texture hardly affects unless it is as fine as
+/// the pixels.
 /// Reference: Immerkaer, "Fast noise variance estimation", CVIU 64(2), 1996. Unlike in this
 /// reference, the median of the differences is used, not their mean. O(pixels).
 double noise_variance(const GrayImage& image, const GrayImage& depth);

@@ -13,7 +13,7 @@
 namespace transformesh {
 namespace {
 
-/// A function that adds view `i` to the scene.
+/// A function that reduces view `i` and adds it to the scene.
 using AddView = std::function<void(std::size_t i, PhotoScene& scene)>;
 
 void add_view(const View& view, std::size_t i, double scale, PhotoScene& scene) {

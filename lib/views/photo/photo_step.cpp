@@ -37,14 +37,16 @@ std::vector<ViewPair> compared_pairs(const std::vector<ViewPair>& pairs, PairOrd
   return result;
 }
 
-/// Returns curvatures plus damping; positive at all compared vertices if `damping` > 0.
+/// Returns the curvature of the energy at each vertex plus damping. The sum is positive at all
+/// compared vertices if `damping` > 0.
 std::vector<double> damped_curvature(const Photoconsistency& measured, double damping) {
   std::vector<double> result(measured.curvature);
   for (std::size_t v = 0; v < result.size(); ++v) result[v] += damping * measured.coverage[v];
   return result;
 }
 
-/// Returns the median curvature of the compared vertices. There must be at least one.
+/// Returns the median curvature of the energy over all compared vertices. There must be at least
+/// one compared vertex.
 double usual_curvature(const Photoconsistency& measured, std::span<const double> curvature) {
   std::vector<double> seen;
   for (std::size_t v = 0; v < curvature.size(); ++v) {
@@ -96,7 +98,8 @@ double mean_edge(const Mesh& mesh, const UniformLaplacian& laplacian, Index vert
   return around.empty() ? 0 : sum / static_cast<double>(around.size());
 }
 
-/// Returns the mean movement as a fraction of the mean edge at the vertex before the movement.
+/// Returns the mean over all vertices of movement / mean edge length at the vertex before the
+/// movement.
 double mean_share(const Mesh& before, const Mesh& after, const UniformLaplacian& laplacian) {
   double sum = 0;
   std::size_t count = 0;
@@ -115,8 +118,8 @@ void smooth(Mesh& mesh, const UniformLaplacian& laplacian, double factor) {
   for (std::size_t v = 0; v < ways.size(); ++v) mesh.positions[v] += factor * ways[v];
 }
 
-/// Returns unit normals; zero at borders, which do not move. Windows at a border compare little of
-/// the surface, and steps of border vertices would tear it.
+/// Returns unit normals of vertices; zero at border vertices, so that these do not move. Windows at
+/// a border contain little of the surface, and movements of border vertices would tear the surface.
 std::vector<Vec3> normals_off_borders(const Mesh& mesh, const UniformLaplacian& laplacian) {
   std::vector<Vec3> normals = vertex_normals(mesh);
   for (Index v = 0; v < normals.size(); ++v)

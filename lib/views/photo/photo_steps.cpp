@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-// Thresholds of lost coverage (PhotoStepsResult).
+// Limits of PhotoStepsResult::lost_coverage: ratios of last to first step, for the compared
+// fraction and for the number of compared pixels.
 constexpr double least_share_kept = 0.9;
 constexpr double least_pixels_kept = 0.5;
 
@@ -29,7 +30,7 @@ class Momentum {
   void begin(const Mesh& mesh) {
     if (share_ > 0) before_ = mesh.positions;
   }
-  /// Adds momentum to the movement since begin().
+  /// Adds momentum to the movement of `mesh` since begin().
   void add(Mesh& mesh);
 
  private:
@@ -38,7 +39,8 @@ class Momentum {
   std::vector<Vec3> ways_;  ///< movements of the previous step, with momentum; empty at first
 };
 
-// The sum of movement and momentum is clamped like a single step.
+// The sum of movement and momentum is limited like the movement of a single step, by
+// PhotoStepOptions::alpha.
 void Momentum::add(Mesh& mesh) {
   if (share_ == 0) return;
   const std::vector<Vec3> last = std::exchange(ways_, mesh.positions);

@@ -14,7 +14,8 @@
 namespace transformesh {
 namespace {
 
-/// Sums over all pairs with one reference view, per pixel of its compared box.
+/// Sums over all pairs with the same reference view, for each pixel of VisibleSurface::compared of
+/// that view.
 struct ReferenceSums {
   VisibleSurface room;
   WarpRoom warp_room;
@@ -25,7 +26,7 @@ struct ReferenceSums {
   CorrelationSums sums;
   std::size_t visible = 0;
 
-  /// Clears all sums for another view; keeps the allocated memory.
+  /// Sets all sums to 0 and prepares for another view; keeps the allocated memory.
   void begin(const VisibleSurface& surface) {
     seen = &surface;
     for (GrayImage* const image : {&gradient, &curvature, &count}) {
@@ -37,8 +38,8 @@ struct ReferenceSums {
   }
 };
 
-/// Sums per corner of a face, weighted by barycentric coordinates. Derivatives are with respect to
-/// movements of the face along its normal.
+/// Sums over the pixels of a face for each of its corners, weighted by barycentric coordinates.
+/// Derivatives are for movements of the face along its normal.
 struct FaceSums {
   std::array<double, 3> gradient{};
   std::array<double, 3> curvature{};
@@ -105,7 +106,7 @@ void compare_with_others(std::size_t reference, std::span<const View> views, con
   }
 }
 
-/// Distributes the sums of each pixel to the corners of its face.
+/// Adds the sums of each pixel to the corners of its face.
 void add_to_faces(const ReferenceSums& sums, std::vector<FaceSums>& faces) {
   if (sums.seen == nullptr) return;
   const VisibleSurface& seen = *sums.seen;
@@ -167,8 +168,8 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
   progress("compare");
   Photoconsistency result;
   std::vector<FaceSums> faces(mesh.faces.size());
-  // To save memory, only as many views as there are threads are compared at once. Sums are added in
-  // the order of the views, so that the result does not depend on the number of threads.
+  // To save memory, at most one view per thread is compared at the same time. Sums are added in the
+  // order of the views, so that the result does not depend on the number of threads.
   std::vector<ReferenceSums> sums(std::min(allowed_thread_count(), views.size()));
   for (std::size_t start = 0; start < views.size(); start += sums.size()) {
     const std::size_t count = std::min(sums.size(), views.size() - start);

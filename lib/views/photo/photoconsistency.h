@@ -1,14 +1,15 @@
-/// Photoconsistency of a surface, and its exact derivative with respect to every vertex (paper
-/// 5.3.1; Pons, Keriven & Faugeras, IJCV 72(2), 2007).
+/// Computes the photoconsistency of a surface, and its exact derivative with respect to every
+/// vertex (paper 5.3.1; Pons, Keriven & Faugeras, IJCV 72(2), 2007).
 ///
 /// Every pixel of the reference view of a pair is projected onto the surface and from there into
-/// the other view (warp.h). Both images are compared in windows (correlation.h). The energy is the
-/// sum of rho (1 - cc) over pixels and pairs. To compare meshes, use the mean dissimilarity energy
-/// / weight, because the number of pixels changes with the surface.
+/// the other view (warp.h). Windows of both images are compared by their correlation cc, with the
+/// weight rho (correlation.h). The energy is the sum of rho (1 - cc) over pixels and pairs. To
+/// compare meshes, use the mean dissimilarity, which is energy / weight, because the number of
+/// pixels changes with the surface.
 ///
 /// The derivative treats visibility and rho as constant. It is thus exact for movements that change
 /// no contour and no border of an image. Only the second image of a pair is differentiated; pass
-/// both orders of each pair to use both. Pairs without overlap contribute nothing.
+/// each pair in both orders to differentiate both images. Pairs without overlap contribute nothing.
 ///
 /// O(views * faces + pairs * pixels) time. Memory: 46 bytes per visible pixel of one view and
 /// thread, and 72 bytes per face. Parallel over views; the result does not depend on the number of
@@ -27,24 +28,27 @@
 
 namespace transformesh {
 
-/// Sums over the compared pixels of all pairs. Sums of a vertex are weighted by its barycentric
-/// weight in each pixel.
+/// Sums over the compared pixels of all pairs. In sums for a vertex, each pixel is weighted by the
+/// barycentric weight of the vertex.
 struct Photoconsistency {
   double energy = 0;
-  double loss = 0;         ///< the sum that is differentiated; equals `energy` if not robust
-  double weight = 0;       ///< sum of rho
+  /// The sum that is differentiated; equals `energy` if CorrelationOptions::robust is 0.
+  double loss = 0;
+  double weight = 0;       ///< sum of the weights rho of all windows
   std::size_t pixels = 0;  ///< number of compared pixels, over all pairs
   /// Number of pixels that show the surface, over all pairs, whether compared or not.
   std::size_t visible = 0;
-  std::vector<Vec3> gradient;  ///< derivative of the loss with respect to the position
-  /// Half of the Gauss-Newton approximation of the second derivative, for movements along the
-  /// normals.
+  std::vector<Vec3> gradient;  ///< derivative of `loss` with respect to the position of each vertex
+  /// For each vertex, half of the Gauss-Newton approximation of the second derivative of `loss`,
+  /// for movements along its normal.
   std::vector<double> curvature;
-  std::vector<double> coverage;  ///< sum of barycentric weights
+  /// For each vertex, the sum of its barycentric weights over compared pixels.
+  std::vector<double> coverage;
 };
 
-/// Compares `pairs` of views on `mesh`. `seen` must be made of `mesh` and `views`. Throws
-/// UsageError if options are out of range, and if a pair refers to a view that does not exist.
+/// Compares `pairs` of views on `mesh`. `seen` must have been constructed from `mesh` and `views`.
+/// Throws UsageError if options are out of range, and if a pair refers to a view that does not
+/// exist.
 Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
                                   const SeenViews& seen, std::span<const ViewPair> pairs,
                                   const PhotoconsistencyOptions& options = {},

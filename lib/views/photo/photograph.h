@@ -1,4 +1,4 @@
-/// Simulates photographs of a textured surface, as ground truth for tests of reconstruction.
+/// Simulates photographs of a textured surface, for tests of reconstruction with known results.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,14 @@
 namespace transformesh {
 
 struct PhotographOptions {
-  int samples = 3;   ///< samples per pixel along each axis, averaged; [1, 8]
+  int samples = 3;   ///< number of samples per pixel along each axis, which are averaged; [1, 8]
   double noise = 2;  ///< standard deviation of the sensor noise, in intensities; >= 0
-  double gain_spread =
-      0;  ///< intensities of a photograph are scaled by a factor in 1 +- this; [0, 1)
-  double offset_spread = 0;  ///< intensities of a photograph are shifted by at most this; >= 0
-  std::uint64_t seed = 1;    ///< seed of noise, gain and offset
+  /// Intensities of a photograph are multiplied by a random factor between 1 - `gain_spread` and
+  /// 1 + `gain_spread`; [0, 1).
+  double gain_spread = 0;
+  /// A random number of at most this magnitude is added to all intensities of a photograph; >= 0.
+  double offset_spread = 0;
+  std::uint64_t seed = 1;  ///< seed of noise, gain and offset
 };
 
 struct Photograph {
@@ -25,8 +27,8 @@ struct Photograph {
 
 /// Renders the surface with the texture but without shading, as a matte surface in diffuse light.
 /// `number` is the index of the photograph, so that each has different noise. Throws UsageError if
-/// options are out of range. O(faces + covered pixels * samples^2 * waves), parallel; the result
-/// does not depend on the number of threads.
+/// options are out of range. O(faces + covered pixels * samples^2 * waves of the texture),
+/// parallel; the result does not depend on the number of threads.
 Photograph take_photograph(const Mesh& mesh, const Camera& camera, const SolidTexture& texture,
                            std::uint64_t number, const PhotographOptions& options = {});
 

@@ -13,11 +13,13 @@
 namespace transformesh {
 namespace {
 
-// The range of 128 +- 40 uses most of [0, 255] but rarely exceeds it.
+// Mean and standard deviation of the intensities. With 128 and 40, they use most of [0, 255] but
+// rarely exceed it.
 constexpr double middle_intensity = 128;
 constexpr double deviation = 40;  ///< standard deviation of the intensities
 
-/// Inverse factorials of odd numbers up to 19, in descending order of the numbers.
+/// Coefficients of the Taylor series of the sine: inverse factorials of the odd numbers from 19
+/// down to 1.
 constexpr std::array sine_coefficients = [] {
   std::array<double, 10> coefficients{};
   double factorial = 1;
@@ -28,8 +30,8 @@ constexpr std::array sine_coefficients = [] {
   return coefficients;
 }();
 
-/// Returns a direction that is uniformly distributed on the sphere. Heights are uniform, by
-/// Archimedes' theorem.
+/// Returns a direction that is uniformly distributed on the sphere. By Archimedes' theorem, the z
+/// coordinates of such directions are uniformly distributed.
 Vec3 random_direction(Random& random) {
   const double height = random.uniform(-1, 1);
   const double angle = random.uniform(0, 2 * std::numbers::pi);
@@ -37,9 +39,9 @@ Vec3 random_direction(Random& random) {
   return {radius * elementary::cos(angle), radius * elementary::sin(angle), height};
 }
 
-/// Returns the sine with an error of 1e-13 plus one spacing of numbers at `angle`. This suffices
-/// for intensities of 8 bits and is faster than elementary::sin(). Reduces the angle modulo pi and
-/// sums the Taylor series.
+/// Returns the sine with an error of at most 1e-13 plus one unit in the last place of `angle`. This
+/// suffices for intensities of 8 bits and is faster than elementary::sin(). Reduces the angle
+/// modulo pi and sums the Taylor series.
 double quick_sine(double angle) {
   using elementary::inverse;
   using elementary::pi;

@@ -1,6 +1,6 @@
-/// A solid gray texture: a function on space, so that surfaces need no texture coordinates
-/// (Peachey, "Solid texturing of complex surfaces", SIGGRAPH 1985). It is a sum of sine waves in
-/// random directions.
+/// A solid gray texture: the intensity is a function of the position in space, so that surfaces
+/// need no texture coordinates (Peachey, "Solid texturing of complex surfaces", SIGGRAPH 1985). The
+/// function is a sum of sine waves in random directions.
 #pragma once
 
 #include <cstdint>

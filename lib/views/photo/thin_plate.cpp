@@ -8,11 +8,12 @@
 namespace transformesh {
 namespace {
 
-// Limits of the conjugate gradients. Lower precision per step suffices, because the next step of an
-// evolution continues from the result.
+// Largest number of iterations of the conjugate gradients, and ratio of residuals at which they
+// end. This low precision suffices, because the next step of an evolution continues from the
+// result.
 constexpr int most_iterations = 20;
 constexpr double residual_share = 0.05;
-/// Diagonal entry of L^T L if every vertex has six neighbors. L is the uniform Laplacian; its
+/// Diagonal entry of L^T L if every vertex has six neighbors. L is the uniform Laplacian; the
 /// column of a vertex has one entry -1 and six entries 1 / 6.
 constexpr double bending_diagonal = 7.0 / 6;
 constexpr std::size_t vertices_per_task = 4096;
@@ -27,7 +28,8 @@ double dot(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// The matrix H + stiffness N^T L^T L N, with H the diagonal of the curvatures and N the normals.
+/// The matrix H + stiffness N^T L^T L N of the energy. H is the diagonal matrix of the curvatures
+/// h, and N maps movements along normals to vectors.
 class Plate {
  public:
   Plate(const UniformLaplacian& laplacian, const ThinPlateProblem& problem)
@@ -45,7 +47,8 @@ class Plate {
     }
   }
 
-  /// Returns the negative gradient of the energy with respect to the movements, at zero movement.
+  /// Returns the negative gradient of the energy with respect to the movements, if all movements
+  /// are zero.
   std::vector<double> force(std::span<const Vec3> positions) {
     laplacian_.apply_bending(positions, bent_);
     std::vector<double> result(positions.size());

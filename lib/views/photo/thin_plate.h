@@ -1,4 +1,4 @@
-/// Newton steps of a surface that resists bending.
+/// Computes Newton steps of a surface that resists bending.
 ///
 /// The energy has two terms. The data term is the sum of g d + h d^2 / 2 over all vertices, where d
 /// is the movement along the normal. The plate term is stiffness / 2 |L x|^2. L is the uniform
@@ -6,8 +6,8 @@
 /// Reference: the umbrella operator of Kobbelt, Campagna, Vorsatz & Seidel, "Interactive
 /// multi-resolution modeling on arbitrary meshes", SIGGRAPH 1998.
 ///
-/// Vertices with large h follow the data; vertices with small h continue the surface smoothly.
-/// Borders are free.
+/// Vertices with large h move to the minimum of the data term; vertices with small h continue the
+/// surface around them smoothly. The plate term omits border vertices.
 #pragma once
 
 #include <span>
@@ -22,10 +22,10 @@ class UniformLaplacian {
  public:
   explicit UniformLaplacian(const Mesh& mesh);
 
-  /// Computes the vector from each value to the mean of its neighbors; 0 at vertices without
-  /// neighbors.
+  /// Sets `result` to the vectors from the value of each vertex to the mean of its neighbors'
+  /// values; 0 at vertices without neighbors.
   void apply(std::span<const Vec3> values, std::vector<Vec3>& result) const;
-  /// Computes L^T L `values`, where L is zero at borders.
+  /// Sets `result` to L^T L `values`, where rows of L that belong to border vertices are zero.
   void apply_bending(std::span<const Vec3> values, std::vector<Vec3>& result) const;
   bool is_border(Index vertex) const { return share_[vertex] == 0 && !neighbors(vertex).empty(); }
   std::span<const Index> neighbors(Index vertex) const {
@@ -35,21 +35,23 @@ class UniformLaplacian {
  private:
   std::vector<Index> offsets_;
   std::vector<Index> ids_;
-  /// 1 / number of neighbors; 0 at borders and at vertices without neighbors
+  /// For each vertex, 1 / number of neighbors; 0 at border vertices and at vertices without
+  /// neighbors.
   std::vector<double> share_;
 };
 
 struct ThinPlateProblem {
   std::vector<Vec3> normals;      ///< unit or zero vectors; vertices with zero vectors do not move
-  std::vector<double> gradient;   ///< g
-  std::vector<double> curvature;  ///< h >= 0
-  double stiffness = 0;           ///< >= 0
+  std::vector<double> gradient;   ///< gradient g of the data term
+  std::vector<double> curvature;  ///< curvature h of the data term, >= 0
+  double stiffness = 0;           ///< weight of the plate term, >= 0
 };
 
-/// Returns the movements d that decrease the energy. Uses conjugate gradients with a diagonal
-/// preconditioner: at most 20 iterations, fewer if the residual falls to 5 %. The next step of an
-/// evolution continues from there. If `stiffness` is 0, the result is exactly -g / h. If h = 0 and
-/// no plate moves a vertex, its d is 0. O(n); deterministic.
+/// Returns movements d of the vertices along their normals that decrease the energy. Uses conjugate
+/// gradients with a diagonal preconditioner: at most 20 iterations, fewer if the residual falls to
+/// 5 %. This precision suffices, because the next step of an evolution continues from the result.
+/// If `stiffness` is 0, the result is exactly -g / h. If h is 0 and the plate term does not move a
+/// vertex, its d is 0. O(n); deterministic.
 std::vector<double> thin_plate_step(const Mesh& mesh, const UniformLaplacian& laplacian,
                                     const ThinPlateProblem& problem);
 

@@ -17,7 +17,7 @@ using Vec3f = Eigen::Vector3f;
 constexpr int rows_per_band = 16;  ///< affects time only
 
 /// Returns 1 / dot(ray, normal) if the camera observes the front of the face and the cosine between
-/// them is above `least_cosine`; else 0.
+/// ray and normal is above `least_cosine`; else 0.
 float inverse_facing(const Vec3f& ray, const Vec3f& normal, float least_cosine) {
   const float facing = ray.dot(normal);
   const bool is_seen =
@@ -25,8 +25,8 @@ float inverse_facing(const Vec3f& ray, const Vec3f& normal, float least_cosine) 
   return is_seen ? 1 / facing : 0;
 }
 
-/// Extends the box so that it contains pixel (x, y). The ends of an empty box are before its
-/// beginnings.
+/// Extends the box so that it contains pixel (x, y). An empty box must have ends before its first
+/// column and row.
 void grow(PixelBox& box, int x, int y) {
   box.first_column = std::min(box.first_column, x);
   box.end_column = std::max(box.end_column, x + 1);
@@ -34,7 +34,7 @@ void grow(PixelBox& box, int x, int y) {
   box.end_row = std::max(box.end_row, y + 1);
 }
 
-/// Computes depth and facing of row `y` of the view.
+/// Computes `depth` and `inverse_facing` in row `y` of the view.
 void compare_row(VisibleSurface& seen, std::span<const Vec3f> normals, const PinholeCamera& camera,
                  float least_cosine, int y) {
   const Vec3f start = camera.ray(0, y).cast<float>();
@@ -56,8 +56,8 @@ Camera camera_of(const View& view) {
   return {view.camera.projection(), view.image.width, view.image.height};
 }
 
-/// Rasterizes bands of rows in parallel. Calls `take` for each row of the box, with its pixels from
-/// the box's first column on.
+/// Rasterizes bands of rows in parallel. Calls `take` for each row of the box of `bands`, with the
+/// pixels of the row from the first column of the box on.
 void draw_rows(const BandRasterizer& bands, int width,
                const std::function<void(int y, const FacePixel* row)>& take) {
   const PixelBox& box = bands.box();
@@ -101,8 +101,8 @@ VisibleDepths depths_of(const VisibleSurface& seen) {
   return {std::move(depths), seen.box};
 }
 
-/// Resizes the raster to the box. Values of an empty raster are those of a new pixel, and arbitrary
-/// else.
+/// Resizes the raster to the size of the box. If it was empty, all pixels have default values;
+/// otherwise pixels have arbitrary values.
 template <class Value>
 void resize(Raster<Value>& raster, const PixelBox& box) {
   raster.width = box.columns();
@@ -147,7 +147,8 @@ const VisibleSurface& SeenViews::surface(std::size_t view, VisibleSurface& room)
 
 void SeenViews::see(std::size_t view, VisibleSurface& seen) const {
   const Camera camera = camera_of(views_[view]);
-  // Packed views are large and few at a time, so that their bands are drawn in parallel.
+  // Views with packed images are large, and few of them are processed at the same time. Their bands
+  // are therefore drawn in parallel.
   const int rows = views_[view].image.is_packed() ? rows_per_band : std::max(camera.height, 1);
   const BandRasterizer bands(mesh_, camera, rows, Sides::outside);
   const PixelBox& box = seen.box = bands.box();

@@ -1,4 +1,5 @@
-/// The surface as observed by one view, with all values per pixel that comparisons need.
+/// The part of a surface that is visible in one view, with all values of pixels that are needed for
+/// comparing views.
 #pragma once
 
 #include "raster/rasterize.h"
@@ -7,25 +8,25 @@
 
 namespace transformesh {
 
-/// Images cover `box`, the part of the view that shows the surface. Depths and facings are 0 at
-/// pixels that are not compared.
+/// Values for each pixel of `box`, the rectangle of the view that shows the surface. `depth` and
+/// `inverse_facing` are 0 at pixels that are not compared.
 struct VisibleSurface {
   PixelBox box;
   FaceBuffer faces;
-  /// Depth of the compared pixels. These are the pixels that show the front of a face, unless the
-  /// angle is too grazing (`least_cosine`).
+  /// Depth of the compared pixels. A pixel is compared if it shows the front of a face, and if the
+  /// cosine between viewing ray and normal is at least `least_cosine`.
   GrayImage depth;
-  /// 1 / (r N) of the compared pixels, < 0. r is the pixel's PinholeCamera::ray, N the unit normal
-  /// of the face.
+  /// 1 / dot(r, n) of the compared pixels, < 0. Here r is the pixel's PinholeCamera::ray(), and n
+  /// the unit normal of the face.
   GrayImage inverse_facing;
-  GrayImage intensity;  ///< part of the photograph, if that is packed; else empty
+  GrayImage intensity;  ///< this part of the photograph if the photograph is packed; else empty
   /// Bounding box of the compared pixels; inside `box`.
   PixelBox compared;
 };
 
-/// Visible surfaces of all views. For packed views (PackableImage) only depths are stored, about a
-/// byte per pixel of the box; all other values are recomputed on demand. Faces observed from behind
-/// are ignored and occlude nothing.
+/// Visible surfaces of all views. For views with packed images (packable_image.h), only depths are
+/// stored, in about a byte per pixel of the box. All other values are recomputed on demand. Faces
+/// observed from behind are ignored and occlude nothing.
 class SeenViews {
  public:
   /// Keeps references to `mesh` and `views`. Faces are not compared if the cosine between ray and
@@ -33,10 +34,10 @@ class SeenViews {
   /// number of threads.
   SeenViews(const Mesh& mesh, std::span<const View> views, double least_cosine);
 
-  /// Returns depths of all front faces; 0 at pixels without a face.
+  /// Returns the depths of all pixels that show front faces; 0 at other pixels.
   const VisibleDepths& depths(std::size_t view) const { return depths_[view]; }
-  /// Returns the visible surface of a view. If it is not stored, computes it into `room`, 28 bytes
-  /// per pixel of the box. Thread-safe.
+  /// Returns the visible surface of a view. If it is not stored, computes it and stores it in
+  /// `room`, in 28 bytes per pixel of the box. Thread-safe.
   const VisibleSurface& surface(std::size_t view, VisibleSurface& room) const;
 
  private:

@@ -10,14 +10,16 @@
 namespace transformesh {
 namespace {
 
-/// Pixel and depth of a point in the other view. `along_x` and `along_y` are derivatives of the
-/// pixel with respect to the depth of the point in the reference view.
+/// Pixel and depth in the other view of a point on the reference view's ray. `along_x` and
+/// `along_y` are derivatives of the pixel with respect to the depth of the point in the reference
+/// view.
 struct Landing {
   double x, y, depth;
   double along_x, along_y;
 };
 
-/// Projects the point at `depth` on the ray with direction (a, b, c) in the other view.
+/// Projects a point to the other view. The point is at `depth` on a ray of the reference view,
+/// whose direction is (a, b, c) in homogeneous pixels of the other view.
 Landing land(double a, double b, double c, double depth, const Vec3& shift) {
   const double far = depth * c + shift.z();
   const double inverse = 1 / far;
@@ -26,10 +28,11 @@ Landing land(double a, double b, double c, double depth, const Vec3& shift) {
   return {x, y, far, (a - x * c) * inverse, (b - y * c) * inverse};
 }
 
-/// Returns the pixels that interpolation between visible pixels reads. Returns the whole image if
-/// it is not packed.
+/// Returns the rectangle of pixels that interpolation at points in `seen` reads. Returns the whole
+/// image if it is not packed.
 PixelBox part_of(const PackableImage& image, const PixelBox& seen) {
-  constexpr int around = 2;  ///< pixels that cubic interpolation reads beyond visible ones
+  /// Number of pixels that cubic interpolation reads beyond the rectangle.
+  constexpr int around = 2;
   if (!image.is_packed()) return {0, image.width, 0, image.height};
   return {std::max(seen.first_column - around, 0), std::min(seen.end_column + around, image.width),
           std::max(seen.first_row - around, 0), std::min(seen.end_row + around, image.height)};

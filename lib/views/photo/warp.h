@@ -9,20 +9,20 @@
 
 namespace transformesh {
 
-/// One row of a warp, from the first to the last compared column of the reference view. All values
-/// are 0 at points that are not visible in the other view.
+/// Values for the pixels of one row of the reference view, from the first to the last compared
+/// column. All values are 0 at pixels whose point of the surface is not visible in the other view.
 struct WarpedRow {
-  float* is_seen = nullptr;    ///< 1 or 0
+  float* is_seen = nullptr;    ///< 1 if the point is visible in the other view, else 0
   float* reference = nullptr;  ///< intensity of the reference image minus `middle_intensity`
   float* other = nullptr;      ///< intensity of the other image minus `middle_intensity`
   /// Derivative of `other` with respect to the depth of the point in the reference view.
   float* slope = nullptr;
 };
 
-/// Subtracted from intensities, so that sums of their squares lose fewer digits.
+/// Number that is subtracted from intensities, so that sums of their squares lose fewer digits.
 inline constexpr float middle_intensity = 128;
 
-/// Memory for unpacked images and depths, to be reused from warp to warp.
+/// Memory for unpacked images and depths, which several warps use one after the other.
 struct WarpRoom {
   GrayImage image;
   VisibleDepths depths;
@@ -30,9 +30,9 @@ struct WarpRoom {
 
 class Warp {
  public:
-  /// A point is hidden if it is behind the visible surface of `other` by more than the fraction
-  /// `depth_tolerance` of its depth. All arguments must outlive the warp. `room` takes 6 bytes per
-  /// pixel of the visible part of a packed image.
+  /// A point is hidden if it is behind the surface that is visible in `other` by more than the
+  /// fraction `depth_tolerance` of its depth. All arguments must outlive the warp. If images are
+  /// packed, `room` takes 6 bytes per pixel of the part that shows the surface.
   Warp(const View& reference, const VisibleSurface& seen_by_reference, const View& other,
        const VisibleDepths& depths_of_other, double depth_tolerance, WarpRoom& room);
   Warp(const Warp&) = delete;
@@ -48,14 +48,16 @@ class Warp {
   const PackableImage& reference_;
   const VisibleSurface& seen_;
   int width_, height_;  ///< size of the other view
-  PixelBox part_;       ///< part of the other view that is in `other_`
+  PixelBox part_;       ///< rectangle of the other view whose pixels are in `other_`
   const GrayImage& other_;
   const VisibleDepths& depths_;
-  /// Maps homogeneous pixels of the reference view to homogeneous pixels of the other view, for
-  /// points at infinity.
+  /// Maps homogeneous pixels of the reference view to those of the other view, for points at
+  /// infinity.
   Eigen::Matrix3d turn_;
-  Vec3 shift_;     ///< center of the reference camera in homogeneous pixels of the other view
-  double nearer_;  ///< a point is hidden if its depth times this is beyond the visible depth
+  Vec3 shift_;  ///< center of the reference camera in homogeneous pixels of the other view
+  /// A point is hidden if its depth times this factor is larger than the depth of the visible
+  /// surface.
+  double nearer_;
 };
 
 }  // namespace transformesh

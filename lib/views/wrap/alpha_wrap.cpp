@@ -26,34 +26,38 @@ namespace {
 
 constexpr std::size_t points_per_task = 512;  ///< affects time only
 /// The default of AlphaWrapOptions::offset is the smaller of two lengths: these fractions of the
-/// diagonal and of the point spacing. A wrap of 50,000 points on a sphere with noise of .5 % has a
-/// Hausdorff distance of .047 with an eighth of the spacing. The distance is .049 with a fourth of
-/// the spacing, and .056 with the fraction of the diagonal.
+/// bounding box's diagonal and of the point spacing (point_spacing()). For 50,000 points on a
+/// sphere with noise of .5 %, an eighth of the spacing gives a wrap with a Hausdorff distance of
+/// .047. The distance is .049 with a fourth of the spacing, and .056 with the fraction of the
+/// diagonal.
 constexpr double offset_by_diagonal = 1.0 / 300;
 constexpr double offset_by_spacing = 1.0 / 8;
 
-/// Search range of alpha, as fractions of the diagonal, and the ratio of consecutive candidates:
-/// 2^(-1/4).
+/// Range in which alpha is searched, as fractions of the bounding box's diagonal, and the ratio of
+/// consecutive candidates: 2^(-1/4).
 constexpr double largest_alpha_by_diagonal = 1.0 / 5;
 constexpr double least_alpha_by_diagonal = 1.0 / 100;
 constexpr double alpha_ratio = 0.8408964152537145;
 
-/// A wrap has about this number of faces per area of alpha^2. A million faces take a minute and a
-/// gigabyte. The area of a wrap is at most the area of balls around all points, whose radius is the
-/// offset. It is also at most twice the area of a coarse wrap. The factor 2 is needed if alpha fits
-/// between the points: the wrap then also covers the inside of the surface.
+/// A wrap has about `faces_by_area` faces per area of alpha^2. A million faces take a minute and a
+/// gigabyte. Two upper bounds of the area are used. One is the area of balls around all points,
+/// whose radius is the offset. The other is twice the area of a wrap with larger alpha. The factor
+/// 2 is needed because a wrap also covers the inner side of the sampled surface if balls of radius
+/// alpha pass between the points.
 constexpr double faces_by_area = 1.3;
 constexpr double most_faces = 2e6;
-/// Alpha of the coarse wrap that estimates the area.
+/// Alpha of the coarse wrap that bounds the area, as a fraction of the wrap's diagonal.
 constexpr double coarse_alpha_by_size = 1.0 / 50;
 
-/// A wrap counts as hollow where it is thinner than this many offsets, or than this fraction of the
-/// diagonal if the offset is the default. If a ball of radius alpha passes between the points, the
-/// wrap follows both sides of the sampled surface. Its thickness is then hardly more than two
-/// offsets plus the noise of the points.
+/// A wrap counts as hollow at a face if its thickness there is less than `hollow_by_offset`
+/// offsets. If the offset is the default, the limit is `hollow_by_diagonal` times the diagonal. If
+/// a ball of radius alpha passes between the points, the wrap follows both sides of the sampled
+/// surface. Its thickness is then hardly more than two offsets plus the noise of the points.
 constexpr double hollow_by_offset = 4;
 constexpr double hollow_by_diagonal = hollow_by_offset * offset_by_diagonal;
-constexpr double most_hollow = 0.05;  ///< limit of the hollow fraction of the area
+/// Largest accepted fraction of a wrap's area at which the wrap is hollow: thinner than the limit
+/// above.
+constexpr double most_hollow = 0.05;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -95,7 +99,7 @@ Cloud cloud_of(const std::vector<Vec3>& points) {
   return cloud;
 }
 
-/// Returns the default offset in units of `diagonal`.
+/// Returns the default offset, in the units of `points` and `diagonal`.
 double default_offset(const std::vector<Vec3>& points, double diagonal) {
   const double offset = offset_by_diagonal * diagonal;
   if (!(diagonal > 0)) return offset;
@@ -120,7 +124,7 @@ std::string rounded_up(double length) {
                                  : digits * elementary::pow(10, power));
 }
 
-/// Throws UsageError if alpha would cause too many faces.
+/// Throws UsageError if the wrap with this alpha would have more than `most_faces` faces.
 void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal,
                 const ScaleNormalization& scale) {
   const double faces = expected_faces(cloud, alpha, offset, diagonal);
@@ -131,7 +135,7 @@ void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal
       rounded_up(least) + " or more");
 }
 
-/// Returns the smallest distance of a point from the surface.
+/// Returns the smallest distance of a point of `cloud` from the surface of `mesh`.
 double least_distance(const Mesh& mesh, const Cloud& cloud) {
   const ClosestPointQuery closest(mesh);
   std::vector<double> distances(cloud.size());
@@ -142,7 +146,8 @@ double least_distance(const Mesh& mesh, const Cloud& cloud) {
   return *std::ranges::min_element(distances);
 }
 
-/// Returns the fraction of the area behind which the wrap is thinner than `thickness`.
+/// Returns the area of faces behind which the wrap is thinner than `thickness`, as a fraction of
+/// the whole area.
 double hollow_share(const Mesh& mesh, double thickness) {
   const RayCastWinding winding(mesh);
   double hollow = 0;
@@ -157,7 +162,8 @@ double hollow_share(const Mesh& mesh, double thickness) {
   return all > 0 ? hollow / all : 0;
 }
 
-/// Decreases alpha, and returns the last wrap before the first hollow one.
+/// Computes wraps with decreasing alpha until the hollow fraction of the area exceeds
+/// `most_hollow`. Returns the last wrap before that.
 AlphaWrap tightest_wrap(const Cloud& cloud, double diagonal, double offset, double thickness) {
   double alpha = largest_alpha_by_diagonal * diagonal;
   AlphaWrap best = wrap(cloud, alpha, offset);

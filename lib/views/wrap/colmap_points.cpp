@@ -13,9 +13,10 @@ namespace transformesh {
 namespace {
 
 constexpr std::array names{"red", "green", "blue", "error", "track_length"};
-constexpr std::size_t observation_size = 8;  ///< image and feature, in binary files
+/// Bytes of one observation of a point in binary files: the indices of image and feature.
+constexpr std::size_t observation_size = 8;
 
-/// The data of a point, which text and binary files have in common.
+/// The data of one point that text and binary files contain.
 struct Row {
   Vec3 position;
   std::array<double, names.size()> values{};

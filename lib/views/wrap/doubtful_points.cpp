@@ -6,11 +6,14 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_error_by_median = 3;  ///< see with_large_error()
-constexpr double least_track = 3;           ///< photographs per point; see with_short_track()
-constexpr double least_left = 0.5;          ///< fraction of the points; see with_short_track()
+/// Largest ratio of an accepted error to the median; see with_large_error().
+constexpr double most_error_by_median = 3;
+/// Least number of photographs of an accepted point; see with_short_track().
+constexpr double least_track = 3;
+/// Least fraction of points that must be left; see with_short_track().
+constexpr double least_left = 0.5;
 
-/// Returns the values, or the lengths of lists.
+/// Returns the values of a column, or the lengths of its lists if it is a list column.
 std::vector<double> numbers_of(const Column& column) {
   if (!column.list_count_type) return column.values;
   std::vector<double> lengths;

@@ -11,20 +11,24 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t points_per_task = 512;  ///< affects time only
-constexpr std::size_t neighbors = 6;          ///< the spacing is the distance to this neighbor
-/// Factors of connections and of the spacing at outliers. outliers.h has a table of their effects.
+/// The spacing at a point is the distance to its sixth neighbor.
+constexpr std::size_t neighbors = 6;
+/// Neighbors are connected up to `reach` times the spacing. The spacing at an outlier is at least
+/// `jump` times that at the nearest body. outliers.h has a table of the effects of both factors.
 constexpr double reach = 2;
 constexpr double jump = 4;
-/// Groups of fewer points than this fraction may be outliers. Few percent of the points of sparse
-/// reconstructions are outliers. With twice this fraction, a second body that is sampled sparsely
-/// would be lost more often.
+/// Points of a connected group may be outliers if the group has less than this fraction of all
+/// points. A few percent of the points of sparse reconstructions are outliers. With twice this
+/// fraction, a second, sparsely sampled part of the object would be lost more often.
 constexpr double least_body = 1.0 / 20;
-/// Clouds of fewer points have no outliers, because their bodies could have only five points.
+/// In point clouds with fewer points than this, no point counts as an outlier, because a body could
+/// have fewer than five points.
 constexpr std::size_t least_points = 100;
 
 struct Neighborhoods {
-  std::vector<std::vector<Index>> nearest;  ///< each point itself and its six neighbors
-  std::vector<double> spacing;              ///< distance of the sixth neighbor
+  /// For each point, its own index and those of its six nearest neighbors.
+  std::vector<std::vector<Index>> nearest;
+  std::vector<double> spacing;  ///< for each point, the distance to its sixth neighbor
 };
 
 Neighborhoods neighborhoods_of(const std::vector<Vec3>& points) {
@@ -40,7 +44,8 @@ Neighborhoods neighborhoods_of(const std::vector<Vec3>& points) {
   return result;
 }
 
-/// Joins neighbors whose distance is small compared with the spacing at both of them.
+/// Connects neighbors whose distance is at most `reach` times the spacing at both. Returns the
+/// connected groups.
 DisjointSets groups_of(const std::vector<Vec3>& points, const Neighborhoods& around) {
   DisjointSets groups(points.size());
   for (Index i = 0; i < points.size(); ++i) {
@@ -52,7 +57,7 @@ DisjointSets groups_of(const std::vector<Vec3>& points, const Neighborhoods& aro
   return groups;
 }
 
-/// Returns for each point whether it is an outlier.
+/// Returns 1 for each point that is an outlier, else 0.
 std::vector<char> outliers_among(const std::vector<Vec3>& points) {
   const Neighborhoods around = neighborhoods_of(points);
   DisjointSets groups = groups_of(points, around);

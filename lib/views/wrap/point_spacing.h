@@ -1,4 +1,4 @@
-/// How far apart points of a sampled surface are.
+/// Measures the spacing of points that sample a surface.
 #pragma once
 
 #include <span>
@@ -7,9 +7,10 @@
 
 namespace transformesh {
 
-/// Returns the side of the square that the median point has for itself. It is .72 times the
-/// distance to the sixth neighbor, because a disk of that radius around a point holds six others.
-/// Returns 0 for fewer than seven points. Points must be distinct. Deterministic; O(n log n).
+/// Returns the side of a square whose area is the surface area per point. This side is .72 times
+/// the median distance to the sixth neighbor: a disk with that radius has the area of six such
+/// squares. Returns 0 for fewer than seven points. Points must be distinct. Deterministic; O(n log
+/// n).
 double point_spacing(std::span<const Vec3> points);
 
 }  // namespace transformesh

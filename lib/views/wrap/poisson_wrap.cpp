@@ -26,19 +26,21 @@ using Function = CGAL::Poisson_reconstruction_function<Kernel>;
 using PointMap = CGAL::First_of_pair_property_map<Oriented>;
 using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
 
-/// The spacing of the points is the mean distance to this many neighbors.
+/// The spacing of the points is their mean distance to this many nearest neighbors.
 constexpr unsigned neighbors = 6;
-/// The size of a cell is the spacing, limited so that the diagonal of the bounding box has between
-/// `least_cells` and `most_cells` cells.
+/// The side of a grid cell is the spacing of the points, limited so that the diagonal of the
+/// bounding box has between `least_cells` and `most_cells` cells.
 constexpr double least_cells = 16;
 constexpr double most_cells = 160;
-/// Amplitude of random shifts, as a fraction of the spacing.
+/// Largest random shift of a point along each axis, as a fraction of the spacing (see
+/// rising_function()).
 constexpr double shaken_by_spacing = 0.03;
 constexpr double margin_by_diagonal = 0.1;  ///< margin of the grid, as a fraction of the diagonal
-constexpr float outside = 1;                ///< value at nodes that are outside by definition
+/// Value at nodes of the grid's boundary, and where CGAL's function has no finite value.
+constexpr float outside = 1;
 
 /// Returns a normal for each point. The first of several equal points gets the sum of their unit
-/// normals; the others get 0. The normal of a point without equal points keeps its length.
+/// normals, the others get 0. A point without equal points keeps its normal, with its length.
 std::vector<Vec3> sums_at_firsts(std::span<const Vec3> points, std::span<const Vec3> normals) {
   const std::vector<std::size_t> first = first_equals(points);
   std::vector<Vec3> sums(normals.begin(), normals.end());
@@ -98,8 +100,8 @@ float value_at(const Function& function, const ValueGrid& grid,
   return std::isfinite(value) ? static_cast<float>(value) : outside;
 }
 
-/// True if the function increases along at least half of the normals, as it does if normals point
-/// outwards.
+/// True if the function increases along the normal at half of the points or more. It does if
+/// normals point outwards.
 bool rises_outwards(const Function& function, const std::vector<Oriented>& cloud, double step) {
   const auto rises = [&](const Oriented& oriented) {
     const auto& [point, normal] = oriented;
@@ -109,7 +111,8 @@ bool rises_outwards(const Function& function, const std::vector<Oriented>& cloud
   return 2 * static_cast<std::size_t>(rising) >= cloud.size();
 }
 
-/// Shifts each point randomly by up to `reach` along each axis; reproducible.
+/// Shifts each point randomly by up to `reach` along each axis. The shifts are the same in every
+/// run.
 std::vector<Oriented> shaken(std::vector<Oriented> cloud, double reach) {
   Random random(1);
   const auto way = [&] { return random.uniform(-reach, reach); };
@@ -120,18 +123,20 @@ std::vector<Oriented> shaken(std::vector<Oriented> cloud, double reach) {
   return cloud;
 }
 
-/// Returns null if CGAL finds no function.
+/// Returns the Poisson function of the points, or null if CGAL finds none.
 std::unique_ptr<Function> function_of(const std::vector<Oriented>& cloud) {
   auto function = std::make_unique<Function>(cloud.begin(), cloud.end(), PointMap(), NormalMap());
   if (!function->compute_implicit_function()) return nullptr;
   return function;
 }
 
-/// Returns the Poisson function, computed from shifted points if necessary; null if there is none.
+/// Returns the Poisson function, which increases along normals. Computes it from randomly shifted
+/// points if necessary. Returns null if CGAL finds none.
 ///
 /// If points lie on a sphere, all Delaunay cells have the same circumcenter. CGAL's refinement of
-/// the triangulation then stops before the space around it is subdivided. The function is flat
-/// there, so that its sign is arbitrary. Shifted points do not lie on a sphere.
+/// the Delaunay triangulation then stops before the space around the points is subdivided. The
+/// function is constant there, so that its sign is arbitrary. Shifted points do not lie on a
+/// sphere.
 std::unique_ptr<Function> rising_function(const std::vector<Oriented>& cloud, double spacing) {
   std::unique_ptr<Function> function = function_of(cloud);
   if (function == nullptr || rises_outwards(*function, cloud, spacing / 2)) return function;
@@ -141,7 +146,8 @@ std::unique_ptr<Function> rising_function(const std::vector<Oriented>& cloud, do
       "no surface fits these normals: most point inwards, or they contradict each other");
 }
 
-/// Samples the function on a grid around the points, with a margin for surfaces that bulge.
+/// Samples the function on a grid around the points. The grid has a margin, because the surface may
+/// extend beyond the points.
 ValueGrid sampled(const Function& function, const Box& box, double cell) {
   ValueGrid grid;
   grid.spacing = cell;
@@ -150,8 +156,8 @@ ValueGrid sampled(const Function& function, const Box& box, double cell) {
   const Vec3 size = box.max() + margin - grid.origin;
   for (int axis = 0; axis < 3; ++axis)
     grid.nodes[axis] = static_cast<std::size_t>(std::ceil(size[axis] / cell)) + 1;
-  // Consecutive nodes are adjacent, because the function starts its search at the previous
-  // location.
+  // Evaluate adjacent nodes one after the other: the function starts its search for the Delaunay
+  // cell at the previous location.
   for (std::size_t z = 0; z < grid.nodes[2]; ++z)
     for (std::size_t y = 0; y < grid.nodes[1]; ++y)
       for (std::size_t x = 0; x < grid.nodes[0]; ++x)
@@ -159,7 +165,8 @@ ValueGrid sampled(const Function& function, const Box& box, double cell) {
   return grid;
 }
 
-/// Returns an empty mesh if CGAL finds no function.
+/// Returns the Poisson surface of points of about unit size, or an empty mesh if CGAL finds no
+/// function.
 Mesh unit_wrap(const std::vector<Oriented>& cloud) {
   Mesh points;
   points.positions = positions_of(cloud);

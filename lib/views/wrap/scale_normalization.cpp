@@ -16,10 +16,11 @@
 namespace transformesh {
 namespace {
 
-// Sizes outside of this range come close to the limits of doubles.
+// Range of accepted sizes. Sizes outside of it are close to the limits of doubles.
 constexpr double least_size = 1e-290;
 constexpr double largest_size = 1e290;
-/// Least ratio of a detail to the coordinates. A detail is then thousands of rounding errors large.
+/// Least ratio of the length of details to the largest coordinate. Details are then at least
+/// thousands of times larger than rounding errors.
 constexpr double least_detail = 1e-12;
 
 Vec3 scaled(const Vec3& point, int exponent) {

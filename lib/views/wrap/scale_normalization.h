@@ -1,6 +1,6 @@
-/// Steps that alpha wraps and Poisson wraps share. Points are normalized to about unit size,
-/// because otherwise squares and products could overflow or underflow. The result is checked.
-/// Internal to wrap.
+/// Functions that alpha wraps and Poisson wraps have in common; used only in the folder `wrap`.
+/// Points are scaled to about unit size, because otherwise squares and products could overflow or
+/// underflow. The resulting surface is checked.
 #pragma once
 
 #include <span>
@@ -10,11 +10,12 @@
 
 namespace transformesh {
 
-/// Scales by a power of two. Scaling is thus exact, and results do not depend on the scale of the
-/// points.
+/// Scales points to about unit size by a power of two. Scaling is thus exact, and surfaces do not
+/// depend on the scale of the points.
 class ScaleNormalization {
  public:
-  /// Maps `size` to [1, 2). Throws InputError unless `size` is between 1e-290 and 1e290.
+  /// Chooses the power of two that scales `size` to [1, 2). Throws InputError unless `size` is
+  /// between 1e-290 and 1e290.
   explicit ScaleNormalization(double size);
 
   double to_unit(double length) const;
@@ -29,16 +30,16 @@ class ScaleNormalization {
 /// Returns the diagonal of the points' bounding box. Finite if a double can represent it.
 double diagonal_of(std::span<const Vec3> points);
 
-/// Returns for each point the index of the first point that is equal to it. Many equal points would
-/// be too slow in CGAL's trees. O(n log n).
+/// Returns for each point the index of the first point that is equal to it. Duplicates are removed
+/// with these indices, because CGAL's search trees are too slow for many equal points. O(n log n).
 std::vector<std::size_t> first_equals(std::span<const Vec3> points);
 
-/// Throws InputError if `detail` is lost in rounding, relative to the points' coordinates or to
-/// `largest`.
+/// Throws InputError if rounding could hide details of length `detail`. This is the case if
+/// `detail` is less than 1e-12 times the largest coordinate or `largest`.
 void check_detail(std::span<const Vec3> points, double detail, double largest);
 
-/// Reverses the orientation of a mesh that is inside out. Throws GoalError unless it is a closed,
-/// oriented 2-manifold.
+/// Reverses the orientation of the mesh if its volume is negative. Throws GoalError unless the mesh
+/// is a closed, oriented 2-manifold with faces.
 void check_wrap(Mesh& mesh);
 
 }  // namespace transformesh

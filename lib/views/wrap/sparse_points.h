@@ -1,4 +1,4 @@
-/// The sparse points that belong to a camera file.
+/// Reads the sparse points that were reconstructed together with the cameras of a file.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace transformesh {
 
-/// Returns the points of COLMAP's model beside its cameras, without doubtful ones
-/// (doubtful_points.h). `cameras` is a path as for cameras_from(). Returns nothing if there is no
-/// file of points. Throws as read_colmap_points().
+/// Returns the points of COLMAP's model that are in the same folder as its cameras, except for
+/// doubtful points (doubtful_points.h). `cameras` is a file or folder, as for cameras_from().
+/// Returns nothing if the folder has no file of points. Throws as read_colmap_points() does.
 std::vector<Vec3> sparse_points_beside(const std::string& cameras);
 
 }  // namespace transformesh
