@@ -8,11 +8,13 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 4096;  ///< affects time only
-/// A face is thin if its longest edge is at least this multiple of its height. With strips for all
-/// faces, cleaning two overlapping spheres and a folded sphere takes a tenth longer.
+/// A face is thin, and gets a strip, if its longest edge is at least this multiple of its height.
+/// If all faces get strips, cleaning two overlapping spheres and a folded sphere takes a tenth
+/// longer.
 constexpr double thinness = 8;
-/// Twice the rounding error of a sum of three products, relative to the sum of their absolute
-/// values. The value of a point and the bound each have an error of 3 units of 2^-53.
+/// Twice the rounding error of a dot product of two 3D vectors, relative to the sum of the absolute
+/// values of its three products. The dot product of a point and the bound of the strip each have an
+/// error of 3 units of 2^-53.
 constexpr double dot_error = 0x1p-50;
 
 Vec3 largest_coordinates(std::span<const Vec3> points) {
