@@ -1,6 +1,6 @@
-/// Contains three functions about the exterior of a mesh: a slow reference method that finds it
-/// with one ray per piece, the error message for an empty result, and the removal of enclosed
-/// components. The fast method, the region growing of paper 3.2, is in exterior_arrangement.h.
+/// Finds the exterior of a mesh by the slow reference method, one ray per piece. Also explains an
+/// empty result, and removes components inside other components. The fast method, the region
+/// growing of paper 3.2, is in exterior_arrangement.h.
 #pragma once
 
 #include <vector>

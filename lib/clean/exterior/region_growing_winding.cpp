@@ -193,8 +193,8 @@ void RegionGrowingWinding::spread_from_region(Index region) {
   }
 }
 
-// Propagates the winding number w from a corner of a cut face. w is propagated along both edges at
-// the corner to the other corners, and across these edges to the neighbors of the face.
+// Propagates the winding number w from a corner of a cut face along both edges at the corner to the
+// other two corners. Also propagates w across these edges to the neighbors of the face.
 void RegionGrowingWinding::spread_from_corner(Index corner) {
   const Index face = corner / 3, i = corner % 3, before = previous_corner(i);
   const int w = at_cut_face(face, i);
