@@ -1,7 +1,6 @@
 /// Finds the borders of a mesh, and checks whether it is oriented (paper 4.6). Both depend on the
-/// sum along each edge: the number of faces that traverse the edge in one direction, minus the
-/// number of faces that traverse it in the other direction (stitch/orientation_check.h). Cost: O(n
-/// log n). Deterministic.
+/// sum along each edge: the number of faces that traverse the edge in one direction minus the
+/// number in the opposite direction (stitch/orientation_check.h). Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>
@@ -14,7 +13,7 @@ struct Borders {
   /// Boundary loops, as indices of welded points in the direction in which the faces traverse the
   /// border.
   std::vector<std::vector<Index>> loops;
-  bool is_oriented = true;  ///< true if the sum along every edge is -1, 0 or 1
+  bool is_oriented = true;  ///< true if the sum along each edge is -1, 0 or 1
 };
 
 /// Finds the boundary loops. A closed mesh has none. An edge is in n loops if n more faces traverse

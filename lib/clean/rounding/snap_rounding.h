@@ -23,11 +23,12 @@
 /// vertices to their grids. The reasons are in docs/design/rounding.md.
 ///
 /// Guarantees: the result has no self-intersections. Each point moves by at most `displacement`.
-/// Hence the winding number at a point farther than this from the surface is that of the input: a
-/// deformation that does not pass over a point keeps its winding number. Faces that take no part in
-/// an intersection do not move, except near broken faces. The algorithm terminates: it throws after
-/// at most 32 rounds, or if the number of intersecting pairs exceeds four times the pairs and faces
-/// of the input. Deterministic. Cost: that of at most 32 clean passes.
+/// Hence the winding number at a point farther than this from the surface is that of the input. The
+/// reason is that a deformation changes winding numbers only at points over which the surface
+/// passes. Faces that take no part in an intersection do not move, except near broken faces. The
+/// algorithm terminates: it throws after at most 32 rounds, or if the number of intersecting pairs
+/// exceeds four times the pairs and faces of the input. Deterministic. Cost: that of at most 32
+/// clean passes.
 ///
 /// References: Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002;
 /// Valque & Lazard, "Removing self-intersections in 3D meshes while preserving floating-point
