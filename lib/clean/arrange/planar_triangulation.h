@@ -79,9 +79,9 @@ class PlanarTriangulation {
   /// Returns the edges (3 * facet + i) from one point to another along a constraint. `along` has
   /// the line of the constraint, and tells whether the edges have its direction.
   std::vector<Index> chain(Index from, Index to, OnEdge along) const;
-  /// Selected facets with their points. The facets are sorted by the definitions of their points
-  /// (the mesh vertices, edges and faces that determine a point), so their order does not depend on
-  /// the order of insertions.
+  /// Selected facets with their points. The definition of a point is the set of mesh vertices,
+  /// edges and faces that determine it. The facets are sorted by these definitions, so their order
+  /// does not depend on the order of insertions.
   struct Collection {
     /// Points, in the order in which `facets` first refers to them.
     std::vector<ExactPoint> points;

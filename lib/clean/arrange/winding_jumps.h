@@ -55,7 +55,9 @@ class WindingJumps {
 
   /// Multiplicity(face) of each face that is the first with its three points; empty if all are 1.
   std::vector<int> multiplicities_;
-  std::vector<char> has_open_copy_;  ///< has_open_copy(face) of each face; empty if no face is open
+  /// Has_open_copy(face) of each face that is the first with its three points; empty if no face is
+  /// open.
+  std::vector<char> has_open_copy_;
   /// Pairs of a halfedge without an opposite and its edge, ascending.
   std::vector<std::pair<Index, Index>> singular_edge_of_;
 };

@@ -103,8 +103,8 @@ std::vector<Index> FlatVertexRemover::ring_of(Index v) const {
   return ring.size() == star.size() ? ring : std::vector<Index>();
 }
 
-// True if the link condition holds for the edge from `v` to `end`: both ends have exactly two
-// common faces, and their only common neighbors are the third corners of these faces.
+// True if the link condition holds for the edge from `v` to `end`. Both ends must have exactly two
+// common faces, and no common neighbors except the third corners of these faces.
 bool FlatVertexRemover::has_link(Index v, Index end, const std::vector<Index>& ring) const {
   std::vector<Index> common;
   std::size_t at_edge = 0;
