@@ -449,8 +449,8 @@ Index PlanarTriangulation::march(Index edge, const Segment& s) {
     const Index apex = facets_[back / 3].v[previous_corner(back % 3)];
     const int side = apex == s.to ? 0 : side_of(s, apex);
     if (side == 0) end = apex;
-    // If the apex is to the left of the segment, the segment leaves the facet through the edge on
-    // the right of the apex, otherwise through the edge on its left.
+    // If the apex is to the left of the segment, the segment leaves the facet through the edge to
+    // the right of the apex. Otherwise it leaves through the edge to the left.
     edge = side > 0 ? next_edge(back) : previous_edge(back);
   }
   clear_way(std::move(crossed), {s.from, end, s.line});

@@ -8,8 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Size of the hash set in bits, divided by the largest number of positions. With more bits, fewer
-/// positions that were not added are reported as contained.
+/// Size of the hash set in bits, divided by the number of faces whose vertices are added. With more
+/// bits, fewer positions that were not added are reported as contained.
 constexpr std::size_t bits_per_position = 64;
 
 std::uint64_t mixed(std::uint64_t h) {
