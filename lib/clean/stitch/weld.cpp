@@ -53,8 +53,9 @@ bool has_usual_windows(const std::vector<Vec3>& positions, const std::vector<Ind
 }
 
 // Joins points that form dense clusters, by a grid of cells whose width is half the tolerance. All
-// points in a cell are joined. The points of two cells, at most three cells apart along each axis,
-// are joined if a point of one cell is within the tolerance of a point of the other.
+// points in a cell are joined. Two cells that are at most three cells apart along each axis are
+// compared. Their points are joined if a point of one cell is within the tolerance of a point of
+// the other.
 class HeapWeld {
  public:
   HeapWeld(const std::vector<Vec3>& positions, double tolerance)
