@@ -146,9 +146,9 @@ FlatRegion RegionFinder::fitted() const {
   return fitted;
 }
 
-/// Fits the plane of the growing region to all corners. Returns false and changes nothing if the
-/// fit does not reduce the extent of the region along the normal, or if a corner is not within the
-/// tolerance of the new plane.
+/// Fits the plane of the growing region to all corners. The fit must reduce the extent of the
+/// region along the normal, and all corners must be within the tolerance of the new plane.
+/// Otherwise returns false and changes nothing.
 bool RegionFinder::fit() {
   FlatRegion better = fitted();
   if (!(better.high - better.low < plane_.high - plane_.low) || better.high > tolerance_ ||

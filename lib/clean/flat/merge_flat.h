@@ -21,9 +21,9 @@
 
 namespace transformesh {
 
-/// Tolerance of flat regions, in spacings of floating-point numbers at the coordinates. 64 is the
-/// smallest of 1, 4, 16, 64, 256 and 4096 with which merging succeeds in all regions of 100 test
-/// capsules (docs/design/flat-faces.md).
+/// Tolerance of flat regions, in spacings of floating-point numbers at the coordinates. The value
+/// is the smallest of 1, 4, 16, 64, 256 and 4096 with which merging succeeds in all regions of 100
+/// test capsules (docs/design/flat-faces.md).
 inline constexpr double flat_spacings = 64;
 
 struct MergeFlatResult {
