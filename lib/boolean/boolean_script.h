@@ -43,9 +43,10 @@ std::vector<ScriptLine> parse_boolean_script(std::string_view text);
 
 struct ScriptResult {
   Mesh mesh;
-  std::vector<Problem> problems;     ///< problems of all results, as returned by problems_of()
-  std::size_t pairs = 0;             ///< intersecting pairs of faces, sum over the operations
-  std::size_t rounding_repairs = 0;  ///< rounds of repair, sum over the operations
+  std::vector<Problem> problems;  ///< problems of all results, as returned by problems_of()
+  std::size_t pairs = 0;  ///< number of intersecting pairs of faces, summed over the operations
+  /// Number of repair rounds after rounding, summed over the operations.
+  std::size_t rounding_repairs = 0;
   std::size_t in_place = 0;  ///< number of operations that changed only a part of a mesh in place
   /// Bound on the displacement of the surface by merged flat faces.
   double merge_displacement = 0;

@@ -19,7 +19,7 @@
 namespace transformesh {
 
 struct LocalBooleanResult {
-  std::size_t pairs = 0;          ///< intersecting pairs of faces
+  std::size_t pairs = 0;          ///< number of intersecting pairs of faces
   double merge_displacement = 0;  ///< bound on the displacement of the surface by merged flat faces
 };
 

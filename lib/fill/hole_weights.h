@@ -74,8 +74,8 @@ class HoleWeights {
   std::vector<Point> points_, across_;
 };
 
-/// Returns the triangles of a polygon of `size` points. apex(i, k) must return the third corner of
-/// the triangle at the edge (i, k), on the side of the points between i and k.
+/// Returns the triangles of a polygon of `size` points. The triangle at the edge (i, k), on the
+/// side of the points between i and k, has the third corner apex(i, k).
 template <class Apex>
 std::vector<HoleTriangle> triangles_below(std::size_t size, const Apex& apex) {
   std::vector<HoleTriangle> triangles;

@@ -36,8 +36,9 @@ struct Piece {
 
 struct Arrangement {
   std::shared_ptr<const WeldedMesh> welded;
-  std::vector<ExactPoint> cut_points;  ///< point `i` is `cut_points[i - welded->points.size()]`
-  RawVector<Piece> pieces;             ///< whole faces in mesh order, then the pieces of cut faces
+  /// Points that cutting created; the first has the index `welded->points.size()`.
+  std::vector<ExactPoint> cut_points;
+  RawVector<Piece> pieces;  ///< whole faces in mesh order, then the pieces of cut faces
   RawVector<PieceSource> sources;
   std::size_t whole_pieces = 0;
 

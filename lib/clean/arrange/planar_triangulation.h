@@ -35,7 +35,7 @@ class PlanarTriangulation {
     bool is_along;
     bool operator==(const OnEdge&) const = default;
   };
-  /// Computes the intersection of two constraint lines.
+  /// Function that computes the intersection of two lines, given by their numbers.
   using Crossing = std::function<ExactPoint(Index first_line, Index second_line)>;
 
   /// Starts with a large triangle around all points (scaffold). `plane` is a triangle in the plane.

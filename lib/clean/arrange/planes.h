@@ -45,7 +45,7 @@ class Planes {
 
   const std::vector<Meeting>& all_meetings_;
   std::vector<Index> plane_of_;
-  RawVector<Index> cut_faces_;  ///< ascending
+  RawVector<Index> cut_faces_;  ///< faces that are cut, ascending
   std::size_t count_ = 0;
   std::vector<Index> face_offsets_, faces_;
   std::vector<Index> meeting_offsets_;

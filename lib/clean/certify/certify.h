@@ -24,8 +24,8 @@
 /// cell, the connected part of space between faces. The distance e is Certificate::margin.
 ///
 /// If the input has a border, its winding numbers are not integers. Then only new faces are tested.
-/// Each must be a piece of an input face within the same distance, with the same orientation up to
-/// such movements.
+/// Each new face must be a piece of an input face with the same orientation, up to movements of its
+/// corners within the limit described above.
 ///
 /// The intersections of the input are searched for, to find its uncut patches. The caller has to
 /// check whether the output has intersections and whether it is a manifold. Deterministic for any

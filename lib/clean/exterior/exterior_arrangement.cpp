@@ -45,7 +45,7 @@ class FacetChooser {
   int winding_level_;
   std::vector<int> front_;       ///< winding number in front of each facet
   std::vector<char> is_chosen_;  ///< 1 for each chosen facet
-  std::vector<OpenFacet> open_;  ///< one for each facet
+  std::vector<OpenFacet> open_;  ///< classification of each facet
   std::vector<Index> stack_;
   std::size_t rays_ = 0;
   bool has_surface_ = false;
@@ -142,7 +142,7 @@ class ExteriorArranger {
   RayCastFrontWinding ray_;
   std::atomic<std::size_t> rays_;
   std::atomic<bool> has_surface_ = false;
-  std::vector<PlaneCut> cuts_;  ///< one for each plane
+  std::vector<PlaneCut> cuts_;  ///< the pieces of each plane
   /// For each plane a list with 1 for each chosen facet of its cut. Empty if `arranges_everything`
   /// is not set.
   std::vector<std::vector<char>> chosen_;

@@ -25,7 +25,7 @@ namespace transformesh {
 struct ExteriorArrangement {
   Arrangement arrangement;
   std::vector<char> kept;       ///< 1 for each piece that is kept
-  std::size_t whole_faces = 0;  ///< faces that take part in no intersection, whether kept or not
+  std::size_t whole_faces = 0;  ///< number of faces without intersections, whether kept or not
   std::size_t rays = 0;
   bool has_surface = false;  ///< false if every face coincides with a face of opposite orientation
 };
@@ -36,7 +36,7 @@ struct ExteriorArrangementOptions {
   const Surroundings* around = nullptr;  ///< set for a part of a closed mesh, null for a whole mesh
 };
 
-/// `meetings` must fulfill the preconditions of arrange().
+/// Arranges the exterior of a welded mesh. `meetings` must fulfill the preconditions of arrange().
 ExteriorArrangement arrange_exterior(const std::shared_ptr<const WeldedMesh>& welded,
                                      const std::vector<Meeting>& meetings,
                                      const ExteriorArrangementOptions& options,

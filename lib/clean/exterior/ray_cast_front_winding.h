@@ -65,8 +65,9 @@ class RayCastFrontWinding {
                       const std::function<bool(Index)>& visit) const;
 
   const WeldedMesh& welded_;
-  Bvh bvh_;                                      ///< all faces; empty if there are few rays
-  std::unique_ptr<LocalReferences> references_;  ///< null for a whole mesh
+  Bvh bvh_;  ///< hierarchy of all faces; empty if there are few rays
+  /// Null unless the mesh is a part of a larger mesh.
+  std::unique_ptr<LocalReferences> references_;
 };
 
 }  // namespace transformesh

@@ -43,7 +43,7 @@ class RegionGrowingWinding {
 
  private:
   static constexpr int unknown = std::numeric_limits<int>::min();
-  /// Changes of the winding number w in front along the edges of a cut face.
+  /// Changes of the winding number w in front of a cut face along its edges.
   struct CutFace {
     std::array<int, 3> along{};  ///< change of w from corner i to the next corner
     /// True if a face that intersects the cut face contains corner i.
@@ -75,12 +75,13 @@ class RegionGrowingWinding {
   const WindingJumps& jumps_;
   const Surroundings* around_;       ///< null unless the mesh is a part of a larger mesh
   bool has_no_closed_face_ = false;  ///< true if w is 0 everywhere
-  std::vector<CutFace> cut_faces_;   ///< one for each plane
+  /// Changes of w along the edges of the first face of each plane.
+  std::vector<CutFace> cut_faces_;
   /// Opposite halfedges; no_index if one of the two faces is incomplete.
   std::vector<Index> complete_across_;
   std::span<const Index> across_;  ///< opposite of each halfedge, or no_index
   RawVector<Index> region_of_;     ///< region of each face; no_index for a cut face
-  RawVector<Index> first_face_;    ///< least face of each region
+  RawVector<Index> first_face_;    ///< face with the lowest index of each region
   /// For each region the halfedges of cut faces next to the region, in one list.
   std::vector<Index> cut_at_;
   std::vector<Index> cut_offsets_;   ///< index in `cut_at_` of the first halfedge of each region

@@ -1,6 +1,6 @@
-/// Finds the crossings of segments in a face, and their order along each segment. Exact;
-/// deterministic. Cost: O(s log s + p) for s segments of which p pairs have overlapping boxes, if
-/// few segments overlap along one axis.
+/// Finds the crossings of the segments in which other faces intersect a face, and the order of the
+/// crossings along each segment. Exact; deterministic. Cost: O(s log s + p) for s segments of which
+/// p pairs have overlapping boxes, if few segments overlap along one axis.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@
 
 namespace transformesh {
 
-/// The segment in which another face intersects the face.
+/// The segment in which another face intersects the face that is cut.
 struct PlanarSegment {
   Index from, to;  ///< indices of its ends in `points`; only `to` may be a corner of the face
   Index face;      ///< the intersecting face
@@ -24,7 +24,7 @@ struct PlanarSegment {
   int jump;
 };
 
-/// All segments in a face.
+/// The segments in which other faces intersect a face.
 struct SegmentsInFace {
   Index face = no_index;
   PlaneProjection projection;      ///< projection in which the face is counter-clockwise

@@ -24,7 +24,7 @@ struct FlatSurface {
   std::span<const Index> opposites;
   /// 1 for each vertex whose position is also the position of another vertex.
   std::span<const char> has_copy;
-  double spacings;  ///< tolerance in spacings of type `coordinate`
+  double spacings;  ///< tolerance, in spacings of numbers of type `coordinate`
   Scalar coordinate;
 };
 

@@ -60,7 +60,8 @@ Index sampled_face(std::size_t i, std::size_t faces) {
       std::min(share * static_cast<double>(faces), static_cast<double>(faces - 1)));
 }
 
-// Returns the sampled faces, and all faces that share a grid cell with a sampled face.
+// Returns the sampled faces, all faces that share a grid cell with a sampled face, and all large
+// faces.
 std::vector<Index> faces_near_samples(const Mesh& mesh, const CornerCells& cells) {
   MarkedCells marked(cells);
   for (std::size_t i = 0; i < sampled_faces; ++i) {

@@ -5,7 +5,8 @@
 namespace transformesh {
 namespace {
 
-constexpr FaceSimplex outside = 255;  ///< not a face simplex: face simplices are 0 to 6
+/// A point outside the face; a FaceSimplex of the face is 0 to 6.
+constexpr FaceSimplex outside = 255;
 
 // One of the two tested faces, with the relations of its corners to the other tested face.
 struct Side {

@@ -15,7 +15,8 @@ namespace transformesh {
 /// One of the seven open simplices of a face. The corners are 0, 1 and 2; the edges that start at
 /// these corners are 3, 4 and 5; the interior is 6.
 using FaceSimplex = std::uint8_t;
-inline constexpr FaceSimplex interior = 6;  ///< after the corners 0 to 2 and the edges 3 to 5
+/// The interior of a face; corners are 0 to 2, edges are 3 to 5.
+inline constexpr FaceSimplex interior = 6;
 
 /// A common point of two faces, given by the simplex of each face that contains the point.
 struct Contact {

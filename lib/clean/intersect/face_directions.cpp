@@ -5,8 +5,8 @@
 namespace transformesh {
 namespace {
 
-/// Upper bound of the rounding error of a projected triangle's area, relative to the sum of the
-/// absolute values of its two products.
+/// Upper bound of the rounding error of a projected triangle's area. The area is the difference of
+/// two products, and the bound is relative to the sum of their absolute values.
 constexpr double area_error = 1e-15;
 constexpr double underflow_guard = 1e-280;  ///< products below this may have lost bits to underflow
 /// Squared cosine of 60 degrees, the largest angle between a face's normal and the axis directions

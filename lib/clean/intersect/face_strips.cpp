@@ -31,8 +31,9 @@ Vec3 longest_edge(const Triangle& t) {
 
 Vec3 twice_area(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
-// The fourth power of a length overflows above 1e77, and underflows below 1e-81. Faces of such
-// lengths do not count as thin, so that strip values neither overflow nor underflow.
+// True if the triangle is so long and thin that it gets a strip. The fourth power of a length
+// overflows above 1e77, and underflows below 1e-81. Triangles with longest edges of such lengths do
+// not count as thin, so that their strips need not be computed.
 bool is_thin(const Triangle& t) {
   const double length = longest_edge(t).squaredNorm();
   return length * length > thinness * thinness * twice_area(t).squaredNorm();
@@ -40,8 +41,8 @@ bool is_thin(const Triangle& t) {
 
 }  // namespace
 
-// The direction of the strip is nearly perpendicular to the longest edge and to the normal.
-// Rounding affects only the efficiency: any direction gives a valid strip.
+// Returns the strip of a triangle. Its direction is perpendicular to the longest edge and to the
+// normal, up to rounding. Rounding affects only the efficiency: any direction gives a valid strip.
 FaceStrips::Strip FaceStrips::strip_of(const Triangle& t, const Vec3& largest) {
   const Vec3 direction = longest_edge(t).cross(twice_area(t)).stableNormalized();
   const double a = direction.dot(t[0]), b = direction.dot(t[1]), c = direction.dot(t[2]);

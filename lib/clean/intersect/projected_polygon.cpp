@@ -13,7 +13,8 @@ constexpr std::size_t most_steps = 64;
 
 }  // namespace
 
-// The sweep moves along the longer side of the bounding box.
+// Computes the ranges of all edges along the axis of the sweep and across it. The sweep moves along
+// the longer side of the projected bounding box.
 void ProjectedPolygon::measure() {
   Vec3 low = points_[edges_[0].from], high = low;
   for (const Edge& edge : edges_) {

@@ -197,7 +197,8 @@ void find_copies(WeldedMesh& welded) {
   }
 }
 
-// A face with positive projected area in some direction is certainly not degenerate.
+// True if the face has no area. The exact test is not needed if the projected area of the face in
+// some direction is certainly positive.
 bool is_degenerate(const WeldedMesh& welded, const Face& face, FaceDirections directions) {
   return directions.looks == 0 &&
          (is_collapsed(face) ||

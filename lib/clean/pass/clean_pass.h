@@ -38,7 +38,7 @@ struct CleanPass {
   /// Connectivity of the mesh. Set only if the mesh is a closed manifold without intersections, and
   /// all its faces are exterior.
   std::optional<Connectivity> connectivity;
-  Assembly assembly;  ///< empty if `unchanged` is set
+  Assembly assembly;  ///< the result; empty if `unchanged` is set
 };
 
 struct CleanPassOptions {

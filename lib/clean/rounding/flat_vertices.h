@@ -6,9 +6,9 @@
 /// around the vertex does not decrease. Collapses of this kind remove cuts that only rounding
 /// caused. An edge shorter than half the tolerance is collapsed regardless of these conditions.
 ///
-/// A closed mesh stays closed: only simple umbrellas change, and only if the link condition holds
-/// (Hoppe, DeRose, Duchamp, McDonald & Stuetzle, "Mesh optimization", SIGGRAPH 1993).
-/// Deterministic. Cost: O(k d^2) for k vertices of valence d.
+/// A closed mesh stays closed: a vertex is removed only if its faces form one closed umbrella, and
+/// if the link condition holds (Hoppe, DeRose, Duchamp, McDonald & Stuetzle, "Mesh optimization",
+/// SIGGRAPH 1993). Deterministic. Cost: O(k d^2) for k vertices of valence d.
 #pragma once
 
 #include <vector>

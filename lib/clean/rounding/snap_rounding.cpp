@@ -320,7 +320,8 @@ SnapRoundingResult SnapRounder::snap_round() {
   repair();
   if (has_changed()) count_faces(whole_faces(mesh_, first_.assembly));
   drop_unused_vertices(assembly_);
-  // A flipped sliver belongs to its former neighbor and takes the columns of that face.
+  // Flips of slivers changed the source faces of triangles (slivers.h). Each triangle gets the
+  // columns of its source face.
   if (result_.repairs > 0)
     assembly_.mesh.face_columns = mesh_.face_columns.select(assembly_.source_face);
   const auto& is_new = assembly_.vertex_is_new;

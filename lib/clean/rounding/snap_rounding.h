@@ -57,12 +57,12 @@ struct SnapRoundingResult {
   std::vector<Index> source_face;
   std::size_t new_vertices = 0;
   std::size_t copied_vertices = 0;
-  std::size_t cut_faces = 0;      ///< input faces that were whole after `pass` and are cut now
-  std::size_t removed_faces = 0;  ///< input faces that were whole after `pass` and are removed now
+  std::size_t cut_faces = 0;      ///< number of input faces that only rounding and repair cut
+  std::size_t removed_faces = 0;  ///< number of input faces that only rounding and repair removed
   std::size_t repairs = 0;        ///< number of repair rounds
   std::size_t places = 0;  ///< number of connected sets of faces that the first rounding broke
-  std::size_t faces = 0;   ///< broken faces, summed over all repair rounds
-  std::size_t pairs = 0;   ///< intersecting pairs, summed over all repair rounds
+  std::size_t faces = 0;   ///< number of broken faces, summed over all repair rounds
+  std::size_t pairs = 0;   ///< number of intersecting pairs, summed over all repair rounds
   unsigned level = 0;      ///< largest number of times that the grid step of a vertex was doubled
   Displacement displacement;
 };

@@ -54,7 +54,7 @@ class Orienter {
   const Mesh& mesh_;
   const bool keeps_most_;
   const Edges edges_;
-  /// For each halfedge the halfedge that continues its sheet, or no_index.
+  /// For each halfedge the halfedge of the neighboring face in the same sheet, or no_index.
   std::vector<Index> across_;
   std::vector<Index> sheet_of_;  ///< sheet of each face
   /// 1 for each face that has to be reversed to agree with the first face of its sheet.

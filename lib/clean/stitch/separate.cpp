@@ -18,7 +18,7 @@ namespace {
 /// distances.
 constexpr int most_halvings = 10;
 
-// The directions of the faces around a vertex: a cone with its apex at the vertex.
+// The cone of the faces around a vertex. Its apex is the vertex, and each face is a side.
 struct Cone {
   struct Side {
     Vec3 first, second;  ///< unit vectors along the two edges
