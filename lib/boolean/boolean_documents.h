@@ -1,6 +1,6 @@
-/// Boolean operations on documents. A document is a mesh with the comments and further elements
-/// (such as cameras or materials) of its file. The result has the combined mesh, and the comments
-/// and elements of all operands.
+/// Boolean operations on documents. A document is a mesh with the comments of its file, and with
+/// the PLY elements other than vertices and faces. The result has the combined mesh, and the
+/// comments and elements of all operands.
 #pragma once
 
 #include <string>
@@ -20,7 +20,9 @@ const std::string& cut_command();
 struct DocumentsBoolean {
   BooleanResult result;           ///< result of the operation, without its mesh
   std::vector<Problem> problems;  ///< problems of operands and result, as returned by problems_of()
-  std::vector<std::string> notes;  ///< notes for the user about elements, as returned by append()
+  /// One note for each column that is a list in one document and a number in another, from
+  /// append().
+  std::vector<std::string> notes;
 };
 
 /// Runs a command on the meshes and stores the result in documents[0]; the other documents lose

@@ -79,7 +79,7 @@ class CellsBehind {
   /// 1 for each cell in front of the sheet. The index of a cell is its representative side in
   /// `sides_`.
   std::vector<char> is_front_;
-  std::vector<char> is_behind_;  ///< the same for each cell behind the sheet
+  std::vector<char> is_behind_;  ///< 1 for each cell behind the sheet, at its representative side
 };
 
 void CellsBehind::mark(Index patch) {

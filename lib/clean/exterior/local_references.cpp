@@ -19,7 +19,7 @@ std::array<Cell, 6> neighbors_of(Cell cell) {
   return {cell - x, cell + x, cell - y, cell + y, cell - z, cell + z};
 }
 
-/// Returns the cube in the center of a cell whose width is half the width of the cell.
+/// Returns the central cube of a cell. The width of the cube is half the width of the cell.
 Eigen::AlignedBox3d core_of(const CellGrid& grid, Cell cell) {
   const Eigen::AlignedBox3d box = grid.box_of(cell);
   const Vec3 quarter = Vec3::Constant(grid.size() / 4);

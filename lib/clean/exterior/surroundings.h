@@ -22,8 +22,8 @@ struct Surroundings {
   /// the box.
   Eigen::AlignedBox3d held;
   ReferencePoint reference;
-  /// Cells of `grid` in which the part has all faces. The cells that complete faces touch are
-  /// marked in `covered`.
+  /// `covered` has cells of `grid` in which the part contains all faces. All cells that complete
+  /// faces touch are in `covered`.
   CellGrid grid{1};
   CellMarks covered;
 };

@@ -6,9 +6,10 @@
 /// around the vertex does not decrease. Collapses of this kind remove cuts that only rounding
 /// caused. An edge shorter than half the tolerance is collapsed regardless of these conditions.
 ///
-/// A closed mesh stays closed: a vertex is removed only if its faces form one closed umbrella, and
-/// if the link condition holds (Hoppe, DeRose, Duchamp, McDonald & Stuetzle, "Mesh optimization",
-/// SIGGRAPH 1993). Deterministic. Cost: O(k d^2) for k vertices of valence d.
+/// A closed mesh stays closed, because a vertex is removed only under two conditions. Its faces
+/// must form one closed umbrella, and the link condition must hold (Hoppe, DeRose, Duchamp,
+/// McDonald & Stuetzle, "Mesh optimization", SIGGRAPH 1993). Deterministic. Cost: O(k d^2) for k
+/// vertices of valence d.
 #pragma once
 
 #include <vector>
