@@ -16,13 +16,13 @@ namespace {
 
 constexpr const char* operand_column = "source_operand";
 
-/// Kinds of errors of clean_region() that mean that the region is empty, exactly or after rounding.
+/// Kinds of errors of clean_region() that mean that the result is empty, before or after rounding.
 constexpr std::array empty_region_kinds{ErrorKind::no_positive_winding, ErrorKind::no_such_level,
                                         ErrorKind::canceling_faces, ErrorKind::no_area,
                                         ErrorKind::thinner_than_rounding};
 
-/// Returns the signs of the winding numbers of a single operand whose cleaning failed with an error
-/// of this kind.
+/// Returns which signs the winding numbers of an operand have, if it is the only operand and
+/// cleaning it failed with an error of this kind.
 WindingSigns signs_of_one(ErrorKind kind) {
   return {false, kind == ErrorKind::no_positive_winding};
 }
@@ -44,13 +44,14 @@ class SolidChooser : public PieceChooser {
   BooleanOperation operation_;
   const std::vector<Operand>& operands_;
   const JoinedOperands& joined_;
-  /// Signs of the winding numbers of each operand; set when pieces are chosen.
+  /// For each operand whether positive and negative winding numbers occur; set by choose().
   std::vector<WindingSigns>& signs_;
 };
 
-// Returns true if s, the sum of the winding numbers w of all operands, decides the operation:
-// - Union: if no w is negative, s >= 1 exactly in the union.
-// - Intersection: if every w is 0 or 1, s equals the number of operands exactly in the
+// Let w be the winding number of an operand at a point, and s the sum of the winding numbers of all
+// operands. Returns true if s decides whether a point belongs to the result:
+// - Union: if no w is negative anywhere, s >= 1 exactly in the union.
+// - Intersection: if every w is 0 or 1 everywhere, s equals the number of operands exactly in the
 // intersection.
 // - Difference: subtracted operands are reversed. If the w of the first operand is 0 or 1, and no
 //   other w was negative before the reversal, s >= 1 exactly in the difference.
@@ -75,8 +76,8 @@ bool SolidChooser::is_level_set(const WeldedMesh& welded,
   return false;
 }
 
-/// Chooses the faces of a sheet, the first operand, on one side of a solid. Also chooses the cap if
-/// it is wanted.
+/// Chooses the pieces of a sheet, the first operand, inside or outside a solid. With `cap`, also
+/// chooses the pieces of the solid that close the sheet.
 class SheetChooser : public PieceChooser {
  public:
   SheetChooser(SheetSide side, bool cap, const JoinedOperands& joined)
@@ -108,7 +109,8 @@ void number_operands(JoinedOperands& joined) {
   std::copy(joined.operand_of.begin(), joined.operand_of.end(), column.values.begin());
 }
 
-/// Returns the result for an empty region: no faces, and the columns of the operands.
+/// Returns an empty result: it has no vertices and faces, but the attributes (columns) of the
+/// operands.
 BooleanResult empty_result(const Mesh& joined) {
   BooleanResult empty;
   empty.mesh.vertex_columns = joined.vertex_columns.select({});
@@ -163,7 +165,8 @@ BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& gi
     note_operands(operands, signs, result);
     return result;
   } catch (const InputError&) {
-    check_solids(operands);  // throws an error that names the operand
+    // If an operand is not closed or not oriented, throws an error that names it.
+    check_solids(operands);
     throw;
   }
 }

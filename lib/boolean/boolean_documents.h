@@ -1,5 +1,6 @@
-/// Boolean operations on documents, which are meshes with the comments and further elements of
-/// their files. The result has the combined mesh, and the comments and elements of all operands.
+/// Boolean operations on documents. A document is a mesh with the comments of its file, and with
+/// the PLY elements other than vertices and faces. The result has the combined mesh, and the
+/// comments and elements of all operands.
 #pragma once
 
 #include <string>
@@ -17,9 +18,11 @@ const std::vector<std::string>& boolean_commands();
 const std::string& cut_command();
 
 struct DocumentsBoolean {
-  BooleanResult result;            ///< result of the operation, without its mesh
-  std::vector<Problem> problems;   ///< problems that problems_of() returns for the result
-  std::vector<std::string> notes;  ///< lines that append() returns
+  BooleanResult result;           ///< result of the operation, without its mesh
+  std::vector<Problem> problems;  ///< problems of operands and result, as returned by problems_of()
+  /// One note for each column that is a list in one document and a number in another, from
+  /// append().
+  std::vector<std::string> notes;
 };
 
 /// Runs a command on the meshes and stores the result in documents[0]; the other documents lose
@@ -30,9 +33,9 @@ DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
                                    const std::vector<std::string>& names, BooleanOptions options,
                                    const Progress& progress);
 
-/// Copies the length unit of `read` to `all` if `all` has no unit, and keeps the larger bound on
-/// the displacement by merged flat faces. Returns false if both documents have units and these
-/// differ.
+/// Merges the comments about lengths of `read` into those of `all`. If `all` has no length unit, it
+/// gets the unit of `read`. Of the bounds on the displacement by merged flat faces, the larger one
+/// is kept. Returns false if both documents have length units that differ.
 bool unite_length_comments(Document& all, const Document& read);
 
 }  // namespace transformesh

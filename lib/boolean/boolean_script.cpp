@@ -49,11 +49,12 @@ ScriptLine line_of(const std::vector<std::string>& words, std::size_t number) {
   return {number, words[0], boolean_operation(words[2]), {words.begin() + 3, words.end()}};
 }
 
-/// The value of a name: a mesh from a file, or the result of a line. The result of a line is an
-/// EditedSolid, which can be changed in place.
+/// The mesh that a name in the script stands for: a mesh from a file, or the result of a line. The
+/// result of a line may be an EditedSolid, which can be changed in place.
 struct Value {
   Mesh mesh;
-  std::optional<EditedSolid> solid;  ///< the value, if set; then `mesh` is empty
+  /// If set, holds the mesh instead of `mesh`, which is empty then.
+  std::optional<EditedSolid> solid;
   /// Bound on the displacement of the surface by merged flat faces.
   double displacement = 0;
 
@@ -84,7 +85,7 @@ class ScriptRun {
   const std::function<Mesh(const std::string&)>& read_;
   const BooleanOptions& options_;
   const Progress& progress_;
-  std::map<std::string, std::size_t> last_use_;  ///< the last line that uses each operand
+  std::map<std::string, std::size_t> last_use_;  ///< for each operand the last line that uses it
   std::map<std::string, Value> values_;
   ScriptResult result_;
 };
@@ -102,8 +103,9 @@ Value& ScriptRun::value_of(const std::string& name) {
   return values_.emplace(name, Value{std::move(mesh), {}, 0}).first->second;
 }
 
-// Runs a line of the form A = union A B or A = difference A B in place, if A is the result of an
-// earlier line. Returns false if the line has another form or combine_in_place() declines.
+// Runs a line of the form A = union A B or A = difference A B by changing A in place, if A is the
+// result of an earlier line. Returns false if the line has another form, or if combine_in_place()
+// does not change A.
 bool ScriptRun::run_in_place(const ScriptLine& line) {
   const bool can_be =
       line.operation == BooleanOperation::unite || line.operation == BooleanOperation::subtract;

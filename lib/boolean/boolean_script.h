@@ -7,7 +7,7 @@
 ///
 /// An operand is the result of an earlier line; if no earlier line has that name, it is a file. The
 /// result of the last line is the result of the script. Every result is rounded as if it were
-/// written to a file and read again. A mesh is freed when no later line names it.
+/// written to a file and read again. The memory of a mesh is freed when no later line names it.
 #pragma once
 
 #include <functional>
@@ -32,8 +32,8 @@ const std::vector<std::string>& boolean_operation_names();
 /// Returns the operation of a name in boolean_operation_names().
 BooleanOperation boolean_operation(std::string_view name);
 
-/// Returns a problem for each operand that encloses nothing, and a problem if rounding leaves
-/// nothing of the result. `names` has a name for each operand.
+/// Returns a problem for each operand that encloses nothing, and a problem if the result is empty
+/// only because of rounding. `names` has the name of each operand, for messages.
 std::vector<Problem> problems_of(const BooleanResult& result,
                                  const std::vector<std::string>& names);
 
@@ -43,10 +43,12 @@ std::vector<ScriptLine> parse_boolean_script(std::string_view text);
 
 struct ScriptResult {
   Mesh mesh;
-  std::vector<Problem> problems;     ///< problems of the results, as problems_of() returns
-  std::size_t pairs = 0;             ///< intersecting pairs of faces, sum over the operations
-  std::size_t rounding_repairs = 0;  ///< rounds of repair, sum over the operations
-  std::size_t in_place = 0;          ///< operations that changed only a part of a mesh
+  std::vector<Problem> problems;  ///< problems of all results, as returned by problems_of()
+  std::size_t pairs = 0;  ///< number of intersecting pairs of faces, summed over the operations
+  /// Number of repair rounds after rounding, summed over the operations.
+  std::size_t rounding_repairs = 0;
+  /// Number of operations that changed a mesh in place, near one operand only.
+  std::size_t in_place = 0;
   /// Bound on the displacement of the surface by merged flat faces.
   double merge_displacement = 0;
 };

@@ -14,14 +14,15 @@ namespace {
 
 std::array<double, 3> array_of(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
 
-/// True if a piece belongs to the boundary of the solid: the outside is in front of the piece, and
-/// the inside behind it.
+/// True if a piece belongs to the boundary of the solid: the outside of the solid is in front of
+/// the piece, and the inside is behind it.
 bool is_surface(const Piece& piece) {
   return !piece.is_open && piece.front < 1 && piece.front + piece.multiplicity >= 1;
 }
 
-/// Sets the multiplicity of a piece to 0 unless the piece belongs to the sheet on `side` or to the
-/// boundary of the solid. Returns true if pieces of the sheet remain.
+/// Removes pieces from the arrangement by setting their multiplicity to 0. Only pieces of the sheet
+/// on `side` of the solid, and of the boundary of the solid, remain. Returns true if pieces of the
+/// sheet remain.
 bool keep_dividing(SheetSide side, Arrangement& arrangement) {
   bool has_sheet = false;
   for (Piece& piece : arrangement.pieces) {
@@ -53,7 +54,7 @@ void refuse_borders(SheetSide side, const Arrangement& arrangement) {
   }
 }
 
-/// Marks the sides of patches whose cells are behind the sheet.
+/// Finds the cells of space behind the sheet, and marks the sides of patches on their boundary.
 class CellsBehind {
  public:
   CellsBehind(const Arrangement& arrangement, const Patches& patches)
@@ -74,10 +75,11 @@ class CellsBehind {
   const Arrangement& arrangement_;
   const Patches& patches_;
   DisjointSets sides_;
-  Index outermost_;  ///< a side of the unbounded cell
-  /// 1 at the representative side of each cell in front of the sheet.
+  Index outermost_;  ///< a patch side on the boundary of the unbounded cell
+  /// 1 for each cell in front of the sheet. The index of a cell is its representative side in
+  /// `sides_`.
   std::vector<char> is_front_;
-  std::vector<char> is_behind_;  ///< 1 at the representative side of each cell behind the sheet
+  std::vector<char> is_behind_;  ///< 1 for each cell behind the sheet, at its representative side
 };
 
 void CellsBehind::mark(Index patch) {

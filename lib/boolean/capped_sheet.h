@@ -1,7 +1,7 @@
-/// Chooses the pieces of a sheet and of a solid that together bound a region. The region lies
-/// behind the sheet, and inside or outside the solid. It is a union of cells, which are the regions
+/// Chooses the pieces of a sheet (an open surface) and of a solid that together bound a region. The
+/// region is behind the sheet, and inside or outside the solid. It is a union of cells, the parts
 /// into which the pieces divide space. The region is defined under three conditions:
-/// - All borders of the kept part of the sheet lie on the surface of the solid.
+/// - All borders of the kept part of the sheet are on the surface of the solid.
 /// - No cell is both in front of the sheet and behind it.
 /// - No cell behind the sheet is unbounded.
 /// Cost: that of join_nested_cells(). Deterministic. Reference for the cells: Zhou, Grinspun, Zorin
@@ -13,9 +13,10 @@
 
 namespace transformesh {
 
-/// Implements PieceChooser::choose(). `arrangement` contains a closed solid, whose pieces have
-/// winding numbers, and a sheet as an open component. Chooses nothing if no part of the sheet is on
-/// `side` of the solid. Throws InputError if the region is not defined.
+/// Implements PieceChooser::choose(). `arrangement` contains the pieces of a closed solid, and
+/// those of a sheet as an open component. The winding number of the solid in front of each piece is
+/// set. Chooses nothing if no part of the sheet is on `side` of the solid. Throws InputError if the
+/// region is not defined.
 void choose_capped_sheet(SheetSide side, Arrangement& arrangement, std::vector<char>& kept);
 
 /// True if a piece belongs to the sheet and lies on `side` of the solid.

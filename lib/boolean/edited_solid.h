@@ -1,6 +1,6 @@
-/// A solid that is edited many times, a few faces at a time. Removed faces stay in the array and
-/// are marked; new faces are appended. The cost of an edit is therefore proportional to the faces
-/// that are removed and added. Deterministic.
+/// A solid that is edited many times, a few faces at a time. Removed faces stay in the array of
+/// faces and are marked; new faces are appended. Hence the cost of an edit is proportional to the
+/// number of removed and added faces. Deterministic.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,9 @@ class EditedSolid {
   /// consecutive faces are usually neighbors, so that most blocks of faces are skipped.
   std::vector<Index> faces_touching(const Box& box) const;
 
-  /// Returns the winding number at a point, found by axis-parallel rays. Returns nothing if
-  /// rounding leaves all three rays undecided, which happens only near the surface.
+  /// Returns the winding number at a point, found by rays along the three axes. Returns nothing if
+  /// rounding errors leave the results of all three rays undecided, which happens only near the
+  /// surface.
   std::optional<int> winding_at(const Vec3& point) const;
 
   /// Removes the faces `removed`, and appends the faces of `added`, which must have the same

@@ -16,12 +16,13 @@
 namespace transformesh {
 namespace {
 
-/// Least ratio of the number of faces of the solid to the number of faces of part and operand
-/// together. If the ratio is smaller, boolean() runs instead: it takes less time, because it cuts
-/// only faces at the exterior.
+/// Least ratio of two numbers: the faces of the solid, and the faces of the part (the faces of the
+/// solid near the operand) and the operand together. If the ratio is smaller, boolean() runs
+/// instead. Then boolean() takes less time, because it cuts only faces that have an exterior part.
 constexpr std::size_t least_ratio = 4;
 
-/// Temporary vertex column with the index of the vertex in the solid; -1 for other vertices.
+/// Name of a temporary vertex attribute (column) with the index of the vertex in the solid, or -1
+/// for vertices that are not in the solid.
 constexpr const char* vertex_number = "tm:vertex";
 
 bool have_same_columns(const Columns& a, const Columns& b) {
@@ -48,8 +49,8 @@ class LocalBoolean {
  private:
   struct Change {
     std::vector<Index> removed;  ///< faces of the solid that are removed
-    std::vector<Index> added;    ///< faces of the assembly that are added
-    /// For each vertex of the assembly its vertex in the solid, or no_index.
+    std::vector<Index> added;    ///< faces of `assembly_` that are added
+    /// For each vertex of `assembly_` its vertex in the solid, or no_index.
     std::vector<Index> vertex_of;
   };
 
@@ -67,18 +68,20 @@ class LocalBoolean {
   EditedSolid& solid_;
   const Mesh& operand_;
   const BooleanOptions& options_;
-  Box reach_;                    ///< the part consists of all faces that touch this box
-  std::vector<Index> faces_;     ///< faces of the solid in the part; ascending
-  std::vector<Index> vertices_;  ///< vertices of `faces_` in the solid; ascending
-  std::vector<char> is_inner_;   ///< 1 for each vertex of the part whose faces are all in the part
-  JoinedOperands joined_;        ///< the part and the operand
-  std::vector<char> kept_;       ///< 1 for each piece that is kept
+  Box reach_;                 ///< the part consists of all faces of the solid that touch this box
+  std::vector<Index> faces_;  ///< faces of the solid in the part; ascending
+  std::vector<Index> vertices_;  ///< vertices of `faces_`, as indices in the solid; ascending
+  /// 1 for each inner vertex of the part: all its faces in the solid are in the part.
+  std::vector<char> is_inner_;
+  JoinedOperands joined_;   ///< the part and the operand
+  std::vector<char> kept_;  ///< 1 for each piece that is kept
   Assembly assembly_;
   LocalBooleanResult result_;
 };
 
-// Finds the part: all faces that touch the box around the faces that touch the operand's box. The
-// part thus contains all faces that pieces of a cut face can meet after rounding. Returns false if
+// Finds the part of the solid near the operand. First, the faces that touch the bounding box of the
+// operand are found. The part consists of all faces that touch the bounding box of these faces.
+// Hence it contains all faces that pieces of a cut face can meet after rounding. Returns false if
 // the part is too large.
 bool LocalBoolean::find_part() {
   const Mesh& mesh = solid_.mesh();
@@ -122,7 +125,8 @@ void LocalBoolean::collect_part() {
   std::fill(values.begin() + static_cast<std::ptrdiff_t>(vertices_.size()), values.end(), -1);
 }
 
-// Returns nothing if the operand is not simple or if two faces of the solid intersect.
+// Returns the arrangement of part and operand. Returns nothing if the winding numbers of the
+// operand are not all 0 or 1, or if two faces of the solid intersect.
 std::optional<Arrangement> LocalBoolean::arranged() {
   const auto welded = std::make_shared<WeldedMesh>(weld(joined_.mesh));
   const std::vector<Meeting> meetings = find_meetings(*welded, Progress());
@@ -144,10 +148,11 @@ bool LocalBoolean::assemble_chosen(Arrangement& arrangement) {
   return round_once(assembly_, options_.coordinate).places == 0;
 }
 
-// Assigns vertices of the solid to the vertices of the assembly. The assembly has a copy of a
-// vertex for each umbrella of faces. The part lacks faces around a vertex that is not inner, so
-// that one umbrella may appear as several; then all copies keep the vertex. Of an inner vertex only
-// the first copy keeps it.
+// Assigns vertices of the solid to the vertices of `assembly_`. There, a vertex is duplicated for
+// each umbrella (faces around the vertex that are connected across edges). If all faces of a vertex
+// are in the part (an inner vertex), only its first duplicate is the vertex of the solid, and the
+// others are new vertices. If the part lacks faces of a vertex, one umbrella may appear as several.
+// Then all duplicates are the vertex of the solid.
 void LocalBoolean::number_vertices() {
   std::vector<double>& numbers = assembly_.mesh.vertex_columns.find(vertex_number)->values;
   std::vector<char> is_taken(vertices_.size(), 0);
@@ -176,7 +181,8 @@ void LocalBoolean::merge() {
   result_.merge_displacement = merged.displacement;
 }
 
-// Compares the assembly with the part, so that faces that occur in both stay in their place.
+// Compares the faces of `assembly_` with those of the part. Faces that occur in both do not change,
+// and keep their place in the solid.
 LocalBoolean::Change LocalBoolean::find_change() const {
   const Mesh& mesh = assembly_.mesh;
   Change change;
@@ -201,8 +207,8 @@ LocalBoolean::Change LocalBoolean::find_change() const {
   return change;
 }
 
-// Returns true if no added face intersects the rest of the solid. Added faces may intersect it
-// because merged faces can reach beyond the part, and rounding moves them.
+// Returns true if no added face intersects a face of the solid outside the part. Such intersections
+// are possible because merged flat faces can reach beyond the part, and rounding moves faces.
 bool LocalBoolean::is_clear_of_rest(const Change& change) const {
   Mesh both = mesh_of_faces(assembly_.mesh, change.added);
   const Box box = bounding_box(both);

@@ -1,13 +1,14 @@
-/// A Boolean operation of a large solid and a small operand, restricted to the faces near the
-/// operand. These faces are called the part. The arrangement contains the part and the operand
-/// only; the rest of the solid stays as it is.
+/// A Boolean operation of a large solid and a small operand, restricted to the faces of the solid
+/// near the operand. These faces are called the part. The arrangement contains the part and the
+/// operand only; the other faces of the solid (the rest) do not change.
 ///
-/// The rest is not needed to find winding numbers, because the winding number in front of every
-/// face of the solid is 0. If the operand meets no face of the solid, a ray finds the winding
-/// number at the operand. The solid stays unchanged if the operand is not a simple solid
-/// (operand_kinds.h) or has other columns. The solid also stays unchanged if the part is a large
-/// share of it, or if rounding would need repairs. Cost: that of boolean() for the part, and a scan
-/// of the boxes of all faces. Exact as boolean() is; deterministic.
+/// The rest is not needed to find winding numbers, because the winding number of the solid in front
+/// of each of its faces is 0. If the operand meets no face of the solid, a ray finds the winding
+/// number of the solid at the operand. The operation is refused, and the solid does not change, in
+/// four cases. The winding numbers of the operand are not all 0 or 1 (operand_kinds.h). The operand
+/// and the solid have different columns. The part is a large share of the solid. Rounding would
+/// need repairs. Cost: that of boolean() for the part, and a scan of the boxes of all faces. Exact
+/// as boolean() is; deterministic.
 #pragma once
 
 #include <optional>
@@ -18,7 +19,7 @@
 namespace transformesh {
 
 struct LocalBooleanResult {
-  std::size_t pairs = 0;          ///< intersecting pairs of faces
+  std::size_t pairs = 0;          ///< number of intersecting pairs of faces
   double merge_displacement = 0;  ///< bound on the displacement of the surface by merged flat faces
 };
 

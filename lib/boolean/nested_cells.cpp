@@ -8,12 +8,13 @@
 namespace transformesh {
 namespace {
 
-/// A cell of the arrangement of a single connected set of patches.
+/// A cell of space that a connected set of patches bounds, regardless of other sets.
 struct Cell {
-  Index side = no_index;  ///< representative of the cell's sides
-  Index set = no_index;   ///< representative of the connected set of patches
-  double volume = 0;      ///< six times the signed volume; negative if unbounded
-  Mesh surface{};         ///< the cell lies behind these faces
+  Index side = no_index;  ///< patch side that represents the cell in `sides_`
+  Index set = no_index;   ///< patch side that represents the connected set of patches in `sets_`
+  /// Six times the signed volume of the cell; negative if the cell is unbounded.
+  double volume = 0;
+  Mesh surface{};  ///< the cell lies behind these faces
   Box box{};
 };
 
@@ -85,8 +86,9 @@ bool NestedCells::is_within(const Cell& cell, const Vec3& point) const {
   return cell.box.contains(point) && SolidAngleWinding(cell.surface)(point).rounded() == 1;
 }
 
-// Returns the smallest bounded cell of another set that contains the set, or null. Cells that
-// contain a set are nested, so that the smallest one surrounds it directly.
+// Returns the smallest bounded cell of other sets that contains the set of `unbounded`, or null.
+// The cells of other sets that contain this set contain each other, so that the smallest of them
+// surrounds the set directly.
 const Cell* NestedCells::find_container(const Cell& unbounded) const {
   const auto& [a, b, c] = unbounded.surface.faces.front();
   const Vec3 point = (points_[a] + points_[b] + points_[c]) / 3;

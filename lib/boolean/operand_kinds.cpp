@@ -20,14 +20,16 @@ class OperandParts {
 
  private:
   struct Facts {
-    /// An edge is traversed more often in one direction than in the other.
+    /// True if an edge is traversed more often in one direction than in the other.
     bool is_open = false;
-    bool is_crowded = false;    ///< an edge has more than two faces: components end there
-    bool has_copies = false;    ///< two faces have the same three points
-    bool meets_part = false;    ///< two faces of one component intersect
-    bool meets_itself = false;  ///< two faces intersect, of one component or of two
-    /// Least and largest winding number on the front sides of components as they are oriented in
-    /// the input.
+    /// True if an edge has more than two faces; components are not connected there.
+    bool is_crowded = false;
+    bool has_copies = false;    ///< true if two faces have the same three points
+    bool meets_part = false;    ///< true if two faces of one component intersect
+    bool meets_itself = false;  ///< true if any two faces of the operand intersect
+    /// Least and largest winding number just in front of the components of the operand; the range
+    /// includes 0. If the operand is subtracted, and thus reversed, these are the numbers before
+    /// the reversal.
     int least = 0, most = 0;
   };
 
@@ -47,7 +49,8 @@ class OperandParts {
   const WeldedMesh& welded_;
   const JoinedOperands& operands_;
   std::vector<Facts> operand_;
-  /// Opposite of each halfedge in its operand; no_index if there is none or several.
+  /// Opposite of each halfedge among the faces of the same operand; no_index if there is none, or
+  /// more than one.
   std::vector<Index> opposites_;
   std::vector<Index> component_of_;  ///< component of each face
   std::vector<Index> seeds_;         ///< the first face of each component
@@ -55,7 +58,8 @@ class OperandParts {
   std::unordered_map<Index, std::set<Index>> copies_;
 };
 
-// Pairs the halfedges at an edge, separately for each operand.
+// Pairs the halfedges at an edge, separately for each operand. Also notes whether the operands are
+// open or have more than two faces there.
 void OperandParts::pair_at_edge(std::span<const Index> halfedges) {
   for (const Index h : halfedges) {
     Facts& facts = operand_[operand_of(h / 3)];
@@ -114,8 +118,8 @@ void OperandParts::find_components() {
     if (component_of_[f] == no_index) collect_component(f);
 }
 
-// Collects groups of faces with the same three points. Meetings contain only the first face of each
-// group, so that two faces of a group are never listed as a pair.
+// Collects groups of faces with the same three points. This is necessary because the intersecting
+// pairs (Meeting) contain only the first face of each group, and no pairs within a group.
 void OperandParts::find_copies() {
   for (Index f = 0; f < welded_.faces.size(); ++f) {
     const Index first = welded_.first_copy[f];
@@ -159,8 +163,8 @@ int OperandParts::winding_in_front_of(Index seed, const RayCastFrontWinding& ray
   return winding;
 }
 
-// Finds the winding number in front of each component of an operand. If components of the operand
-// intersect, each ray counts only faces of its own component.
+// Finds the winding number of an operand in front of each of its components. If faces of the
+// operand intersect, each ray counts only faces of the component from which it starts.
 void OperandParts::cast_rays() {
   const RayCastFrontWinding ray(welded_, seeds_.size());
   for (const Index seed : seeds_) {

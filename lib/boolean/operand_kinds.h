@@ -1,6 +1,7 @@
-/// Bounds the values that the winding number w of each operand takes, without an arrangement. If
-/// the bounds are tight enough, the sum of the winding numbers of all operands decides a Boolean
-/// operation. Exact. Cost: O(n), and a ray for each component of an operand.
+/// Finds bounds for the winding numbers of each operand of a Boolean operation, without an
+/// arrangement. If the bounds are tight enough, the sum of the winding numbers of all operands
+/// decides which points belong to the result (boolean.cpp). Exact. Cost: O(n), and a ray for each
+/// component of an operand.
 #pragma once
 
 #include <span>
@@ -18,8 +19,8 @@ enum class OperandKind {
   unknown        ///< the winding number may have any value, and the operand may be open
 };
 
-/// Returns the kind of each operand. `meetings` are the intersecting pairs of `welded`, the welded
-/// mesh of all operands.
+/// Returns the kind of each operand. `welded` is the welded mesh of all operands, and `meetings`
+/// are its intersecting pairs of faces.
 std::vector<OperandKind> find_operand_kinds(const WeldedMesh& welded,
                                             std::span<const Meeting> meetings,
                                             const JoinedOperands& operands);

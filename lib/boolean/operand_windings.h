@@ -8,8 +8,8 @@
 
 namespace transformesh {
 
-/// Signs of the winding numbers of an operand: whether any cell has a positive one, and whether any
-/// cell has a negative one.
+/// Signs of the winding numbers of an operand. `is_positive` is true if the winding number is
+/// positive in any cell of space, and `is_negative` if it is negative in any cell.
 struct WindingSigns {
   bool is_positive = false, is_negative = false;
 };
@@ -23,7 +23,7 @@ class OperandWindings {
   /// Adds `by` to the winding number of an operand. O(1).
   void change(Index operand, int by);
   bool is_selected() const;
-  /// Returns for each operand the signs of all winding numbers that it has had so far.
+  /// Returns for each operand which signs its winding number has had so far, in any visited cell.
   const std::vector<WindingSigns>& signs() const { return signs_; }
 
  private:

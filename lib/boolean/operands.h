@@ -15,8 +15,8 @@ struct JoinedOperands {
   std::vector<char> is_reversed;  ///< 1 for each operand that is reversed
 };
 
-/// Returns the operands with positions rounded to the type. Copies of meshes that this changes are
-/// appended to `rounded`.
+/// Returns the operands with positions rounded to the type. If rounding changes a mesh, the rounded
+/// mesh is appended to `rounded`, and the operand refers to it.
 std::vector<Operand> rounded_operands(std::vector<Operand> operands, Scalar coordinate,
                                       std::deque<Mesh>& rounded);
 

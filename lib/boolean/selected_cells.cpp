@@ -11,12 +11,13 @@
 namespace transformesh {
 namespace {
 
-/// Pairs of an operand and the change of its winding number from the front of a piece to its back.
-/// Sorted by operand; operands without a change are left out.
+/// The changes of the winding numbers from the front of a piece to its back: pairs of an operand
+/// and its change. Sorted by operand; operands without a change are left out.
 using Jumps = std::vector<std::pair<Index, int>>;
 
-/// Numbers the different jumps in an arrangement. The constructor stores the number of a piece's
-/// jumps as its multiplicity, so that all pieces of a patch have the same jumps.
+/// Numbers the different lists of jumps (changes of winding numbers) in an arrangement. The
+/// constructor stores the number of its list in the multiplicity of each piece. Patches contain
+/// only pieces of equal multiplicity, so all pieces of a patch have the same jumps.
 class PieceJumps {
  public:
   PieceJumps(const JoinedOperands& operands, Arrangement& arrangement);
@@ -30,7 +31,7 @@ class PieceJumps {
 
  private:
   std::map<Jumps, std::int32_t> numbers_;
-  std::vector<const Jumps*> numbered_;  ///< jumps with each number; number 0 stands for no jump
+  std::vector<const Jumps*> numbered_;  ///< list of jumps with each number; list 0 is empty
 };
 
 PieceJumps::PieceJumps(const JoinedOperands& operands, Arrangement& arrangement) {
@@ -57,17 +58,17 @@ class SelectedCells {
  public:
   SelectedCells(BooleanOperation operation, const JoinedOperands& operands,
                 const WindingAt& first_at, Arrangement& arrangement);
-  /// Returns for each side of a patch (patches.h) whether its cell is selected. Returns an empty
-  /// list if `first_at` returned no winding number.
+  /// Returns for each side of a patch (patches.h) whether the cell on this side is selected.
+  /// Returns an empty list if `first_at` returned no winding number where one was needed.
   std::vector<char> find();
   const Patches& patches() const { return patches_; }
-  /// Returns the signs of the winding numbers of each operand; call find() first.
+  /// Returns for each operand which signs of winding numbers occur; call find() first.
   const std::vector<WindingSigns>& signs() const { return signs_; }
 
  private:
   struct Step {
     Index cell;
-    Index through;         ///< side of a patch through which the cell was entered, or no_index
+    Index through;  ///< side of a patch through which the search entered the cell, or no_index
     std::size_t next = 0;  ///< index of the next side of the cell to visit
   };
 
@@ -84,17 +85,19 @@ class SelectedCells {
 
   BooleanOperation operation_;
   const JoinedOperands& operands_;
-  /// Winding numbers of the first operand; null if the operand is whole.
+  /// Returns winding numbers of the first operand; empty if the arrangement contains the whole
+  /// operand.
   const WindingAt& first_at_;
   Arrangement& arrangement_;
   PieceJumps jumps_;
   Patches patches_;
   RayCastFrontWinding ray_;
-  std::vector<Index> cell_of_;             ///< cell of each side
-  std::vector<std::vector<Index>> sides_;  ///< sides of each cell, at its representative side
-  std::vector<char> is_selected_;          ///< for each cell 0, 1 or `unknown`
-  std::vector<WindingSigns> signs_;        ///< signs of the winding numbers of each operand
-  /// Stack of the cells from the first to the current cell.
+  std::vector<Index> cell_of_;  ///< cell of each side
+  /// Patch sides of each cell; the index of a cell is its representative side.
+  std::vector<std::vector<Index>> sides_;
+  std::vector<char> is_selected_;    ///< for each cell 0, 1 or `unknown`
+  std::vector<WindingSigns> signs_;  ///< for each operand which signs of winding numbers occur
+  /// Stack of the depth-first search: the cells from the first to the current cell.
   std::vector<Step> way_;
 };
 
@@ -120,8 +123,8 @@ SelectedCells::SelectedCells(BooleanOperation operation, const JoinedOperands& o
   is_selected_.assign(sides_.size(), unknown);
 }
 
-// Changes the winding numbers of the cell at `side` to the winding numbers of the cell on the other
-// side of the patch. A `sign` of -1 reverses the change.
+// Changes `windings` from the winding numbers in the cell at `side` to those in the cell on the
+// other side of the patch. If `sign` is -1, changes them back.
 void SelectedCells::cross(OperandWindings& windings, Index side, int sign) const {
   const Piece& piece = piece_at(side);
   const int direction = side % 2 == 0 ? sign : -sign;
@@ -132,8 +135,8 @@ const Piece& SelectedCells::piece_at(Index side) const {
   return arrangement_.pieces[patches_.pieces[side / 2].front()];
 }
 
-// True if the jumps of the first operand cancel at an edge. They do not cancel at borders of a part
-// of a solid.
+// True if the first operand traverses the edge equally often in both directions. This is not the
+// case at the border of a part of a solid.
 bool SelectedCells::is_whole_edge(std::span<const Index> halfedges) const {
   int sum = 0;
   for (const Index h : halfedges) {
@@ -143,8 +146,9 @@ bool SelectedCells::is_whole_edge(std::span<const Index> halfedges) const {
   return sum == 0;
 }
 
-// Returns the winding number of the first operand at a patch that does not belong to it. The first
-// operand does not intersect the patch, so all corners of the patch have the same winding number.
+// Returns the winding number of the first operand at a patch that does not belong to this operand.
+// The first operand does not intersect the patch, so its winding number is the same at all corners
+// of the patch.
 std::optional<int> SelectedCells::first_at_patch(Index patch) const {
   const std::size_t given = arrangement_.welded->points.size();
   for (const Index piece : patches_.pieces[patch])
@@ -184,8 +188,9 @@ void SelectedCells::enter(Index cell, const OperandWindings& windings) {
   is_selected_[cell] = windings.is_selected() ? 1 : 0;
 }
 
-// Visits cells from the cell at `side`, depth first. One set of winding numbers is enough: each
-// change is undone when the search backtracks.
+// Visits the cells that are connected with the cell at `side`, depth first. Stores the winding
+// numbers of the current cell only: each change is undone when the search backtracks. Returns false
+// if the winding numbers at `side` are not known.
 bool SelectedCells::spread_from(Index side) {
   std::optional<OperandWindings> begin = windings_at(side);
   if (!begin) return false;
@@ -213,8 +218,8 @@ bool SelectedCells::spread_from(Index side) {
   return true;
 }
 
-// Starts at patches of the first operand, since the winding number of the first operand is known
-// there without a call of `first_at_`.
+// Starts the search at patches of the first operand, because there the winding number of the first
+// operand is known without a call of `first_at_`.
 std::vector<char> SelectedCells::find() {
   std::vector<char> of_side;
   for (Index side = 0; side < sides_.size(); ++side) {

@@ -13,7 +13,8 @@
 namespace transformesh {
 namespace {
 
-/// Face column with the indices of the input faces, present only during cleaning.
+/// Name of a face attribute (column) that holds the index of the input face; present only during
+/// cleaning.
 constexpr const char* face_number = "tm:source-face";
 
 void check_options(const CleanOptions& options) {

@@ -14,12 +14,13 @@
 namespace transformesh {
 namespace {
 
-/// Least distance of the edges of the prism's base from its center, in diagonals of the mesh. The
-/// mesh reaches at most half a diagonal from there. A choice: any value above 1/2 gives the same
-/// cut, up to rounding.
+/// Least distance of the edges of the prism's triangular base from the center of the base, in
+/// diagonals of the mesh's bounding box. The mesh reaches at most half a diagonal from this center.
+/// A choice: any value above 1/2 gives the same cut, up to rounding.
 constexpr double reach = 4;
 
-/// Returns two directions perpendicular to a unit normal; these are axes if the normal is one.
+/// Returns two directions perpendicular to a unit normal and to each other. If the normal is a
+/// coordinate axis, so are both directions.
 std::array<Vec3, 2> directions_across(const Vec3& normal) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().minCoeff(&axis);
@@ -27,8 +28,8 @@ std::array<Vec3, 2> directions_across(const Vec3& normal) {
   return {first, normal.cross(first)};
 }
 
-/// Returns a prism over a triangle in the plane. It contains the part of the box in front of the
-/// plane.
+/// Returns a prism whose base is a triangle in the plane. The prism contains the part of the box
+/// that is in front of the plane.
 Mesh prism_in_front(const CutPlane& plane, const Box& box) {
   const double length = plane.normal.stableNorm();
   if (!(length > 0) || !std::isfinite(length))
@@ -68,7 +69,8 @@ void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate, const Prog
   const Mesh prism = prism_in_front(plane, bounding_box(mesh));
   CleanOptions options;
   options.coordinate = coordinate;
-  // Clean first: if the mesh overlaps itself, the overlap alone already has winding number 2.
+  // Clean the mesh first: if it overlaps itself, the winding number in the overlap is 2 even
+  // without the prism.
   Mesh solid = clean(mesh, options, progress).mesh;
   append(solid, prism);
   options.winding_level = 2;

@@ -1,6 +1,7 @@
-/// Finds the faces near a box in a mesh that grows. Maintains several bounding volume hierarchies
-/// (bvh.h). Each hierarchy has at least twice as many faces as the next hierarchy. Cost: amortized
-/// O(log n) to add a face; a search visits O(log n) trees. Deterministic.
+/// Finds the faces near a box in a mesh to which faces are appended. Maintains several bounding
+/// volume hierarchies (bvh.h), each of consecutive faces. Each hierarchy has at least twice as many
+/// faces as the next one. Cost: amortized O(log n) to add a face; a search visits O(log n) trees.
+/// Deterministic.
 #pragma once
 
 #include <vector>
@@ -18,8 +19,8 @@ class FaceSearch {
 
   /// Adds the faces that were appended to the mesh since the last call.
   void update();
-  /// Appends the faces whose boxes touch the given box, unordered. May also append faces whose
-  /// boxes are just beside the given box.
+  /// Appends to `faces` the faces whose bounding boxes touch the box from `low` to `high`,
+  /// unordered. May also append faces whose boxes are just beside this box.
   void append_near(const Vec3& low, const Vec3& high, std::vector<Index>& faces) const;
 
  private:

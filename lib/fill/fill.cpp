@@ -22,7 +22,7 @@
 namespace transformesh {
 namespace {
 
-/// Border halfedges; each halfedge starts where the previous one ends.
+/// A boundary loop as a list of border halfedges; each halfedge starts where the previous one ends.
 using Loop = std::vector<Index>;
 
 void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& options) {
@@ -62,15 +62,16 @@ class Filler {
         blends_(mesh.positions.size()) {}
 
   void fill(const Loop& loop);
-  /// Adds column rows for the new vertices and faces.
+  /// Adds the attributes (column rows) of the new vertices and faces, and returns the result.
   FillResult finish();
   FillResult& result() { return result_; }
 
  private:
   bool fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const;
   bool crosses(const HolePatch& patch, const HoleNeighborhood& part) const;
-  /// Adds the first patch that fits, and returns true if there is one. A patch that may intersect
-  /// is added only if the options allow self-intersections.
+  /// Adds the first patch in `found` that fits into the hole, and returns true if there is one. If
+  /// `may_intersect` is set, patches that intersect the mesh fit, too. Then the patch is added only
+  /// if the options allow self-intersections.
   bool try_patches(const Loop& loop, const HoleNeighborhood& part, const HolePatches& found,
                    bool may_intersect = false);
   HolePatches patches_of(const HoleNeighborhood& part, Index border, PatchKind finest,
@@ -82,7 +83,9 @@ class Filler {
 
   Mesh& mesh_;
   const FillOptions& options_;
-  VertexFaces around_;  ///< faces at the vertices of the input, whose borders share no vertices
+  /// Faces at each vertex of the input; still valid at other holes after a hole is filled, because
+  /// boundary loops share no vertices.
+  VertexFaces around_;
   FaceSearch search_;
   std::vector<RowBlend> blends_;
   FillResult result_;
@@ -127,8 +130,8 @@ bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
 
-  // Appends the triangles of the patch as a soup. The intersection test treats equal positions as
-  // one point.
+  // Append the triangles of the patch with a separate vertex for each corner. This is allowed
+  // because the intersection test treats equal positions as one point.
   Mesh both = neighborhood_of(mesh_, near).mesh;
   const std::size_t old_faces = both.faces.size();
   for (const Face& face : patch.faces) {
@@ -146,7 +149,7 @@ bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may
   joined.positions.insert(joined.positions.end(), patch.points.begin(), patch.points.end());
   joined.faces.insert(joined.faces.end(), patch.faces.begin(), patch.faces.end());
 
-  // The patch does not fit if one of its edges already exists in the mesh.
+  // The patch does not fit if one of its inner edges already exists in the mesh.
   const ManifoldReport found = check_manifold(joined);
   if (!found.nonmanifold_edges.empty() || !found.misoriented_edges.empty()) return false;
   const std::vector<Index> flat = degenerate_faces(joined);
@@ -197,7 +200,7 @@ void Filler::fill(const Loop& loop) {
   (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
 }
 
-/// Returns patches whose positions are rounded to the type in which they will be written.
+/// Returns patches for a hole, with positions rounded to the type in which they will be written.
 HolePatches Filler::patches_of(const HoleNeighborhood& part, Index border, PatchKind finest,
                                Search search) const {
   HolePatches found = patch_hole(part.mesh, border, finest, search);

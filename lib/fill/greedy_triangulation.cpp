@@ -9,7 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Cuts off corners of a polygon, in order of the length of the new edge.
+/// Triangulates a polygon by cutting off corners. The next corner is always the one whose new edge
+/// is shortest.
 class GreedyTriangulation {
  public:
   explicit GreedyTriangulation(const HoleBorder& border) : border_(border) {
@@ -64,7 +65,7 @@ class GreedyTriangulation {
   const HoleBorder& border_;
   std::vector<Index> next_, previous_;
   std::set<Corner> waiting_;
-  /// Maps each edge to the third corner of its triangle.
+  /// Maps the edge between the first and the last corner of each triangle to the middle corner.
   std::map<std::pair<Index, Index>, Index> apex_;
 };
 

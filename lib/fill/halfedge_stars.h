@@ -1,5 +1,5 @@
-/// The outgoing halfedges of each vertex of a closed oriented manifold, counter-clockwise. The star
-/// of a vertex stays valid while the faces at this vertex do not change. O(n) to construct;
+/// The outgoing halfedges of each vertex of a closed oriented manifold, counter-clockwise. The list
+/// of a vertex stays valid as long as the faces at this vertex do not change. O(n) to construct;
 /// deterministic.
 #pragma once
 
@@ -27,7 +27,8 @@ class HalfedgeStars {
     } while (h != leaving_[vertex]);
   }
 
-  /// Returns all outgoing halfedges, starting with the one to `first`.
+  /// Returns all outgoing halfedges of a vertex, counter-clockwise, starting with the one that
+  /// leads to vertex `first`.
   std::vector<Index> from(const Mesh& mesh, Index vertex, Index first) const;
 
  private:

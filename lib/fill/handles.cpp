@@ -17,8 +17,9 @@ std::vector<Index> checked_opposites(const Mesh& mesh) {
                             manifold_problem(mesh, check_manifold(mesh), true)));
 }
 
-/// Makes one round of cuts. The cuts of a round are far from each other, so that no cut changes the
-/// surface around another one. Their loops are independent, so that each cut removes a handle.
+/// Makes one round of cuts along short loops (short_loops.h). The cuts of a round have no
+/// neighboring vertices in common, so that no cut changes the surface around another one. Their
+/// loops are homologically independent (homology.h), so that each cut removes a handle.
 HandleResult remove_round(Mesh& mesh, const HandleOptions& options, const Progress& progress) {
   LoopCutter cutter(mesh, options.coordinate, checked_opposites(mesh));
   HandleResult result;

@@ -8,7 +8,7 @@
 
 namespace transformesh {
 
-/// The faces around a hole as a mesh without columns.
+/// The faces around a hole as a mesh without attributes (columns).
 struct HoleNeighborhood {
   Mesh mesh;
   std::vector<Index> vertices;  ///< index of each vertex in the whole mesh
@@ -17,10 +17,11 @@ struct HoleNeighborhood {
 /// Extracts `faces`, which must be in ascending order. Vertices keep their order. O(k log k).
 HoleNeighborhood neighborhood_of(const Mesh& mesh, const std::vector<Index>& faces);
 
-/// Maps a halfedge of the whole mesh to the neighborhood. `faces` are the extracted faces.
+/// Returns the index that a halfedge of the whole mesh has in the neighborhood. `faces` are the
+/// faces that were extracted.
 Index halfedge_in_neighborhood(const std::vector<Index>& faces, Index halfedge);
 
-/// Appends the faces at a vertex.
+/// Function that appends the faces at `vertex` to `faces`.
 using FacesOfVertex = std::function<void(Index vertex, std::vector<Index>& faces)>;
 
 /// Returns the faces within two rings of these vertices in ascending order. O(k log k).

@@ -24,11 +24,12 @@ using Vertex = Surface::Vertex_index;
 using Halfedge = Surface::Halfedge_index;
 using FaceNumber = Surface::Face_index;
 
-/// For borders of at most this number of edges, a search among all triangles takes about 1 ms.
+/// For borders of at most this number of edges, Search::all is used instead of Search::delaunay. It
+/// takes about 1 ms.
 constexpr std::size_t few_edges = 64;
-/// For borders of more edges than this, a search among all triangles is slow. Flat borders have a
-/// lower limit: all their triangulations are equally good up to rounding, so that no candidate can
-/// be skipped.
+/// For borders of more edges than this, a search among all triangles is slow, and only edges
+/// between near points are used. Planar borders have a lower limit: all their triangulations are
+/// equally good up to rounding, so that no candidate can be skipped.
 constexpr std::size_t many_edges = 512, many_flat_edges = 256;
 
 Surface surface_of(const Mesh& mesh) {
@@ -38,14 +39,16 @@ Surface surface_of(const Mesh& mesh) {
   return surface;
 }
 
-/// Returns the border halfedges of the hole; halfedge i ends at point i.
+/// Returns the border halfedges of the hole, in order. Halfedge i ends at point i of the
+/// HoleBorder.
 std::vector<Halfedge> border_of(const Surface& surface, Halfedge first) {
   std::vector<Halfedge> border;
   for (const Halfedge h : surface.halfedges_around_face(first)) border.push_back(h);
   return border;
 }
 
-/// Returns the border. Returns nothing if the border passes through a vertex twice.
+/// Returns the points of the border of a hole and the surrounding geometry. Returns nothing if the
+/// border passes through a vertex twice.
 std::optional<HoleBorder> describe(const Surface& surface, const std::vector<Halfedge>& border) {
   const auto position = [&](Vertex v) -> Vec3 {
     const Point& p = surface.point(v);
@@ -75,7 +78,7 @@ std::optional<HoleBorder> describe(const Surface& surface, const std::vector<Hal
 std::vector<FaceNumber> add_triangles(Surface& surface, const std::vector<Halfedge>& border,
                                       const std::vector<HoleTriangle>& triangles) {
   std::vector<FaceNumber> faces;
-  std::vector<Halfedge> open;  // edges at which the next triangle of the patch is added
+  std::vector<Halfedge> open;  // border halfedges at triangles that were already added
   const auto side = [&](Index from, Index to) {
     if (from + 1 == to) return border[to];
     const Halfedge h = open.back();
@@ -95,7 +98,8 @@ std::vector<FaceNumber> add_triangles(Surface& surface, const std::vector<Halfed
   return faces;
 }
 
-/// Returns the edges of the Delaunay tetrahedralization, independent of memory addresses.
+/// Returns the edges of the Delaunay tetrahedralization of the points. The result does not depend
+/// on memory addresses.
 std::vector<std::pair<Index, Index>> delaunay_edges(const std::vector<Vec3>& points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Base = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
@@ -121,7 +125,8 @@ bool is_flat(const std::vector<Vec3>& points) {
   });
 }
 
-/// Triangulates the hole. Sets `is_of_all` if the result is that of Search::all.
+/// Adds a plain patch of the hole to the surface, and returns its faces. Sets `is_of_all` if
+/// Search::all would give the same triangulation.
 std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search search,
                                     bool& is_of_all) {
   std::vector<FaceNumber> faces;
@@ -139,8 +144,8 @@ std::vector<FaceNumber> triangulate(Surface& surface, Halfedge first, Search sea
   return add_triangles(surface, border, triangles);
 }
 
-/// Inserts a patch before the others: the vertices and faces that were added to the mesh. Does
-/// nothing if a point is not finite.
+/// Inserts a patch at the beginning of `patches`. It consists of the vertices and faces of
+/// `surface` that are not in `mesh`. Does nothing if a point of the patch is not finite.
 void add_patch(const Surface& surface, const Mesh& mesh, PatchKind kind,
                std::vector<HolePatch>& patches) {
   HolePatch patch{kind, {}, {}};

@@ -1,10 +1,11 @@
-/// Patches for one hole. A plain patch is the triangulation of the border with the least dihedral
-/// angles and then the least area. A refined patch has additional vertices, as dense as the
-/// vertices around the hole. A faired patch continues the surrounding surface smoothly. Reference:
-/// Liepa, "Filling holes in meshes", SGP 2003, as implemented in CGAL. Triangulations with many
-/// border edges are restricted to Delaunay edges (Search::delaunay). Cost: that of the
-/// triangulation (hole_triangulation.h), nearly O(n log n) for Search::delaunay with many edges.
-/// Deterministic.
+/// Computes patches for one hole. A plain patch is a triangulation of the border without additional
+/// vertices. Its largest angle between normals of neighboring faces is as small as possible, and
+/// its area is the least of such triangulations. A refined patch has additional vertices, as dense
+/// as the vertices around the hole. A faired patch is a refined patch that continues the
+/// surrounding surface smoothly. Reference: Liepa, "Filling holes in meshes", SGP 2003, as
+/// implemented in CGAL. If the border has many edges, the triangulation is restricted to Delaunay
+/// edges (Search::delaunay). Cost: that of the triangulation (hole_triangulation.h), nearly O(n log
+/// n) for Search::delaunay with many edges. Deterministic.
 #pragma once
 
 #include <cstddef>
@@ -16,27 +17,31 @@ namespace transformesh {
 
 enum class PatchKind { plain, refined, faired };
 
-/// Triangles among which a patch is searched. With `delaunay`, a border of more than 64 edges gets
-/// only triangles whose edges belong to the Delaunay tetrahedralization of the border.
+/// Triangles from which the best triangulation of the border is searched. With `all`, all triangles
+/// of border points are used. With `delaunay`, and a border of more than 64 edges, only triangles
+/// are used whose edges belong to the Delaunay tetrahedralization of the border points.
 enum class Search { delaunay, all };
 
-/// Callers use Search::all only for holes with at most this many edges, since its cost is cubic.
+/// Callers use Search::all only for holes with at most this many edges, because its time grows with
+/// the cube of the number of edges.
 inline constexpr std::size_t most_edges_of_all = 200;
 
 struct HolePatch {
   PatchKind kind = PatchKind::plain;
-  std::vector<Vec3> points;  ///< new points; indexed after the vertices of the mesh
-  std::vector<Face> faces;   ///< faces, oriented like the faces around the hole
+  /// Additional points; the first has the index after the last vertex of the mesh.
+  std::vector<Vec3> points;
+  std::vector<Face> faces;  ///< faces of the patch, oriented like the faces around the hole
 };
 
 struct HolePatches {
-  std::vector<HolePatch> patches;  ///< the finest patch first; a patch without new points is plain
-  bool are_of_all = false;         ///< true if Search::all gives the same patches
+  /// The patches, the finest first; a patch without additional points is plain.
+  std::vector<HolePatch> patches;
+  bool are_of_all = false;  ///< true if Search::all would give the same patches
 };
 
-/// Returns patches of all kinds up to `finest` for the hole at a border halfedge. Kinds that cannot
-/// be made are missing. `around` is an oriented manifold with all faces within two rings of the
-/// hole.
+/// Returns a patch of each kind up to `finest` for the hole at a border halfedge. A kind is missing
+/// if it cannot be computed for this hole. `around` is an oriented manifold with all faces within
+/// two rings of the hole.
 HolePatches patch_hole(const Mesh& around, Index border_halfedge, PatchKind finest, Search search);
 
 }  // namespace transformesh

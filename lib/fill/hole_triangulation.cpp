@@ -8,8 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Number of nearest points to which each point gets an edge. A choice: more edges give better
-/// triangulations and take more time.
+/// Number of nearest points to which edges from each point are tried in sparse_triangulation(). A
+/// choice: more edges give better triangulations and take more time.
 constexpr std::size_t nearest_tried = 24;
 
 bool is_chord(const HoleBorder& border, std::size_t i, std::size_t k) {
@@ -17,8 +17,8 @@ bool is_chord(const HoleBorder& border, std::size_t i, std::size_t k) {
                             std::pair<Index, Index>(i, k));
 }
 
-/// Finds the best triangulation of the polygon from point i to point k by dynamic programming, for
-/// all pairs i < k in order of k - i.
+/// Finds the best triangulation of a polygon by dynamic programming. For each pair i < k, in order
+/// of k - i, the best triangulation of the subpolygon with the points i, i + 1, ..., k is computed.
 class LeastTriangulation {
  public:
   explicit LeastTriangulation(const HoleBorder& border)
@@ -52,9 +52,10 @@ class LeastTriangulation {
   const HoleBorder& border_;
   HoleWeights weigher_;
   std::size_t size_;
-  std::vector<HoleSubpolygon> subpolygons_;  ///< subpolygons sorted by first, then second point
-  /// Copies of the subpolygons' angles for fast searches. `angles_` is sorted by first, then second
-  /// point; `angles_before_` is sorted by second, then first point.
+  /// Best triangulations of subpolygons, at index i * size_ + k.
+  std::vector<HoleSubpolygon> subpolygons_;
+  /// Largest angles of the subpolygons from i to k, for fast searches. `angles_` has them at index
+  /// i * size_ + k, and `angles_before_` at index k * size_ + i.
   std::vector<double> angles_, angles_before_;
 };
 
@@ -67,8 +68,8 @@ HoleSubpolygon LeastTriangulation::best_between(std::size_t i, std::size_t k) co
     if (m != best.apex && first.weight.is_there() && second.weight.is_there())
       weigher_.improve(i, m, k, first, second, best);
   };
-  // The apexes of shorter subpolygons are tried first: they are often good, and a good candidate
-  // excludes most others.
+  // Try the third corners of the triangles of two shorter subpolygons first. They often give a good
+  // triangulation, which excludes most other candidates.
   for (const Index m : {subpolygon(i, k - 1).apex, subpolygon(i + 1, k).apex})
     if (m != no_index) attempt(m);
   for (std::size_t m = i + 1; m < k; ++m)
@@ -76,8 +77,8 @@ HoleSubpolygon LeastTriangulation::best_between(std::size_t i, std::size_t k) co
   return best;
 }
 
-/// Dynamic programming as in LeastTriangulation, restricted to pairs (i, k) that are given edges or
-/// edges of the greedy triangulation.
+/// Dynamic programming as in LeastTriangulation, restricted to subpolygons from i to k for which
+/// (i, k) is a given edge or an edge of the greedy triangulation.
 class SparseTriangulation {
  public:
   using Edge = std::pair<Index, Index>;
@@ -126,8 +127,8 @@ class SparseTriangulation {
   HoleWeights weigher_;
   Index size_;
   std::vector<Edge> edges_;
-  std::vector<SubpolygonsTo> to_;  ///< subpolygons of each first point, by ascending second point
-  /// Subpolygons of each second point, by descending first point.
+  std::vector<SubpolygonsTo> to_;  ///< for each point i the subpolygons from i to k, by ascending k
+  /// For each point k the subpolygons from i to k, by descending i.
   std::vector<SubpolygonsTo> from_;
 };
 

@@ -1,5 +1,5 @@
-/// Weights of hole triangulations, equal to those of CGAL bit for bit. Includes CGAL, so only
-/// sources of this folder may include this file.
+/// Weights by which triangulations of holes are compared. They are equal to those of CGAL bit for
+/// bit. This file includes CGAL, so only sources of this folder may include it.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -13,7 +13,9 @@
 namespace transformesh {
 
 /// Weight of a triangulation: its largest angle between normals of neighboring triangles, in
-/// degrees, then its area. The angle is infinite if there is no triangulation.
+/// degrees, and its area. Triangulations with a smaller angle are better; of those with equal
+/// angles, the one with the smaller area is better. The angle is infinite if there is no
+/// triangulation.
 struct HoleWeight {
   double angle = std::numeric_limits<double>::infinity();
   double area = 0;
@@ -23,9 +25,9 @@ struct HoleWeight {
   }
 };
 
-/// The best triangulation of the polygon from one point to another: its weight, and the third
-/// corner of its triangle at the edge between both. A subpolygon from a point to the next point has
-/// no triangle.
+/// The best triangulation of a subpolygon, which consists of the border points from i to k and the
+/// edge (i, k). Stores its weight, and the third corner (`apex`) of the triangle at the edge (i,
+/// k). If k is i + 1, there is no triangle.
 struct HoleSubpolygon {
   HoleWeight weight;
   Index apex = no_index;
@@ -39,8 +41,9 @@ class HoleWeights {
     for (const Vec3& p : border.across) across_.emplace_back(p.x(), p.y(), p.z());
   }
 
-  /// Combines two subpolygons with the triangle (i, m, k), and replaces `best` if the result is
-  /// better, or equally good with a lower apex. The tests are ordered by their cost.
+  /// Combines the subpolygons `left`, from i to m, and `right`, from m to k, with the triangle (i,
+  /// m, k). Replaces `best` if the result is better, or equally good with a lower apex. Cheap tests
+  /// come first.
   void improve(std::size_t i, std::size_t m, std::size_t k, const HoleSubpolygon& left,
                const HoleSubpolygon& right, HoleSubpolygon& best) const {
     HoleWeight weight{std::max(left.weight.angle, right.weight.angle),
@@ -71,7 +74,8 @@ class HoleWeights {
   std::vector<Point> points_, across_;
 };
 
-/// Lists the triangles of a polygon. apex(i, k) is the third corner of the triangle at each edge.
+/// Returns the triangles of a polygon of `size` points. The triangle at the edge (i, k), on the
+/// side of the points between i and k, has the third corner apex(i, k).
 template <class Apex>
 std::vector<HoleTriangle> triangles_below(std::size_t size, const Apex& apex) {
   std::vector<HoleTriangle> triangles;

@@ -6,8 +6,8 @@
 namespace transformesh {
 namespace {
 
-/// Returns pseudorandom number `number` of a sequence (SplitMix64: Steele, Lea & Flood, "Fast
-/// splittable pseudorandom number generators", OOPSLA 2014).
+/// Returns the pseudorandom number with index `number` of a sequence (SplitMix64: Steele, Lea &
+/// Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
 HomologyWord scattered(HomologyWord number) {
   number = (number + 1) * 0x9e3779b97f4a7c15ULL;
   number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -33,19 +33,22 @@ class Trees {
 
   const Mesh& mesh_;
   const std::vector<Index>& opposites_;
-  /// 1 for each halfedge whose edge is in the vertex tree or is crossed by the face tree.
+  /// 1 for each halfedge whose edge is in the spanning tree of vertices, or is crossed by the
+  /// spanning tree of faces.
   std::vector<char> is_taken_;
-  std::vector<Index> up_;     ///< halfedge of each face towards the root; no_index for the root
+  /// Halfedge of each face across which its parent in the face tree is; no_index for a root.
+  std::vector<Index> up_;
   std::vector<Index> depth_;  ///< depth of each face in the face tree
 };
 
-// The search is breadth-first, because short paths give fewer nonzero words.
+// Grows the spanning tree of vertices by breadth-first search. Its paths are short, which leads to
+// fewer halfedges with nonzero words.
 void Trees::grow_over_vertices() {
   std::vector<char> is_reached(mesh_.positions.size(), 0);
   for (Index root = 0; root < opposites_.size(); ++root) {
     if (is_reached[halfedge_source(mesh_, root)]) continue;
     is_reached[halfedge_source(mesh_, root)] = 1;
-    std::vector<Index> queue{root};  // a halfedge from each reached vertex
+    std::vector<Index> queue{root};  // an outgoing halfedge of each reached vertex
     for (std::size_t i = 0; i < queue.size(); ++i) {
       Index h = queue[i];
       do {
@@ -82,8 +85,8 @@ void Trees::grow_over_faces() {
   }
 }
 
-// Adds a word along a loop of faces: across the halfedge, and from both faces up the tree to their
-// common ancestor.
+// Adds a word, by exclusive or, to all halfedges that a loop of faces crosses. The loop crosses
+// `halfedge`, and leads from both of its faces up the face tree to their common ancestor.
 void Trees::add_loop(Index halfedge, HomologyWord word, std::vector<HomologyWord>& words) const {
   const auto cross = [&](Index h) {
     words[h] ^= word;

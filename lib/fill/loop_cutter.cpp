@@ -16,7 +16,8 @@ bool LoopCutter::has_room(const std::vector<Index>& loop) const {
   return std::none_of(loop.begin(), loop.end(), [&](Index v) { return is_near_[v]; });
 }
 
-// Marks the vertices of the loop and their neighbors. Must be called before the loop is slit.
+// Marks the vertices of the loop and their neighbors, so that has_room() is false for loops through
+// them. Must be called before the surface is cut along the loop.
 void LoopCutter::take_room(const std::vector<Index>& loop) {
   for (const Index vertex : loop) {
     is_near_[vertex] = 1;

@@ -15,10 +15,11 @@
 namespace transformesh {
 namespace {
 
-/// Least area of a band at which the surface widens, divided by the area on a cylinder with the
-/// loop's length as circumference. Below 1.5, cylinders with few edges around them seem to widen,
-/// because their meshes are uneven. With 3, a neck is not found between balls that are less than
-/// three times as thick.
+/// The surface beside a loop is divided into bands by the distance from the loop. The surface
+/// widens if the area of a band is more than this multiple of the area on a cylinder whose
+/// circumference is the length of the loop. With a factor below 1.5, cylinders with few edges
+/// around them seem to widen, because their meshes are uneven. With 3, a neck between balls that
+/// are less than three times as thick as the neck is not found.
 constexpr double widening = 2;
 
 double edge_length(const Mesh& mesh, Index h) {
@@ -26,8 +27,8 @@ double edge_length(const Mesh& mesh, Index h) {
                    mesh.positions[halfedge_source(mesh, h)]);
 }
 
-/// Union-find of faces, which are numbered from 1. The number 0 stands for all faces without a
-/// number.
+/// Union-find structure for the faces of a Ball, which are numbered from 1. The number 0 stands for
+/// all faces outside the ball.
 class Unions {
  public:
   explicit Unions(std::size_t count) : parents_(count + 1) {
@@ -50,7 +51,8 @@ class Unions {
   std::vector<Index> parents_;
 };
 
-/// The vertices within a distance of a base, by shortest paths, and the faces between them.
+/// The vertices that paths of edges of a limited length reach from a base vertex, and the faces of
+/// which all corners are reached.
 class Ball {
  public:
   Ball(const Mesh& mesh, const HalfedgeStars& stars, Index base, double radius)
@@ -60,7 +62,8 @@ class Ball {
   }
 
   bool is_disk() const { return vertices_.size() + faces_.size() == edges_.size() + 1; }
-  /// Returns the shortest loop through the base that bounds no faces of the ball.
+  /// Returns the shortest loop through the base vertex that does not bound a set of faces of the
+  /// ball.
   std::optional<NeckLoop> shortest_loop(double max_length) const;
 
  private:
@@ -93,8 +96,8 @@ class Ball {
   const HalfedgeStars& stars_;
   std::unordered_map<Index, Reached> reached_;
   std::vector<Index> vertices_;
-  std::vector<Index> edges_;                ///< lower halfedge of each edge in the ball
-  std::unordered_map<Index, Index> faces_;  ///< numbers of the faces in the ball, from 1
+  std::vector<Index> edges_;  ///< halfedge with the lower index of each edge in the ball
+  std::unordered_map<Index, Index> faces_;  ///< maps the faces in the ball to numbers from 1
 };
 
 void Ball::grow(Index base, double radius) {
@@ -134,8 +137,8 @@ bool Ball::is_in_tree(Index h) const {
   return reached_.at(source).from == target || reached_.at(target).from == source;
 }
 
-/// Returns all edges that are not in the tree, sorted by the length of the loop that they close,
-/// the longest first.
+/// Returns all edges of the ball that are not in the tree of shortest paths. Each closes a loop
+/// through the base vertex. Sorted by the length of this loop, the longest first.
 std::vector<Ball::Closing> Ball::closing_edges() const {
   std::vector<Closing> result;
   for (const Index h : edges_) {
@@ -163,7 +166,9 @@ NeckLoop Ball::loop_of(const Closing& closing) const {
   return loop;
 }
 
-// A loop whose two paths separate only after the base is shorter from another base.
+// Joins faces across closing edges, the edge of the longest loop first. An edge between faces that
+// are already joined closes a loop that does not bound faces of the ball. A loop in which both
+// paths share more vertices than the base is ignored: another base gives a shorter loop.
 std::optional<NeckLoop> Ball::shortest_loop(double max_length) const {
   Unions unions(faces_.size());
   std::optional<NeckLoop> shortest;
@@ -186,7 +191,7 @@ std::vector<NeckLoop> narrow_loops(const Mesh& mesh, const HalfedgeStars& stars,
                                    const Progress& progress) {
   const std::size_t vertices = mesh.positions.size();
   std::vector<std::optional<NeckLoop>> found(vertices);
-  constexpr std::size_t at_once = 16384;  // vertices between two reports of progress
+  constexpr std::size_t at_once = 16384;  // number of vertices between two reports of progress
   for (std::size_t begin = 0; begin < vertices; begin += at_once) {
     progress("find necks", static_cast<double>(begin) / static_cast<double>(vertices));
     const std::size_t count = std::min(at_once, vertices - begin);
@@ -208,8 +213,8 @@ std::vector<NeckLoop> narrow_loops(const Mesh& mesh, const HalfedgeStars& stars,
   return loops;
 }
 
-/// Returns the halfedges along the loop. The left side of the loop is on the left of these
-/// halfedges.
+/// Returns the halfedges along the loop, in its direction. Their faces are on the left side of the
+/// loop.
 std::vector<Index> NeckTest::halfedges_of(const NeckLoop& loop) const {
   std::vector<Index> result;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
@@ -226,12 +231,14 @@ Vec3 NeckTest::centroid(Index face) const {
   return (a + b + c) / 3;
 }
 
-/// Visits faces by their distance from the loop, measured along the centroids of faces.
+/// Visits the faces on one side of the loop, in order of their distance from the loop. Distances
+/// are lengths of paths over the centroids of neighboring faces. No path crosses a halfedge in
+/// `barred`.
 bool NeckTest::widens(double length, const std::vector<Index>& start,
                       const std::unordered_set<Index>& barred) const {
   using Entry = std::pair<double, Index>;
   const double width = length / 2;
-  std::unordered_map<std::int64_t, double> areas;  // areas of bands
+  std::unordered_map<std::int64_t, double> areas;  // area of each band, by its index
   std::unordered_set<Index> is_done;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (const Index h : start) queue.emplace(0, h / 3);

@@ -24,8 +24,9 @@ struct Surface {
   }
 };
 
-/// Shortest paths from a base vertex. A loop consists of two paths and an edge between their ends.
-/// Paths grow until the shortest non-separating loop is found, or up to the limit.
+/// The shortest paths from a base vertex. A loop consists of two paths and an edge between their
+/// ends. Paths grow until the shortest non-separating loop through the base is found, or up to half
+/// the largest length of a loop.
 class Paths {
  public:
   Paths(const Surface& surface, Index base, double max_length);
@@ -45,14 +46,16 @@ class Paths {
   std::vector<Index> path_from(Index vertex) const;
 
   const Surface& surface_;
-  double shortest_;  ///< length of the best loop, or the limit
+  /// Length of the shortest loop found so far; initially the largest allowed length.
+  double shortest_;
   Index closing_ = no_index;
   std::unordered_map<Index, Reached> reached_;
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
-// Paths longer than half of the best loop cannot close a shorter loop.
+// Grows the paths. Paths longer than half of the shortest loop found so far cannot close a shorter
+// loop.
 Paths::Paths(const Surface& surface, Index base, double max_length)
     : surface_(surface), shortest_(max_length) {
   reached_[base] = {};
@@ -93,7 +96,8 @@ std::vector<Index> Paths::path_from(Index vertex) const {
   return path;
 }
 
-// The loop does not contain the common part of both paths, from the base to their fork.
+// Returns the shortest loop that was found, or nothing. If both paths begin with the same edges,
+// the loop does not contain these edges.
 std::optional<ShortLoop> Paths::shortest_loop() const {
   if (closing_ == no_index) return std::nullopt;
   std::vector<Index> there = path_from(halfedge_source(surface_.mesh, closing_));
@@ -111,7 +115,8 @@ std::optional<ShortLoop> Paths::shortest_loop() const {
   return loop;
 }
 
-/// Returns the ends of edges with nonzero words (homology.h).
+/// Returns the vertices at edges with nonzero words (homology.h), at which the search for loops
+/// starts.
 std::vector<Index> bases_of(const Surface& surface) {
   std::vector<Index> bases;
   for (Index h = 0; h < surface.words.size(); ++h)
@@ -129,7 +134,7 @@ std::vector<ShortLoop> short_loops(const Mesh& mesh, const HalfedgeStars& stars,
   const Surface surface{mesh, stars, words};
   const std::vector<Index> bases = bases_of(surface);
   std::vector<std::optional<ShortLoop>> found(bases.size());
-  constexpr std::size_t at_once = 256;  // vertices between two reports of progress
+  constexpr std::size_t at_once = 256;  // number of vertices between two reports of progress
   for (std::size_t begin = 0; begin < bases.size(); begin += at_once) {
     progress("find handles", static_cast<double>(begin) / static_cast<double>(bases.size()));
     const std::size_t count = std::min(at_once, bases.size() - begin);

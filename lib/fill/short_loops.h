@@ -1,11 +1,13 @@
-/// Short non-separating loops of edges around thin handles and around narrow tunnels.
+/// Finds short loops of edges around thin handles and around narrow tunnels. Cutting the surface
+/// along such a loop does not separate it into two parts.
 ///
-/// A non-separating loop contains an edge with a nonzero word (homology.h). Shortest paths are
-/// grown from the ends of these edges. An edge between two paths with different words closes a
-/// loop. The shortest of all loops is among those found. Reference: Erickson & Whittlesey, "Greedy
-/// optimal homotopy and homology generators", SODA 2005. Cost: the number of edges with words,
-/// times the size of a ball with half the length of the loop or of the limit. Deterministic for any
-/// number of threads.
+/// Each edge has a word, a 64-bit number (homology.h). A loop does not separate the surface if the
+/// exclusive or of its words is not 0. Hence such a loop contains an edge with a nonzero word.
+/// Shortest paths are grown from the ends of these edges. An edge between the ends of two paths
+/// closes a loop. The shortest of all non-separating loops is among those found. Reference:
+/// Erickson & Whittlesey, "Greedy optimal homotopy and homology generators", SODA 2005. Cost: for
+/// each edge with a nonzero word, the number of vertices within half the length of the found loop,
+/// or within half of `max_length`. Deterministic for any number of threads.
 #pragma once
 
 #include <vector>
@@ -17,13 +19,15 @@
 namespace transformesh {
 
 struct ShortLoop {
-  std::vector<Index> vertices;  ///< distinct vertices in cyclic order; at least three
+  /// Vertices in order along the loop; at least three, and all different.
+  std::vector<Index> vertices;
   double length = 0;
-  HomologyWord word = 0;  ///< exclusive or of the words of its edges; not 0
+  /// Exclusive or of the words of the edges of the loop (homology.h); not 0.
+  HomologyWord word = 0;
 };
 
-/// Returns at most one loop per end of an edge with a word, of at most `max_length`. The shortest
-/// loops come first; ties are decided by the vertex indices.
+/// Returns non-separating loops of at most `max_length`: at most one for each vertex at an edge
+/// with a nonzero word. The shortest loops come first; ties are decided by the vertex indices.
 std::vector<ShortLoop> short_loops(const Mesh& mesh, const HalfedgeStars& stars, double max_length,
                                    const Progress& progress = Progress());
 

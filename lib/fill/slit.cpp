@@ -5,12 +5,13 @@
 namespace transformesh {
 namespace {
 
-/// Fraction of the way to the mean of the neighbors by which each side moves away from the slit. A
-/// choice: with less, the sides stay close together; with more, the surface is deformed.
+/// Fraction of the way to the mean of their neighbors by which the vertices of both sides move away
+/// from the slit. A choice: with less, both sides stay close together; with more, the surface is
+/// deformed.
 constexpr double drawn_back = 1.0 / 3;
 
-/// Adds the data of a vertex to a side. `corners` are its outgoing halfedges on this side, starting
-/// with the one along the loop.
+/// Adds the data of a loop vertex to a side of the slit. `corners` are the outgoing halfedges of
+/// the vertex on this side, starting with the one along the loop.
 void add_vertex(const Mesh& mesh, const std::vector<Index>& loop, std::vector<Index> corners,
                 SlitSide& side) {
   const Index vertex = halfedge_source(mesh, corners.front());

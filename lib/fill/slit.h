@@ -1,5 +1,6 @@
-/// A slit in a surface along a loop of edges: every vertex of the loop is duplicated, so that the
-/// faces on either side have their own vertices. Cost: O(faces around the loop). Deterministic.
+/// Cuts a surface open along a loop of edges (a slit): every vertex of the loop is duplicated, so
+/// that the faces on each side have their own vertices. Cost: O(faces around the loop).
+/// Deterministic.
 #pragma once
 
 #include <utility>
@@ -10,27 +11,29 @@
 
 namespace transformesh {
 
-/// One side of the loop: data for each vertex of the loop.
+/// One side of the loop; `corners` and `drawn_back` have an entry for each vertex of the loop.
 struct SlitSide {
-  /// Outgoing halfedges 3 * face + corner on this side, counter-clockwise.
+  /// Outgoing halfedges (3 * face + corner) of the faces on this side, counter-clockwise.
   std::vector<std::vector<Index>> corners;
-  /// Positions after vertices moved away from the slit, by a third of the way to the mean of their
-  /// neighbors on this side. A vertex stays if all its neighbors are on the loop.
+  /// Position of the vertex after it moved away from the slit, by a third of the way to the mean of
+  /// its neighbors on this side. Neighbors on the loop do not count; if there are no others, the
+  /// vertex stays.
   std::vector<Vec3> drawn_back;
-  std::vector<std::pair<Index, Index>> chords;  ///< edges between vertices of the loop, in both
-                                                ///< directions
+  /// Edges on this side between vertices of the loop that are not consecutive on the loop, in both
+  /// directions.
+  std::vector<std::pair<Index, Index>> chords;
 };
 
 struct SlitSides {
   SlitSide left, right;
 };
 
-/// Pre: `loop` is a simple loop of edges, and the faces at its vertices have not changed since the
-/// stars were computed.
+/// Returns both sides of a loop. Precondition: `loop` is a simple loop of edges, and the faces at
+/// its vertices have not changed since `stars` was computed.
 SlitSides sides_of(const Mesh& mesh, const std::vector<Index>& loop, const HalfedgeStars& stars);
 
-/// Gives the faces on the right side new vertices with equal positions and columns, which are
-/// appended in the order of the loop.
+/// Cuts the mesh open. The faces on the right side get new vertices with the positions and columns
+/// of the loop vertices. The new vertices are appended in the order of the loop.
 void slit_along(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sides);
 
 }  // namespace transformesh

@@ -34,7 +34,7 @@ bool intersect(const std::vector<Triangle>& first, const std::vector<Triangle>& 
   });
 }
 
-/// Returns the boundary of the slab between the two patches.
+/// Returns the boundary of the slab, the space between the two patches of a slit, as a closed mesh.
 Mesh slab_of(const ClosedSlit& slit) {
   Mesh slab;
   append(slab, slit.left_patch());
@@ -59,7 +59,8 @@ std::vector<Index> SlitClearance::near_vertices(const std::vector<Index>& loop) 
   return near;
 }
 
-// Returns the triangles of both patches, and the faces at the loop with moved vertices.
+// Returns the triangles of both patches, and the faces at the loop with the new positions of loop
+// vertices.
 std::vector<Triangle> SlitClearance::surface_of(const std::vector<Index>& loop,
                                                 const SlitSides& sides,
                                                 const ClosedSlit& slit) const {

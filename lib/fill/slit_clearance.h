@@ -1,10 +1,10 @@
-/// Decides whether a closed slit (twin_patches.h) meets no other part of the surface. The slab
-/// between its two patches becomes outside if a bridge is cut, and inside if a tunnel is closed. A
-/// cavity, another body or another handle that reaches into the slab would then be opened, joined
-/// or removed.
+/// Decides whether the two patches that close a slit (twin_patches.h) meet no other part of the
+/// surface. The slab is the space between both patches. It becomes outside if a bridge is cut, and
+/// inside if a tunnel is closed. If a cavity, another body or another handle reached into the slab,
+/// the cut would open, join or remove it.
 ///
-/// Faces within two rings of the loop are ignored: clean() resolves their intersections with the
-/// patches, and nothing else changes. Intersections are decided exactly. Cost: O(n) for the first
+/// Faces within two rings of the loop are ignored: clean() removes their intersections with the
+/// patches, which has no other effect. Intersections are decided exactly. Cost: O(n) for the first
 /// slit, then that of the faces near each slit. Deterministic.
 #pragma once
 
@@ -19,12 +19,14 @@ namespace transformesh {
 
 class SlitClearance {
  public:
-  /// Keeps references. Slits are tested against the present faces of the mesh.
+  /// Keeps references to both arguments. Slits are tested against the faces that the mesh has at
+  /// the first call of is_free().
   SlitClearance(const Mesh& mesh, const HalfedgeStars& stars) : mesh_(mesh), stars_(stars) {}
 
-  /// True if a slit meets neither the surface nor an earlier slit.
+  /// True if the patches and the slab of a slit meet neither the surface nor a recorded slit.
   bool is_free(const std::vector<Index>& loop, const SlitSides& sides, const ClosedSlit& slit);
-  /// Records a slit. Call before the mesh is slit.
+  /// Records a slit, against which later slits are tested. Call this before the mesh is cut open
+  /// along the loop.
   void take(const std::vector<Index>& loop, const SlitSides& sides, const ClosedSlit& slit);
 
  private:

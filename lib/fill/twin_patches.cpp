@@ -16,7 +16,8 @@ std::vector<Index> sorted_faces(const SlitSide& side) {
   return faces;
 }
 
-/// Returns the faces within two rings of the loop, except the faces on its right side.
+/// Returns the faces within two rings of the loop, except the faces at the loop on its right side.
+/// Hence the loop is the border of a hole in these faces.
 std::vector<Index> faces_on_left(const Mesh& mesh, const std::vector<Index>& loop,
                                  const SlitSides& sides, const HalfedgeStars& stars) {
   std::vector<Index> faces = faces_around(mesh, loop, [&](Index v, std::vector<Index>& all) {
@@ -27,7 +28,8 @@ std::vector<Index> faces_on_left(const Mesh& mesh, const std::vector<Index>& loo
   return faces;
 }
 
-/// True if an edge of the patch already exists on a side.
+/// True if an edge of the patch already exists on a side of the slit, as an edge between vertices
+/// that are not consecutive on the loop.
 bool has_chord(const HolePatch& patch, const SlitSides& sides) {
   const auto is_chord = [](const SlitSide& side, Index from, Index to) {
     const std::pair chord(from, to);
@@ -41,7 +43,8 @@ bool has_chord(const HolePatch& patch, const SlitSides& sides) {
   return false;
 }
 
-/// Replaces vertex indices of the neighborhood by vertex indices of the whole mesh.
+/// Replaces vertex indices of the neighborhood mesh by vertex indices of the whole mesh. The
+/// additional points of the patch follow the `vertices` vertices of the whole mesh.
 void rename(HolePatch& patch, const HoleNeighborhood& part, std::size_t vertices) {
   const auto known = static_cast<Index>(part.vertices.size());
   for (Face& face : patch.faces)
@@ -70,8 +73,8 @@ std::vector<Triangle> triangles_of(const std::vector<Face>& faces, const DrawnSi
   return triangles;
 }
 
-/// Moves the vertices of a loop and adds the inner vertices of the patch. Returns the indices of
-/// all these vertices.
+/// Moves the vertices of a loop, and adds the patch vertices that are not on the loop. Returns the
+/// indices of the loop vertices, followed by those of the added vertices.
 std::vector<Index> add_vertices(Mesh& mesh, std::vector<Index> loop, const HolePatch& patch,
                                 const DrawnSide& side) {
   std::vector<Index> all = loop;
@@ -135,7 +138,7 @@ void close_slit(Mesh& mesh, const std::vector<Index>& loop, const SlitSides& sid
   const std::vector<Index> left = add_vertices(mesh, loop, patch, slit.left);
   const std::vector<Index> right = add_vertices(mesh, std::move(copies), patch, slit.right);
   for (const auto& [a, b, c] : slit.faces) mesh.faces.push_back({left[a], left[b], left[c]});
-  // The right patch has the opposite orientation.
+  // The copy of the patch on the right side has the opposite orientation.
   for (const auto& [a, b, c] : slit.faces) mesh.faces.push_back({right[a], right[c], right[b]});
 }
 

@@ -13,13 +13,15 @@
 namespace transformesh {
 namespace {
 
-// A plane is triangulated inside a scaffold triangle whose corners reach 12 times the extent of the
-// coplanar faces. With this limit, the coordinates of the scaffold do not overflow.
+// Largest accepted coordinate. Coplanar faces are triangulated inside a large auxiliary triangle
+// (scaffold), whose corners are at about 12 times the extent of the faces. With this limit, the
+// coordinates of the scaffold do not overflow.
 constexpr double largest_coordinate = 1e306;
 constexpr std::size_t planes_per_task = 4;     ///< planes cut in one task; affects time only
 constexpr std::size_t planes_per_block = 512;  ///< planes joined in one task; affects time only
 
-// Adds the whole faces, and reserves room for all pieces and for all sources except copies.
+// Adds the faces without intersections as pieces. Reserves memory for all pieces, and for all
+// sources except copies (faces with the same three points as an earlier face).
 void add_whole_pieces(const WeldedMesh& welded, const Planes& planes,
                       const std::vector<PlaneCut>& cuts, const std::vector<char>& is_left_out,
                       Arrangement& result) {
@@ -56,8 +58,8 @@ class Copies {
     }
   }
 
-  /// Adds the copies of the sources at `begin` and after; sorts the sources from `begin` on by
-  /// face.
+  /// For each source at `begin` or later, appends the faces with the same three points as sources.
+  /// Then sorts the sources from `begin` on by face.
   void add(RawVector<PieceSource>& sources, std::size_t begin) const {
     if (next_.empty()) return;
     const std::size_t end = sources.size();
@@ -80,17 +82,19 @@ class Copies {
   }
 
   const WeldedMesh& welded_;
-  std::vector<Index> next_;  ///< index of the next copy of each face, or no_index; empty if none
+  /// Next face with the same three points as each face, or no_index; empty if there are no copies.
+  std::vector<Index> next_;
 };
 
-/// Pieces and sources of a block of planes. First sources are relative to these sources.
+/// Pieces and sources of a block of consecutive planes. Piece::first_source is an index in
+/// `sources` of this object.
 struct CutPieces {
   RawVector<Piece> pieces;
   RawVector<PieceSource> sources;
 };
 
-// Adds the sources of a facet: only open faces for an open piece, only closed faces for a closed
-// one.
+// Adds the sources (the faces that contain the facet) of a piece. An open piece gets only sources
+// that belong to open components, a closed piece gets only other sources.
 void add_sources(const WeldedMesh& welded, const PlaneCut& cut, std::size_t facet,
                  const Copies& copies, bool is_open, RawVector<PieceSource>& sources) {
   const std::size_t first = sources.size();
@@ -106,7 +110,8 @@ void add_sources(const WeldedMesh& welded, const PlaneCut& cut, std::size_t face
       sources.end());
 }
 
-// Reverses the orientation of a piece with these sources.
+// Reverses the orientation of a piece, and inverts the `reversed` flags of `sources`, which are its
+// sources.
 void reverse(Piece& piece, std::span<PieceSource> sources) {
   std::swap(piece.corners[1], piece.corners[2]);
   for (PieceSource& source : sources) source.reversed = !source.reversed;

@@ -1,9 +1,10 @@
 /// Exact arrangement of a mesh with itself (paper 3.2.3). Each face that takes part in an
 /// intersection is cut along all faces that it meets. Afterwards pieces meet only in equal corners
-/// and equal edges. Faces that take part in no intersection stay whole. Coplanar faces that meet
-/// are cut together, and share one piece where they overlap. The sources of a piece are the faces
-/// that cover it. Planes are cut independently of each other; `cut_plane.h` has the cost of one
-/// plane.
+/// and equal edges. Faces that take part in no intersection stay whole. A piece is a triangle of a
+/// cut face, or a whole face. Coplanar faces that meet are cut together, and share one piece where
+/// they overlap. The sources of a piece are the faces that contain it. A face, or a set of coplanar
+/// faces that meet, is called a plane. Planes are cut independently of each other; `cut_plane.h`
+/// has the cost of one plane.
 #pragma once
 
 #include <memory>
@@ -22,19 +23,22 @@ struct Piece {
   Face corners;        ///< corners of the piece, as indices of arrangement points
   Index first_source;  ///< index of the piece's first source in `Arrangement::sources`
   std::uint32_t source_count;
-  std::int32_t multiplicity;  ///< Number of sources minus number of reversed sources. The winding
-                              ///< number grows by this amount from front to back. Never negative; 0
-                              ///< if the sources cancel out.
-  bool is_open;               ///< true if all sources belong to open components; false if none does
-  /// Winding number of the closed part in front of the piece. Set by arrange_exterior(): for whole
-  /// pieces, and for all pieces if the mesh has open components.
+  /// Number of sources with the orientation of the piece minus the number of reversed ones. The
+  /// winding number grows by this amount from front to back. Never negative; 0 if the sources
+  /// cancel out.
+  std::int32_t multiplicity;
+  bool is_open;  ///< true if the sources belong to open components, false if to the closed part
+  /// Winding number of the closed part of the mesh (open/open_components.h) in front of the piece.
+  /// Only arrange_exterior() sets it: for whole faces, and for all pieces if the mesh has open
+  /// components.
   std::int32_t front;
 };
 
 struct Arrangement {
   std::shared_ptr<const WeldedMesh> welded;
-  std::vector<ExactPoint> cut_points;  ///< point `i` is `cut_points[i - welded->points.size()]`
-  RawVector<Piece> pieces;             ///< whole faces in mesh order, then the pieces of cut faces
+  /// Points that cutting created; the first has the index `welded->points.size()`.
+  std::vector<ExactPoint> cut_points;
+  RawVector<Piece> pieces;  ///< whole faces in mesh order, then the pieces of cut faces
   RawVector<PieceSource> sources;
   std::size_t whole_pieces = 0;
 
@@ -53,18 +57,18 @@ struct Arrangement {
   }
 };
 
-/// Reverses the orientation of a piece, and updates the `reversed` flags of its sources.
+/// Reverses the orientation of a piece, and inverts the `reversed` flags of its sources.
 void reverse_piece(Arrangement& arrangement, Piece& piece);
 
-/// Arranges the welded faces along `meetings`, the sorted meetings of all intersecting pairs.
-/// Copies of a face have no meetings and are cut with the first copy. Hence copies add to the
-/// number of sources, but not to the cutting work. Throws what refuse_overflow() throws. Parallel;
-/// deterministic for any number of threads.
+/// Cuts the welded faces along `meetings`, the sorted intersections of all pairs of faces. If
+/// several faces have the same three points (copies), only the first of them has meetings, and all
+/// are cut together with it. Hence copies add to the number of sources, but not to the cutting
+/// work. Throws what refuse_overflow() throws. Parallel; deterministic for any number of threads.
 Arrangement arrange(const std::shared_ptr<const WeldedMesh>& welded,
                     const std::vector<Meeting>& meetings, const Progress& progress);
 
-/// Joins the cut planes and the whole faces to one arrangement. Whole faces with a nonzero
-/// `is_left_out` entry are omitted.
+/// Joins the pieces of all planes and the faces without intersections to one arrangement. Faces
+/// without intersections are omitted if their `is_left_out` entry is nonzero.
 Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Planes& planes,
                       const std::vector<PlaneCut>& cuts, const std::vector<char>& is_left_out = {});
 

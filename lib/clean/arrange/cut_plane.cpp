@@ -9,12 +9,14 @@
 namespace transformesh {
 namespace {
 
-// Origin of a constraint: an edge of a coplanar face, or a face that intersects the plane.
+// Source of constraints of the triangulation: an edge of a face in the plane, or a face that
+// intersects the plane.
 struct Line {
   bool is_edge;
-  Index a;                        ///< start of the edge, or the intersecting face
-  Index b;                        ///< end of the edge
-  WindingJump jump{no_index, 0};  ///< winding jump across an intersecting face
+  Index a;  ///< start of the edge, or the intersecting face
+  Index b;  ///< end of the edge
+  /// Change of the winding number across the segment of an intersecting face.
+  WindingJump jump{no_index, 0};
 };
 
 struct Segment {
@@ -58,17 +60,18 @@ class PlaneCutter : public PlaneFacets {
   const WindingJumps* jumps_;  ///< null unless pieces are chosen by winding numbers
   ExactGeometry geometry_;
   PlaneProjection projection_;
-  /// The lines: three for the edges of each face, then one for each meeting.
+  /// Sources of constraints: three for the edges of each face, then one for each meeting.
   std::vector<Line> lines_;
   std::vector<Segment> segments_;
   std::vector<std::array<Index, 3>> corners_;  ///< triangulation points of the corners of each face
-  /// 1 for each face whose orientation is opposite to the first face's.
+  /// 1 for each face in the plane whose orientation is opposite to that of the first face.
   std::vector<char> is_reversed_;
   PlanarTriangulation triangulation_;
   DefinitionTable known_points_;
-  /// For each edge 1 + the index of the last coplanar face whose boundary contains the edge, or 0.
+  /// For each edge of a facet: 1 + the index in the plane of the last face whose boundary contains
+  /// the edge, or 0 if there is none.
   std::vector<Index> border_stamp_;
-  std::vector<Cover> covers_;  ///< faces that cover each facet
+  std::vector<Cover> covers_;  ///< faces that contain each facet
   std::array<Index, 3> corner_facets_{};
 };
 
@@ -138,7 +141,8 @@ bool PlaneCutter::insert_only_face() {
   return true;
 }
 
-// Returns the line of a face simplex in this plane if the simplex is an edge, otherwise no_index.
+// Returns the index in `lines_` of an edge of a face in this plane, or no_index if `simplex` is a
+// corner or the interior of the face.
 Index PlaneCutter::edge_line(Index face, FaceSimplex simplex) const {
   if (simplex < 3 || simplex == interior) return no_index;
   const auto& faces = plane_.faces;
@@ -181,7 +185,7 @@ void PlaneCutter::insert_meeting(const Meeting& meeting) {
                            triangulation_.point(ends[0]), triangulation_.point(ends[1]));
 }
 
-// Adds face `k` as a source to all facets inside its boundary.
+// Adds face `k` of the plane as a source to all facets inside the face.
 void PlaneCutter::flood(std::size_t k) {
   const std::array<Index, 3>& corner = corners_[k];
   const auto& facets = triangulation_.facets();
@@ -190,7 +194,8 @@ void PlaneCutter::flood(std::size_t k) {
   std::vector<Index> stack;
   for (std::size_t i = 0; i < 3; ++i) {
     const Index from = corner[i], to = corner[(i + 1) % 3];
-    // Orient the chain of edges such that the face is on its left.
+    // Find the triangulation edges along edge `i` of the face, in the direction in which the face
+    // is on their left.
     const auto line = static_cast<Index>(3 * k + i);
     for (const Index edge : reversed ? triangulation_.chain(to, from, {line, false})
                                      : triangulation_.chain(from, to, {line, true})) {
@@ -247,8 +252,9 @@ int PlaneCutter::jump(Index facet, Index i) const {
   return sum;
 }
 
-// A plane with several faces may contain the same segment of an intersecting face more than once;
-// each face counts once.
+// Returns the change of the winding number across edge `i` of a facet, if the plane has several
+// faces. Then the edge may be on several segments of the same intersecting face; each intersecting
+// face counts once.
 int PlaneCutter::step_of_faces(Index facet, Index i) const {
   std::vector<WindingJump> jumps;
   triangulation_.for_each_line(facet, i, [&](const auto& on) {
@@ -280,8 +286,8 @@ std::vector<char> PlaneCutter::all_covered() const {
   return chosen;
 }
 
-// Makes the chosen facets Delaunay before collecting them. Flips do not cross constraints, so the
-// sources stay valid.
+// Flips edges until the chosen facets are constrained Delaunay, and returns them. No constrained
+// edge is flipped, so `covers_` stays valid.
 PlaneCut PlaneCutter::collect(const std::vector<char>& chosen) {
   triangulation_.improve(chosen);
   auto [points, facets, numbers] = triangulation_.collect(chosen);

@@ -12,62 +12,72 @@
 
 namespace transformesh {
 
-/// A welded face that covers a piece.
+/// A welded face that contains a piece of an arrangement.
 struct PieceSource {
   Index face;
   bool reversed;  ///< true if the face and the piece have opposite orientations
 };
 
-/// Classification of a facet in a plane that contains open faces.
+/// Classification of a facet (triangle) in a plane that contains faces of open components.
 struct OpenFacet {
-  bool is_open;  ///< true if the facet is a piece of open faces; false if it bounds the closed part
+  /// True for a piece of open components, false for a piece of the closed part's boundary.
+  bool is_open;
   /// Winding number of the closed part in front of the piece; for an open piece, the larger of the
   /// winding numbers on both sides.
   int front;
 };
 
-/// The pieces of one plane. Their order does not depend on which other planes are cut. Points are
-/// numbered per plane.
+/// The pieces of one plane (a face, or coplanar faces that meet). Their order does not depend on
+/// which other planes are cut. Points are numbered separately in each plane.
 struct PlaneCut {
   std::vector<ExactPoint> points;
   std::vector<Face> facets;  ///< indices into `points`; oriented like the first face of the plane
-  /// Facet `i` has the sources [source_offsets[i], source_offsets[i + 1]).
+  /// The sources of facet `i` start at index `source_offsets[i]`, and end before index
+  /// `source_offsets[i + 1]`.
   std::vector<Index> source_offsets;
-  /// Sources of all facets, sorted by face within each facet. Only the first copy of a face is
-  /// listed.
+  /// Sources (the faces that contain a facet) of all facets, sorted by face for each facet. Of
+  /// several faces with the same three points, only the first is listed.
   std::vector<PieceSource> sources;
-  std::vector<Index> numbers;  ///< for each facet its index in `PlaneFacets`
+  /// For each facet its index in the `PlaneFacets` from which it was chosen.
+  std::vector<Index> numbers;
   /// Classification of each facet; empty if all faces are closed.
   std::vector<OpenFacet> open{};
 };
 
-/// All facets of the triangulation of a plane, among which a caller chooses pieces. The facets are
-/// oriented like the first face of the plane. They also cover the scaffold around the faces.
+/// All facets (triangles) of the triangulation of a plane, from which the caller chooses those that
+/// become pieces. The facets are oriented like the first face of the plane. They fill a large
+/// triangle around the faces (scaffold), so some facets are in no face.
 class PlaneFacets {
  public:
   virtual ~PlaneFacets() = default;
   virtual std::size_t size() const = 0;
-  virtual bool is_covered(Index facet) const = 0;  ///< true if at least one face covers the facet
-  /// Number of closed faces that cover the facet, including copies, minus the number of reversed
-  /// ones. The winding number grows by this amount from front to back.
+  /// True if the facet is inside at least one face.
+  virtual bool is_covered(Index facet) const = 0;
+  /// Number of faces of the closed part that contain the facet and have its orientation, minus the
+  /// number of those with the opposite orientation. Coincident faces count separately. The winding
+  /// number grows by this amount from front to back.
   virtual int multiplicity(Index facet) const = 0;
-  virtual bool has_open_face(Index facet) const = 0;  ///< true if an open face covers the facet
-  /// Returns the facet across edge `i`, or no_index outside the scaffold.
+  /// True if the facet is inside a face of an open component.
+  virtual bool has_open_face(Index facet) const = 0;
+  /// Returns the facet across edge `i`, or no_index if the edge is on the boundary of the
+  /// triangulation.
   virtual Index neighbor(Index facet, Index i) const = 0;
   /// Returns the change of the winding number in front of the plane across edge `i`, from `facet`
-  /// to its neighbor. Both facets must be covered.
+  /// to its neighbor. is_covered() must be true for both facets.
   virtual int jump(Index facet, Index i) const = 0;
   virtual std::array<ExactPoint, 3> corners(Index facet) const = 0;
-  /// Returns the facet of the first face of the plane at corner `i` of that face.
+  /// Returns the facet that is inside the first face of the plane, at corner `i` of this face.
   virtual Index facet_at_corner(Index i) const = 0;
 };
 
-/// Returns a nonzero entry for each facet that becomes a piece. Uncovered facets must stay 0.
+/// Function that returns a nonzero entry for each facet that becomes a piece. The entries of facets
+/// outside all faces must be 0.
 using ChooseFacets = std::function<std::vector<char>(const PlaneFacets&)>;
 
-/// Makes a piece of each covered facet.
+/// Cuts the faces of a plane along all intersections. Each facet inside a face becomes a piece.
 PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane);
-/// Makes a piece of each facet that `choose` marks.
+/// Cuts the faces of a plane along all intersections. The facets for which `choose` returns a
+/// nonzero entry become pieces.
 PlaneCut cut_plane(const WeldedMesh& welded, const Plane& plane, const WindingJumps& jumps,
                    const ChooseFacets& choose);
 

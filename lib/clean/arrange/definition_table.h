@@ -1,5 +1,6 @@
-/// Hash table that maps definitions of points to numbers, with open addressing. Tables of fewer
-/// than 24 entries are searched linearly.
+/// Hash table that maps points to numbers, with open addressing. The key is the definition of the
+/// point: the mesh vertices, edges and faces that determine it. Tables of fewer than 24 entries are
+/// searched linearly.
 #pragma once
 
 #include <bit>
@@ -38,7 +39,8 @@ class DefinitionTable {
   /// Tables with fewer entries are searched linearly; affects time only.
   static constexpr std::size_t few = 24;
 
-  /// Returns the slot of an equal definition, or the empty slot in which to insert the definition.
+  /// Returns the slot that refers to an equal definition, or the empty slot into which the
+  /// definition has to be inserted.
   std::size_t slot_of(const PointDefinition& definition) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = PointDefinitionHash()(definition) & mask;

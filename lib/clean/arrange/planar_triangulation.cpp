@@ -12,8 +12,8 @@
 namespace transformesh {
 namespace {
 
-// Returns the corners of a triangle around the box, at about 12 times its extent. The corners lie
-// in the plane up to rounding to doubles.
+// Returns the corners of a large triangle around the box (the scaffold), at about 12 times the
+// extent of the box. The corners are in the plane, up to rounding to doubles.
 std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec3& low,
                              const Vec3& high) {
   const Vec3 middle = low + (high - low) / 2;
@@ -49,8 +49,8 @@ PlanarTriangulation::PlanarTriangulation(const ExactGeometry& geometry, const Tr
 }
 
 bool PlanarTriangulation::begin_with_triangle(const std::array<ExactPoint, 3>& corners) {
-  // The scaffold is the triangle mirrored at its center and enlarged, so that each edge faces one
-  // scaffold corner.
+  // The scaffold (a large triangle around all points) is the triangle, mirrored at its center and
+  // enlarged. Hence one scaffold corner is opposite to each edge of the triangle.
   const Vec3 middle = corners[0].center / 3 + corners[1].center / 3 + corners[2].center / 3;
   const std::vector<ExactPoint> old_points = points_;
   // The corners of the scaffold are at this multiple of the distance of the triangle's corners from
@@ -84,8 +84,8 @@ bool PlanarTriangulation::begin_with_triangle(const std::array<ExactPoint, 3>& c
   return true;
 }
 
-// Returns the exact orientation of three points. If the floating-point filter fails, known common
-// lines avoid exact arithmetic.
+// Returns the exact orientation of three points. If the floating-point filter does not decide, but
+// a known line contains all three points, the result is 0 without exact arithmetic.
 int PlanarTriangulation::orientation(Index a, Index b, Index c) const {
   const int sign = ExactGeometry::quick_orient2d(points_[a], points_[b], points_[c], projection_);
   if (sign != 0) return sign;
@@ -93,7 +93,8 @@ int PlanarTriangulation::orientation(Index a, Index b, Index c) const {
   return geometry_.orient2d(points_[a], points_[b], points_[c], projection_);
 }
 
-// Returns the orientation of a segment and a point. Both ends of the segment must lie on its line.
+// Returns the side of a segment on which a point is: +1 for left, -1 for right, 0 for the line
+// through the segment. Both ends of the segment must be on line `s.line`.
 int PlanarTriangulation::side_of(const Segment& s, Index point) const {
   const int sign =
       ExactGeometry::quick_orient2d(points_[s.from], points_[s.to], points_[point], projection_);
@@ -138,8 +139,9 @@ void PlanarTriangulation::add_line(Index point, Index line) {
   if (at == lines.end() || *at != line) lines.insert(at, line);
 }
 
-// Moves from facet to facet towards the point. This may lead in a circle if the triangulation is
-// not Delaunay; after 3 n + 10 steps all n facets are tested instead.
+// Finds the facet that contains a point, by moving from facet to facet towards the point. If the
+// triangulation is not Delaunay, this may return to an earlier facet again and again. Therefore all
+// n facets are tested one by one after 3 n + 10 steps.
 PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& point,
                                                           std::span<const Index> lines) const {
   const auto side_of = [&](Index a, Index b) {
@@ -190,14 +192,16 @@ Index PlanarTriangulation::insert(const ExactPoint& point, std::span<const Index
     }
     legalize(index);
   } else if (point.definition.kind == ExactPoint::Kind::given) {
-    // Prefer the definition as a mesh vertex, which is the same in all planes.
+    // An equal point exists. Replace its definition by the mesh vertex, because a vertex has the
+    // same definition in all planes.
     points_[index] = point;
   }
   for (const Index line : lines) add_line(index, line);
   return index;
 }
 
-// Writes a facet, and updates the references of its neighbors and points to it.
+// Writes the data of a facet. Also updates `next` of the neighbors of the facet and `facet_of_` of
+// its corners.
 void PlanarTriangulation::set_facet(Index facet, const std::array<Index, 3>& v,
                                     const std::array<Index, 3>& next,
                                     const std::array<Index, 3>& line) {
@@ -275,8 +279,8 @@ Index PlanarTriangulation::target(Index edge) const {
   return facets_[edge / 3].v[next_corner(edge % 3)];
 }
 
-// Returns the first accepted edge that leaves the point, in order around the point, or no_index.
-// The point must not be a corner of the scaffold.
+// Visits the edges that start at the point, in order around the point. Returns the first edge for
+// which `accept` returns true, or no_index. The point must not be a corner of the scaffold.
 template <class Accept>
 Index PlanarTriangulation::find_edge_from(Index point, const Accept& accept) const {
   const Index start = facet_of_[point];
@@ -319,8 +323,10 @@ bool PlanarTriangulation::is_convex(Index edge) const {
   return orientation(a, d, c) > 0 && orientation(b, c, d) > 0;
 }
 
-// True if the edge is unconstrained and the other diagonal is better. If `breaks_ties` is set, the
-// exact test decides, and ties go to the diagonal at the point with the least defining vertices.
+// True if the edge is unconstrained, and the other diagonal of its two facets is better by the
+// Delaunay criterion. If `breaks_ties` is set, an exact test decides if the floating-point test
+// does not. If both diagonals are equally good, the one at the point whose definition has the least
+// mesh vertices (in lexicographical order) is better.
 bool PlanarTriangulation::wants_flip(Index edge, bool breaks_ties) const {
   const Facet& facet = facets_[edge / 3];
   if (facet.line[edge % 3] != no_index || facet.next[edge % 3] == no_index) return false;
@@ -340,8 +346,9 @@ bool PlanarTriangulation::wants_flip(Index edge, bool breaks_ties) const {
   return is_convex(edge);
 }
 
-// Flips edges around a new point until its star is Delaunay. The test uses floating point and may
-// ask for a flip and for its reverse; therefore the number of flips is limited.
+// Flips edges opposite to a new point until the facets at this point are Delaunay. The
+// floating-point test may undo its own flips because of rounding errors; therefore the number of
+// flips is limited.
 void PlanarTriangulation::legalize(Index p) {
   std::vector<Index> stack;
   const auto push_star = [&](Index facet) {
@@ -406,7 +413,8 @@ void PlanarTriangulation::constrain(Index from, Index to, Index line) {
   while (from != to) from = step_along({from, to, line});
 }
 
-// Constrains the part of the segment from its start to the next point on it. Returns that point.
+// Makes the part of the segment from its start to the next point on it a constrained edge. Returns
+// this next point.
 Index PlanarTriangulation::step_along(const Segment& s) {
   bool is_along = false;
   const Index edge = find_edge_from(s.from, [&](Index e) {
@@ -441,8 +449,8 @@ Index PlanarTriangulation::march(Index edge, const Segment& s) {
     const Index apex = facets_[back / 3].v[previous_corner(back % 3)];
     const int side = apex == s.to ? 0 : side_of(s, apex);
     if (side == 0) end = apex;
-    // If the apex is to the left of the segment, the segment leaves the facet to the right of the
-    // apex.
+    // If the apex is to the left of the segment, the segment leaves the facet through the edge to
+    // the right of the apex. Otherwise it leaves through the edge to the left.
     edge = side > 0 ? next_edge(back) : previous_edge(back);
   }
   clear_way(std::move(crossed), {s.from, end, s.line});
@@ -450,8 +458,9 @@ Index PlanarTriangulation::march(Index edge, const Segment& s) {
   return end;
 }
 
-// Flips crossed edges until no edge crosses the segment; then the segment is an edge (Sloan 1993).
-// Edges of non-convex quadrilaterals return to the end of the queue.
+// Flips the edges in `crossed` until no edge crosses the segment; then the segment is an edge
+// (Sloan 1993). An edge whose two facets form a non-convex quadrilateral cannot be flipped, and is
+// appended to the queue again.
 void PlanarTriangulation::clear_way(std::vector<std::array<Index, 2>> crossed, const Segment& s) {
   std::deque<std::array<Index, 2>> queue(crossed.begin(), crossed.end());
   while (!queue.empty()) {

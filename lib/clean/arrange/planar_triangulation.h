@@ -1,13 +1,14 @@
 /// Constrained triangulation of exact points in one plane, inside a large scaffold triangle (the
-/// constrained 2D Delaunay triangulation of paper 3.2.3). Constraints may intersect each other and
-/// pass through points. An intersection of two constraints becomes a point, which the caller
-/// computes from the definitions of both lines. All orientation tests are exact.
+/// constrained 2D Delaunay triangulation of paper 3.2.3). Facets are the triangles. A constraint is
+/// a segment of a line, and has the number of this line. Constraints may intersect each other and
+/// pass through points. An intersection of two constraints becomes a point, which a function of the
+/// caller computes from the numbers of both lines. All orientation tests are exact.
 ///
 /// Constraints are inserted by edge flips as in Sloan, "A fast algorithm for generating constrained
 /// Delaunay triangulations", Computers & Structures 1993. Unlike Sloan's algorithm, this one splits
 /// constraints that intersect.
 ///
-/// Cost: in the worst case, O(k) per inserted point if the triangulation has k facets.
+/// Cost per inserted point in a triangulation of k facets: O(k) in the worst case.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -24,42 +25,47 @@ class PlanarTriangulation {
   struct Facet {
     std::array<Index, 3> v;     ///< corners, counter-clockwise in the projection
     std::array<Index, 3> next;  ///< facet across the edge from v[i] to v[i + 1], or no_index
-    std::array<Index, 3> line;  ///< list of the constraints on the edge from v[i], or no_index
+    /// Number of the list of the constraints on the edge from v[i] to v[i + 1], or no_index.
+    std::array<Index, 3> line;
   };
-  /// A constraint on an edge. `is_along` is true if the edge has the direction of the constraint.
+  /// A constraint on an edge of a facet. `is_along` is true if the edge has the direction of the
+  /// constraint.
   struct OnEdge {
     Index line;
     bool is_along;
     bool operator==(const OnEdge&) const = default;
   };
-  /// Computes the intersection of two constraint lines.
+  /// Function that computes the intersection of two lines, given by their numbers.
   using Crossing = std::function<ExactPoint(Index first_line, Index second_line)>;
 
-  /// `plane` is a triangle in the plane. The box [low, high] must contain all points.
+  /// Starts with a large triangle around all points (scaffold). `plane` is a triangle in the plane.
+  /// The box from `low` to `high` must contain all points that are inserted.
   PlanarTriangulation(const ExactGeometry& geometry, const Triangle& plane, const Vec3& low,
                       const Vec3& high, Crossing crossing);
 
-  /// Starts with the triangle of the plane. For planes in which no other triangle is cut. Must be
-  /// called before any insertion. The corners become points 3, 4 and 5; the edges become lines 0, 1
-  /// and 2. Returns false and changes nothing if the scaffold around the triangle cannot be
-  /// represented in doubles.
+  /// Inserts a triangle with its edges as constraints. Faster than insert() and constrain(), and
+  /// only for planes in which a single triangle is cut. Must be called before any insertion. The
+  /// corners become points 3, 4 and 5; the edges become lines 0, 1 and 2. Returns false and changes
+  /// nothing if the scaffold around the triangle cannot be represented in doubles.
   bool begin_with_triangle(const std::array<ExactPoint, 3>& corners);
-  /// Inserts a point that is on the given lines. Returns its index, or the index of an equal point.
+  /// Inserts a point; `lines` are known lines through this point. Returns its index, or the index
+  /// of an equal point that was inserted before.
   Index insert(const ExactPoint& point, std::span<const Index> lines);
   Index insert(const ExactPoint& point, std::initializer_list<Index> lines) {
     return insert(point, std::span<const Index>(lines.begin(), lines.size()));
   }
-  /// Records further lines that contain a point.
+  /// Records that further lines contain a point.
   void add_lines(Index point, std::span<const Index> lines) {
     for (const Index line : lines) add_line(point, line);
   }
-  /// Makes the segment a chain of constrained edges. Both end points must lie on the line.
+  /// Inserts the segment between two points as a constraint, which becomes a chain of edges. Both
+  /// points must be on line `line`.
   void constrain(Index from, Index to, Index line);
-  /// Flips unconstrained edges until the triangulation is constrained Delaunay. If both diagonals
-  /// are equally good, the diagonal at the point with the least defining vertices stays. Hence the
-  /// result depends neither on other insertions nor on the order of the faces. If `marked` is not
-  /// empty, only edges of marked facets are flipped; constraints must separate marked from unmarked
-  /// facets.
+  /// Flips unconstrained edges until the triangulation is constrained Delaunay. If all four points
+  /// are on a circle, the diagonal at the point whose definition has the least mesh vertices (in
+  /// lexicographical order) is used. Hence the result depends neither on other insertions nor on
+  /// the order of the faces. If `marked` is not empty, only edges of marked facets are flipped;
+  /// constraints must separate marked from unmarked facets.
   void improve(const std::vector<char>& marked = {});
   /// Calls `visit` for each constraint on an edge of a facet.
   template <class Visit>
@@ -70,15 +76,19 @@ class PlanarTriangulation {
       visit(OnEdge{lists_[at / 2].line, is_along});
     }
   }
-  /// Returns the edges (3 * facet + i) from one point to another along a constraint, or against its
-  /// direction.
+  /// Returns the edges (3 * facet + i) from one point to another along a constraint. `along` has
+  /// the line of the constraint, and tells whether the edges have its direction.
   std::vector<Index> chain(Index from, Index to, OnEdge along) const;
-  /// The marked facets, sorted by the definitions of their points.
+  /// Selected facets with their points. The definition of a point is the set of mesh vertices,
+  /// edges and faces that determine it. The facets are sorted by these definitions, so their order
+  /// does not depend on the order of insertions.
   struct Collection {
-    std::vector<ExactPoint> points;  ///< points in the order in which `facets` refers to them
-    /// Corners of the facets; each facet starts with its least corner.
+    /// Points, in the order in which `facets` first refers to them.
+    std::vector<ExactPoint> points;
+    /// Corners of the facets, as indices in `points`. Each facet starts with the corner whose
+    /// definition is least.
     std::vector<Face> facets;
-    std::vector<Index> numbers;  ///< index of each facet in facets()
+    std::vector<Index> numbers;  ///< for each facet its index in PlanarTriangulation::facets()
   };
   Collection collect(const std::vector<char>& marked) const;
 
@@ -87,7 +97,8 @@ class PlanarTriangulation {
   std::size_t point_count() const { return points_.size(); }
   /// Returns the first point of an edge (3 * facet + i).
   Index source(Index edge) const { return facets_[edge / 3].v[edge % 3]; }
-  /// Number of leading points that are corners of the scaffold.
+  /// Number of scaffold corners (corners of the large triangle around all points). They are the
+  /// first points.
   static constexpr Index scaffold_points = 3;
 
  private:
@@ -97,16 +108,17 @@ class PlanarTriangulation {
   };
   struct Location {
     Index facet;
-    /// Orientation of the point with each edge: 0 if the point is on the edge; two zeros if it is a
-    /// corner.
+    /// Orientation of the located point relative to each edge of the facet: 0 if the point is on
+    /// the edge. Two entries are 0 if the point is a corner.
     std::array<int, 3> side;
   };
-  /// Linked list of the constraints on an edge. The parts of a split edge share one list. List `i`
-  /// has the number 2 i for the edge direction and 2 i + 1 for the opposite direction.
+  /// Node of a linked list of the constraints on an edge. The parts of a split edge share one list.
+  /// Node `i` has the number 2 i if the edge has the direction of the constraint, and 2 i + 1 if it
+  /// has the opposite direction.
   struct ListOnEdge {
     Index line;
-    Index rest;    ///< number of the list of the remaining constraints, or no_index
-    Index oldest;  ///< the line that was added to the list first
+    Index rest;    ///< number of the next node of the list, or no_index
+    Index oldest;  ///< the first line that was inserted as a constraint on this edge
   };
 
   int orientation(Index a, Index b, Index c) const;
@@ -144,7 +156,7 @@ class PlanarTriangulation {
   Crossing crossing_;
   std::vector<ExactPoint> points_;
   std::vector<Lines> lines_;     ///< lines through each point, ascending
-  std::vector<Index> facet_of_;  ///< one facet at each point
+  std::vector<Index> facet_of_;  ///< for each point a facet of which it is a corner
   std::vector<Facet> facets_;
   std::vector<ListOnEdge> lists_;
 };

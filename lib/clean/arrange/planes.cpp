@@ -9,8 +9,9 @@
 namespace transformesh {
 namespace {
 
-/// Groups items by bucket (counting sort). `for_each` must call its argument with each bucket and
-/// item, in the same order at both calls.
+/// Groups items by bucket (counting sort). `for_each` must call its argument with the bucket and
+/// the value of each item. This function calls `for_each` twice; the order of items must be the
+/// same.
 template <class Item, class ForEach>
 void file(std::size_t buckets, const ForEach& for_each, std::vector<Index>& offsets,
           std::vector<Item>& items) {
@@ -32,7 +33,8 @@ Planes::Planes(const WeldedMesh& welded, const std::vector<Meeting>& meetings)
   file_meetings();
 }
 
-// Lists the faces that are cut, ascending: those with meetings or copies.
+// Lists the faces that are cut, ascending: faces that intersect another face, and faces with the
+// same three points as another face.
 void Planes::find_cut_faces(const WeldedMesh& welded) {
   std::vector<char> is_cut(welded.faces.size(), 0);
   for (const Meeting& meeting : all_meetings_) is_cut[meeting.first] = is_cut[meeting.second] = 1;
@@ -44,8 +46,8 @@ void Planes::find_cut_faces(const WeldedMesh& welded) {
       NumberedSelection(is_cut.size(), [&](std::size_t f) { return is_cut[f] != 0; }).list();
 }
 
-// The root of each set is its least face; hence planes are numbered in the order of their first
-// faces.
+// Numbers the sets of coplanar faces that meet. The root of each set is its least face; hence
+// planes are numbered in the order of their first faces.
 void Planes::number_planes(const WeldedMesh& welded) {
   std::optional<DisjointSets> sets;
   for (const Meeting& meeting : all_meetings_) {

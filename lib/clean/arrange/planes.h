@@ -12,8 +12,10 @@ namespace transformesh {
 
 /// Faces that are cut together, usually a single face.
 struct Plane {
-  std::span<const Index> faces;              ///< ascending; only the first copy of each face
-  std::span<const Meeting* const> meetings;  ///< meetings of these faces with faces in other planes
+  /// Ascending; of several faces with the same three points only the first.
+  std::span<const Index> faces;
+  /// Intersections of these faces with faces of other planes.
+  std::span<const Meeting* const> meetings;
 };
 
 class Planes {
@@ -29,7 +31,8 @@ class Planes {
             {meetings_.data() + meeting_offsets_[plane],
              meetings_.data() + meeting_offsets_[plane + 1]}};
   }
-  /// Returns the plane of a face, or no_index if the face stays whole.
+  /// Returns the index of the plane of a face, or no_index if the face has no intersections and
+  /// stays whole.
   Index plane_of(Index face) const { return plane_of_[face]; }
   bool is_whole(Index face) const { return plane_of_[face] == no_index; }
   std::size_t whole_faces() const { return plane_of_.size() - cut_faces_.size(); }
@@ -42,7 +45,7 @@ class Planes {
 
   const std::vector<Meeting>& all_meetings_;
   std::vector<Index> plane_of_;
-  RawVector<Index> cut_faces_;  ///< ascending
+  RawVector<Index> cut_faces_;  ///< faces that are cut, ascending
   std::size_t count_ = 0;
   std::vector<Index> face_offsets_, faces_;
   std::vector<Index> meeting_offsets_;

@@ -39,8 +39,9 @@ class Refiner {
     face_rows_.push_back(mesh_face);
   }
 
-  // Returns the vertex at a corner of a piece. A corner of the face itself keeps the vertex of that
-  // face, even if other vertices have the same position.
+  // Returns the vertex for a corner of a piece of `mesh_face`. If the corner of the piece is a
+  // corner of the face, returns the vertex of this face, even if other vertices have the same
+  // position.
   Index vertex(Index point, Index mesh_face) {
     const WeldedMesh& welded = *arrangement_.welded;
     if (point < welded.points.size()) {
@@ -68,7 +69,7 @@ class Refiner {
 
   const Mesh& mesh_;
   const Arrangement& arrangement_;
-  std::vector<Index> new_vertex_;  ///< vertex of each cut point, or no_index
+  std::vector<Index> new_vertex_;  ///< vertex of each point that cutting created, or no_index
   std::vector<Index> face_rows_;
   Mesh result_;
 };

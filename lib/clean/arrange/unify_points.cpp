@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Distinct definitions with their points, numbered in order of appearance.
+/// Points with distinct definitions (the mesh vertices, edges and faces that determine a point),
+/// numbered in order of appearance.
 class DefinedPoints {
  public:
   Index number(const ExactPoint& point) {

@@ -14,8 +14,8 @@ bool has_same_direction(const Face& face, const Face& copy) {
   return copy[(at + 1) % 3] == face[1];
 }
 
-// Returns the sign of `to` minus `from` in one coordinate in which the points differ, or 0. Stores
-// the index of that coordinate.
+// Finds a coordinate in which two points differ, and stores its index in `coordinate`. Returns the
+// sign of `to` minus `from` in this coordinate, or 0 if the points are equal.
 int direction(const ExactGeometry& geometry, const ExactPoint& from, const ExactPoint& to,
               int& coordinate) {
   (to.center - from.center).cwiseAbs().maxCoeff(&coordinate);
@@ -74,8 +74,9 @@ void WindingJumps::count_copies() {
   if (count_once) multiplicities_.clear();
 }
 
-// Let n be the normal of the plane and m that of the other face. Then n x m is parallel to the
-// segment. Points to the left of n x m are behind the other face.
+// Let n be the normal of the face beside which the jump is measured, and m the normal of the other
+// face. Then n x m is parallel to the segment. Points to the left of n x m are behind the other
+// face.
 WindingJump WindingJumps::over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
                                        const ExactPoint& from, const ExactPoint& to) const {
   const Contacts& contacts = meeting.contacts;

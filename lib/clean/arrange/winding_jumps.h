@@ -1,6 +1,7 @@
-/// Changes of the winding number w in front of a plane. In front of a plane, w is constant except
-/// across segments at which other faces meet the plane from the front (paper 3.2.2). Faces of open
-/// components do not change w: w is the winding number of the closed part. Exact; deterministic.
+/// Changes of the winding number w just in front of a plane. There, w is constant except across
+/// segments in which other faces intersect or touch the plane from its front side (paper 3.2.2).
+/// Faces of open components do not change w: w is the winding number of the closed part. Exact;
+/// deterministic.
 #pragma once
 
 #include <utility>
@@ -14,7 +15,7 @@ namespace transformesh {
 /// The change of the winding number w in front of a plane, from left to right of the segment in
 /// which a face meets the plane.
 struct WindingJump {
-  Index face;  ///< the first copy of the face that meets the plane
+  Index face;  ///< the face that meets the plane; the first of several with the same three points
   int jump;
 };
 
@@ -23,20 +24,24 @@ class WindingJumps {
   /// Keeps references to both arguments.
   WindingJumps(const WeldedMesh& welded, const Planes& planes);
 
-  /// Number of closed copies of a face minus the number of reversed ones.
+  /// Returns the multiplicity of a face: by how much the winding number grows from its front to its
+  /// back. The closed faces with the same three points count +1, or -1 if their orientation is
+  /// opposite.
   int multiplicity(Index face) const { return multiplicities_.empty() ? 1 : multiplicities_[face]; }
-  /// True if a copy of the face is open.
+  /// True if a face with the same three points, or the face itself, belongs to an open component.
   bool has_open_copy(Index face) const {
     return !has_open_copy_.empty() && has_open_copy_[face] != 0;
   }
 
-  /// Returns the jump across [from, to], the common segment of two faces. The jump is in front of
-  /// the first face if `seen_from_first`, else in front of the second face. It is behind this face
-  /// if `reversed`.
+  /// Returns the jump of the winding number across the segment from `from` to `to`, which is the
+  /// intersection of two faces. The jump is measured beside one of these faces: the first face of
+  /// `meeting` if `seen_from_first` is true, otherwise the second face. It is measured just in
+  /// front of this face if `reversed` is false, otherwise just behind it.
   WindingJump over_segment(const Meeting& meeting, bool seen_from_first, bool reversed,
                            const ExactPoint& from, const ExactPoint& to) const;
-  /// Appends the jumps across edge `i` of `face`, in the direction of that edge. `plane` is a face
-  /// in the plane. Only faces at the edge that are in front of the plane contribute.
+  /// Appends the jumps across edge `i` of `face`, from the left to the right of the edge. They are
+  /// measured just in front of the plane of the face with index `plane`. Only faces at the edge
+  /// that are in front of this plane contribute.
   void over_edge(Index face, Index i, Index plane, std::vector<WindingJump>& jumps) const;
 
  private:
@@ -44,13 +49,16 @@ class WindingJumps {
   const Planes& planes_;
   void list_singular_edges();
   void count_copies();
-  /// Calls visit(halfedge) for the halfedges of the edge of a halfedge, ascending.
+  /// Calls visit(h) for all halfedges of the edge to which `halfedge` belongs, ascending.
   template <class Visit>
   void for_each_at_edge(Index halfedge, const Visit& visit) const;
 
-  std::vector<int> multiplicities_;  ///< multiplicity of each first copy; empty if all are 1
-  std::vector<char> has_open_copy_;  ///< one for each first copy; empty if all faces are closed
-  /// Each halfedge without an opposite, with its edge; ascending.
+  /// Multiplicity(face) of each face that is the first with its three points; empty if all are 1.
+  std::vector<int> multiplicities_;
+  /// Has_open_copy(face) of each face that is the first with its three points; empty if no face is
+  /// open.
+  std::vector<char> has_open_copy_;
+  /// Pairs of a halfedge without an opposite and its edge, ascending.
   std::vector<std::pair<Index, Index>> singular_edge_of_;
 };
 

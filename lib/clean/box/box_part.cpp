@@ -31,8 +31,9 @@ BoxPart::BoxPart(const Mesh& mesh, const Region& region, const std::vector<bool>
       progress_(progress),
       grid_(region.cell_size) {}
 
-// Finds the complete faces and the part of the mesh to arrange. The part also contains the faces
-// that touch `own_box_`, because paths between own faces are in this box.
+// Finds the complete faces (of which all pieces are needed) and the part of the mesh to arrange.
+// The part also contains all faces that touch `own_box_`, because the paths from the reference
+// point to own faces are in this box.
 void BoxPart::find_complete() {
   own_box_ = with_margin(first_vertices(mesh_, is_own_), options_.coordinate);
   const std::vector<bool> is_between = faces_near(mesh_, own_box_);
@@ -57,8 +58,8 @@ void BoxPart::find_complete() {
   if (has_added && !region_.is_whole) check_held();
 }
 
-// Completes planes: all faces that are cut together must be complete. Returns true if faces were
-// added.
+// Adds faces to the complete faces: if one of several coplanar faces that are cut together is
+// complete, all of them must be. Returns true if faces were added.
 bool BoxPart::complete_planes() {
   const Planes planes(*welded_, meetings_);
   std::vector<char> is_wanted(planes.size(), 0);
@@ -76,9 +77,9 @@ bool BoxPart::complete_planes() {
   return has_more;
 }
 
-// Throws GoalError unless the mesh contains all faces around the complete ones. The mesh always
-// contains the faces around the first two rings. Planes may add other complete faces; the region
-// must hold the cells around these.
+// Throws GoalError if the loaded part of the mesh lacks faces around complete faces. The part
+// always contains the faces around the first two rings. complete_planes() may have added complete
+// faces beyond them. The box `region_.held` must contain the grid cells around these faces.
 void BoxPart::check_held() const {
   FacesAround around(mesh_, is_own_, grid_, options_.coordinate);
   for (int ring = 0; ring < rings_of_complete; ++ring) around.grow();

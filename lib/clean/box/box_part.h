@@ -1,7 +1,7 @@
 /// Cuts and rounds the faces of a box as clean() of the whole mesh does, but reads only the faces
-/// around them. How a face is rounded depends on the pieces of neighboring faces. These pieces
-/// depend on all faces that intersect the neighbors, and on the faces coplanar with those faces.
-/// Cost: O(n) to select faces, and that of cleaning the selected faces.
+/// around them. The rounding of a face depends on the pieces of its neighbors. These pieces depend
+/// on all faces that intersect the neighbors, and on further faces in the planes of the
+/// intersecting faces. Cost: O(n) to select faces, and that of cleaning the selected faces.
 #pragma once
 
 #include <memory>
@@ -17,24 +17,26 @@
 
 namespace transformesh {
 
-/// A mesh that is the whole mesh or a part of it, with its relation to the whole mesh.
+/// Describes whether the loaded mesh is the whole mesh or a part of it, and which part.
 struct Region {
   bool is_whole = true;
-  Box held;  ///< the mesh contains every face of the whole mesh that touches this box
+  Box held;  ///< the loaded mesh contains every face of the whole mesh that touches this box
   ReferencePoint reference;  ///< a point in `held`, with its winding number
-  double cell_size = 1;      ///< cell size; the mesh contains four rings of faces, by cells of this
-                             ///< size, around own faces
+  /// Width of the grid cells that define rings of faces: the next ring contains the faces that
+  /// share a cell with the previous ones. The loaded mesh contains four rings around the own faces.
+  double cell_size = 1;
 };
 
-/// Number of rings around own faces of which all pieces are needed. The first ring are the
-/// neighbors of own faces; the second ring affects rounding.
+/// Number of rings of faces around own faces (the faces to clean) of which all pieces are needed.
+/// The first ring contains the neighbors of own faces; the second ring affects rounding. Own faces
+/// and these rings are called complete faces.
 inline constexpr int rings_of_complete = 2;
-/// Number of rings around complete faces. The first ring are the faces that meet complete faces;
-/// the second ring determines their planes.
+/// Number of further rings around complete faces. The first of them contains the faces that meet
+/// complete faces; the second determines with which coplanar faces they are cut.
 inline constexpr int rings_around_complete = 2;
 
-/// Returns the region of a whole closed mesh: all of space, with a reference point outside the
-/// mesh.
+/// Returns the description of a whole closed mesh: `held` is all of space, and the reference point
+/// is outside the mesh.
 Region whole_region(const Mesh& mesh);
 
 class BoxPart {
@@ -43,8 +45,8 @@ class BoxPart {
   BoxPart(const Mesh& mesh, const Region& region, const std::vector<bool>& is_own,
           const CleanOptions& options, const Progress& progress);
 
-  /// Returns the pieces of own faces, and of some other faces. Returns nothing if rounding breaks
-  /// faces. Throws GoalError if faces outside the region are needed.
+  /// Returns the pieces of own faces, and of some other faces. Returns nothing if faces intersect
+  /// or have no area after rounding. Throws GoalError if faces outside the region are needed.
   std::optional<CleanedFaces> clean(CleanResult& counts);
 
  private:
@@ -61,9 +63,10 @@ class BoxPart {
   const CleanOptions& options_;
   const Progress& progress_;
   CellGrid grid_;
-  std::vector<bool> is_complete_;  ///< true for each complete face of the mesh
-  CellMarks covered_;              ///< cells of the complete faces and of the rings around them
-  Box own_box_;  ///< bounding box of the first vertices of own faces, with a margin
+  /// True for each face of the mesh of which all pieces are needed.
+  std::vector<bool> is_complete_;
+  CellMarks covered_;  ///< grid cells of the complete faces and of the first ring around them
+  Box own_box_;        ///< bounding box of the first corners of own faces, with a margin
   BoxSubmesh part_;
   std::shared_ptr<const WeldedMesh> welded_;
   std::vector<Meeting> meetings_;

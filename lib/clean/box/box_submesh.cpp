@@ -8,8 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Bits of the hash set per face. With more bits, fewer positions that were not added are found by
-/// mistake.
+/// Size of the hash set in bits, divided by the number of faces whose vertices are added. With more
+/// bits, fewer positions that were not added are reported as contained.
 constexpr std::size_t bits_per_position = 64;
 
 std::uint64_t mixed(std::uint64_t h) {
@@ -22,11 +22,12 @@ std::uint64_t mixed(std::uint64_t h) {
 std::uint64_t hash_of(const Vec3& p) {
   std::uint64_t h = 0x9e3779b97f4a7c15ULL;
   for (int i = 0; i < 3; ++i)
-    h = mixed(h ^ std::bit_cast<std::uint64_t>(p[i] + 0.0));  // the sum turns -0 into 0
+    h = mixed(h ^ std::bit_cast<std::uint64_t>(p[i] + 0.0));  // adding 0 turns -0 into 0
   return h;
 }
 
-/// Approximate set of positions by hashes: contains all added positions, and rarely others.
+/// Approximate set of positions, stored as bits at their hashes. A test for an added position is
+/// always true; a test for another position is rarely true.
 class RoughPositions {
  public:
   explicit RoughPositions(std::size_t count)

@@ -19,7 +19,8 @@ Box box_around(const Mesh& mesh, const std::vector<bool>& faces);
 /// Returns the bounding box of the first vertices of the marked faces.
 Box first_vertices(const Mesh& mesh, const std::vector<bool>& faces);
 
-/// Returns 64 spacings of coordinates in the box. Rounding moves vertices by less.
+/// Returns 64 times the spacing of floating-point numbers at the largest coordinate in the box.
+/// Rounding moves vertices by less.
 double margin_around(const Box& box, Scalar coordinate);
 Box with_margin(const Box& box, Scalar coordinate);
 
@@ -32,13 +33,14 @@ struct BoxSubmesh {
   std::vector<Index> face_of;  ///< index of each face in the whole mesh
 };
 
-/// Returns the marked faces as a mesh. Vertices at the same position as a used vertex are included
-/// even if they are unused. Hence the first vertex at each position is the same as in the whole
-/// mesh. Order and columns do not change.
+/// Returns the marked faces as a mesh. Its vertices are the corners of the marked faces, and all
+/// other vertices at the same positions. Hence the first vertex at each position is the same as in
+/// the whole mesh. The order of vertices and faces, and their columns, do not change.
 BoxSubmesh take_submesh(const Mesh& mesh, const std::vector<bool>& faces);
 
-/// Hashes of the faces of a mesh by position, accumulated face by face. The probability that two
-/// different meshes have equal hashes, or that an open mesh passes as closed, is 2^-64.
+/// Two hashes of a mesh, computed face by face from the positions of the corners: one tells whether
+/// the mesh is closed, the other identifies the mesh. The probability that two different meshes
+/// have equal hashes, or that an open mesh passes as closed, is 2^-64.
 class FaceSums {
  public:
   void add(const Triangle& triangle);

@@ -1,6 +1,6 @@
-/// Grows a set of faces ring by ring. A ring contains all faces that are as close to a face of the
-/// set as rounding could move a vertex. It may contain other faces that share a grid cell with the
-/// set. Deterministic. Cost: O(n) per ring, and 64 bytes per cell of the faces.
+/// Grows a set of faces ring by ring. A ring contains all faces that may meet a face of the set
+/// after rounding moved their vertices. It may also contain other faces that share a grid cell with
+/// a face of the set. Deterministic. Cost: O(n) per ring, and 64 bytes per cell of the faces.
 #pragma once
 
 #include <utility>
@@ -18,7 +18,8 @@ class FacesAround {
 
   /// Adds one ring.
   void grow();
-  /// Returns the current faces. next() returns them with one more ring.
+  /// Returns the faces of the set. next() returns the set with one more ring, and does not change
+  /// this object.
   const std::vector<bool>& faces() const { return faces_; }
   std::vector<bool> next() const;
   CellMarks take_cells() { return std::move(marks_); }

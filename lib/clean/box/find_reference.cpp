@@ -7,9 +7,9 @@
 namespace transformesh {
 namespace {
 
-/// A path touches an edge only by coincidence, or if the box is a few coordinate spacings wide.
-/// Twice as many attempts would find no more points; with only four attempts, failures would be
-/// noticeable.
+/// Number of points that are tried. A point is rejected if the path to it touches an edge. This
+/// happens only by coincidence, or if the box is only a few coordinate spacings wide. Twice as many
+/// attempts would find no more points; with only four attempts, failures would be noticeable.
 constexpr int most_attempts = 64;
 
 }  // namespace

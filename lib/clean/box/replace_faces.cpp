@@ -26,16 +26,18 @@ class Placing {
   const std::vector<bool>& is_replaced_;
   const CleanedFaces& cleaned_;
   std::vector<bool> is_uncut_;
-  /// Index in the mesh of each cleaned vertex. New vertices follow those of the mesh.
+  /// For each vertex of the cleaned mesh its index in the result before unused vertices are
+  /// removed. New vertices follow the vertices of the input mesh.
   std::vector<Index> vertex_of_;
   std::vector<bool> is_claimed_;
-  std::vector<Index> new_vertices_;  ///< indices of new vertices in the cleaned mesh
-  /// Corners: indices of the mesh's vertices, then of new vertices.
+  std::vector<Index> new_vertices_;  ///< the new vertices, as indices in the cleaned mesh
+  /// Faces of the result; corner indices as in `vertex_of_`.
   std::vector<Face> faces_;
   std::vector<Index> face_rows_;
 };
 
-// Maps each corner of a piece to the corner of its source at the same position.
+// Assigns to each vertex of a piece the corner of its input face at the same position, if there is
+// one and no other vertex has it.
 void Placing::claim(Index piece) {
   for (const Index v : cleaned_.mesh.faces[piece]) {
     if (vertex_of_[v] != no_index) continue;
@@ -48,7 +50,8 @@ void Placing::claim(Index piece) {
   }
 }
 
-// If a vertex has copies, the copy that belongs to remaining faces keeps the vertex.
+// Assigns input vertices to vertices of the cleaned mesh. Cleaning may have duplicated a vertex.
+// Then the duplicate that belongs to faces outside the box gets the input vertex.
 void Placing::claim_vertices() {
   for (const bool is_replaced : {false, true})
     for (const bool is_uncut : {true, false})

@@ -14,13 +14,13 @@ struct CleanedFaces {
   std::vector<Index> source_face;
 };
 
-/// Returns 1 for each face that equals its source.
+/// Returns true for each cleaned face that equals the face from which it is cut, corner by corner.
 std::vector<bool> find_uncut(const Mesh& mesh, const CleanedFaces& cleaned);
 
-/// Replaces the faces with a set `is_replaced` entry by their pieces. Uncut faces keep their place;
-/// other pieces follow all faces. The remaining faces keep their vertices, order and columns.
-/// Pieces share vertices with the remaining faces if cleaning joined them. Vertices that lose all
-/// their faces are removed; new vertices follow.
+/// Replaces the faces whose `is_replaced` entry is true by their pieces. If a face was not cut, its
+/// piece takes its place; pieces of cut faces follow all other faces. The remaining faces keep
+/// their vertices, order and columns. Pieces share vertices with the remaining faces if they also
+/// do in `cleaned`. Vertices that lose all their faces are removed; new vertices follow.
 Mesh replace_faces(const Mesh& mesh, const std::vector<bool>& is_replaced,
                    const CleanedFaces& cleaned);
 

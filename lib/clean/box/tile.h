@@ -1,5 +1,5 @@
-/// Tiles: parts of a closed mesh that are cleaned alone, on machines that do not have the rest of
-/// the mesh. A tile is a mesh with a comment that contains the data described here.
+/// Tiles: parts of a closed mesh that are cleaned separately, without the rest of the mesh in
+/// memory. A tile is stored as a mesh file with a comment that contains the data described here.
 #pragma once
 
 #include <optional>
@@ -20,16 +20,17 @@ struct TileName {
 
 struct Tile {
   TileName name;
-  std::uint64_t faces = 0;   ///< hash of the faces of the tile
-  Box own;                   ///< own faces are those whose first vertex is in this box
+  std::uint64_t faces = 0;  ///< hash of the faces of the tile
+  /// The own faces, which only this tile cleans, are those with their first vertex in this box.
+  Box own;
   Box held;                  ///< the tile contains every face of the mesh that touches this box
   ReferencePoint reference;  ///< a point in `held` with its winding number
-  double cell_size = 1;      ///< size of the cells that determine which faces are near each other
+  double cell_size = 1;  ///< width of the grid cells that determine which faces are near each other
   Scalar coordinate = Scalar::float64;  ///< type in which positions are written
 };
 
-/// Returns the comment of a tile; cleaned_tile_comment() returns that of the clean pieces of a
-/// tile.
+/// Returns the comment of a tile. cleaned_tile_comment() returns the comment of the file with the
+/// cleaned pieces of a tile.
 std::string tile_comment(const Tile& tile);
 std::string cleaned_tile_comment(const TileName& name);
 
@@ -38,10 +39,10 @@ std::string cleaned_tile_comment(const TileName& name);
 std::optional<Tile> tile_of(const std::vector<std::string>& comments);
 std::optional<TileName> cleaned_tile_of(const std::vector<std::string>& comments);
 
-/// True if there is a comment of a tile or of a cleaned tile, well-formed or not.
+/// True if any comment is that of a tile or of a cleaned tile, even if it is malformed.
 bool has_tile_comment(const std::vector<std::string>& comments);
 
-/// Removes the comments of tiles and of cleaned tiles.
+/// Removes the comments that tile_comment() and cleaned_tile_comment() made.
 void drop_tile_comments(std::vector<std::string>& comments);
 
 }  // namespace transformesh

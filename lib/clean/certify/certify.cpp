@@ -18,15 +18,15 @@
 namespace transformesh {
 namespace {
 
-/// Sampled faces per uncut patch; `other_samples` is the number of unchanged faces of the output
-/// and of removed faces of the input. Choices: more samples detect smaller errors and take more
-/// time.
+/// Number of sampled faces per uncut patch (connected faces without intersections). `other_samples`
+/// is the number of sampled unchanged faces of the output, and also that of removed faces of the
+/// input. Choices: more samples detect smaller errors and take more time.
 constexpr std::size_t samples_per_patch = 4;
 constexpr std::size_t other_samples = 2000;
 /// Limit on the number of solid angles summed per mesh. The sums take 0.2 s on one core.
 constexpr std::size_t most_solid_angles = 20'000'000;
 
-/// A side of a face to be sampled: 1 is the front, -1 the back.
+/// A face, and the side on which a sample is taken: 1 is the front, -1 the back.
 struct FaceSide {
   bool is_of_input = false;
   Index face = no_index;
@@ -36,7 +36,8 @@ struct FaceSide {
 /// Input and output, scaled such that products of coordinates neither overflow nor underflow.
 struct Meshes {
   Mesh input, output;
-  double unit = 1;  ///< length of one scaled unit in input coordinates; a power of two
+  /// Length 1 of the scaled meshes, in units of the original coordinates; a power of two.
+  double unit = 1;
 };
 
 struct Judgement {
@@ -50,8 +51,8 @@ void add_sides(bool is_of_input, const std::vector<Index>& faces, std::vector<Fa
     for (const int side : {1, -1}) sides.push_back({is_of_input, face, side});
 }
 
-/// Returns some faces of each patch, at most `count`. A second face of a patch is taken only after
-/// the first faces of all patches.
+/// Returns at most `count` faces, up to `samples_per_patch` of each patch. The first faces of all
+/// patches are taken before second faces of patches.
 std::vector<Index> faces_of_patches(const UncutPatches& patches, std::size_t count) {
   std::vector<Index> firsts;
   std::vector<Index> others;
@@ -98,8 +99,8 @@ std::string describe(const Judgement& judgement, int winding_level, double unit)
 
 std::string percent(double share) { return shortest_text(std::round(1000 * share) / 10) + " %"; }
 
-/// Reports too many undecided samples as a problem, if there is no other. Undecided samples certify
-/// nothing.
+/// Reports as a problem that too many samples are undecided, if no other problem was found.
+/// Undecided samples certify nothing.
 void finish(Certificate& certificate) {
   if (!certificate.problem.empty() || certificate.undecided_share() <= most_undecided) return;
   certificate.problem = std::to_string(certificate.undecided) + " of " +
@@ -133,8 +134,8 @@ std::vector<Judgement> judge(const Meshes& meshes, const FaceMatch& match,
   return judgements;
 }
 
-/// Compares winding numbers with sums of solid angles at some samples. If a decided sum differs,
-/// the sample counts as wrong.
+/// Compares the winding numbers at some samples with sums of solid angles. If a sum differs, and
+/// its rounding error is small enough to decide, the sample counts as wrong.
 void compare_with_solid_angles(const Mesh& mesh, int WindingSample::*number,
                                std::vector<Judgement>& judgements) {
   const std::size_t faces = std::max<std::size_t>(1, mesh.faces.size());
@@ -170,8 +171,8 @@ void certify_winding(const Meshes& meshes, const FaceMatch& match, const Certify
 }
 
 /// True if the piece has the orientation of the face, or is so thin that moving its corners by the
-/// margins can reverse it. To first order, moving a corner by m changes the dot product of the
-/// normals by m . (opposite edge x face normal).
+/// margins can reverse it. To first order, moving a corner by a vector m changes the dot product of
+/// both normals by m . (opposite edge x face normal).
 bool has_orientation(const Triangle& piece, const Triangle& face, const Vec3& margins) {
   if (normals_dot(piece, face) > 0) return true;
   const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]);
@@ -184,8 +185,8 @@ bool has_orientation(const Triangle& piece, const Triangle& face, const Vec3& ma
   return -product < change;
 }
 
-/// True if all corners are on one face of the input within the margins, and that face has the same
-/// orientation.
+/// True if there is a face of the input with the orientation of `piece` that contains all corners
+/// of `piece`, up to the margins.
 bool is_piece(const Triangle& piece, const Mesh& input, const Bvh& bvh, const Vec3& margins) {
   bool is_found = false;
   bvh.visit_overlaps(float_box(piece[0] - margins, piece[0] + margins), [&](Index face) {

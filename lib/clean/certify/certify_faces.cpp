@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-/// Numbers the positions of all meshes; equal positions have equal numbers.
+/// Returns a number for each vertex of all meshes, one mesh after the other. Vertices at equal
+/// positions have equal numbers.
 std::vector<Index> number_positions(const std::vector<const Mesh*>& meshes) {
   std::vector<const Vec3*> positions;
   for (const Mesh* mesh : meshes)
@@ -32,7 +33,8 @@ std::vector<Index> number_positions(const std::vector<const Mesh*>& meshes) {
   return numbers;
 }
 
-/// Returns the faces by numbers of positions, rotated so that the smallest number is first.
+/// Returns the faces with position numbers as corners, rotated so that the smallest number is
+/// first.
 std::vector<Face> numbered_faces(const Mesh& mesh, const std::vector<Index>& numbers,
                                  std::size_t first_vertex) {
   std::vector<Face> faces;
@@ -45,7 +47,7 @@ std::vector<Face> numbered_faces(const Mesh& mesh, const std::vector<Index>& num
   return faces;
 }
 
-/// Returns 1 for each face that is not among `others`.
+/// Returns 1 for each face of `faces` that is not in `others`.
 std::vector<char> missing(const std::vector<Face>& faces, std::vector<Face> others) {
   std::sort(others.begin(), others.end());
   std::vector<char> result(faces.size());
@@ -60,7 +62,8 @@ struct Halfedge {
   int direction;
 };
 
-/// Returns all halfedges sorted by edge, except those from a point to itself.
+/// Returns all halfedges sorted by edge. Halfedges that start and end at the same point are left
+/// out.
 std::vector<Halfedge> sorted_halfedges(const std::vector<Face>& faces) {
   std::vector<Halfedge> halfedges;
   halfedges.reserve(3 * faces.size());
@@ -76,7 +79,8 @@ std::vector<Halfedge> sorted_halfedges(const std::vector<Face>& faces) {
   return halfedges;
 }
 
-/// Calls visit(first, last) for the halfedges of each edge.
+/// Calls visit(first, last) for each edge. The halfedges of the edge have the indices from `first`
+/// to before `last`.
 template <class Visit>
 void for_each_edge(const std::vector<Halfedge>& halfedges, const Visit& visit) {
   for (std::size_t first = 0; first < halfedges.size();) {

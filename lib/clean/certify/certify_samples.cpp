@@ -6,7 +6,8 @@
 namespace transformesh {
 namespace {
 
-/// Barycentric weights of the points of a face above which samples are tried in turn.
+/// Barycentric weights of points of a face. Samples above these points are tried, one after the
+/// other.
 constexpr std::array<std::array<double, 3>, 14> tried_weights = {{{0.344, 0.327, 0.329},
                                                                   {0.523, 0.218, 0.259},
                                                                   {0.231, 0.552, 0.217},
@@ -22,8 +23,8 @@ constexpr std::array<std::array<double, 3>, 14> tried_weights = {{{0.344, 0.327,
                                                                   {0.053, 0.321, 0.626},
                                                                   {0.052, 0.627, 0.321}}};
 
-/// If a sample above a point of the face is rejected, the next sample is closer to the face by this
-/// factor.
+/// If a sample above a point of the face is rejected, its distance from the face is divided by this
+/// factor for the next sample.
 constexpr double step = 2;
 
 /// Least distance of a sample from its face, relative to the distance by which rounding may have
@@ -56,7 +57,7 @@ SampleFinder::SampleFinder(const Mesh& input, const Mesh& output, const FaceMatc
 
 std::optional<WindingSample> SampleFinder::find_above(const Vec3& base, const Vec3& direction,
                                                       double height) const {
-  // Closer points may be on the other side of the face because of rounding.
+  // Points closer than the clearance may be on the other side of the face because of rounding.
   const double clearance =
       std::max(direction.cwiseAbs().dot(zone_.margins_at(base)), nearest_share * height);
   const Vec3 start = base + clearance * direction;

@@ -1,6 +1,7 @@
 /// Finds points next to faces at which the winding numbers of input and output can be compared. The
-/// points are closer to the face than to any other face of either mesh, and outside the rounding
-/// zone. Cost: O(n log n) to build; O(log n) per point tried on usual meshes.
+/// points are closer to the face than to any other face of both meshes, and outside the
+/// neighborhood in which rounding may have moved surfaces (rounding_zone.h). Cost: O(n log n) to
+/// build; O(log n) per point tried on usual meshes.
 #pragma once
 
 #include <optional>

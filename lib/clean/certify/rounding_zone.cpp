@@ -13,9 +13,10 @@
 namespace transformesh {
 namespace {
 
-/// Least margin relative to the largest one, needed because numbers near zero have a tiny spacing.
-/// For doubles all margins are equal, because doubles are too coarse to measure distances from a
-/// triangle with a different unit for each axis.
+/// Least margin along an axis, relative to the largest margin along an axis. A limit is needed
+/// because numbers near zero have a tiny spacing. For doubles, the margins along all axes are
+/// equal. The reason is that distances are computed in doubles, which are too coarse for a
+/// different unit of length along each axis.
 constexpr double least_share(Scalar coordinate) {
   return coordinate == Scalar::float32 ? 0x1p-20 : 1;
 }
@@ -27,8 +28,8 @@ Vec3 spacings_at(const Vec3& point, Scalar coordinate) {
   return point.unaryExpr([=](double x) { return x == 0 ? 0 : spacing_at(x, coordinate); });
 }
 
-/// True if no plane perpendicular to `direction` separates the triangle from the cube |x|, |y|, |z|
-/// <= half.
+/// True if no plane perpendicular to `direction` separates the triangle from the cube with |x|, |y|
+/// and |z| <= `half`.
 bool overlap_along(const Vec3& direction, const Triangle& t, double half) {
   const std::array<double, 3> at = {direction.dot(t[0]), direction.dot(t[1]), direction.dot(t[2])};
   const auto [least, most] = std::minmax_element(at.begin(), at.end());
@@ -36,8 +37,9 @@ bool overlap_along(const Vec3& direction, const Triangle& t, double half) {
   return *least <= reach && *most >= -reach;
 }
 
-/// True if the triangle meets the cube, by the separating axis test. Reference: Akenine-Moller,
-/// "Fast 3D triangle-box overlap testing", Journal of Graphics Tools 6(1), 2001.
+/// True if the triangle meets the cube with |x|, |y| and |z| <= `half`, by the separating axis
+/// test. Reference: Akenine-Moller, "Fast 3D triangle-box overlap testing", Journal of Graphics
+/// Tools 6(1), 2001.
 bool meets_cube(const Triangle& t, double half) {
   const std::array<Vec3, 3> edges = {t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   if (!overlap_along(edges[0].cross(edges[1]), t, half)) return false;
@@ -59,7 +61,7 @@ FloatBox box_around(const Triangle& t, const Vec3& margins) {
   return float_box(low - reach, high + reach);
 }
 
-/// Returns twice the spacing of numbers at the triangle.
+/// Returns the least margin along each axis: twice the spacing of numbers at the triangle.
 Vec3 least_margins(const Triangle& t, Scalar coordinate) {
   const Vec3 size = t[0].cwiseAbs().cwiseMax(t[1].cwiseAbs()).cwiseMax(t[2].cwiseAbs());
   const Vec3 spacings = spacings_at(size, coordinate);
@@ -70,8 +72,8 @@ Vec3 shift_from(const ClosestPointQuery& surface, const Vec3& point) {
   return (surface(point).point - point).cwiseAbs();
 }
 
-/// Returns the distance of each vertex of the faces from the surface, along each axis; zero for
-/// other vertices.
+/// Returns for each vertex of the faces the distance, along each axis, from its closest point on
+/// the surface. Other vertices get zero.
 std::vector<Vec3> vertex_shifts(const ClosestPointQuery& surface, const Mesh& mesh,
                                 const std::vector<Index>& faces) {
   std::vector<char> is_used(mesh.positions.size(), 0);
@@ -119,7 +121,7 @@ bool is_within(const Vec3& margins, const Vec3& point, const Triangle& triangle)
 RoundingZone::RoundingZone(const Mesh& input, const Mesh& output, const FaceMatch& match,
                            Scalar coordinate) {
   const auto add = [&](const Triangle& triangle, const Vec3& margins) {
-    if (margins.isZero(0)) return;  // a face that is a point at the origin
+    if (margins.isZero(0)) return;  // a face whose three corners are (0, 0, 0)
     triangles_.push_back(triangle);
     margins_.push_back(margins);
   };

@@ -1,7 +1,7 @@
-/// The neighborhood in which rounding may have moved a cut surface. It surrounds the new faces of
-/// the output, and the faces of the input that are not in the output. Slivers of the input that are
-/// thinner than the spacing of numbers may have vanished completely. Cost: O(n log n) to build;
-/// O(log n) per query on usual meshes.
+/// The rounding zone: the points over which rounding of new vertices may have moved a surface. It
+/// surrounds the new faces of the output, and the faces of the input that are not in the output.
+/// Slivers of the input that are thinner than the spacing of numbers may have vanished completely.
+/// Cost: O(n log n) to build; O(log n) per query on usual meshes.
 #pragma once
 
 #include <vector>
@@ -12,15 +12,15 @@
 
 namespace transformesh {
 
-/// Returns per face an upper bound of the movement by rounding, along each axis. The bound is four
-/// times the distance of the corners, edge midpoints and centroid from the input. It is at least
-/// twice the spacing of type `coordinate` at the face, and at most 1024 times the spacing at the
-/// largest coordinate of the face.
+/// Returns for each face an upper bound, along each axis, of the distance by which rounding moved
+/// it. The bound is four times the largest distance of the corners, edge midpoints and centroid
+/// from the input. It is at least twice the spacing of type `coordinate` at the face, and at most
+/// 1024 times the spacing at the largest coordinate of the face.
 std::vector<Vec3> rounding_margins(const Mesh& input, const Mesh& output,
                                    const std::vector<Index>& faces, Scalar coordinate);
 
-/// True if the point is within the margins of the triangle along each axis. Then the point may be
-/// on the triangle, up to rounding.
+/// True if a point of the triangle differs from `point` by at most `margins` along each axis.
+/// Rounding errors of the test may also make it true for points slightly farther away.
 bool is_within(const Vec3& margins, const Vec3& point, const Triangle& triangle);
 
 class RoundingZone {
@@ -29,7 +29,8 @@ class RoundingZone {
   RoundingZone(const Mesh& input, const Mesh& output, const FaceMatch& match, Scalar coordinate);
 
   bool contains(const Vec3& point) const;
-  /// Returns an upper bound of the movement of a surface at a point, along each axis.
+  /// Returns an upper bound, along each axis, of the distance by which rounding may have moved the
+  /// surfaces at a point.
   Vec3 margins_at(const Vec3& point) const;
   double largest_margin() const;
 

@@ -5,27 +5,28 @@
 namespace transformesh {
 namespace {
 
-// A face at an edge. A rotation by 90 degrees about the edge, the same for all faces, maps the
-// face's direction from the edge to its normal (reversed for backward halfedges). Hence the normals
-// are sorted instead of the directions.
+// A face or piece at an edge, with the data for sorting it by angle. A rotation by 90 degrees about
+// the edge maps the direction of each face, perpendicular to the edge, to the normal of the face.
+// For backward halfedges, the normal is reversed. Hence the normals are sorted instead of the
+// directions.
 struct Spoke {
-  Index face;  ///< face that contains the piece
+  Index face;  ///< face that contains the piece, or the face itself
   Triangle triangle;
   bool is_forward;
   Index halfedge;
   int sign;  ///< -1 if the normal of `triangle` has to be reversed, otherwise 1
-  /// 0: the spoke has the direction of the first spoke; 2: the opposite direction; 1 and 3: the
-  /// sides between these directions.
+  /// Angle from the first spoke, in half turns. 0: angle 0; 1: between 0 and 180 degrees; 2: 180
+  /// degrees; 3: between 180 and 360 degrees.
   int half = 0;
 };
 
-// A coordinate that differs between the ends of the edge, and the sign of the difference.
+// A coordinate (0 to 2) in which the ends of the edge differ, and the sign of the difference.
 struct Axis {
   int coordinate;
   int direction;
 };
 
-// Returns the sign of the sine of the angle from one spoke to the other.
+// Returns the sign of the sine of the angle from spoke `a` to spoke `b` around the edge.
 int sine_sign(const Spoke& a, const Spoke& b, Axis axis) {
   if (a.face == b.face) return 0;
   return normals_cross(a.triangle, b.triangle, axis.coordinate) * a.sign * b.sign * axis.direction;

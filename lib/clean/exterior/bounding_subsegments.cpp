@@ -21,7 +21,8 @@ class BoundingSubsegments {
         crossings_(geometry, in),
         left_(in.segments.size(), unknown) {}
 
-  // Each of these functions returns false if the face has to be cut in full.
+  // Each of these functions returns false if it fails, so that the face has to be cut along all
+  // segments.
   bool join_ends();
   bool find_crossings() { return crossings_.find(); }
   bool find_windings();
@@ -48,14 +49,15 @@ class BoundingSubsegments {
   const SegmentsInFace& in_;
   const std::vector<KnownWinding>& known_;
   SegmentCrossings crossings_;
-  /// The two segments that end at each point, or no_index.
+  /// The segments, at most two, of which each point is an end; no_index if there are fewer.
   std::vector<std::array<Index, 2>> at_point_;
-  /// Winding number w in front of the face, to the left of the start of each segment.
+  /// Winding number w in front of the face, just to the left of the start of each segment.
   std::vector<int> left_;
   std::vector<Index> stack_;
 };
 
-// Joins segments to curves. True if these end only at edges and corners of the face.
+// Joins segments that share an end to curves. Returns true if the curves end only at edges and
+// corners of the face, and no point is the end of three segments.
 bool BoundingSubsegments::join_ends() {
   at_point_.assign(in_.points.size(), {no_index, no_index});
   for (Index s = 0; s < in_.segments.size(); ++s) {
@@ -80,8 +82,8 @@ bool BoundingSubsegments::find_windings() {
   return std::find(left_.begin(), left_.end(), unknown) == left_.end();
 }
 
-// Returns the winding number w to the left of the start of a segment, starting from a known value
-// in the face.
+// Returns the winding number w just to the left of the start of segment `s`. Follows a path from
+// one of the points of the face at which w is known.
 std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
   const Index start = segment(s).from, edge = in_.edge_of[start];
   const Index partner = partner_at(start, s);
@@ -97,8 +99,9 @@ std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
   return std::nullopt;
 }
 
-// Returns the winding number w at a point of an edge, starting from a known value at a corner of
-// that edge. Adds the jumps of the segments that end between the point and the corner.
+// Returns the winding number w next to a point `p` on an edge of the face. Starts with the known
+// value at a corner of this edge, and follows the edge. Adds the jumps of the segments that end on
+// the edge between the corner and `p`.
 std::optional<int> BoundingSubsegments::winding_at_edge(Index p, const KnownWinding& known) const {
   const ExactPoint& from = known.at;
   const auto distance = [&](int axis) {
@@ -120,8 +123,8 @@ std::optional<int> BoundingSubsegments::winding_at_edge(Index p, const KnownWind
   return w;
 }
 
-// Returns the winding number w at a point, starting from a known value. Adds the jumps of the
-// segments that the straight line from the known point crosses.
+// Returns the winding number w at the end of the straight line from the known point to `p`. Starts
+// with the known value, and adds the jumps of the segments that the line crosses.
 std::optional<int> BoundingSubsegments::winding_at(Index p, const KnownWinding& known) const {
   const ExactPoint &from = known.at, &to = point(p);
   const Eigen::AlignedBox2d box = crossings_.box_of(from, to);
@@ -140,9 +143,9 @@ std::optional<int> BoundingSubsegments::winding_at(Index p, const KnownWinding& 
   return w;
 }
 
-// True if the straight line from `seen_from` arrives to the left of segment `s` at its start. If a
-// partner segment ends at the same point, the left is the sector from `s` counter-clockwise to the
-// partner.
+// True if the straight line from `seen_from` to the start of segment `s` arrives on the left of
+// `s`. If a segment `partner` ends at the same point, the left of `s` is the sector from `s`
+// counter-clockwise to `partner`.
 bool BoundingSubsegments::is_on_left(Index s, Index partner, const ExactPoint& seen_from) const {
   const bool is_left = side(s, seen_from) > 0;
   if (partner == no_index) return is_left;
@@ -155,7 +158,9 @@ bool BoundingSubsegments::is_on_left(Index s, Index partner, const ExactPoint& s
   return turn > 0 ? is_left && !is_left_of_partner : is_left || !is_left_of_partner;
 }
 
-// Propagates the winding number w along the curve of the seed, and to the curves that it crosses.
+// Propagates the winding number w from segment `seed` along its curve of joined segments, and to
+// the curves that cross this curve. `w` is the value to the left of the start of `seed`. Returns
+// false on a contradiction.
 bool BoundingSubsegments::spread(Index seed, int w) {
   if (!visit(seed, w)) return false;
   while (!stack_.empty()) {
@@ -172,8 +177,8 @@ bool BoundingSubsegments::spread(Index seed, int w) {
   return true;
 }
 
-// Propagates the winding number w to the segment that shares the point `p` with `s`. `left` is w to
-// the left of `s` at `p`.
+// Propagates the winding number w to the segment that shares the end `p` with segment `s`. `left`
+// is the value of w to the left of `s` at `p`. Returns false on a contradiction.
 bool BoundingSubsegments::continue_at(Index p, Index s, int left) {
   const Index next = partner_at(p, s);
   if (next == no_index) return true;
@@ -185,7 +190,8 @@ bool BoundingSubsegments::continue_at(Index p, Index s, int left) {
   return visit(next, there);
 }
 
-// Propagates the winding number w to the other segment of a crossing.
+// Propagates the winding number w from `crossing.segment` to the segment that crosses it. Returns
+// false if this is not possible.
 bool BoundingSubsegments::spread_over(const Crossing& crossing) {
   const Index s = crossing.segment, other = crossing.other;
   const auto there = crossings_.of(other);
@@ -194,9 +200,9 @@ bool BoundingSubsegments::spread_over(const Crossing& crossing) {
   const std::optional<int> here = crossings_.change_before(crossing),
                            beyond = crossings_.change_before(*back);
   if (!here || !beyond) return false;
-  int w = left_[s] + *here;  // w to the left of s, on the side of `other` at which s starts
+  int w = left_[s] + *here;  // w to the left of s, just before s crosses `other`
   if (crossing.side < 0) w -= segment(other).jump;  // w to the left of both segments
-  // Now w to the left of `other`, on the side of s at which `other` starts.
+  // After this line, `w` is the value to the left of `other`, just before `other` crosses s.
   if (back->side < 0) w += segment(s).jump;
   return visit(other, w - *beyond);
 }
@@ -208,8 +214,8 @@ bool BoundingSubsegments::visit(Index s, int left) {
   return true;
 }
 
-// True if the winding number w in front of the face may equal `front` next to some part of the
-// segment.
+// True if the winding number w in front of the face may be equal to `front` on either side of some
+// part of the segment. Uses bounds that do not depend on the order of the crossings.
 bool BoundingSubsegments::may_reach(Index s, int front) const {
   int least = left_[s], most = left_[s];
   for (const Crossing& crossing : crossings_.of(s)) {
@@ -220,7 +226,7 @@ bool BoundingSubsegments::may_reach(Index s, int front) const {
   return least <= front && front <= most;
 }
 
-// Lists the parts with winding number w = `front` on exactly one side. `front` is the value of w in
+// Lists the parts of segments with exterior on exactly one side. `front` is the winding number w in
 // front of the exterior.
 bool BoundingSubsegments::find_subsegments(int front, std::vector<Subsegment>& parts) {
   for (Index s = 0; s < in_.segments.size(); ++s) {

@@ -18,8 +18,8 @@ Problem nothing_enclosed(bool has_area) {
               "sheet whose border is filled flat"};
 }
 
-// Returns 1 for each component that is inside others, i.e. if the winding number w > 0 in front of
-// its first face.
+// Returns 1 for each component that is inside another component: the winding number w in front of
+// its first face is greater than 0.
 std::vector<char> find_enclosed(const Mesh& mesh, const Components& components) {
   const WeldedMesh welded = weld(mesh);
   const ExactGeometry geometry(welded.points, welded.faces);
@@ -79,7 +79,8 @@ std::size_t drop_enclosed_components(Mesh& mesh) {
   return drop_enclosed_components(mesh, connected_components(mesh));
 }
 
-// Inside a clean mesh there are only cavities and components within these cavities.
+// A component of a clean mesh that is inside another component bounds a cavity, or is inside a
+// cavity.
 std::size_t drop_enclosed_components(Mesh& mesh, const Components& components) {
   std::vector<char> is_cavity;
   for (const Component& c : components.components) {

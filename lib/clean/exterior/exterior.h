@@ -1,5 +1,6 @@
-/// Computes the exterior by the slow reference method, explains why no face is exterior, and
-/// removes enclosed components. (The region growing of paper 3.2 is in exterior_arrangement.h.)
+/// Finds the exterior of a mesh by the slow reference method, one ray per piece. Also explains an
+/// empty result, and removes components inside other components. The fast method, the region
+/// growing of paper 3.2, is in exterior_arrangement.h.
 #pragma once
 
 #include <vector>
@@ -11,21 +12,22 @@
 
 namespace transformesh {
 
-/// Finds the exterior of a closed mesh by one ray per piece (paper 4.5). Returns 1 for pieces with
-/// winding number w < winding level in front and w >= winding level behind. Exact; deterministic.
-/// Cost: O(n log n) for n pieces if rays meet few faces.
+/// Finds the exterior pieces of an arranged closed mesh by one ray per piece (paper 4.5). Returns 1
+/// for pieces with winding number w < winding level in front and w >= winding level behind. Exact;
+/// deterministic. Cost: O(n log n) for n pieces if rays meet few faces.
 std::vector<char> find_exterior_by_rays(const Arrangement& arrangement, int winding_level,
                                         const Progress& progress);
 
-/// Returns the reason why no piece of a mesh is kept. `has_surface` is false if all pieces cancel
-/// out, because coincident faces have opposite orientations.
+/// Returns the problem (kind and message) that explains why cleaning keeps no piece of a mesh.
+/// `has_surface` is false if all faces coincide with faces of opposite orientation, so that they
+/// cancel out.
 Problem nothing_kept(const WeldedMesh& welded, bool has_surface, int winding_level);
 
-/// Keeps the outermost surface of a clean mesh (paper 2: inner components are usually not
-/// considered). Drops components that bound cavities, and components inside cavities. Returns the
-/// number of dropped components.
+/// Removes all components that are inside another component of a clean mesh: those that bound
+/// cavities, and those inside cavities. (Paper 2: inner components are usually not considered.)
+/// Returns the number of dropped components.
 std::size_t drop_enclosed_components(Mesh& mesh);
-/// Does the same with the known components of `mesh`.
+/// Removes the same components; `components` are the components of `mesh`, if already computed.
 std::size_t drop_enclosed_components(Mesh& mesh, const Components& components);
 
 }  // namespace transformesh

@@ -15,12 +15,12 @@ namespace {
 constexpr std::size_t planes_per_task = 4;  ///< affects time only
 constexpr int unknown = std::numeric_limits<int>::min();
 
-/// True if exactly one of the two winding numbers is below the level.
+/// True if exactly one of the winding numbers in front and behind is below the winding level.
 bool parts(int front, int behind, int winding_level) {
   return (front < winding_level) != (behind < winding_level);
 }
 
-/// Chooses the exterior facets of a plane that is cut in full.
+/// Chooses the exterior facets (triangles) of a plane whose faces are cut along all intersections.
 class FacetChooser {
  public:
   FacetChooser(const RegionGrowingWinding& windings, const RayCastFrontWinding& ray,
@@ -28,10 +28,11 @@ class FacetChooser {
       : windings_(windings), ray_(ray), winding_level_(winding_level) {}
 
   std::vector<char> choose(const PlaneFacets& facets, Index first_face);
-  /// Returns the classification of facets of the last plane.
+  /// Returns whether each of the given facets is an open piece, with the winding number in front.
+  /// The facets are those of the plane for which facets were chosen last.
   std::vector<OpenFacet> describe(const std::vector<Index>& facets) const;
   bool is_chosen(Index facet) const { return is_chosen_[facet] != 0; }
-  /// True if any plane has a facet with a surface.
+  /// True if any facet of any plane has a surface: its coincident faces do not cancel out.
   bool has_surface() const { return has_surface_; }
   std::size_t rays() const { return rays_; }
 
@@ -44,7 +45,7 @@ class FacetChooser {
   int winding_level_;
   std::vector<int> front_;       ///< winding number in front of each facet
   std::vector<char> is_chosen_;  ///< 1 for each chosen facet
-  std::vector<OpenFacet> open_;  ///< one for each facet
+  std::vector<OpenFacet> open_;  ///< classification of each facet
   std::vector<Index> stack_;
   std::size_t rays_ = 0;
   bool has_surface_ = false;
@@ -136,13 +137,14 @@ class ExteriorArranger {
   Planes planes_;
   WindingJumps jumps_;
   RegionGrowingWinding windings_;
-  std::vector<char> is_visible_;  ///< 1 for each plane that is cut
+  /// 1 for each plane (face, or coplanar faces that meet) that is cut.
+  std::vector<char> is_visible_;
   RayCastFrontWinding ray_;
   std::atomic<std::size_t> rays_;
   std::atomic<bool> has_surface_ = false;
-  std::vector<PlaneCut> cuts_;  ///< one for each plane
-  /// For each plane: 1 for each chosen facet of its cut, else 0. Empty unless everything is
-  /// arranged.
+  std::vector<PlaneCut> cuts_;  ///< the pieces of each plane
+  /// For each plane a list with 1 for each chosen facet of its cut. Empty if `arranges_everything`
+  /// is not set.
   std::vector<std::vector<char>> chosen_;
 };
 
@@ -156,7 +158,8 @@ std::vector<char> ExteriorArranger::find_visible_planes() const {
   return is_visible;
 }
 
-// A hidden plane has a single face of multiplicity 1; hence it has a surface.
+// True if a plane is not cut, because it is hidden or because its surroundings are missing. A
+// hidden plane contains a single face that does not cancel out; hence the mesh has a surface.
 bool ExteriorArranger::has_hidden_planes() const {
   return std::find(is_visible_.begin(), is_visible_.end(), 0) != is_visible_.end();
 }

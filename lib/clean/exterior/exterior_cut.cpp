@@ -10,14 +10,15 @@ namespace transformesh {
 namespace {
 
 constexpr Index first_corner = PlanarTriangulation::scaffold_points;
-constexpr Index edges = 3;  ///< lines 0 to 2 are the edges; the segments follow
+/// Lines 0 to 2 of the triangulation are the edges of the face; lines of segments follow.
+constexpr Index edges = 3;
 
 bool is_edge(FaceSimplex simplex) { return simplex >= edges && simplex != interior; }
 bool is_corner(FaceSimplex simplex) { return simplex < edges; }
 
 }  // namespace
 
-/// One face and the segments in it.
+/// One face, and the segments in which other faces intersect it.
 class ExteriorCutter::FaceCut {
  public:
   FaceCut(const ExteriorCutter& cutter, const Plane& plane)
@@ -25,9 +26,11 @@ class ExteriorCutter::FaceCut {
     for (const Index v : cutter.welded_.faces[face_]) corners_.push_back(geometry_.given(v));
   }
 
-  /// Collects the segments. Returns false if another face does more than cross this face.
+  /// Collects the segments. Returns false if the face cannot be cut only along the boundary of its
+  /// exterior part.
   bool gather(const Plane& plane);
-  /// Finds points with known winding number w. Returns false if there are none.
+  /// Finds points of the face at which the winding number in front is known. Returns false if there
+  /// are none.
   bool find_known(std::size_t& rays);
   std::optional<PlaneCut> cut();
 
@@ -43,7 +46,7 @@ class ExteriorCutter::FaceCut {
   std::vector<ExactPoint> corners_;
   SegmentsInFace in_;
   std::vector<KnownWinding> known_;
-  DefinitionTable ends_;      ///< maps definitions to indices in `in_.points`
+  DefinitionTable ends_;      ///< maps definitions of segment ends to indices in `in_.points`
   DefinitionTable inserted_;  ///< maps definitions to points of the triangulation
 };
 
@@ -57,8 +60,10 @@ Index ExteriorCutter::FaceCut::number_of(const PointDefinition& definition, Inde
   return number;
 }
 
-// Adds the common segment with another face. Returns true if the faces merely cross: each end of
-// the segment is on an edge of one face and inside the other. One end may be a common corner.
+// Adds the common segment of this face and another face. Returns false if they touch instead of
+// crossing, or if further faces coincide or overlap with the other face. Both faces cross if each
+// end of the segment is on an edge of one face and inside the other face, or is a common corner. At
+// most one end may be a common corner.
 bool ExteriorCutter::FaceCut::add_segment(const Meeting& meeting) {
   const bool is_first = meeting.first == face_;
   const Index other = is_first ? meeting.second : meeting.first;
@@ -94,7 +99,8 @@ bool ExteriorCutter::FaceCut::gather(const Plane& plane) {
                      [&](const Meeting* meeting) { return add_segment(*meeting); });
 }
 
-// Takes w from the corners of the face. If w is known at no corner, casts a ray at the centroid.
+// Stores the winding numbers w that are known in front of corners of the face. If w is known at no
+// corner, casts a ray at the centroid.
 bool ExteriorCutter::FaceCut::find_known(std::size_t& rays) {
   for (Index i = 0; i < 3; ++i) {
     const std::optional<int> w = cutter_.windings_.at(face_, i);
@@ -108,8 +114,8 @@ bool ExteriorCutter::FaceCut::find_known(std::size_t& rays) {
   return w.has_value();
 }
 
-// Inserts an end of a part of segment `s`: the intersection with segment `crossed`, or the
-// segment's own end if `crossed` is no_index.
+// Inserts an end of a part of segment `s` into the triangulation: the intersection with segment
+// `crossed`, or the end point `own` of `s` if `crossed` is no_index.
 Index ExteriorCutter::FaceCut::insert_end(PlanarTriangulation& triangulation, Index s,
                                           Index crossed, Index own) {
   if (crossed != no_index) return insert_crossing(triangulation, s, crossed);
@@ -140,8 +146,8 @@ Index ExteriorCutter::FaceCut::insert_crossing(PlanarTriangulation& triangulatio
 
 namespace {
 
-/// Marks the exterior facets of the face. Crossing a bounding part switches between exterior and
-/// hidden. `exterior_edge` must have an exterior facet on its left.
+/// Returns 1 for each exterior facet (triangle) of the face. The constrained edges separate
+/// exterior from hidden facets. The facet to the left of `exterior_edge` must be exterior.
 std::vector<char> find_exterior(const PlanarTriangulation& triangulation, Index exterior_edge) {
   constexpr char unknown = 2;  // a mark other than 0 (hidden) and 1 (exterior)
   const auto& facets = triangulation.facets();
@@ -172,7 +178,8 @@ std::optional<PlaneCut> ExteriorCutter::FaceCut::cut() {
   if (!parts) return std::nullopt;
   if (parts->empty()) return PlaneCut{{}, {}, {0}, {}, {}};
 
-  // The constraints are the bounding parts; other parts do not become edges.
+  // The constraints are the parts of segments with exterior on exactly one side. Other parts do not
+  // become edges.
   const Triangle t = cutter_.welded_.triangle(face_);
   PlanarTriangulation triangulation(geometry_, t, t[0].cwiseMin(t[1]).cwiseMin(t[2]),
                                     t[0].cwiseMax(t[1]).cwiseMax(t[2]),

@@ -1,6 +1,7 @@
-/// Cuts a face along the boundary of its exterior only (paper 3.2.2). If many faces cross a face,
-/// usually only a small part of it is exterior; the remainder is not triangulated. Exact;
-/// deterministic. Cost: that of bounding_subsegments.h, and of triangulating the bounding parts.
+/// Cuts a face only along the boundary of its exterior part (paper 3.2.2). If many other faces
+/// cross a face, usually only a small part of it is exterior; the remainder is not triangulated.
+/// Exact; deterministic. Cost: that of bounding_subsegments.h, and of triangulating the parts of
+/// segments that it finds.
 #pragma once
 
 #include <array>
@@ -14,8 +15,8 @@ namespace transformesh {
 
 class ExteriorCutter {
  public:
-  /// Keeps references to all arguments except the level. The exterior has winding number w <
-  /// winding level in front and w >= winding level behind.
+  /// Keeps references to all arguments except `winding_level`. A point of a face is exterior if the
+  /// winding number is w < winding level in front of the face and w >= winding level behind it.
   ExteriorCutter(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
                  const RegionGrowingWinding& windings, const RayCastFrontWinding& ray,
                  int winding_level)
@@ -27,8 +28,9 @@ class ExteriorCutter {
         winding_level_(winding_level),
         geometry_(welded.points, welded.faces) {}
 
-  /// Returns the exterior facets of a plane with a single face. Returns nothing if other faces do
-  /// more than cross this face (bounding_subsegments.h). Then the plane has to be cut in full.
+  /// Returns the exterior triangles of a plane with a single face. Returns nothing if this is not
+  /// possible, for example if another face touches this face instead of crossing it. Then the
+  /// caller has to cut the face along all intersections.
   std::optional<PlaneCut> cut(const Plane& plane);
   std::size_t rays() const { return rays_; }
 

@@ -8,8 +8,9 @@
 namespace transformesh {
 namespace {
 
-/// Number of points that are tried in a cell. A path touches an edge only by coincidence, so a
-/// second point is rarely needed. Exception: a cell that is only a few coordinate spacings wide.
+/// Number of points that are tried in a cell. A point is rejected if the path to it touches an edge
+/// of the mesh. This happens only by coincidence, so a second point is rarely needed. Exception: a
+/// cell that is only a few coordinate spacings wide.
 constexpr int most_attempts = 16;
 
 /// Returns the cells that share a side with a cell.
@@ -18,7 +19,7 @@ std::array<Cell, 6> neighbors_of(Cell cell) {
   return {cell - x, cell + x, cell - y, cell + y, cell - z, cell + z};
 }
 
-/// Returns the central cube of a cell, with half its width.
+/// Returns the central cube of a cell. The width of the cube is half the width of the cell.
 Eigen::AlignedBox3d core_of(const CellGrid& grid, Cell cell) {
   const Eigen::AlignedBox3d box = grid.box_of(cell);
   const Vec3 quarter = Vec3::Constant(grid.size() / 4);
@@ -51,8 +52,8 @@ std::optional<ReferencePoint> LocalReferences::known(Cell cell) const {
   return last;
 }
 
-// Returns a path of adjacent cells to `cell`, from a cell with a known point. The breadth-first
-// search starts at `cell`.
+// Returns a path of adjacent cells to `cell`. The path starts in a cell that contains a point with
+// known winding number. The breadth-first search runs backwards, from `cell`.
 std::vector<Cell> LocalReferences::way_to(Cell cell) const {
   std::unordered_map<Cell, Cell> towards{{cell, cell}};
   std::vector<Cell> queue{cell};
@@ -69,8 +70,8 @@ std::vector<Cell> LocalReferences::way_to(Cell cell) const {
   return {};
 }
 
-// Finds a point in the cell from the reference point of the part, if the box of the part overlaps
-// the cell.
+// Finds a point with known winding number in the cell, starting from the reference point of the
+// part. Returns false if the box in which the part has all faces does not overlap the cell.
 bool LocalReferences::enter(Cell cell) const {
   const Eigen::AlignedBox3d common = around_.grid.box_of(cell).intersection(around_.held);
   if (common.isEmpty()) return false;
@@ -89,8 +90,9 @@ std::optional<ReferencePoint> LocalReferences::find_in(const Eigen::AlignedBox3d
   return std::nullopt;
 }
 
-// Returns the change of the winding number from one point to another. The path is parallel to the
-// axes, so that its boxes contain few faces.
+// Returns the change of the winding number from point `from` to point `to`, or nothing if the path
+// touches an edge. The path consists of three segments parallel to the axes, because their bounding
+// boxes meet few faces.
 std::optional<int> LocalReferences::change(const Vec3& from, const Vec3& to) const {
   int sum = 0;
   Vec3 start = from;

@@ -1,7 +1,9 @@
-/// Reference points in a part of a mesh: points off the surface near any complete face, with their
-/// winding numbers in the whole mesh. A point is reached from the reference point of the part by a
-/// path through covered cells. Exact. Thread-safe: the points depend on the order of calls, but the
-/// winding numbers do not. Cost: a new point takes a breadth-first search of covered cells.
+/// Finds reference points in a part of a mesh: points off the surface whose winding numbers in the
+/// whole mesh are known. They are found near faces whose surroundings are in the part
+/// (`Surroundings::is_complete`). A path through cells in which the part has all faces leads from
+/// the reference point of the part to the new point. Exact. Thread-safe: the points depend on the
+/// order of calls, but the winding numbers do not. Cost: a new point takes a breadth-first search
+/// of cells.
 #pragma once
 
 #include <functional>
@@ -16,16 +18,17 @@ namespace transformesh {
 class LocalReferences {
  public:
   using Visit = std::function<bool(const Triangle&)>;
-  /// Calls `visit` for all faces of the part that touch a box, until `visit` returns false.
+  /// Function that calls `visit` for all faces of the part that touch a box, until `visit` returns
+  /// false.
   using VisitFaces = std::function<void(const Vec3& low, const Vec3& high, const Visit& visit)>;
 
   /// Keeps a reference to `around`.
   LocalReferences(const Surroundings& around, VisitFaces visit_faces)
       : around_(around), visit_faces_(std::move(visit_faces)) {}
 
-  /// Returns a reference point in the cell of `place`; each attempt gives a different point. The
-  /// part contains every face between `place` and that point. Returns nothing if no path to the
-  /// cell is found.
+  /// Returns a reference point in the grid cell of `place`; each value of `attempt` gives a
+  /// different point. The part contains every face that the segment from `place` to this point can
+  /// meet. Returns nothing if no path to the cell is found.
   std::optional<ReferencePoint> near(const Vec3& place, int attempt) const;
 
  private:

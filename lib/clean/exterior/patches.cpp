@@ -16,8 +16,8 @@ Patches::Patches(const Arrangement& arrangement) : arrangement_(arrangement) {
   number_patches(edges);
 }
 
-// True if the surface continues across the edge: exactly two pieces meet at it, in opposite
-// directions and with equal multiplicity.
+// True if the surface continues across the edge: exactly two pieces meet there, traverse the edge
+// in opposite directions, and have equal multiplicity.
 bool Patches::is_inner_edge(std::span<const Index> halfedges) const {
   const auto& all = arrangement_.pieces;
   return halfedges.size() == 2 && is_forward(all, halfedges[0]) != is_forward(all, halfedges[1]) &&
@@ -54,8 +54,9 @@ void Patches::collect_patch(Index first, const std::vector<Index>& neighbor) {
   pieces.push_back(std::move(members));
 }
 
-// Joins the facing sides of consecutive pieces in angular order, because one cell is between them.
-// At a free border this joins both sides of a patch.
+// Sorts the pieces at each edge by angle. Joins the sides with which consecutive pieces face each
+// other, because the same cell is in front of both sides. At a border, an edge of a single piece,
+// this joins both sides of its patch.
 DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches,
                                      const IsWholeEdge& is_whole) {
   DisjointSets sides(2 * patches.size());

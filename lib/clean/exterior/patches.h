@@ -1,11 +1,11 @@
-/// Patches of an arrangement: pieces that are connected across edges at which no other piece meets
-/// them. They are the parts of the surface between intersection curves and borders (paper 3.2.2).
-/// In a closed mesh, the winding number in front of a patch is constant. Cost: O(n log n). Exact;
+/// Patches of an arrangement: sets of pieces that are connected across edges of exactly two pieces.
+/// They are the parts of the surface between intersection curves and borders (paper 3.2.2). In a
+/// closed mesh, the winding number in front of a patch is constant. Cost: O(n log n). Exact;
 /// deterministic.
 ///
 /// Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh arrangements for solid geometry", ACM TOG
-/// 35(4), 2016. Departure: cells are sets of joined patch sides, and nested components are not
-/// joined here.
+/// 35(4), 2016. Departures: a cell of space is represented by the set of patch sides on its
+/// boundary. If a component is inside another one, the cells between them are not joined here.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,8 @@ class Patches {
  public:
   explicit Patches(const Arrangement& arrangement);
 
-  /// Patch of each piece; no_index if the piece's multiplicity is 0.
+  /// Patch of each piece; no_index if the piece's multiplicity is 0, because its coincident faces
+  /// cancel out.
   std::vector<Index> patch_of;
   std::vector<std::vector<Index>> pieces;  ///< pieces of each patch
 
@@ -35,19 +36,20 @@ class Patches {
   const Arrangement& arrangement_;
 };
 
-/// Returns true if `halfedges` are the halfedges of all pieces at an edge, and false if some of
-/// these pieces are missing.
+/// Function that returns true if `halfedges` belong to all pieces at an edge, and false if the
+/// arrangement lacks some of these pieces.
 using IsWholeEdge = std::function<bool(std::span<const Index> halfedges)>;
 
-/// Joins the sides of patches that bound the same cell of space next to a common edge. Side 2 *
-/// patch is in front of a patch, side 2 * patch + 1 behind it. Edges for which `is_whole` returns
-/// false are skipped; without the function no edge is skipped.
+/// Joins the sides of patches between which there is a common cell of space next to a common edge.
+/// Side 2 * patch is in front of a patch, side 2 * patch + 1 behind it. Edges for which `is_whole`
+/// returns false are skipped. If `is_whole` is empty, no edge is skipped.
 DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches,
                                      const IsWholeEdge& is_whole = {});
 
-/// Marks the pieces of patches between inside and outside, and reverses them if necessary so that
-/// the inside is behind them. Unmarks the pieces of other patches. `is_inside` is per side: 0, 1,
-/// or another value for unknown. Patches with an unknown side do not change.
+/// Sets the `kept` entries of pieces whose patch has the inside on one side and the outside on the
+/// other. Reverses these pieces if necessary, so that the inside is behind them. Clears the `kept`
+/// entries of other patches. `is_inside` has an entry for each side of each patch: 0, 1, or another
+/// value for unknown. Patches with an unknown side do not change.
 void keep_boundary(Arrangement& arrangement, const Patches& patches,
                    const std::vector<char>& is_inside, std::vector<char>& kept);
 

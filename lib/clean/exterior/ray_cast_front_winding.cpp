@@ -11,12 +11,14 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_attempts = 20000;          // the square of an attempt fits into an int
+// Limit of points tried on a piece; its square fits into an int.
+constexpr int most_attempts = 20000;
 constexpr std::size_t faces_per_task = 4096;  ///< affects time only
 /// Up to this number of rays, no tree is built; affects time only.
 constexpr std::size_t few_rays = 8;
-/// Number of reference points that are tried for one origin. Up to three of them may be in the
-/// plane of the piece; segments from these points are useless.
+/// Number of reference points (points with known winding number) from which segments to one point
+/// of a piece are tried. Up to three of them may be in the plane of the piece. Segments from these
+/// points are useless.
 constexpr int references_per_origin = 4;
 
 Bvh build_bvh(const WeldedMesh& welded) {
@@ -27,8 +29,8 @@ Bvh build_bvh(const WeldedMesh& welded) {
   return Bvh(boxes);
 }
 
-/// Floating-point filter for the side of a projected edge on which a point is. Returns 0 if
-/// rounding errors leave the side undecided.
+/// Floating-point filter for the side of a projected edge on which a point is. The side is 0 if
+/// rounding errors leave it undecided.
 class SideFilter {
  public:
   SideFilter(const ExactPoint& point, PlaneProjection p)
@@ -50,7 +52,7 @@ class SideFilter {
   }
 
  private:
-  /// Exceeds the relative rounding error of the orientation.
+  /// Upper bound of the relative rounding error of the orientation.
   static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   static constexpr double underflow_guard = 1e-280;
 
@@ -119,7 +121,8 @@ std::optional<int> RayCastFrontWinding::in_front_of(const ExactPoint& point, Ind
   return count.grazes ? std::nullopt : std::optional(count.winding);
 }
 
-// Returns the axis nearest to the normal, and the sign of the direction to the front.
+// Returns the axis that is nearest to the normal of the piece's face, and the sign of the direction
+// along this axis in which the front of the piece is.
 std::pair<int, int> RayCastFrontWinding::axis_and_direction(const PieceSource& source) const {
   const PlaneProjection projection = projection_of(welded_.triangle(source.face));
   const bool even = projection.v == (projection.u + 1) % 3;
@@ -130,10 +133,10 @@ int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
                                      const PieceSource& source,
                                      std::vector<FaceCrossing>* crossings) const {
   const ExactGeometry geometry(welded_.points, welded_.faces);
-  // A ray touches an edge if its origin is on the projection of that edge to the piece. That
-  // projection is a segment, which intersects the conic at most twice. Hence each edge makes at
-  // most two attempts fail. The same holds for segments from a reference point outside the plane of
-  // the piece.
+  // The points that weights() gives are on a conic. A ray touches an edge if it starts on the
+  // projection of this edge to the piece. The projection is a segment, which intersects the conic
+  // at most twice. Hence each edge makes at most two attempts fail. The same holds for segments
+  // from a reference point outside the plane of the piece.
   for (int attempt = 1; attempt <= most_attempts; ++attempt) {
     const ExactPoint origin = geometry.mean(part[0], part[1], part[2], weights(attempt));
     if (crossings) crossings->clear();
@@ -200,10 +203,11 @@ RayCastFrontWinding::Count RayCastFrontWinding::cast_ray(
   return count;
 }
 
-// Counts the faces between a reference point and a point just in front of the piece. If the origin
-// is in the plane of a face, the face is coplanar with the piece. Then its orientation decides on
-// which side the segment ends. If the reference point is in the plane of a face, the segment does
-// not cross the face.
+// Counts the faces between the reference point `from` and a point just in front of the piece, near
+// its point `origin`. If a face contains `origin`, the face is coplanar with the piece. The end of
+// the segment is in front of such a face if face and piece have the same orientation, and behind it
+// otherwise. If the reference point is in the plane of a face, the segment does not cross this
+// face.
 RayCastFrontWinding::Count RayCastFrontWinding::cross_segment(const ReferencePoint& from,
                                                               const ExactPoint& origin,
                                                               const PieceSource& source) const {

@@ -1,7 +1,8 @@
-/// Exact winding numbers just in front of a face or a piece (paper 2). A ray from there counts the
-/// closed faces that it crosses. Used for the seeds of region growing (paper 3.2.1), and for all
-/// pieces by the static strategy (paper 4.5). (RayCastWinding gives the winding number at a point
-/// off the surface.) Cost: O(n log n) to build the hierarchy; O(log n + crossed boxes) per ray.
+/// Exact winding numbers just in front of a face or of a piece of a cut face (paper 2). A ray that
+/// starts there counts the closed faces that it crosses. Used for the first faces of region growing
+/// (paper 3.2.1), and for all pieces by the static strategy (paper 4.5). The class RayCastWinding
+/// gives the winding number at a point off the surface instead. Cost: O(n log n) to build the
+/// hierarchy; O(log n + crossed boxes) per ray.
 #pragma once
 
 #include <functional>
@@ -15,8 +16,8 @@
 
 namespace transformesh {
 
-/// A face that a ray crosses, and its contribution to the winding number w at the origin of the
-/// ray.
+/// A face that a ray crosses, and its contribution (1 or -1) to the winding number w at the start
+/// of the ray.
 struct FaceCrossing {
   Index face;
   int winding;
@@ -25,17 +26,18 @@ struct FaceCrossing {
 class RayCastFrontWinding {
  public:
   /// `rays` is the approximate number of rays. Up to 8 rays are tested against all faces, which
-  /// costs less than building a hierarchy. In a part of a mesh, pass `around`: then segments from
-  /// nearby points replace the rays (local_references.h). Keeps references.
+  /// costs less than building a hierarchy. If `welded` is only a part of a mesh, pass `around`.
+  /// Then segments from nearby points with known winding numbers replace the rays
+  /// (local_references.h). Keeps references to the arguments.
   RayCastFrontWinding(const WeldedMesh& welded, std::size_t rays,
                       const Surroundings* around = nullptr);
 
-  /// Returns the winding number just in front of a piece. A ray or segment that touches an edge or
-  /// a corner is replaced by another one, from a different point of the piece. Throws GoalError
-  /// after 20000 attempts.
+  /// Returns the winding number just in front of a piece. If a ray or segment touches an edge or a
+  /// corner, it is replaced by one from a different point of the piece. Throws GoalError after
+  /// 20000 attempts.
   int in_front_of(const Arrangement& arrangement, const Piece& piece) const;
-  /// Returns the faces that the ray crosses, with their contributions. The sum of these is the
-  /// winding number just in front of the piece.
+  /// Returns the faces that a ray from the front of the piece crosses, with their contributions.
+  /// The sum of the contributions is the winding number just in front of the piece.
   std::vector<FaceCrossing> crossings_in_front_of(const Arrangement& arrangement,
                                                   const Piece& piece) const;
   std::vector<FaceCrossing> crossings_in_front_of(Index face) const;
@@ -63,8 +65,9 @@ class RayCastFrontWinding {
                       const std::function<bool(Index)>& visit) const;
 
   const WeldedMesh& welded_;
-  Bvh bvh_;                                      ///< all faces; empty if there are few rays
-  std::unique_ptr<LocalReferences> references_;  ///< null for a whole mesh
+  Bvh bvh_;  ///< hierarchy of all faces; empty if there are few rays
+  /// Null unless the mesh is a part of a larger mesh.
+  std::unique_ptr<LocalReferences> references_;
 };
 
 }  // namespace transformesh

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t planes_per_task = 256;  ///< affects time only
 /// Up to this number of rays, testing all faces costs less than building a hierarchy. After the
-/// first `few` rays, `many` are expected. Both are choices and affect only the time.
+/// first `few` rays, a hierarchy for `many` rays is built. Both numbers are choices and affect only
+/// the time.
 constexpr std::size_t few = 8;
 constexpr std::size_t many = 1000;
 
@@ -38,7 +39,9 @@ RegionGrowingWinding::RegionGrowingWinding(const WeldedMesh& welded, const Plane
   if (around_) grow_from_cut_faces();
 }
 
-// Faces that meet an incomplete face may be outside the part and change the winding number w there.
+// Removes incomplete faces from the adjacency, so that they do not propagate the winding number w.
+// Faces that meet an incomplete face may be missing in this part of the mesh, and would change w
+// along its edges.
 void RegionGrowingWinding::leave_out_incomplete() {
   complete_across_ = welded_.opposites;
   for (Index h = 0; h < complete_across_.size(); ++h) {
@@ -58,7 +61,8 @@ void RegionGrowingWinding::find_regions() {
   region_front_.assign(first_face_.size(), unknown);
 }
 
-// Lists the halfedges of cut faces across which there is a region, by region (counting sort).
+// Lists for each region the halfedges of cut faces whose opposite halfedge belongs to the region
+// (counting sort).
 void RegionGrowingWinding::list_neighbors() {
   const auto for_each = [&](const auto& visit) {
     for (std::size_t i = 0; i < planes_.size(); ++i) {
@@ -85,9 +89,9 @@ RegionGrowingWinding::CutFace RegionGrowingWinding::trace(const Plane& plane) co
   return cut;
 }
 
-// Adds the changes of the winding number w along the edges of `face` that a meeting causes. A
-// common segment that ends on an edge changes w along this edge, unless the other face contains the
-// edge.
+// Adds to `cut.along` the changes of the winding number w along the edges of `face` that an
+// intersecting face causes. If the common segment of both faces ends on an edge, w changes along
+// this edge. Exception: the other face contains the edge.
 void RegionGrowingWinding::trace_meeting(const Meeting& meeting, Index face, CutFace& cut) const {
   const bool is_first = meeting.first == face;
   const Contacts& contacts = meeting.contacts;
@@ -108,9 +112,9 @@ void RegionGrowingWinding::trace_meeting(const Meeting& meeting, Index face, Cut
   }
 }
 
-// Returns the smallest of a whole face and its whole neighbors, all of which have the same winding
-// number w in front. If many faces meet in one place, small faces lie near its outside, where rays
-// cross fewer faces.
+// Returns the smallest of a face and its neighbors that have no intersections. All of these have
+// the same winding number w in front. If many faces intersect in one place, the smallest faces
+// usually lie at the outside of this place, where a ray crosses fewer faces.
 Index RegionGrowingWinding::seed_near(Index face) const {
   const auto extent = [&](Index f) {
     const Triangle t = welded_.triangle(f);
@@ -125,7 +129,8 @@ Index RegionGrowingWinding::seed_near(Index face) const {
   return seed;
 }
 
-// Casts rays from whole faces only. A cut face is tested more easily after it is cut.
+// Casts rays only from whole faces (faces without intersections). For a cut face, winding numbers
+// are easier to find after the face is cut.
 void RegionGrowingWinding::grow() {
   std::optional<RayCastFrontWinding> ray;
   for (Index region = 0; region < first_face_.size(); ++region) {
@@ -142,8 +147,8 @@ void RegionGrowingWinding::grow() {
   }
 }
 
-// Casts rays from cut faces that are connected to no whole face in this part of the mesh. In the
-// whole mesh, such a face may be connected to a whole face.
+// Casts rays from cut faces that are not connected to a whole face (a face without intersections)
+// in this part of the mesh. In the whole mesh, such a face may be connected to a whole face.
 void RegionGrowingWinding::grow_from_cut_faces() {
   std::optional<RayCastFrontWinding> ray;
   for (Index f = 0; f < welded_.faces.size(); ++f) {
@@ -188,8 +193,8 @@ void RegionGrowingWinding::spread_from_region(Index region) {
   }
 }
 
-// Propagates the winding number w along the edges of a cut face, and to both neighbors of the face
-// at the corner, next to the common edges.
+// Propagates the winding number w from a corner of a cut face along both edges at the corner to the
+// other two corners. Also propagates w across these edges to the neighbors of the face.
 void RegionGrowingWinding::spread_from_corner(Index corner) {
   const Index face = corner / 3, i = corner % 3, before = previous_corner(i);
   const int w = at_cut_face(face, i);
@@ -201,7 +206,8 @@ void RegionGrowingWinding::spread_from_corner(Index corner) {
   visit_corner(face, before, w - cut.along[before]);
 }
 
-// A whole face has the same winding number w as its region.
+// Assigns the winding number w to a face near its corner `i`. A face without intersections has the
+// same w everywhere in its region, so the region gets w.
 void RegionGrowingWinding::visit_face(Index face, Index i, int w) {
   planes_.is_whole(face) ? visit_region(region_of_[face], w) : visit_corner(face, i, w);
 }
@@ -221,8 +227,8 @@ void RegionGrowingWinding::visit_corner(Index face, Index i, int w) {
 }
 
 // On the straight line from a corner to any point of the face, the winding number w changes only at
-// intersecting faces. It decreases at most by the faces that have the corner behind them, and
-// increases at most by the others.
+// intersecting faces. It decreases at most by the number of intersecting faces behind which the
+// corner is, and increases at most by the number of the other intersecting faces.
 bool RegionGrowingWinding::is_hidden(const Plane& plane, int winding_level) const {
   if (plane.faces.size() > 1 || jumps_.multiplicity(plane.faces[0]) != 1) return false;
   const Index face = plane.faces[0];

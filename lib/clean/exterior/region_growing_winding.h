@@ -1,11 +1,13 @@
-/// Region growing (paper 3.2) over a mesh before any face is cut. Finds the winding number w of the
-/// closed part in front of each face, including open faces, near each corner. Two neighbors have
-/// the same w in front, next to their common edge. Along an edge, w changes at closed faces that
-/// intersect the edge. A ray gives w in front of one whole face of each connected component (paper
-/// 3.2.1). Hence w is found once for each region of connected whole faces, and at each corner of
-/// the cut faces between them; only the regions are found in parallel. In a part of a mesh,
-/// incomplete faces do not propagate w. There, a cut face gets its own ray if it is not connected
-/// to a whole face. Cost: O(n + k) for k pairs, and a ray per component. Exact; deterministic.
+/// Region growing (paper 3.2) over a mesh before any face is cut. Finds the winding number w in
+/// front of each face, near each corner. Only the closed faces of the mesh determine w, but w is
+/// also found in front of open faces. Two neighbors have the same w in front, next to their common
+/// edge. Along an edge, w changes at closed faces that intersect the edge. Whole faces are those
+/// without intersections; other faces are cut faces. A ray gives w in front of one whole face of
+/// each connected component (paper 3.2.1). Hence w is found once for each region of connected whole
+/// faces, and at each corner of the cut faces between the regions. Only the regions are found in
+/// parallel. If only a part of a mesh is loaded, faces whose surroundings are missing
+/// (surroundings.h) do not propagate w. Then a cut face gets its own ray if it is not connected to
+/// a whole face. Cost: O(n + k) for k pairs, and a ray per component. Exact; deterministic.
 #pragma once
 
 #include <limits>
@@ -26,8 +28,9 @@ class RegionGrowingWinding {
   RegionGrowingWinding(const WeldedMesh& welded, const Planes& planes, const WindingJumps& jumps,
                        const Surroundings* around = nullptr);
 
-  /// Returns the winding number w in front of a face near its corner `i`. Returns nothing if other
-  /// faces meet the corner, or if the face is not connected to a whole face.
+  /// Returns the winding number w in front of a face near its corner `i`. Returns nothing if
+  /// another face that is not a neighbor contains the corner, or if the face is not connected to a
+  /// whole face (a face without intersections).
   std::optional<int> at(Index face, Index i) const {
     if (has_no_closed_face_) return 0;
     const int w = planes_.is_whole(face) ? region_front_[region_of_[face]] : at_cut_face(face, i);
@@ -40,10 +43,11 @@ class RegionGrowingWinding {
 
  private:
   static constexpr int unknown = std::numeric_limits<int>::min();
-  /// Changes of the winding number w in front along the edges of a cut face.
+  /// Changes of the winding number w in front of a cut face along its edges.
   struct CutFace {
-    std::array<int, 3> along{};    ///< change of w from corner i to the next corner
-    std::array<bool, 3> is_met{};  ///< true if other faces meet corner i
+    std::array<int, 3> along{};  ///< change of w from corner i to the next corner
+    /// True if a face that intersects the cut face contains corner i.
+    std::array<bool, 3> is_met{};
   };
 
   int at_cut_face(Index face, Index i) const {
@@ -69,15 +73,18 @@ class RegionGrowingWinding {
   const WeldedMesh& welded_;
   const Planes& planes_;
   const WindingJumps& jumps_;
-  const Surroundings* around_;          ///< null for a whole mesh
-  bool has_no_closed_face_ = false;     ///< true if w is 0 everywhere
-  std::vector<CutFace> cut_faces_;      ///< one for each plane
-  std::vector<Index> complete_across_;  ///< opposite halfedges without those of incomplete faces
-  std::span<const Index> across_;       ///< opposite halfedge of each halfedge, or no_index
-  RawVector<Index> region_of_;          ///< region of each face; no_index for a cut face
-  RawVector<Index> first_face_;         ///< least face of each region
-  std::vector<Index> cut_at_;        ///< halfedges of cut faces at each region, one after the other
-  std::vector<Index> cut_offsets_;   ///< first of these of each region
+  const Surroundings* around_;       ///< null unless the mesh is a part of a larger mesh
+  bool has_no_closed_face_ = false;  ///< true if w is 0 everywhere
+  /// Changes of w along the edges of the first face of each plane.
+  std::vector<CutFace> cut_faces_;
+  /// Opposite halfedges; no_index if one of the two faces is incomplete.
+  std::vector<Index> complete_across_;
+  std::span<const Index> across_;  ///< opposite of each halfedge, or no_index
+  RawVector<Index> region_of_;     ///< region of each face; no_index for a cut face
+  RawVector<Index> first_face_;    ///< face with the lowest index of each region
+  /// For each region the halfedges of cut faces next to the region, in one list.
+  std::vector<Index> cut_at_;
+  std::vector<Index> cut_offsets_;   ///< index in `cut_at_` of the first halfedge of each region
   std::vector<int> region_front_;    ///< winding number in front of each region
   std::vector<int> front_;           ///< winding number in front of each cut face at its corners
   std::vector<Index> region_stack_;  ///< regions whose neighbors have to be visited

@@ -6,22 +6,24 @@
 
 namespace transformesh {
 
-/// Side of a line on which a point is, with bounds of the distance.
+/// Side of a line on which a point is, with a lower and an upper bound of the distance from the
+/// line.
 struct SegmentCrossings::Height {
   int side;
   double least, most;
 
   /// Returns bounds of the fraction of a segment's length at which the segment crosses the line.
-  /// The segment starts at this point and ends at `end`, on the other side.
+  /// The segment starts at the point of `*this` and ends at the point of `end`, on the other side
+  /// of the line.
   std::array<double, 2> share_before(const Height& end) const {
     constexpr double rounding = 1e-15;  // exceeds the rounding error of the quotients
     return {least / (least + end.most) - rounding, most / (most + end.least) + rounding};
   }
 };
 
-// If the floating-point filter fails, tests the point against the plane of the intersecting face.
-// This costs less than an exact orientation. The sign of the jump determines which side of the
-// segment is in front of that face.
+// If the floating-point filter does not decide, tests the point against the plane of the face that
+// intersects in the segment. This test costs less than an exact 2D orientation. The sign of `jump`
+// tells which side of the segment is in front of the intersecting face.
 int SegmentCrossings::side(Index s, const ExactPoint& of) const {
   const PlanarSegment& line = segment(s);
   const int sign =
@@ -92,8 +94,8 @@ SegmentCrossings::Height SegmentCrossings::height_over(Index s, Index p) const {
   return {sign, std::max(size - turn.error, 0.0), size + turn.error};
 }
 
-// Returns the cached point of a crossing. The cache also keeps the coordinates that exact tests
-// refine.
+// Returns the point of a crossing from a cache. The cache also keeps the more precise coordinates
+// that exact tests compute for the point.
 const ExactPoint& SegmentCrossings::point_of(const Crossing& crossing) const {
   const auto known = points_.find(crossing.pair);
   if (known != points_.end()) return known->second;

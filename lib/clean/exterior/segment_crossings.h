@@ -1,6 +1,6 @@
-/// Finds the crossings of segments in a face, and their order along each segment. Exact;
-/// deterministic. Cost: O(s log s + p) for s segments of which p pairs have overlapping boxes, if
-/// few segments overlap along one axis.
+/// Finds the crossings of the segments in which other faces intersect a face, and the order of the
+/// crossings along each segment. Exact; deterministic. Cost: O(s log s + p) for s segments of which
+/// p pairs have overlapping boxes, if few segments overlap along one axis.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,22 +14,22 @@
 
 namespace transformesh {
 
-/// The segment in which another face intersects the face.
+/// The segment in which another face intersects the face that is cut.
 struct PlanarSegment {
   Index from, to;  ///< indices of its ends in `points`; only `to` may be a corner of the face
   Index face;      ///< the intersecting face
-  /// Increase of the winding number in front of the face, from left to right of the segment: +1 or
-  /// -1. The sign determines whether the left side is in front of the intersecting face or behind
-  /// it.
+  /// Increase of the winding number in front of the face, from the left to the right of the
+  /// segment: +1 or -1. If it is +1, the left side is in front of the intersecting face, otherwise
+  /// behind it.
   int jump;
 };
 
-/// All segments in a face.
+/// The segments in which other faces intersect a face.
 struct SegmentsInFace {
   Index face = no_index;
   PlaneProjection projection;      ///< projection in which the face is counter-clockwise
   std::vector<ExactPoint> points;  ///< ends of the segments
-  /// For each point the edge of the face that contains it, or no_index.
+  /// For each point the edge of the face (0 to 2) that contains the point, or no_index.
   std::vector<Index> edge_of;
   std::vector<PlanarSegment> segments;
 
@@ -38,12 +38,13 @@ struct SegmentsInFace {
   }
 };
 
-/// An intersection of two segments.
+/// An intersection of two segments. Each is stored twice, once for each of the two as `segment`.
 struct Crossing {
   Index segment, other;
-  Index pair;  ///< number that both segments' entries of the crossing share
-  int side;    ///< side of `other` at which `segment` starts: +1 for left
-  /// Bounds of the crossing's position on `segment`, as a fraction of its length.
+  Index pair;  ///< number of the crossing, equal in both entries
+  int side;    ///< side of `other` on which the start of `segment` is: +1 for left
+  /// Lower and upper bound of the position of the crossing on `segment`, as a fraction of its
+  /// length.
   double least, most;
 };
 
@@ -55,22 +56,26 @@ class SegmentCrossings {
 
   /// Finds all crossings. Returns false if segments touch elsewhere than at common ends.
   bool find();
-  /// Returns the crossings of a segment, in order along it after sort_along().
+  /// Returns the crossings of a segment. After sort_along() they are in order along the segment.
   std::span<const Crossing> of(Index s) const {
     return {crossings_.data() + first_[s], crossings_.data() + first_[s + 1]};
   }
-  /// Sorts the crossings of a segment. Returns false if three segments meet in one of its points.
+  /// Sorts the crossings of a segment along the segment. Returns false if three segments meet in
+  /// one point of it.
   bool sort_along(Index s);
-  /// Returns the increase of the winding number w in front along the segment at a crossing.
+  /// Returns by how much the winding number w in front of the face increases along
+  /// `crossing.segment` at the crossing.
   int jump_over(const Crossing& crossing) const {
     const int jump = in_.segments[crossing.other].jump;
     return crossing.side > 0 ? jump : -jump;
   }
-  /// Returns the increase of the winding number w in front from the start of the segment to just
-  /// before a crossing. Returns nothing if another segment crosses at the same point.
+  /// Returns by how much the winding number w in front of the face increases along
+  /// `crossing.segment` from its start to just before the crossing. Returns nothing if a third
+  /// segment crosses at the same point.
   std::optional<int> change_before(const Crossing& crossing) const;
 
-  /// Returns the side of a segment on which a point is: +1 for left.
+  /// Returns the side of a segment on which a point is: +1 for left, -1 for right, 0 for the line
+  /// through the segment.
   int side(Index s, const ExactPoint& of) const;
   Eigen::AlignedBox2d box_of(const ExactPoint& from, const ExactPoint& to) const;
   const Eigen::AlignedBox2d& box(Index s) const { return boxes_[s]; }
@@ -93,7 +98,7 @@ class SegmentCrossings {
   const ExactGeometry& geometry_;
   const SegmentsInFace& in_;
   std::vector<Eigen::AlignedBox2d> boxes_;  ///< projected box of each segment
-  /// Crossings in order of detection; crossings sorted by segment.
+  /// `found_` has the crossings in the order of detection, `crossings_` has them sorted by segment.
   std::vector<Crossing> found_, crossings_;
   std::vector<Index> first_;
   /// Planes of the intersecting faces, each computed on demand.

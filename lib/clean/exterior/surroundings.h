@@ -1,5 +1,5 @@
-/// Facts about a closed mesh with which a part of it can be cleaned alone, such that winding
-/// numbers are those of the whole mesh.
+/// Data about a part of a closed mesh with which the part can be cleaned alone, such that all
+/// winding numbers are those of the whole mesh.
 #pragma once
 
 #include <vector>
@@ -16,14 +16,14 @@ struct ReferencePoint {
 
 struct Surroundings {
   /// Per welded face: 1 if the part contains all faces that meet the face, and all faces that meet
-  /// those. Only such faces are arranged.
+  /// any of these. Only faces with entry 1 (complete faces) are arranged.
   std::vector<char> is_complete;
   /// The part contains every face of the mesh that touches this box. The reference point is inside
   /// the box.
   Eigen::AlignedBox3d held;
   ReferencePoint reference;
-  /// The part contains every face that touches a marked cell. The cells of complete faces are
-  /// marked.
+  /// `covered` has cells of `grid` in which the part contains all faces. All cells that complete
+  /// faces touch are in `covered`.
   CellGrid grid{1};
   CellMarks covered;
 };

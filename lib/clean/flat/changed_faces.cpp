@@ -10,7 +10,8 @@ using Place = std::array<double, 3>;
 
 Place place_of(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
 
-/// Returns the corners of input faces that are not faces of the result, sorted.
+/// Returns the positions of the corners of all input faces that are not faces of the result,
+/// sorted.
 std::vector<Place> corners_of_lost_faces(const Mesh& input, std::span<const Index> source_face,
                                          std::span<const char> face_is_new) {
   std::vector<char> is_left(input.faces.size(), 0);

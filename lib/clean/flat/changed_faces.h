@@ -1,5 +1,5 @@
-/// Finds the changed faces of a cleaned mesh: pieces of cut faces, and faces at the corners of
-/// input faces that were cut or removed. Cost: O(n log n). Deterministic.
+/// Finds the changed faces of a cleaned mesh. These are the pieces of cut faces, and all faces at
+/// positions of corners of input faces that were cut or removed. Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace transformesh {
 
-/// Returns 1 for each changed face of `result`. Faces of the result that are not new must be whole
-/// faces of the input.
+/// Returns 1 for each changed face of `result`. Faces with a zero `face_is_new` entry must be faces
+/// of the input.
 std::vector<char> find_changed_faces(const Mesh& input, const Mesh& result,
                                      std::span<const Index> source_face,
                                      std::span<const char> face_is_new);

@@ -36,8 +36,8 @@ bool FlatOutlines::is_outline(Index halfedge) const {
   return region_across(halfedge) != of_face_[halfedge / 3];
 }
 
-/// A vertex is on an edge if exactly two outline edges meet at the vertex, and all its faces belong
-/// to regions.
+/// Sets the place of each vertex. The place is `on_edge` if exactly two outline edges meet at the
+/// vertex, all its faces belong to regions, and no other vertex has its position.
 void FlatOutlines::find_places() {
   const std::vector<Face>& faces = surface_.mesh.faces;
   std::vector<char> edges(places_.size(), 0);
@@ -62,15 +62,15 @@ void FlatOutlines::find_places() {
     goes_[v] = places_[v] == inside && !surface_.has_copy[v] ? 1 : 0;
 }
 
-/// Returns the next halfedge of the same outline.
+/// Returns the halfedge that follows a halfedge of an outline on the same outline.
 Index FlatOutlines::next_around(Index halfedge) const {
   Index next = next_halfedge(halfedge);
   while (!is_outline(next)) next = next_halfedge(surface_.opposites[next]);
   return next;
 }
 
-/// Returns the vertices of an outline from the source of a halfedge to the next corner. If the
-/// outline has no corner, the returned row ends at its first vertex.
+/// Returns a row: the vertices of an outline from the source of a halfedge to the next vertex whose
+/// place is `corner`. If there is no such vertex, the row ends where it starts.
 std::vector<Index> FlatOutlines::row_from(Index halfedge) const {
   std::vector<Index> row{halfedge_source(surface_.mesh, halfedge)};
   for (Index at = halfedge;; at = next_around(at)) {
@@ -79,7 +79,8 @@ std::vector<Index> FlatOutlines::row_from(Index halfedge) const {
   }
 }
 
-/// Straightens rows between corners first, then outlines without corners.
+/// Removes vertices on straight parts of all outlines. Rows of vertices between two corners are
+/// processed first, then outlines without corners.
 void FlatOutlines::straighten_edges() {
   std::vector<char> is_done(places_.size(), 0);
   const auto straighten_from = [&](Index halfedge) {
@@ -99,8 +100,8 @@ void FlatOutlines::straighten_edges() {
     }
 }
 
-/// Rotates a closed row such that it starts at the vertex farthest from its first one. That vertex
-/// is not on a straight line between others.
+/// Rotates a closed row of vertices such that it starts at the vertex farthest from its first
+/// vertex. The farthest vertex is never on a straight line between its neighbors.
 void FlatOutlines::begin_at_corner(std::vector<Index>& row) const {
   row.pop_back();
   const Vec3& first = surface_.mesh.positions[row.front()];
@@ -112,9 +113,9 @@ void FlatOutlines::begin_at_corner(std::vector<Index>& row) const {
   row.push_back(row.front());
 }
 
-/// Splits a row recursively at the vertex farthest from the segment between its ends, until all
-/// vertices are within their tolerances. A closed row is first split at the vertex farthest from
-/// its start.
+/// Marks the vertices of a row that are removed (Douglas & Peucker). The row is recursively split
+/// at the vertex farthest from the segment between its ends, until all vertices are within the
+/// tolerance. A closed row is first split at the vertex farthest from its start.
 void FlatOutlines::straighten(const std::vector<Index>& row) {
   const auto at = [&](std::size_t i) { return surface_.mesh.positions[row[i]]; };
   for (std::size_t i = 1; i + 1 < row.size(); ++i) goes_[row[i]] = 1;

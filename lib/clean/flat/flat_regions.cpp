@@ -11,8 +11,9 @@
 namespace transformesh {
 namespace {
 
-/// Least height of the first face of a region, in tolerances. The plane of a face with less height
-/// deviates from the surface. A choice: a lower limit finds more regions and less reliable planes.
+/// Least height of the first face of a region, in multiples of the tolerance. The plane of a lower
+/// face would deviate from the surface because of rounding. A choice: a lower limit finds more
+/// regions and less reliable planes.
 constexpr double least_height = 64;
 
 bool are_equal_rows(const Column& column, Index a, Index b) {
@@ -27,7 +28,7 @@ bool are_equal_rows(const Column& column, Index a, Index b) {
   return std::equal(at(a), at(a + 1), at(b), at(b + 1), same);
 }
 
-/// Returns the least height: twice the area divided by the longest edge.
+/// Returns the least height of a triangle: twice its area divided by its longest edge.
 double height_of(const Triangle& t) {
   const double longest = std::max(
       {(t[1] - t[0]).stableNorm(), (t[2] - t[1]).stableNorm(), (t[0] - t[2]).stableNorm()});
@@ -69,7 +70,8 @@ class RegionFinder {
   FlatRegions found_;
 };
 
-/// Returns wanted faces and their neighbors, the largest first.
+/// Returns the faces from which regions may grow: wanted faces and their neighbors, the largest
+/// first.
 std::vector<Index> RegionFinder::seeds() const {
   std::vector<std::pair<double, Index>> faces;
   for (Index f = 0; f < mesh_.faces.size(); ++f) {
@@ -123,7 +125,8 @@ void RegionFinder::measure(FlatRegion& region) const {
     }
 }
 
-/// Fits the plane to all corners by least squares of distances.
+/// Returns the growing region with a plane that is fitted to all corners by least squares of
+/// distances.
 FlatRegion RegionFinder::fitted() const {
   FlatRegion fitted = plane_;
   Vec3 mean = Vec3::Zero();
@@ -143,8 +146,9 @@ FlatRegion RegionFinder::fitted() const {
   return fitted;
 }
 
-/// Fits the plane. Returns false and changes nothing unless the fit reduces the extent of the
-/// region along the normal and keeps all corners within the tolerance.
+/// Fits the plane of the growing region to all corners. The fit must reduce the extent of the
+/// region along the normal, and all corners must be within the tolerance of the new plane.
+/// Otherwise returns false and changes nothing.
 bool RegionFinder::fit() {
   FlatRegion better = fitted();
   if (!(better.high - better.low < plane_.high - plane_.low) || better.high > tolerance_ ||
@@ -163,7 +167,8 @@ void RegionFinder::grow_from(Index seed) {
   if (!(height_of(triangle) > least_height * tolerance_)) return;
   plane_ = {triangle[0], unit_normal(triangle), 0, 0, {seed}};
   found_.of_face[seed] = static_cast<Index>(found_.regions.size());
-  // Each round except the last one at least doubles the region, so the cost is linear.
+  // Each round except the last one at least doubles the number of faces of the region, so the cost
+  // is linear.
   for (std::size_t before = 0; 2 * before < plane_.faces.size() + 1;) {
     before = plane_.faces.size();
     grow(plane_.faces);

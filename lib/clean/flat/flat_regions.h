@@ -1,11 +1,11 @@
 /// Flat regions of a mesh: connected faces whose corners are all close to one plane.
 ///
-/// Regions grow from the largest faces first, across edges, as long as corners are within the
-/// tolerance of the plane. Then the plane is fitted to all corners of the region, and the region
-/// grows further. Hence a region may be many times as large as its first face. Faces higher than
-/// twice the tolerance must have normals on the same side of the plane. Faces with different column
-/// values belong to different regions. Deterministic. Cost: O(n log n) for n faces in and around
-/// the regions.
+/// The first face of a region defines a plane; large faces are tried first. The region grows across
+/// edges, as long as corners are within the tolerance of the plane. Then the plane is fitted to all
+/// corners of the region, and the region grows further. Hence a region may be many times as large
+/// as its first face. A face whose least height exceeds twice the tolerance must have its front on
+/// the same side as the first face. Faces with different column values belong to different regions.
+/// Deterministic. Cost: O(n log n) for n faces in and around the regions.
 #pragma once
 
 #include <span>
@@ -27,9 +27,10 @@ struct FlatRegions {
   std::vector<Index> of_face;       ///< region of each face, or no_index
 };
 
-/// Finds the regions that contain a face marked in `wanted`. `opposites` are those of a manifold.
-/// `spacings` is the largest distance of corners from the plane, in spacings of type `coordinate`
-/// at the first face.
+/// Finds the regions that contain a face with a nonzero `wanted` entry. `opposites` are the
+/// opposite halfedges of `mesh`, a manifold. `spacings` is the tolerance: the largest distance of
+/// corners from the plane, divided by the spacing of numbers of type `coordinate` at the first
+/// face.
 FlatRegions find_flat_regions(const Mesh& mesh, std::span<const Index> opposites,
                               std::span<const char> wanted, double spacings, Scalar coordinate);
 

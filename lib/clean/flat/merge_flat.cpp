@@ -15,8 +15,8 @@
 namespace transformesh {
 namespace {
 
-/// Projects vertices along the axis nearest to the normal, such that orientations are preserved.
-/// Coordinates are those of the mesh, so predicates stay exact.
+/// Projects vertices along the coordinate axis nearest to the normal, such that triangles keep
+/// their orientation. The coordinates are not changed, so predicates stay exact.
 std::vector<Eigen::Vector2d> projected(const Mesh& mesh, const std::vector<Index>& vertices,
                                        const Vec3& normal) {
   Eigen::Index axis = 0;
@@ -30,8 +30,8 @@ std::vector<Eigen::Vector2d> projected(const Mesh& mesh, const std::vector<Index
   return points;
 }
 
-/// True if the oriented boundary of the triangles equals the outlines, vertex by vertex. It can
-/// differ if several vertices have the same projection.
+/// True if the oriented boundary edges of the triangles are exactly the edges of the outlines. They
+/// can differ if several vertices have the same projection.
 bool have_boundary(const std::vector<CornerTriangle>& triangles,
                    const std::vector<std::vector<Index>>& outlines) {
   std::vector<std::array<Index, 2>> there, back;
@@ -48,8 +48,8 @@ bool have_boundary(const std::vector<CornerTriangle>& triangles,
   return there == back;
 }
 
-/// Returns a triangulation of the region with fewer faces. Returns no faces if there is no such
-/// triangulation.
+/// Returns a triangulation of the region whose outlines are `left`. Returns no faces if a
+/// triangulation is not possible.
 std::vector<Face> triangulated(const Mesh& mesh, const FlatRegion& region, RegionOutlines left) {
   std::vector<Index> vertices;
   for (const std::vector<Index>& outline : left.outlines)
@@ -71,7 +71,7 @@ std::vector<Face> triangulated(const Mesh& mesh, const FlatRegion& region, Regio
   return faces;
 }
 
-/// Returns 1 for each vertex with the position of another vertex.
+/// Returns 1 for each vertex whose position is also the position of another vertex.
 std::vector<char> find_copies(const Mesh& mesh) {
   const WeldedMesh welded = weld(mesh);
   std::vector<char> has_copy(mesh.positions.size(), 0);
@@ -93,7 +93,7 @@ class FlatMerger {
   MergeFlatResult run(const Progress& progress);
 
  private:
-  /// The new faces, and the region of each new face.
+  /// The new faces of all regions, and the region of each new face.
   struct Plan {
     std::vector<Face> faces;
     std::vector<Index> regions;
@@ -121,7 +121,8 @@ void FlatMerger::give_up(Index region) {
   ++result_.kept_regions;
 }
 
-/// Triangulates all regions with removed vertices.
+/// Triangulates all regions with removed vertices. If this is not possible for a region, the region
+/// keeps its faces, and the others are triangulated again.
 FlatMerger::Plan FlatMerger::plan() {
   for (;;) {
     FlatOutlines outlines(surface_, flat_.of_face);
@@ -144,8 +145,8 @@ FlatMerger::Plan FlatMerger::plan() {
   }
 }
 
-/// Keeps the old faces of regions with a new edge that already exists elsewhere. Returns true if
-/// there are such regions.
+/// If a new edge of a region already exists elsewhere in the mesh, the region keeps its old faces.
+/// Returns true if there are such regions.
 bool FlatMerger::give_up_double_edges(const Plan& plan) {
   struct Edge {
     std::array<Index, 2> ends;
@@ -181,7 +182,7 @@ bool FlatMerger::give_up_double_edges(const Plan& plan) {
   return is_any;
 }
 
-/// Returns the mesh with the new faces after all other faces.
+/// Returns the mesh without the replaced faces, followed by the new faces.
 Assembly FlatMerger::applied(const Plan& plan) const {
   Assembly merged;
   std::vector<Index> rows;
@@ -199,8 +200,8 @@ Assembly FlatMerger::applied(const Plan& plan) const {
   return merged;
 }
 
-/// Keeps the old faces of regions with a new face that intersects another face. Returns true if
-/// there are such regions.
+/// If a new face of a region intersects another face or has no area, the region keeps its old
+/// faces. Returns true if there are such regions.
 bool FlatMerger::give_up_broken(const Plan& plan, const Assembly& merged) {
   const std::size_t first_new = merged.mesh.faces.size() - plan.faces.size();
   bool is_any = false;

@@ -58,7 +58,7 @@ Displacement collapse_short_edges(Mesh& mesh, std::vector<char>& wanted,
   if (faces.empty()) return moved;
   Assembly assembly = assembly_of(mesh, has_copy);
   const VertexGrids grids(assembly, coordinate);
-  // A grid step is half a spacing.
+  // The tolerance of remove_flat_vertices() is in grid steps, and a grid step is half a spacing.
   remove_flat_vertices(mesh, assembly, faces, 2 * spacings, false, grids, moved);
   drop_vanished(assembly);
   if (assembly.mesh.faces.size() == mesh.faces.size() || !find_broken_faces(assembly).faces.empty())

@@ -14,9 +14,9 @@ namespace {
 /// Meshes with at most this number of faces are searched without sampling. The number is a choice:
 /// a full search of so few faces is fast.
 constexpr std::size_t few_faces = 20000;
-/// Number of sampled faces. `cells_per_axis` is the resolution of the grid in which faces near them
-/// are found. Choices: more samples or larger cells detect rarer self-intersections in the first
-/// search, which then takes longer.
+/// Number of sampled faces. `cells_per_axis` is the resolution of the grid in which the faces near
+/// the sampled faces are found. Both are choices: with more samples or larger cells, the first
+/// search takes longer, and it detects rarer self-intersections.
 constexpr std::size_t sampled_faces = 1024;
 constexpr std::size_t things_per_task = 8192;  ///< affects time only
 constexpr unsigned cells_per_axis = 128;
@@ -50,17 +50,18 @@ class MarkedCells {
   std::vector<std::uint64_t> words_;
 };
 
-// Returns the i-th sample. Multiples of the golden section modulo 1 are spread evenly for any
-// number of samples.
+// Returns the face of sample `i`. The multiples of the golden ratio, modulo 1, are spread evenly
+// over [0, 1) for any number of samples.
 Index sampled_face(std::size_t i, std::size_t faces) {
-  // The fraction of the golden section, times 2^64.
+  // The fractional part of the golden ratio, times 2^64.
   constexpr std::uint64_t golden_section = 0x9e3779b97f4a7c15ULL;
   const auto share = static_cast<double>(i * golden_section) * 0x1p-64;
   return static_cast<Index>(
       std::min(share * static_cast<double>(faces), static_cast<double>(faces - 1)));
 }
 
-// Returns the sampled faces, and all faces that share a grid cell with a sampled face.
+// Returns the sampled faces, all faces that share a grid cell with a sampled face, and all large
+// faces.
 std::vector<Index> faces_near_samples(const Mesh& mesh, const CornerCells& cells) {
   MarkedCells marked(cells);
   for (std::size_t i = 0; i < sampled_faces; ++i) {
@@ -84,7 +85,8 @@ bool samples_intersect(const Mesh& mesh) {
   const CornerCells cells(mesh.positions, cells_per_axis);
   if (!cells.is_usable()) return false;
   const std::vector<Index> faces = faces_near_samples(mesh, cells);
-  // A second search of this size would not save time.
+  // Do not search the sample if it contains more than a quarter of all faces: the search of all
+  // faces costs hardly more.
   if (faces.size() > mesh.faces.size() / 4) return false;
   return !find_intersections(mesh_of_faces(mesh, faces)).empty();
 }

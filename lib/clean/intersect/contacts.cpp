@@ -5,9 +5,10 @@
 namespace transformesh {
 namespace {
 
-constexpr FaceSimplex outside = 255;  ///< not a face simplex: face simplices are 0 to 6
+/// A point outside the face; a FaceSimplex of the face is 0 to 6.
+constexpr FaceSimplex outside = 255;
 
-// One of the two faces, with the relations of its corners to the other face.
+// One of the two tested faces, with the relations of its corners to the other tested face.
 struct Side {
   std::array<const Vec3*, 3> p{};
   std::array<int, 3> sign{};  ///< side of each corner relative to the other face's plane
@@ -29,7 +30,8 @@ Side make_side(const Triangle& triangle) {
   return side;
 }
 
-// Matches corners by point index or by coordinates. Returns the number of shared corners.
+// Finds the equal corners of two faces, and stores them in `shared` of both sides. `Corners` holds
+// point indices or coordinates. Returns the number of equal corners.
 template <class Corners>
 int match_shared_corners(const Corners& f, const Corners& g, Side& a, Side& b) {
   int count = 0;
@@ -77,8 +79,8 @@ bool reaches_plane(const Side& a) {
   return above && below;
 }
 
-// Returns the simplex of a triangle that contains a point, given the side of each edge on which the
-// point is.
+// Returns the corner, edge or interior of a triangle that contains a point, or `outside`.
+// side_of_edge(k) is the orientation of the point relative to edge `k`: +1, 0 or -1.
 template <class SideOfEdge>
 FaceSimplex simplex_by_sides(const SideOfEdge& side_of_edge) {
   std::array<int, 3> side{};
@@ -98,15 +100,16 @@ FaceSimplex simplex_by_sides(const SideOfEdge& side_of_edge) {
   return interior;
 }
 
-// Returns the simplex of `b` that the edge from corner `i` of `a` intersects. The ends of the edge
-// must be on different sides of the plane of `b`.
+// Returns the corner, edge or interior of `b` that the edge from corner `i` of `a` intersects, or
+// `outside`. The ends of the edge must be on different sides of the plane of `b`.
 FaceSimplex simplex_at_edge(const Side& a, std::size_t i, const Side& b) {
   return simplex_by_sides([&](std::size_t k) {
     return orient3d(*a.p[i], *a.p[(i + 1) % 3], *b.p[k], *b.p[(k + 1) % 3]);
   });
 }
 
-// Returns the simplex of `b` that contains a point in the plane of `b`.
+// Returns the corner, edge or interior of `b` that contains a point in the plane of `b`, or
+// `outside`.
 FaceSimplex simplex_at_point(const Vec3& point, const Side& b, PlaneProjection projection) {
   return simplex_by_sides(
       [&](std::size_t k) { return orient2d(*b.p[k], *b.p[(k + 1) % 3], point, projection); });
@@ -121,7 +124,7 @@ void add(Contacts& result, FaceSimplex first, FaceSimplex second) {
 }
 
 // Adds the contacts of the corners and edges of `a` with `b`. `swapped` is true if `a` is the
-// second face.
+// second face of the result.
 void add_contacts(const Side& a, const Side& b, bool swapped, Contacts& result) {
   const auto record = [&](FaceSimplex on_a, FaceSimplex on_b) {
     if (on_b == outside) return;
@@ -172,15 +175,16 @@ bool coplanar_faces_meet(const Side& a, const Side& b, int shared) {
   return false;
 }
 
-// Returns the edge of a simplex of a face, with the smaller point index first.
+// Returns the end points of an edge of a face, with the smaller point index first. `simplex` is 3,
+// 4 or 5.
 std::array<Index, 2> edge_at(const WeldedMesh& welded, Index face, FaceSimplex simplex) {
   const Index u = welded.faces[face][simplex - 3U];
   const Index v = welded.faces[face][(simplex - 2U) % 3];
   return {std::min(u, v), std::max(u, v)};
 }
 
-// Compares boxes in doubles. Boxes in floats overlap more often, in particular if the magnitudes of
-// the coordinates differ strongly.
+// True if the bounding boxes of the faces overlap in doubles. The boxes of the hierarchy that
+// proposed the pair are in floats, and overlap more often.
 bool boxes_overlap(const Side& a, const Side& b) {
   for (int i = 0; i < 3; ++i) {
     const double a0 = (*a.p[0])[i], a1 = (*a.p[1])[i], a2 = (*a.p[2])[i];
@@ -195,7 +199,7 @@ Contacts contacts_of(Side& a, Side& b, int shared) {
   Contacts result;
   if (shared == 0 && !boxes_overlap(a, b)) return result;
 
-  // The filter decides most pairs of neighbors and most pairs whose boxes overlap.
+  // The floating-point filter decides most pairs of neighbors and most pairs whose boxes overlap.
   const OrientedPlane plane_b = plane_of(b);
   if (shared < 3 && lies_on_one_side(a, plane_b)) return result;
   const OrientedPlane plane_a = plane_of(a);

@@ -9,9 +9,9 @@
 namespace transformesh {
 namespace {
 
-// Returns for each wanted point the axis directions in which all its faces have positive projected
-// area. Returns no direction if an edge of the point does not have exactly two faces with opposite
-// halfedges.
+// Returns for each wanted point the axis directions in which all faces at the point have positive
+// projected area. The set is empty if an edge at the point does not have exactly two faces with
+// opposite halfedges.
 std::vector<AxisDirections> find_common_directions(const WeldedMesh& welded,
                                                    std::span<const char> is_wanted) {
   std::vector<AxisDirections> common(welded.points.size());
@@ -35,7 +35,7 @@ std::vector<AxisDirections> find_common_directions(const WeldedMesh& welded,
   return common;
 }
 
-// Counts up to 2.
+// Increments `turns` atomically, up to 2.
 void count_turn(char& turns) {
   const std::atomic_ref shared(turns);
   char known = shared.load(std::memory_order_relaxed);
@@ -46,9 +46,10 @@ void count_turn(char& turns) {
 
 }  // namespace
 
-// In the projection along a common direction, the point is to the left of each opposite edge. These
-// edges form closed polygons around the point. The number of turns is the number of times that
-// these edges cross, upwards, the ray that runs from the point to the right.
+// Projects the faces at a point along a direction in which all of them have positive area. Each
+// face has one edge that does not contain the point; the point is to the left of these edges. The
+// edges form closed polygons around the point. The number of turns of these polygons is the number
+// of times that they cross, upwards, the ray that runs from the point to the right.
 std::vector<char> find_embedded_stars(const WeldedMesh& welded, std::span<const char> is_wanted) {
   const std::vector<AxisDirections> directions = find_common_directions(welded, is_wanted);
   std::vector<char> turns(welded.points.size(), 0);

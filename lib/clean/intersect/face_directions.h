@@ -8,12 +8,13 @@
 
 namespace transformesh {
 
-/// Bit 2 * axis is the positive direction of that axis, bit 2 * axis + 1 the negative direction.
+/// Set of axis directions. Bit 2 * axis is the positive direction of that axis, bit 2 * axis + 1
+/// the negative direction.
 using AxisDirections = std::uint8_t;
 inline constexpr AxisDirections all_axis_directions = 0x3f;  ///< six bits, one per direction
 
 struct FaceDirections {
-  AxisDirections looks = 0;  ///< directions in which the projected area is positive for certain
+  AxisDirections looks = 0;  ///< directions in which the projected area is certainly positive
   AxisDirections leans = 0;  ///< subset of `looks` within about 60 degrees of the normal
 };
 

@@ -8,11 +8,13 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 4096;  ///< affects time only
-/// A face is thin if its longest edge is at least this multiple of its height. With strips for all
-/// faces, cleaning two overlapping spheres and a folded sphere takes a tenth longer.
+/// A face is thin, and gets a strip, if its longest edge is at least this multiple of its height.
+/// If all faces get strips, cleaning two overlapping spheres and a folded sphere takes a tenth
+/// longer.
 constexpr double thinness = 8;
-/// Twice the rounding error of a sum of three products, relative to the sum of their absolute
-/// values. The value of a point and the bound each have an error of 3 units of 2^-53.
+/// Twice the rounding error of a dot product of two 3D vectors, relative to the sum of the absolute
+/// values of its three products. The dot product of a point and the bound of the strip each have an
+/// error of 3 units of 2^-53.
 constexpr double dot_error = 0x1p-50;
 
 Vec3 largest_coordinates(std::span<const Vec3> points) {
@@ -29,8 +31,9 @@ Vec3 longest_edge(const Triangle& t) {
 
 Vec3 twice_area(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
-// The fourth power of a length overflows above 1e77, and underflows below 1e-81. Faces of such
-// lengths do not count as thin, so that strip values neither overflow nor underflow.
+// True if the triangle is so long and thin that it gets a strip. The fourth power of a length
+// overflows above 1e77, and underflows below 1e-81. Triangles with longest edges of such lengths do
+// not count as thin, so that their strips need not be computed.
 bool is_thin(const Triangle& t) {
   const double length = longest_edge(t).squaredNorm();
   return length * length > thinness * thinness * twice_area(t).squaredNorm();
@@ -38,8 +41,8 @@ bool is_thin(const Triangle& t) {
 
 }  // namespace
 
-// The direction of the strip is nearly perpendicular to the longest edge and to the normal.
-// Rounding affects only the efficiency: any direction gives a valid strip.
+// Returns the strip of a triangle. Its direction is perpendicular to the longest edge and to the
+// normal, up to rounding. Rounding affects only the efficiency: any direction gives a valid strip.
 FaceStrips::Strip FaceStrips::strip_of(const Triangle& t, const Vec3& largest) {
   const Vec3 direction = longest_edge(t).cross(twice_area(t)).stableNormalized();
   const double a = direction.dot(t[0]), b = direction.dot(t[1]), c = direction.dot(t[2]);

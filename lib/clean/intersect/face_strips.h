@@ -1,9 +1,9 @@
 /// Separating strips of long thin faces. A strip is the space between two parallel planes
 /// perpendicular to the face, one of them through its longest edge. Two faces are disjoint if all
-/// corners of one face are on one side of the strip of the other. The boxes of parallel long thin
-/// faces that are oblique to the axes overlap, but their strips do not. Testing two strips takes a
-/// tenth of the time of find_contacts() (contacts.h), which needs exact arithmetic for nearly
-/// coplanar faces.
+/// corners of one face are on one side of the other face's strip. The bounding boxes of parallel
+/// long thin faces that are oblique to the axes overlap, but their strips do not. Testing two
+/// strips takes a tenth of the time of find_contacts() (contacts.h), which needs exact arithmetic
+/// for nearly coplanar faces.
 ///
 /// Reference for separating axes: Gottschalk, Lin & Manocha, "OBBTree: a hierarchical structure for
 /// rapid interference detection", SIGGRAPH 1996. Here one axis per face is tested.
@@ -28,8 +28,8 @@ class FaceStrips {
   }
 
  private:
-  /// For all points p of the face, the computed value of direction * p is in [low, high]. Both
-  /// bounds include the rounding errors of such values for any point of the mesh.
+  /// For all points p of the face, the computed dot product of `direction` and p is in [low, high].
+  /// Both bounds include the rounding errors of such dot products for any point of the mesh.
   struct Strip {
     Vec3 direction;
     double low, high;

@@ -10,13 +10,15 @@
 namespace transformesh {
 namespace {
 
-/// Large faces together may cover at most this number of cells per face of the mesh; otherwise no
-/// face is left out. The grid has about as many cells as the mesh has faces. This choice bounds
-/// time.
+/// Limit on the number of grid cells that all large faces together cover, divided by the number of
+/// faces of the mesh. If the limit is exceeded, all faces are searched. The grid has about as many
+/// cells as the mesh has faces. This choice bounds time.
 constexpr std::size_t most_cells_per_face = 16;
-/// RegionGrid adds a margin of two cells. The sum, 255, fits into a byte.
+/// Largest number of cells along an axis, without the two cells that RegionGrid adds as a margin.
+/// The sum, 255, fits into a byte.
 constexpr unsigned most_cells_per_axis = 253;
-constexpr Index several = no_index - 1;  ///< marks a cell with faces of several regions or of none
+/// Marks a cell that has faces of several regions, or a face without region.
+constexpr Index several = no_index - 1;
 
 RawVector<Index> first_copies(const WeldedMesh& welded) {
   if (!welded.has_copies) {
@@ -43,8 +45,9 @@ bool is_usual(const CellRange& range) {
   return most <= 1;
 }
 
-/// For each grid cell the region of its faces. A usual face is entered into its lowest cell only.
-/// If two usual faces share a cell, their lowest cells are equal or adjacent.
+/// Stores for each grid cell the intersection-free region of its faces. A face that is_usual()
+/// accepts is entered only into its cell with the lowest coordinates. If two such faces share a
+/// cell, their lowest cells are equal or adjacent.
 class RegionGrid {
  public:
   explicit RegionGrid(unsigned per_axis)
@@ -57,7 +60,8 @@ class RegionGrid {
     return cell(range.low[0], range.low[1], range.low[2]);
   }
 
-  /// Enters a face of a region, or of several. The result does not depend on the order.
+  /// Enters a face into a cell. `region` is the region of the face, or `several`. The result does
+  /// not depend on the order of the calls.
   void enter(Index cell, Index region) {
     const std::atomic_ref at(region_at_[cell]);
     Index known = at.load(std::memory_order_relaxed);
@@ -106,7 +110,8 @@ RawVector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const 
   if (!cells.is_usable()) return faces;
 
   RegionGrid grid(per_axis);
-  RawVector<Index> cell_of(faces.size());  // lowest cell; no_index for large faces
+  // Lowest cell of each face; no_index if it covers more than two cells per axis.
+  RawVector<Index> cell_of(faces.size());
   const NumberedSelection large(faces.size(), [&](std::size_t i) {
     const CellRange range = cells.around(welded.faces[faces[i]]);
     cell_of[i] = is_usual(range) ? grid.lowest_cell(range) : no_index;

@@ -1,4 +1,4 @@
-/// Selects the faces that may intersect others, by a uniform grid.
+/// Selects the faces that may intersect other faces, by a uniform grid.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace transformesh {
 
-/// Returns the first copy of each face, in ascending order, without faces that cannot intersect
-/// others. A face of an intersection-free region (intersection_free_regions.h) is left out if no
-/// other region and no face without region is near. If more than half of the faces have no region,
-/// no face is left out. O(n); parallel; deterministic.
+/// Returns the faces to search, in ascending order. Only the first of several faces with the same
+/// three points is returned. A face of an intersection-free region (intersection_free_regions.h) is
+/// left out if all faces near it belong to the same region. If more than half of the faces have no
+/// region, no face is left out for this reason. O(n); parallel; deterministic.
 RawVector<Index> find_faces_to_search(const WeldedMesh& welded, std::span<const Index> regions);
 
 }  // namespace transformesh

@@ -12,11 +12,13 @@ namespace transformesh {
 struct Meeting;
 struct WeldedMesh;
 
-/// Finds the pairs that find_intersections() of intersect.h finds. The first of several copies
-/// stands for all copies; pairs of copies are not listed.
+/// Finds the pairs that find_intersections() of intersect.h finds. Copies are faces with the same
+/// three points. Only the first of several copies appears in the result, and pairs of copies of one
+/// face are not listed.
 std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress);
 
-/// Returns the number of intersecting pairs of faces, with each copy counted separately.
+/// Returns the number of intersecting pairs of faces. Coincident faces, which `meetings` lists
+/// once, are counted separately, and intersect each other.
 std::size_t count_pairs(const WeldedMesh& welded, const std::vector<Meeting>& meetings);
 
 }  // namespace transformesh

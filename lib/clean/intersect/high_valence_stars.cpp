@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t faces_per_task = 1024;  ///< affects time only
 
-/// True if `to` is in the same direction from the center as `from`. The three points must be
-/// collinear.
+/// True if `to` and `from` are on the same side of the center. The projections of the three points
+/// must be collinear.
 bool is_same_side(const Vec3& center, const Vec3& from, const Vec3& to,
                   PlaneProjection projection) {
   const int axis = from[projection.u] != center[projection.u] ? projection.u : projection.v;
@@ -74,7 +74,8 @@ void HighValenceStars::add(Index center, Index halfedge) {
   }
 }
 
-/// True if the angle around the center from one point to the other is less than pi.
+/// True if the counter-clockwise angle around the center, from the point `from` to the point `to`,
+/// is less than pi in the projection.
 bool HighValenceStars::is_ahead(const Star& star, Index from, Index to) const {
   const Vec3 &a = welded_->points[from], &b = welded_->points[to];
   const Vec3& center = welded_->points[star.center];
@@ -82,8 +83,9 @@ bool HighValenceStars::is_ahead(const Star& star, Index from, Index to) const {
   return sign > 0 || (sign == 0 && is_same_side(center, a, b, star.projection));
 }
 
-/// Returns the sector that contains the point. If two sectors touch the point, the second one is
-/// returned. The projections of the point and the center must differ.
+/// Returns the sector (the projection of a face of the star) that contains the point. If the point
+/// is on the boundary of two sectors, returns the second one in counter-clockwise order. The
+/// projections of the point and the center must differ.
 std::size_t HighValenceStars::sector(const Star& star, Index point) const {
   const bool is_late = !is_ahead(star, star.rim[0], point);
   std::size_t first = 0, last = star.rim.size();
@@ -98,8 +100,8 @@ std::size_t HighValenceStars::sector(const Star& star, Index point) const {
 }
 
 /// Returns the sectors that the projection of the face touches. Returns all sectors if the
-/// projection touches the center, unless it does so only at a corner directly above or below the
-/// center.
+/// projection touches the center. Exception: if only one corner of the face is projected onto the
+/// center, the other two corners determine the sectors.
 HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& face) const {
   const Range all{0, star.faces.size()};
   const Vec3& center = welded_->points[star.center];
@@ -109,7 +111,8 @@ HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& 
     return welded_->points[p][u] != center[u] || welded_->points[p][v] != center[v];
   });
   if (end - corners.begin() < 2) return all;
-  // No other corner is clockwise of `from`, and no other corner is counter-clockwise of `to`.
+  // Find the first corner `from` and the last corner `to` in counter-clockwise order around the
+  // center.
   Index from = no_index, to = no_index;
   for (const auto* i = corners.begin(); i != end; ++i) {
     bool has_behind = false, has_ahead = false;
@@ -124,8 +127,8 @@ HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& 
     if (!has_ahead) to = *i;
   }
   if (from == no_index || to == no_index) return all;
-  // A corner on the boundary of two sectors touches both. Therefore the range starts one sector
-  // earlier, unless it already contains all sectors.
+  // A corner on the boundary of two sectors touches both, and sector() returns the second one.
+  // Therefore the range starts one sector earlier.
   const std::size_t count = all.count;
   const std::size_t first = sector(star, from);
   const std::size_t steps = (sector(star, to) + count - first) % count;
@@ -143,7 +146,8 @@ void HighValenceStars::add_pairs(Index number, Index face, std::vector<Bvh::Pair
 }
 
 std::vector<Bvh::Pair> HighValenceStars::find_pairs(std::span<const Index> others) const {
-  std::vector<Bvh::Pair> near;  // pairs of a star and a face near it
+  // Pairs of the index of a star and a face whose box overlaps the star's box.
+  std::vector<Bvh::Pair> near;
   std::vector<FloatBox> boxes;
   for (const Index f : others) boxes.push_back(boxes_[f]);
   const Bvh bvh(boxes);

@@ -1,8 +1,9 @@
-/// Candidate pairs at vertices of high valence. The boxes of n thin faces around a vertex overlap
-/// each other in O(n^2) pairs, independent of the tree that stores them. However, in the projection
-/// along the axis of an embedded star (embedded_stars.h), the faces are sectors in order around the
-/// vertex. Binary search finds the sectors that another face spans, and only these may meet the
-/// face. Cost: O(n) to find the stars; O(log n + sectors) for each face near a star. Deterministic.
+/// Finds candidate pairs of intersecting faces at vertices of high valence. The bounding boxes of n
+/// thin faces around a vertex overlap each other in O(n^2) pairs, independent of the tree that
+/// stores them. However, the projections of the faces of an embedded star (embedded_stars.h) are
+/// sectors in order around the vertex. Binary search finds the sectors that another face spans, and
+/// only their faces may meet this other face. Cost: O(n) to find the stars; O(log n + sectors) for
+/// each face near a star. Deterministic.
 #pragma once
 
 #include <span>
@@ -15,26 +16,28 @@ namespace transformesh {
 
 class HighValenceStars {
  public:
-  /// Returns 1 for each point whose valence is so high that it has a simplex link
-  /// (simplex_links.h). Returns an empty list if there are no links.
+  /// Returns 1 for each point with such a high valence that find_simplex_links() (simplex_links.h)
+  /// computed `links` for it. Returns an empty list if there are no links.
   static std::vector<char> crowded_points(const WeldedMesh& welded, const SimplexLinks& links);
 
   HighValenceStars() = default;
-  /// Builds the stars of the points that are marked both as embedded and as crowded. A face around
-  /// several such points belongs to the star of the point with the lowest index.
+  /// Builds the stars of the points that are marked both in `is_embedded` (embedded_stars.h) and in
+  /// `is_crowded` (high valence). A face at several such points belongs to the star of the point
+  /// with the lowest index.
   HighValenceStars(const WeldedMesh& welded, std::span<const char> is_embedded,
                    std::span<const char> is_crowded);
 
   bool empty() const { return stars_.empty(); }
   bool has(Index face) const { return !empty() && star_of_[face] != no_index; }
 
-  /// Returns all pairs that may meet, of a face of a star and either a face in `others` or a face
-  /// of another star. Each pair occurs once, with the lower face first; the order of pairs is
-  /// unspecified. Faces in `others` must not belong to a star.
+  /// Returns all pairs of faces that may meet. The first kind of pair is a face of a star and a
+  /// face in `others`, which must not belong to a star. The second kind is two faces of different
+  /// stars. Each pair occurs once, with the lower face index first. The order of pairs is
+  /// unspecified.
   std::vector<Bvh::Pair> find_pairs(std::span<const Index> others) const;
 
  private:
-  /// The faces around a point, counter-clockwise in the projection.
+  /// The faces around a point, counter-clockwise in the projection along an axis.
   struct Star {
     Index center;
     PlaneProjection projection;
@@ -43,7 +46,8 @@ class HighValenceStars {
     std::vector<char> is_late;  ///< 1 for each face at an angle of pi or more from rim[0]
     FloatBox box;
   };
-  /// A range of `count` sectors from `first` on, modulo the number of sectors.
+  /// A range of `count` consecutive sectors that starts at sector `first`, modulo the number of
+  /// sectors of the star.
   struct Range {
     std::size_t first;
     std::size_t count;

@@ -1,9 +1,10 @@
 // Finds all pairs of intersecting faces of a mesh (paper 3.1). A bounding volume hierarchy finds
 // pairs of overlapping boxes, and exact tests decide on each pair (contacts.h). Four steps exclude
-// pairs before these tests. Faces far from other intersection-free regions are not searched
-// (faces_to_search.h). Pairs in one region are skipped (intersection_free_regions.h), and so are
-// pairs that share an embedded star (embedded_stars.h). Strips separate long thin faces
-// (face_strips.h). Stars of high valence are searched by angle (high_valence_stars.h).
+// pairs before these tests. Faces near which there are only faces of their own intersection-free
+// region are not searched (faces_to_search.h). Pairs of faces of one region are skipped
+// (intersection_free_regions.h). Pairs that share a vertex with an embedded star are skipped
+// (embedded_stars.h). Separating strips exclude pairs of long thin faces (face_strips.h). At
+// vertices of high valence, pairs are found by angle instead of by boxes (high_valence_stars.h).
 //
 // Cost: O(n log n + k) for k pairs of overlapping boxes. Parallel; deterministic.
 #include "transformesh/intersect.h"
@@ -33,8 +34,8 @@ std::vector<Index> welded_faces(const WeldedMesh& welded, std::size_t mesh_faces
   return result;
 }
 
-// Rounding is monotonic, so the box of a face can be merged from boxes of its points, each rounded
-// once.
+// Returns the bounding box of each face in floats. Rounding is monotonic, so the box can be merged
+// from the rounded boxes of the three corners. Hence each point is rounded once.
 std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> faces) {
   std::vector<FloatBox> around(welded.points.size());
   parallel_for(around.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
@@ -51,14 +52,18 @@ std::vector<FloatBox> boxes_of(const WeldedMesh& welded, std::span<const Index> 
   return boxes;
 }
 
-// Returns for each first copy the list of all its copies, including itself, ascending.
+// Returns for each face the list of all faces with the same three points (its copies), including
+// itself, ascending. The list is stored at the first of the copies; the other copies have empty
+// lists.
 std::vector<std::vector<Index>> list_copies(const WeldedMesh& welded) {
   std::vector<std::vector<Index>> copies(welded.faces.size());
   for (Index f = 0; f < welded.faces.size(); ++f) copies[welded.first_copy[f]].push_back(f);
   return copies;
 }
 
-// Expands pairs of first copies to all pairs of copies, and adds the pairs of copies of one face.
+// Expands the pairs to coincident faces. In `pairs`, the first of several faces with the same three
+// points stands for all of these faces (copies). The result lists the pairs for each copy, and also
+// the pairs of copies of one face.
 std::vector<FacePair> pairs_of_copies(const WeldedMesh& welded, std::vector<FacePair> pairs) {
   if (!welded.has_copies) return pairs;
   const auto copies = list_copies(welded);
@@ -89,8 +94,8 @@ std::vector<Index> regions_of(std::span<const Index> faces, std::span<const Inde
   return result;
 }
 
-// Lists the pairs whose faces share no embedded star. The loop has no branches because the outcome
-// is unpredictable.
+// Lists the pairs whose faces share no vertex with an embedded star. The loop has no branches
+// because the outcome is unpredictable.
 void list_others(const WeldedMesh& welded, std::span<const Index> faces,
                  const std::vector<char>& is_embedded, std::span<const Bvh::Pair> pairs,
                  std::vector<Bvh::Pair>& others) {
@@ -116,7 +121,8 @@ void add_meetings(const WeldedMesh& welded, std::span<const FacePair> pairs,
   }
 }
 
-// Finds the meetings of the faces of high-valence stars.
+// Finds the intersecting pairs in which at least one face belongs to a star of high valence
+// (high_valence_stars.h).
 std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded,
                                                 const HighValenceStars& stars,
                                                 std::span<const Index> others,
@@ -140,7 +146,8 @@ std::vector<std::vector<Meeting>> star_meetings(const WeldedMesh& welded,
 
 namespace {
 
-// Finds the meetings of all pairs with overlapping boxes, except pairs that share an embedded star.
+// Finds the intersecting pairs among the pairs with overlapping boxes. Pairs that share a vertex
+// with an embedded star do not intersect, and are not tested.
 std::vector<std::vector<Meeting>> box_meetings(const WeldedMesh& welded, const Bvh& bvh,
                                                std::span<const Index> faces,
                                                const std::vector<char>& is_embedded) {
@@ -167,7 +174,8 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
   RawVector<Index> faces = find_faces_to_search(welded, regions.of_face);
   const SimplexLinks links = find_simplex_links(welded.points, welded.faces);
   const std::vector<char> is_crowded = HighValenceStars::crowded_points(welded, links);
-  // Empty unless a point or an edge is crowded.
+  // The list `is_crowded` is empty unless a point or an edge has so many faces that it has a
+  // simplex link.
   for (std::size_t p = 0; p < is_crowded.size(); ++p) regions.is_seam[p] |= is_crowded[p];
   std::vector<char> is_embedded;
   HighValenceStars stars;
@@ -211,7 +219,7 @@ std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progr
   for (const Meeting& meeting : find_meetings(welded, progress))
     pairs.emplace_back(meeting.first, meeting.second);
   pairs = pairs_of_copies(welded, std::move(pairs));
-  // Welded faces are in mesh order, so the pairs stay sorted.
+  // Welded faces are in the order of the mesh faces, so the pairs stay sorted.
   for (auto& [f, g] : pairs) {
     f = welded.face_of[f];
     g = welded.face_of[g];

@@ -15,25 +15,25 @@
 namespace transformesh {
 namespace {
 
-/// Largest number of faces of a region. Larger regions have fewer neighbors in other regions, but
-/// their outlines intersect themselves more often. If the outline of a large region intersects
-/// itself, regions of at most `small_region` faces are tried.
+/// Largest number of faces of a region. With larger regions, fewer faces have neighbors in other
+/// regions, but the projected outlines of the regions intersect themselves more often. If the
+/// outline of a large region intersects itself, regions of at most `small_region` faces are tried.
 constexpr std::size_t large_region = 65536;
 constexpr std::size_t small_region = 1024;
 
-/// Blocks of faces for each thread. With more blocks, more faces are at the outlines of regions and
-/// are searched. With eight blocks, detection in two spheres of a million faces takes a tenth
-/// longer on one thread. A choice.
+/// Number of blocks of consecutive faces per thread. With more blocks, more faces are at the
+/// outlines of regions and have to be searched. With eight blocks, detection in two spheres of a
+/// million faces takes a tenth longer on one thread. A choice.
 constexpr std::size_t blocks_per_thread = 2;
-/// Least number of faces of a block. Smaller meshes take less time than this is worth.
+/// Least number of faces of a block. In smaller blocks, starting a thread costs more than it saves.
 constexpr std::size_t least_block = 32768;
-/// Least number of faces of a region that one block keeps, if there are several blocks. A mesh
-/// whose faces are in no spatial order falls apart into smaller ones, and is searched as a whole
-/// instead.
+/// Regions with fewer faces than this are discarded if the mesh is divided into several blocks. If
+/// consecutive faces of the mesh are not neighbors, all regions within blocks are smaller. Then one
+/// thread grows the regions in the whole mesh.
 constexpr std::size_t least_in_block = 16;
 constexpr std::size_t faces_per_task = 8192;  ///< affects time only
 
-/// The result, to which several threads write.
+/// The regions found so far. Several threads write to this object.
 struct SharedRegions {
   explicit SharedRegions(const WeldedMesh& welded)
       : of_face(welded.faces.size(), no_index),
@@ -42,9 +42,10 @@ struct SharedRegions {
   void mark_seam(Index point) {
     std::atomic_ref(is_seam[point]).store(1, std::memory_order_relaxed);
   }
-  std::vector<Index> of_face;   ///< regions are numbered by their first faces
+  /// Region of each face: the index of the face from which the region grew.
+  std::vector<Index> of_face;
   std::vector<char> is_seam;    ///< 1 for each point on an outline
-  std::vector<char> is_region;  ///< 1 for each region that is kept
+  std::vector<char> is_region;  ///< 1 for each face that is the first face of a kept region
 };
 
 class RegionFinder {
@@ -59,7 +60,7 @@ class RegionFinder {
         outline_(welded.points) {}
 
   /// Finds regions of at least `least_faces` faces among the faces from `first` to before `last`
-  /// that have no region. They start from the given faces.
+  /// that have no region. The regions start from the faces in `seeds`.
   void find(std::span<const Index> seeds, Index first, Index last, std::size_t least_faces) {
     first_ = first;
     last_ = last;
@@ -82,8 +83,8 @@ class RegionFinder {
     faces_.push_back(face);
   }
 
-  // Adds the face at `halfedge` to the region. A face that the region already touches at the
-  // opposite corner only would create a hole, and is skipped.
+  // Adds the face at `halfedge` to the region. Skips a face if the region contains its third
+  // corner, but neither of its other two edges. This face would create a hole.
   void try_to_take(Index halfedge) {
     const Index face = halfedge / 3;
     if (!has_face(face) || region_of_[face] != no_index) return;
@@ -141,19 +142,20 @@ class RegionFinder {
   std::span<const FaceDirections> directions_;
   std::span<Index> region_of_;
   SharedRegions& shared_;
-  std::vector<Index> reached_in_;  ///< for each point the last growth that reached it, or 0
-  Index growth_ = 0;               ///< number of regions that have grown, also those given up
-  Index first_ = 0, last_ = 0;     ///< faces of regions are from `first_` to before `last_`
+  /// For each point the value of `growth_` when a region last reached the point, or 0.
+  std::vector<Index> reached_in_;
+  Index growth_ = 0;            ///< number of regions grown so far, including discarded ones
+  Index first_ = 0, last_ = 0;  ///< faces of regions are from `first_` to before `last_`
   std::size_t least_faces_ = 0;
   std::vector<Index> faces_;           ///< faces of the region that grows
-  std::vector<Index> outline_points_;  ///< points on its outline
+  std::vector<Index> outline_points_;  ///< points on the outline of the region that grows
   Index region_ = 0;                   ///< first face of the region that grows
   AxisDirections direction_ = 0;
   bool has_failed_ = false;
   ProjectedPolygon outline_;
 };
 
-// Returns the number of blocks. One thread needs one block only.
+// Returns the number of blocks into which the faces are divided. For one thread this is 1.
 std::size_t count_blocks(std::size_t faces) {
   const std::size_t threads = allowed_thread_count();
   return threads == 1
@@ -161,7 +163,7 @@ std::size_t count_blocks(std::size_t faces) {
              : std::clamp(faces / least_block, std::size_t{1}, blocks_per_thread * threads);
 }
 
-// Finds regions in blocks of faces. Each thread takes one block after the other.
+// Finds regions in blocks of consecutive faces. Each thread repeatedly takes the next block.
 void find_in_blocks(const WeldedMesh& welded, std::size_t blocks, SharedRegions& shared) {
   const std::size_t faces = welded.faces.size();
   std::atomic<std::size_t> next = 0;

@@ -6,13 +6,15 @@
 namespace transformesh {
 namespace {
 
-/// Largest number of steps of the sweep per edge, on average. A choice: a higher limit accepts more
-/// crowded outlines and takes longer.
+/// Limit on the number of steps of the sweep, divided by the number of edges. If it is exceeded,
+/// the polygon is not accepted. A choice: a higher limit accepts outlines with more edges side by
+/// side, and takes longer.
 constexpr std::size_t most_steps = 64;
 
 }  // namespace
 
-// The sweep moves along the longer side of the bounding box.
+// Computes the ranges of all edges along the axis of the sweep and across it. The sweep moves along
+// the longer side of the projected bounding box.
 void ProjectedPolygon::measure() {
   Vec3 low = points_[edges_[0].from], high = low;
   for (const Edge& edge : edges_) {
@@ -29,13 +31,14 @@ void ProjectedPolygon::measure() {
   }
 }
 
-// True if c is on the far side of b from a. The three points must be collinear.
+// True if b is between a and c. The projections of the three points must be collinear.
 bool ProjectedPolygon::goes_on(const Vec3& a, const Vec3& b, const Vec3& c) const {
   const int axis = a[projection_.u] != b[projection_.u] ? projection_.u : projection_.v;
   return (a[axis] < b[axis]) == (b[axis] < c[axis]);
 }
 
-// Disjoint segments that are not collinear are separated by the line of one of them.
+// True if the projected edges are disjoint, except for a common end of consecutive edges. Two
+// disjoint segments that are not collinear are separated by the line through one of them.
 bool ProjectedPolygon::are_apart(const Edge& e, const Edge& f) const {
   const Vec3 &a = points_[e.from], &b = points_[e.to], &c = points_[f.from], &d = points_[f.to];
   const auto side = [&](const Vec3& from, const Vec3& to, const Vec3& point) {

@@ -17,10 +17,10 @@ class ProjectedPolygon {
   void add(Index from, Index to) { edges_.push_back({from, to, 0, 0, 0, 0}); }
   std::size_t size() const { return edges_.size(); }
 
-  /// True if the projected polygon is simple: edges have only the common end of consecutive edges
-  /// in common. The edges must form one cycle, and none may be projected to a point. The answer
-  /// true is certain; false is also returned if the sweep exceeds its limit of steps. Cost: O(n log
-  /// n).
+  /// True if the projected polygon is simple: two edges have no common point, except the common end
+  /// of consecutive edges. The edges must form one cycle, and no edge may be projected to a point.
+  /// If the result is true, the polygon is simple. The result is also false if the sweep exceeds
+  /// its limit of steps. Cost: O(n log n).
   bool is_simple(PlaneProjection projection);
 
  private:

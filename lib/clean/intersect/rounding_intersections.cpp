@@ -11,7 +11,8 @@ namespace transformesh {
 namespace {
 
 /// Rounding is not checked if the mean edge length is at least this multiple of the coordinate
-/// spacing. A choice: with a higher value, more meshes are checked, and each check takes a search.
+/// spacing. A choice: with a higher value, more meshes are checked, and each check is a search for
+/// intersections.
 constexpr double spacings_per_edge = 1000;
 
 }  // namespace

@@ -13,17 +13,18 @@
 namespace transformesh {
 namespace {
 
-/// Up to this number of hashes, one thread adds them all. Affects time only.
+/// If there are at most this many hashes, one thread adds all of them. Affects time only.
 constexpr std::size_t few_hashes = 4096;
 
 std::uint64_t hash(const Vec3& p) {
   std::uint64_t h = 0x9e3779b97f4a7c15ULL;
   for (int i = 0; i < 3; ++i) {
-    h ^= std::bit_cast<std::uint64_t>(p[i] + 0.0);  // the sum turns -0 into 0
+    h ^= std::bit_cast<std::uint64_t>(p[i] + 0.0);  // adding 0 turns -0 into 0
     h *= 0xff51afd7ed558ccdULL;
     h ^= h >> 32;
   }
-  // Without a further step, points that differ in the sign of z only have the same lower bits.
+  // Without a further multiplication, points that differ only in the sign of z would have hashes
+  // with the same lower bits.
   h *= 0xc4ceb9fe1a85ec53ULL;
   return h ^ h >> 32;
 }
@@ -42,15 +43,17 @@ std::uint64_t hash(const Face& face) {
   return h;
 }
 
-/// Distinguishes hashes that occur once from hashes that may occur more often. The bits fit into
-/// the cache, so only few items need a lookup in a table.
+/// Bit sets that prove of most hashes that they occur only once. Hashes without this proof may
+/// occur more often. The bit sets fit into the cache, so only few items need a lookup in a hash
+/// table.
 class SingleHashes {
  public:
   explicit SingleHashes(const RawVector<std::uint64_t>& hashes)
       : mask_(std::bit_ceil(bits_each * hashes.size() + word) - 1),
         once_(mask_ / word + 1),
         twice_(once_.size()) {
-    // Each thread adds the hashes of a part of the words, and skips all others.
+    // Each thread owns a range of the words of the bit sets. It adds the hashes whose bits are in
+    // these words, and skips all other hashes.
     const std::size_t parts = hashes.size() > few_hashes ? allowed_thread_count() : 1;
     parallel_for(parts, 1, [&](std::size_t from, std::size_t to) {
       const std::size_t first = from * once_.size() / parts;
@@ -65,7 +68,8 @@ class SingleHashes {
   }
 
  private:
-  /// Bits per item. With fewer bits, more hashes that occur once seem to be repeated.
+  /// Bits per item. With fewer bits, more hashes share a bit with another hash, and seem to occur
+  /// twice.
   static constexpr std::size_t bits_each = 16;
   static constexpr std::size_t word = 64;  ///< bits per word
 
@@ -112,8 +116,8 @@ RawVector<Index> find_repeated(const std::vector<Vec3>& points) {
   return repeated.list();
 }
 
-// Returns for each vertex the first vertex at the same position. The hash alone decides for most
-// vertices.
+// Returns for each vertex the first vertex at the same position. For most vertices, the hash alone
+// proves that no other vertex has this position.
 std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions, bool& has_repeats) {
   const RawVector<Index> repeated = find_repeated(positions);
   FirstOfEqual vertices(repeated.size());
@@ -151,8 +155,9 @@ void number_points(const Mesh& mesh, WeldedMesh& welded) {
   });
 }
 
-// Computes `opposites`, and lists the faces that may have copies, ascending. Copies share each
-// edge, with the same opposite corner. All faces at an edge of more than two faces are listed.
+// Computes `opposites`. Returns, in ascending order, the faces that may have copies (faces with the
+// same three points). If two faces of an edge have the same third corner, both are listed. All
+// faces at an edge of more than two faces are listed.
 RawVector<Index> find_opposites(WeldedMesh& welded) {
   std::vector<char> is_repeated(welded.faces.size(), 0);
   welded.opposites.resize(3 * welded.faces.size());
@@ -192,7 +197,8 @@ void find_copies(WeldedMesh& welded) {
   }
 }
 
-// A face with positive projected area in some direction is certainly not degenerate.
+// True if the face has no area. The exact test is not needed if the projected area of the face in
+// some direction is certainly positive.
 bool is_degenerate(const WeldedMesh& welded, const Face& face, FaceDirections directions) {
   return directions.looks == 0 &&
          (is_collapsed(face) ||

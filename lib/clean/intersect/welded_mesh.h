@@ -1,5 +1,5 @@
 /// Welded mesh: vertices with equal positions are one point, and faces without area are left out.
-/// Faces on both sides of a face without area still meet, in equal or touching edges.
+/// The neighbors of a face without area still meet each other, in equal or touching edges.
 #pragma once
 
 #include <vector>
@@ -13,22 +13,25 @@
 namespace transformesh {
 
 struct WeldedMesh {
-  std::vector<Vec3> points;                ///< distinct positions of all vertices
-  std::vector<Index> vertex_of;            ///< first mesh vertex at each point
-  std::vector<Index> point_of;             ///< point of each mesh vertex
-  std::vector<Face> faces;                 ///< corners are indices of points; no face is degenerate
-  std::vector<Index> face_of;              ///< index in the mesh of each welded face; ascending
-  std::vector<FaceDirections> directions;  ///< axis directions of each face
+  std::vector<Vec3> points;      ///< distinct positions of all vertices
+  std::vector<Index> vertex_of;  ///< first mesh vertex at each point
+  std::vector<Index> point_of;   ///< point of each mesh vertex
+  std::vector<Face> faces;       ///< corners are indices of points; no face is degenerate
+  std::vector<Index> face_of;    ///< index in the mesh of each welded face; ascending
+  /// Axis directions in which each face has positive projected area.
+  std::vector<FaceDirections> directions;
   /// Per face: the first face with the same three points, in any order.
   std::vector<Index> first_copy;
-  bool has_copies = false;  ///< true if `first_copy` of a face is another face
+  bool has_copies = false;  ///< true if any two faces have the same three points
   Edges edges;
   /// Per halfedge: the halfedge in the opposite direction, if the edge has no other halfedges;
   /// otherwise no_index.
   std::vector<Index> opposites;
-  BoxFrame frame;  ///< frame of the faces' boxes in floats
-  /// Per face its open component (clean/open/open_components.h), or no_index in the closed part.
-  /// Empty if all faces are closed.
+  /// Translation and scale with which the bounding boxes of faces are converted to floats.
+  BoxFrame frame;
+  /// Per face its open component (clean/open/open_components.h), or no_index if the face is closed.
+  /// The closed faces together traverse every edge equally often in both directions. Empty if all
+  /// faces are closed.
   std::vector<Index> open_component{};
 
   bool is_open(Index face) const {

@@ -19,8 +19,8 @@ namespace {
 // Maps the start point of each border edge to its end point, in the direction of the face.
 using BorderEdges = std::multimap<Index, Index>;
 
-// Splits the border edges into loops. Each point has equally many outgoing and incoming border
-// edges, so each path along border edges closes.
+// Splits the border edges into boundary loops. Each point is the start of as many border edges as
+// it is the end of, so each path along border edges closes.
 std::vector<std::vector<Index>> walk(BorderEdges border) {
   std::vector<std::vector<Index>> loops;
   while (!border.empty()) {
@@ -44,8 +44,9 @@ Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
   return result;
 }
 
-// True if a set of connected border edges coincides completely with other border edges that have
-// the same direction. The patch with this border then has the wrong orientation.
+// True if there is a connected set of border edges at each of which at least two border edges have
+// the same positions. Then a part of the surface that has this set as its border has the wrong
+// orientation.
 bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   const std::vector<Index> border = check_manifold(mesh).border_halfedges;
   const auto ends_of = [&](Index h) {
@@ -67,16 +68,16 @@ bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   });
 }
 
-// True if borders coincide in the same direction only because sheets end at another sheet. Cleaning
-// creates such meshes. Reversing sheets cannot repair such meshes. Hence returns false if reversing
-// repairs the mesh.
+// True if border edges coincide in the same direction only because several sheets end at another
+// sheet. Cleaning creates such meshes, and reversing sheets cannot make them oriented. Hence
+// returns false if reversing sheets makes the mesh oriented.
 bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& borders) {
   return is_stitched(mesh, borders) &&
          !(has_reversed_patch(welded, mesh) && can_be_oriented(with_joined_vertices(welded, mesh)));
 }
 
-// True if stitch() turns the mesh into one that is accepted. Stitching separates sheets that end at
-// another sheet.
+// True if find_oriented_borders() accepts the mesh after stitch(), which gives sheets that end at
+// another sheet their own vertices.
 bool can_be_stitched(const Mesh& mesh) {
   Mesh stitched{mesh.positions, mesh.faces, {}, {}};
   stitch(stitched);
@@ -85,7 +86,8 @@ bool can_be_stitched(const Mesh& mesh) {
   return borders.is_oriented || ends_at_sheets(welded, stitched, borders);
 }
 
-// Throws InputError with a kind that depends on which remedy works; tries the remedies to find out.
+// Throws the InputError for a mesh that is not oriented. The kind of the error tells whether
+// reversing faces helps, or stitching, or neither; both are tried to find out.
 [[noreturn]] void refuse_orientation(const WeldedMesh& welded, const Mesh& mesh) {
   Mesh oriented = with_joined_vertices(welded, mesh);
   const Problem problem = find_misorientation(oriented);
@@ -109,7 +111,7 @@ std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh) {
 }
 
 Borders find_borders(const WeldedMesh& welded, const Mesh& mesh) {
-  // Usually the faces by points are the faces of the welded mesh.
+  // If no face was left out of the welded mesh, its faces and edges can be used.
   const bool are_same = welded.faces.size() == mesh.faces.size();
   const auto others = are_same ? std::vector<Face>() : faces_by_points(welded, mesh);
   const Edges other_edges = are_same ? Edges() : Edges(others, welded.points.size());

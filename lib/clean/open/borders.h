@@ -1,6 +1,6 @@
-/// Borders of a mesh, and the check whether it is oriented (paper 4.6). The criterion is the sum
-/// along each edge: the number of faces that traverse the edge in one direction minus the number in
-/// the other direction (stitch/orientation_check.h). Cost: O(n log n). Deterministic.
+/// Finds the borders of a mesh, and checks whether it is oriented (paper 4.6). Both depend on the
+/// sum along each edge: the number of faces that traverse the edge in one direction minus the
+/// number in the opposite direction (stitch/orientation_check.h). Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>
@@ -10,28 +10,30 @@
 namespace transformesh {
 
 struct Borders {
-  /// Loops of welded points, each in the direction of its faces.
+  /// Boundary loops, as indices of welded points in the direction in which the faces traverse the
+  /// border.
   std::vector<std::vector<Index>> loops;
-  bool is_oriented = true;  ///< true if no edge has a sum with an absolute value above one
+  bool is_oriented = true;  ///< true if the sum along each edge is -1, 0 or 1
 };
 
-/// Finds the boundary loops. A closed mesh has none. An edge with a surplus of n faces is in n
-/// loops.
+/// Finds the boundary loops. A closed mesh has none. An edge is in n loops if n more faces traverse
+/// it in one direction than in the other.
 Borders find_borders(const WeldedMesh& welded, const Mesh& mesh);
 
-/// Returns all mesh faces with points as corners. This includes faces without area, which the
-/// welded mesh does not contain. Faces without area create no border: a face that refers to a point
-/// twice traverses its edge in both directions.
+/// Returns all mesh faces with welded points as corners. This includes faces without area, which
+/// the welded mesh does not contain. A face without area that refers to a point twice creates no
+/// border, because it traverses the same edge in both directions.
 std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh);
 
-/// Returns the borders of a mesh that can be cleaned. Throws InputError if the mesh is not
-/// oriented; the error names the place, and its kind determines the remedy. Borders of a stitched
-/// mesh that merely coincide are accepted.
+/// Returns the borders of a mesh. Throws InputError if the mesh is not oriented, and thus cannot be
+/// cleaned. The error names the place, and the kind of error tells which remedy works. In a
+/// stitched mesh, borders of different sheets may have the same positions; such a mesh counts as
+/// oriented.
 Borders find_oriented_borders(const WeldedMesh& welded, const Mesh& mesh);
 
-/// True if the vertex indices already represent the topology that equal positions imply. False if
-/// faces are separate or have a seam, or if sheets share a vertex. Such a mesh has to be stitched,
-/// even if nothing else changes.
+/// True if the vertex indices define an oriented manifold with exactly the borders that equal
+/// positions imply. False if neighboring faces have separate vertices at equal positions, or if
+/// sheets share a vertex. Such a mesh has to be stitched, even if nothing else changes.
 bool is_stitched(const Mesh& mesh, const Borders& borders);
 
 }  // namespace transformesh

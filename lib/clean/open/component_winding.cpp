@@ -9,9 +9,10 @@
 namespace transformesh {
 namespace {
 
-/// All pieces of a patch are sampled, or a limited number at equal shares of the area. The limit is
-/// in [least_samples, most_samples], and such that about `most_faces_summed` faces are summed. With
-/// 15 samples for all components, 6 of 10,000 random meshes changed with a rotation, because the
+/// Limits of the number of sampled pieces per patch. A patch with more pieces than the limit is
+/// sampled at equal shares of its area. The limit is in [least_samples, most_samples], and such
+/// that about `most_faces_summed` solid angles of faces are summed. With a limit of 15 samples for
+/// all components, the results of 6 of 10,000 random meshes changed after a rotation, because the
 /// order of pieces of equal area changed.
 constexpr std::size_t most_faces_summed = 2'000'000;
 constexpr std::size_t most_samples = 200;
@@ -19,12 +20,12 @@ constexpr std::size_t least_samples = 15;
 
 constexpr std::size_t samples_per_task = 16;  ///< affects time only
 
-/// Sums whose relative difference is smaller are equal up to rounding.
+/// Sums of areas whose relative difference is smaller than this count as equal.
 constexpr double rounding = 1e-9;
 
-/// An open component is a body with holes if its winding number at its own surface is at least
-/// this. The number of a flat sheet is 0, of a hemisphere 1/4, and of a sphere without 30 % of its
-/// area 0.35.
+/// An open component is a body with holes if the median of its winding number at its own surface is
+/// at least this. The median is 0 for a flat sheet, 1/4 for a hemisphere, and 0.35 for a sphere
+/// without 30 % of its area.
 constexpr double least_of_body = 0.3;
 
 Index add_position(const Vec3& position, Index point, std::vector<Index>& number_of, Mesh& mesh) {
@@ -68,9 +69,9 @@ ComponentWinding::ComponentWinding(const Arrangement& arrangement) : arrangement
   }
 }
 
-// Returns the winding number at the centroid of a piece. The face of the component that contains
-// the piece is left out: its contribution there is 1/2, -1/2 or 0, depending on rounding. Hence the
-// result is the mean of the values on both sides.
+// Returns the winding number of a component at the centroid of a piece. If a face of the component
+// contains the piece, this face is left out, because its contribution is 1/2, -1/2 or 0, depending
+// on rounding. Hence the result is the mean of the values on both sides.
 double ComponentWinding::number_at(Index component, Index piece) const {
   const WeldedMesh& welded = *arrangement_.welded;
   const auto& [a, b, c] = arrangement_.pieces[piece].corners;
@@ -117,7 +118,8 @@ std::vector<ComponentWinding::Number> ComponentWinding::numbers_at(
   return numbers;
 }
 
-// Returns all samples, or `count` samples at equal shares of the area with equal weights.
+// Returns all samples if there are at most `count`. Otherwise returns `count` samples with equal
+// weights, at equal shares of the total area.
 std::vector<ComponentWinding::Sample> ComponentWinding::choose(const std::vector<Sample>& samples,
                                                                std::size_t count) {
   if (samples.size() <= count) return samples;
@@ -133,7 +135,8 @@ std::vector<ComponentWinding::Sample> ComponentWinding::choose(const std::vector
   return chosen.empty() ? std::vector<Sample>{samples.front()} : chosen;
 }
 
-// Returns the median, weighted by area. If two numbers halve the area exactly, returns their mean.
+// Returns the median of the winding numbers, weighted by area. If the numbers up to some number
+// have exactly half of the area, returns the mean of this number and the next one.
 double ComponentWinding::median_of(const std::vector<Number>& numbers) {
   double total = 0, sum = 0;
   for (const Number& n : numbers) total += n.area;

@@ -1,8 +1,9 @@
-/// Generalized winding numbers of the open components of a mesh, sampled at pieces (Jacobson, Kavan
-/// & Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding numbers", ACM
-/// TOG 32(4), 2013). The winding number on the component itself is the mean of the values on both
-/// sides. Medians are weighted by area. Floating point; deterministic; independent of the order of
-/// faces. Cost: about O(sqrt(m)) per sample for a connected component of m faces.
+/// Generalized winding numbers of the open components of a mesh, sampled at pieces of an
+/// arrangement (Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using
+/// generalized winding numbers", ACM TOG 32(4), 2013). The winding number of a component at a point
+/// of its own surface is the mean of the values on both sides. Medians are weighted by the areas of
+/// the pieces. Floating point; deterministic; independent of the order of faces. Cost: about
+/// O(sqrt(m)) per sample for a connected component of m faces.
 #pragma once
 
 #include <optional>
@@ -18,12 +19,13 @@ class ComponentWinding {
   /// Keeps a reference to `arrangement`.
   explicit ComponentWinding(const Arrangement& arrangement);
 
-  /// Returns the median of the winding numbers of a component at some pieces.
+  /// Returns the median of the winding number of a component at the centroids of the given pieces.
   double median(Index component, const std::vector<Index>& pieces);
-  /// Returns the median of the winding number of a component on itself: 0 for a flat sheet, 1/2 for
-  /// a closed body.
+  /// Returns the median of the winding number of a component at its own pieces: 0 for a flat sheet,
+  /// 1/2 for a closed body.
   double on_itself(Index component);
-  /// True if the component is a body with holes.
+  /// True if the component is a body with holes: it encloses most of what it would enclose without
+  /// its holes.
   bool is_body(Index component);
 
  private:
@@ -45,11 +47,12 @@ class ComponentWinding {
   double number_at(Index component, Index piece) const;
 
   const Arrangement& arrangement_;
-  std::vector<Mesh> meshes_;                   ///< mesh of each component
-  std::vector<Index> number_of_face_;          ///< number of each open face in its component
+  std::vector<Mesh> meshes_;           ///< mesh of each component
+  std::vector<Index> number_of_face_;  ///< index of each open face in the mesh of its component
   std::vector<std::vector<Index>> pieces_of_;  ///< pieces of each component
-  std::vector<std::optional<WindingHierarchy>> windings_;  ///< for each component, once needed
-  /// Result of on_itself() for each component, if computed.
+  /// Hierarchies of the components, computed on demand.
+  std::vector<std::optional<WindingHierarchy>> windings_;
+  /// Result of on_itself() for each component, computed on demand.
   std::vector<std::optional<double>> on_itself_;
 };
 

@@ -20,10 +20,10 @@ class Sheets {
   explicit Sheets(const WeldedMesh& welded);
 
   std::vector<Index> sheet_of;  ///< for each face the first face of its sheet
-  /// Returns the number of forward minus backward faces along an edge, without the faces in
-  /// `left_out`.
+  /// Returns the number of forward faces minus the number of backward faces along an edge. Faces
+  /// with a nonzero `left_out` entry do not count.
   int sum_along(std::size_t edge, const std::vector<char>& left_out) const;
-  /// Unmarks sheets until removing the marked sheets leaves no border.
+  /// Clears the marks of sheets until removing the marked sheets leaves no border.
   void restore_needed(std::vector<char>& marks) const;
 
  private:
@@ -67,8 +67,10 @@ void Sheets::restore_needed(std::vector<char>& marks) const {
   }
 }
 
-// Marks patches that contradict the cells on both sides, if both cells are inside the body. Cells
-// on both sides of a marked patch are merged, which may reveal further contradictions.
+// Returns 1 for each patch that contradicts the winding numbers of the cells on both sides, if both
+// cells are inside the body. A patch contradicts them if their difference is not the multiplicity
+// of the patch. Cells on both sides of a marked patch are merged, which may lead to further
+// contradictions.
 std::vector<char> find_contradictions(const Arrangement& arrangement, const Patches& patches,
                                       int winding_level) {
   std::vector<char> contradicts(patches.size(), 0);
@@ -88,8 +90,8 @@ std::vector<char> find_contradictions(const Arrangement& arrangement, const Patc
   return contradicts;
 }
 
-// Marks the faces of sheets whose patches all contradict their cells. Pieces of multiplicity 0 are
-// ignored.
+// Returns 1 for each face of a sheet whose patches all contradict the winding numbers of the cells
+// on both sides. Pieces of multiplicity 0 (coincident faces that cancel out) are ignored.
 std::vector<char> mark_contradictions(const Arrangement& arrangement, int winding_level) {
   const WeldedMesh& welded = *arrangement.welded;
   const Patches patches(arrangement);
@@ -139,8 +141,8 @@ Arrangement arrange_without(const WeldedMesh& welded, const std::vector<char>& m
 
 }  // namespace
 
-// Removes the sheets that were found, and repeats the search. If faces coincide, some
-// contradictions appear only after other sheets are removed.
+// Removes the enclosed sheets that were found, and repeats the search until it finds none. If faces
+// coincide, some enclosed sheets are found only after other sheets are removed.
 std::vector<char> find_enclosed_sheets(const Arrangement& arrangement, int winding_level,
                                        const Progress& progress) {
   const WeldedMesh& welded = *arrangement.welded;

@@ -2,12 +2,14 @@
 /// single wall between two bodies, which both bodies share. With the wall, winding numbers
 /// contradict each other; without it, the surface around both bodies is closed.
 ///
-/// The patches divide space into cells. The winding number is 0 in the unbounded cell and is
-/// propagated from cell to cell, in breadth-first order. A sheet is enclosed if three conditions
-/// hold. All its patches contradict the winding numbers of the cells on both sides. Both cells are
-/// inside the body. Removing the sheet leaves no border edge. Hence a sheet outside of bodies, or
-/// in a body with a hole, is never enclosed. Cost: one arrangement per round of removals; usually
-/// there is one round. Deterministic.
+/// A sheet is a set of faces that are connected across edges of two faces. The patches of the
+/// arrangement (exterior/patches.h) divide space into cells. The winding number is 0 in the
+/// unbounded cell and is propagated from cell to cell, in breadth-first order. A sheet is enclosed
+/// if three conditions hold. For each of its patches, the difference of the winding numbers of the
+/// cells on both sides is not the multiplicity of the patch. Both cells are inside the body.
+/// Removing the sheet leaves no border edge. Hence a sheet outside of bodies, or in a body with a
+/// hole, is never enclosed. Cost: one arrangement per round of removals; usually there is one
+/// round. Deterministic.
 #pragma once
 
 #include <vector>

@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// A halfedge without partner.
+/// A halfedge that is not paired with another halfedge of its edge.
 struct LooseHalfedge {
   Index set;
   int direction;  ///< 1 for a forward halfedge, -1 for a backward one
@@ -38,12 +38,13 @@ class Decomposition {
   std::pair<int, int> counts(const std::vector<LooseHalfedge>& edge) const;
 
   const Mesh& mesh_;
-  /// Points or vertices at the corners of faces; includes faces without area.
+  /// The faces by vertex indices, if the mesh is stitched, or by welded points. Includes faces
+  /// without area.
   std::vector<Face> faces_;
   DisjointSets sets_;
-  /// Halfedges without partner of each edge that has such halfedges.
+  /// For each edge that has unpaired halfedges, these halfedges.
   std::vector<std::vector<LooseHalfedge>> loose_;
-  std::vector<char> is_open_;  ///< 1 for each set that is an open component
+  std::vector<char> is_open_;  ///< 1 for each set of connected faces that is an open component
 };
 
 void Decomposition::connect(const Edges& edges) {
@@ -66,8 +67,8 @@ void Decomposition::connect(const Edges& edges) {
   }
 }
 
-// Connects two halfedges of an edge if no third halfedge has the same two vertices. Removes these
-// pairs from the list.
+// Pairs two halfedges of an edge, and connects their faces, if no third halfedge has the same two
+// vertices. Removes the paired halfedges from the list.
 void Decomposition::connect_by_vertices(std::vector<Index>& halfedges) {
   std::map<std::pair<Index, Index>, std::vector<Index>> by_vertices;
   for (const Index h : halfedges)

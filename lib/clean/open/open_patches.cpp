@@ -15,11 +15,11 @@ namespace transformesh {
 namespace {
 
 constexpr Index closed_part = no_index;
-/// Winding numbers are equal up to rounding if their difference is smaller. Lengths are equal if
-/// their relative difference is smaller.
+/// Winding numbers whose difference is smaller than this count as equal. Lengths whose relative
+/// difference is smaller than this count as equal.
 constexpr double rounding = 1e-9;
 
-/// The two halfedges with which a component passes through an edge.
+/// A component with exactly two halfedges at an edge, in opposite directions.
 struct Passage {
   Index component;
   /// Positions of the two halfedges in the angular order at the edge.
@@ -41,11 +41,13 @@ class PatchFinder {
 
  private:
   using Pair = std::pair<Index, Index>;
-  /// Length of the curves along which a patch is in front of a component, or behind it.
+  /// Total length of the curves along which a patch is in front of a component, and of those along
+  /// which it is behind the component.
   struct Lengths {
     double front = 0, behind = 0;
   };
-  /// A segment of a curve along which two components pass through each other.
+  /// An edge at which two components intersect each other. Each component has two pieces there, on
+  /// different sides of the other component.
   struct Crossing {
     /// Pieces of the first component, in front of and behind the other component.
     Index front, back;
@@ -73,16 +75,17 @@ class PatchFinder {
 
   const Arrangement& arrangement_;
   int winding_level_;
-  DisjointSets sets_;  ///< sets of pieces; finally each set is a patch
+  DisjointSets sets_;  ///< sets of connected pieces; in the end each set is a patch
   ComponentWinding winding_;
   std::vector<Crossing> crossings_;
-  std::map<Pair, Lengths> curves_;  ///< lengths of the common curves of a patch and a component
+  /// For each patch and component the lengths of the curves along which they intersect.
+  std::map<Pair, Lengths> curves_;
   std::map<Index, std::set<Index>>
-      intersect_;  ///< for each component, the components with a curve that separates its patches
+      intersect_;  ///< for each component the other components that cut it into patches
   std::set<Index> self_intersect_;              ///< components that intersect themselves
   std::map<Index, std::vector<Index>> pieces_;  ///< pieces of each patch
   OpenPatches result_;
-  /// The decision on the current patch needed a generalized winding number.
+  /// True if the decision on the current patch needed a generalized winding number.
   bool is_by_number_ = false;
 };
 
@@ -92,7 +95,8 @@ Index PatchFinder::component(Index piece) const {
   return arrangement_.welded->open_component[arrangement_.sources_of(p).front().face];
 }
 
-// Connects the pieces at an edge of two pieces; handles other edges as part of a curve.
+// Connects the two pieces at an edge of two pieces. An edge of more pieces is part of an
+// intersection curve, and is handled by visit_curve().
 void PatchFinder::visit_edge(std::span<const Index> halfedges) {
   const auto& pieces = arrangement_.pieces;
   if (halfedges.size() > 2) return visit_curve(halfedges);
@@ -100,9 +104,9 @@ void PatchFinder::visit_edge(std::span<const Index> halfedges) {
     sets_.join(halfedges[0] / 3, halfedges[1] / 3);
 }
 
-// Finds the components that pass through an edge with one forward and one backward piece. In the
-// angular order, a forward piece has its front towards its successor, and a backward piece towards
-// its predecessor.
+// Finds the components that have exactly one forward and one backward piece at an edge. `sorted`
+// has the halfedges in angular order. A forward piece has its front towards the next piece in this
+// order, and a backward piece has its front towards the previous piece.
 std::vector<Passage> PatchFinder::find_passages(const std::vector<Index>& sorted) {
   std::map<Index, std::array<std::vector<std::size_t>, 2>> places;
   for (std::size_t i = 0; i < sorted.size(); ++i)
@@ -132,11 +136,12 @@ void PatchFinder::visit_curve(std::span<const Index> halfedges) {
   }
 }
 
-/// Returns the pieces of `one` in front of and behind `other`, or nothing if both pieces are on one
-/// side of `other`.
+/// Returns the piece of component `one` in front of component `other`, and the piece behind it.
+/// Returns nothing if both pieces of `one` are on the same side of `other`.
 std::optional<FrontAndBack> PatchFinder::find_sides(const std::vector<Index>& sorted,
                                                     const Passage& one, const Passage& other) {
-  // The front of `other` is the range from its forward piece to its backward piece.
+  // In angular order, the pieces from the forward piece of `other` to its backward piece are in
+  // front of `other`.
   const std::size_t n = sorted.size();
   const auto is_in_front = [&](std::size_t p) {
     return (p + n - other.forward) % n < (other.backward + n - other.forward) % n;
@@ -147,8 +152,8 @@ std::optional<FrontAndBack> PatchFinder::find_sides(const std::vector<Index>& so
                       sorted[forward_is ? one.backward : one.forward] / 3};
 }
 
-// Records where two components pass through each other. Returns true if `one` passes through
-// `other`.
+// Records that two components intersect each other at an edge. Returns true if the pieces of `one`
+// are on different sides of `other`.
 bool PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
                         const Passage& other) {
   const auto sides = find_sides(sorted, one, other), others = find_sides(sorted, other, one);
@@ -201,9 +206,9 @@ int PatchFinder::count_around(Index patch) {
   return count;
 }
 
-// Returns the winding number in front of the patch of its own component, without the part that is
-// due to holes. In front of a sheet with borders, the generalized winding number is less than 0, by
-// at most 1/2.
+// Returns the winding number of the patch's own component in front of the patch. The generalized
+// winding number in front of a sheet with borders is between -1/2 and 0 even without
+// self-intersections. This part is subtracted.
 int PatchFinder::own_number(Index patch) {
   const Index own = component(patch);
   if (!self_intersect_.contains(own)) return 0;
@@ -212,8 +217,8 @@ int PatchFinder::own_number(Index patch) {
 }
 
 // Returns the winding number of the closed part in front of a piece. A closed piece is on the
-// boundary of the closed part. If its multiplicity is 1, the winding level determines the winding
-// number in front.
+// boundary of the region with winding number >= winding level. Hence the winding number in front is
+// winding level - 1 if the multiplicity of the piece is 1.
 int PatchFinder::front_of(const Piece& piece) const {
   if (piece.is_open) return std::max(piece.front, 0);
   return piece.multiplicity == 1 ? winding_level_ - 1 : piece.front;
@@ -252,9 +257,10 @@ void PatchFinder::decide() {
   }
 }
 
-// Drops patches that would make the result misoriented. The result is misoriented at a common curve
-// of two components if one patch of each component is kept, and both patches traverse the curve in
-// the same direction. The patch that is behind the other component is dropped.
+// Drops patches that would make the result misoriented, and returns true if there are any. The
+// result is misoriented at an intersection curve of two components if one patch of each component
+// is kept, and both patches traverse the curve in the same direction. Of these two patches, the one
+// that is behind the other component is dropped.
 bool PatchFinder::drop_contradictions() {
   const auto& kept = result_.kept;
   std::set<Index> dropped;

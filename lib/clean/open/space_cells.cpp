@@ -35,7 +35,8 @@ SpaceCells::SpaceCells(const Arrangement& arrangement, const Patches& patches,
   spread_winding(arrangement, patches);
 }
 
-// Returns the volume of each cell from its patches: positive if the patches enclose the cell.
+// Returns six times the signed volume of each cell, computed from its patches. The volume is
+// positive if the patches enclose the cell.
 std::vector<double> SpaceCells::volumes(const Arrangement& arrangement,
                                         const Patches& patches) const {
   const std::vector<Vec3> positions = normalized_positions(arrangement);
@@ -52,8 +53,8 @@ std::vector<double> SpaceCells::volumes(const Arrangement& arrangement,
   return volumes;
 }
 
-// Returns the cell of least volume in each connected set of cells. This is the unbounded cell,
-// whose volume is negative because its patches do not enclose it.
+// Returns the cell of least volume in each connected set of cells. This is the unbounded cell: its
+// signed volume is negative, because its patches do not enclose it.
 std::vector<Index> SpaceCells::unbounded_cells(const std::vector<double>& volumes) const {
   DisjointSets sets(cell_of_.size());
   for (Index side = 0; side < cell_of_.size(); side += 2) {

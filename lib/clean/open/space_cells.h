@@ -1,7 +1,7 @@
-/// The cells into which the patches of an arrangement divide space, with their winding numbers if
-/// the patches are consistent. Cost: O(n log n). Deterministic. Reference: Zhou, Grinspun, Zorin &
-/// Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016. There the patches are
-/// always consistent; here they need not be.
+/// The cells into which the patches of an arrangement (exterior/patches.h) divide space, with a
+/// winding number for each cell. Cost: O(n log n). Deterministic. Reference: Zhou, Grinspun, Zorin
+/// & Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016. Departure: two paths
+/// between cells may give different winding numbers, because the mesh may be open.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,8 @@ namespace transformesh {
 
 class SpaceCells {
  public:
-  /// Patches marked in `is_transparent` do not separate cells.
+  /// Patches with a nonzero `is_transparent` entry are ignored: the cells on both sides count as
+  /// one.
   SpaceCells(const Arrangement& arrangement, const Patches& patches,
              const std::vector<char>& is_transparent);
 
@@ -28,8 +29,10 @@ class SpaceCells {
   void spread_winding(const Arrangement& arrangement, const Patches& patches);
 
   std::vector<Index>
-      cell_of_;  ///< cell in front of a patch at 2 * patch, cell behind it at 2 * patch + 1
-  std::vector<int> winding_;  ///< per cell; a cell has the number of one of its sides
+      /// Entry 2 * patch is the cell in front of a patch, entry 2 * patch + 1 the cell behind it.
+      cell_of_;
+  /// Winding number per cell; the index of a cell is the index of one of its patch sides.
+  std::vector<int> winding_;
 };
 
 }  // namespace transformesh

@@ -21,7 +21,8 @@
 namespace transformesh {
 namespace {
 
-// Throws UsageError, because winding numbers in front of pieces of an open mesh are not integers.
+// Throws the UsageError of the static test for open meshes: the winding numbers in front of the
+// pieces of an open mesh are not integers.
 void refuse_static_test(std::size_t borders) {
   throw UsageError(
       ErrorKind::static_test_of_open_mesh,
@@ -29,8 +30,8 @@ void refuse_static_test(std::size_t borders) {
       {.counts = {borders}});
 }
 
-// True if a kept whole piece has the opposite orientation of its first source. A whole piece has
-// one source, or several copies.
+// True if a face that was not cut is kept with reversed orientation. The first source of its piece
+// is the face itself.
 bool has_turned_piece(const Arrangement& arrangement, const std::vector<char>& kept) {
   for (std::size_t p = 0; p < arrangement.whole_pieces; ++p)
     if (kept[p] && arrangement.sources_of(arrangement.pieces[p]).front().reversed) return true;
@@ -71,7 +72,8 @@ class CleanPassRun {
   const CleanPassOptions& options_;
   const Progress& progress_;
   std::shared_ptr<WeldedMesh> welded_;
-  bool is_closed_manifold_ = false;  ///< true only if welding changes nothing
+  /// True if the mesh is a closed manifold, and welding changes nothing.
+  bool is_closed_manifold_ = false;
   Borders borders_;
   Arrangement arrangement_;
   std::vector<char> kept_;  ///< 1 for each piece that is kept
@@ -135,8 +137,8 @@ void CleanPassRun::find_exterior_growing(const std::vector<Meeting>& meetings) {
   if (!welded_->open_component.empty()) keep_exterior_patches();
 }
 
-// Selects patches with open components. If no face is cut, no part of an open component is
-// separated from the rest of it, and the selection stays.
+// Selects the kept patches of a mesh with open components. If no face is cut, no open component is
+// divided into several patches, and the selection does not change.
 void CleanPassRun::keep_exterior_patches() {
   if (arrangement_.whole_pieces == arrangement_.pieces.size() && options_.winding_level == 1)
     return;

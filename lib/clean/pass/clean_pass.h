@@ -1,8 +1,8 @@
 /// One clean pass of TransforMesh (paper 3, Fig. 3): weld, intersect (3.1), find the exterior and
-/// arrange it (3.2), stitch (3.3). Exact, with two exceptions: positions of new vertices are in
-/// doubles, and generalized winding numbers decide on some patches of open components
-/// (open/open_patches.h). Throws what clean() throws. Cost: O(n log n) plus that of the
-/// arrangement.
+/// arrange it (3.2), stitch (3.3). Exact, with two exceptions. Positions of new vertices are
+/// rounded to doubles. In an open mesh, generalized winding numbers decide whether some parts of
+/// the surface are kept (open/open_patches.h). Throws what clean() throws. Cost: O(n log n) plus
+/// that of the arrangement.
 #pragma once
 
 #include <functional>
@@ -22,28 +22,32 @@ struct CleanPass {
   /// Number of intersecting pairs of faces. If it exceeds `most_pairs`, all other members are
   /// empty.
   std::size_t pairs = 0;
-  std::size_t pieces = 0;  ///< pieces in the arrangement; hidden pieces may be left out
+  std::size_t pieces = 0;  ///< number of pieces of the arrangement, which may lack hidden pieces
   std::size_t cut_faces = 0;
-  std::size_t removed_faces = 0;      ///< whole faces that were removed
-  bool is_open = false;               ///< true if the mesh has borders
-  std::size_t rays = 0;               ///< rays cast to find winding numbers
-  std::size_t open_patches = 0;       ///< patches of a mesh with open components
-  std::size_t decided_by_number = 0;  ///< patches for which a generalized winding number was needed
-  /// Least distance of a generalized winding number from the value at which its rounding changes.
+  std::size_t removed_faces = 0;  ///< number of faces without intersections that were removed
+  bool is_open = false;           ///< true if the mesh has borders
+  std::size_t rays = 0;           ///< number of rays cast to find winding numbers
+  /// Number of patches (connected pieces), if the mesh has open components.
+  std::size_t open_patches = 0;
+  /// Number of patches that needed a generalized winding number.
+  std::size_t decided_by_number = 0;
+  /// Least distance of a used generalized winding number from the nearest value at which it would
+  /// be rounded to another integer.
   double least_margin = 0.5;
   bool unchanged = false;
-  /// Set if the mesh is a closed manifold without intersections, and all faces are exterior.
+  /// Connectivity of the mesh. Set only if the mesh is a closed manifold without intersections, and
+  /// all its faces are exterior.
   std::optional<Connectivity> connectivity;
-  Assembly assembly;  ///< empty if `unchanged` is set
+  Assembly assembly;  ///< the result; empty if `unchanged` is set
 };
 
 struct CleanPassOptions {
   int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
   bool check_orientation = true;  ///< throw if the mesh is not oriented
-  /// Selects the pieces; null: the winding level alone decides.
+  /// Selects the pieces that are kept. If null, the winding level alone decides.
   const PieceChooser* chooser = nullptr;
-  /// Changes which pieces of a closed mesh are kept; called before stitching.
+  /// Function that changes which pieces of a closed mesh are kept; called before stitching.
   std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
   /// The clean pass ends early if more pairs of faces than this intersect.
   std::size_t most_pairs = std::numeric_limits<std::size_t>::max();

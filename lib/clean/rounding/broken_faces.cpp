@@ -53,10 +53,10 @@ std::vector<Index> marked(const std::vector<char>& marks) {
   return result;
 }
 
-/// A face with its corners in ascending order, and its orientation.
+/// The corners of a face in ascending order, with the orientation that the sorting lost.
 struct UnorderedFace {
   std::array<Index, 3> corners;
-  bool is_even;  ///< the sorted corners have the orientation of the face
+  bool is_even;  ///< true if the sorted corners have the orientation of the face
   Index face;
   auto key() const { return std::tie(corners, is_even, face); }
 };
@@ -69,7 +69,8 @@ UnorderedFace unordered(const Face& face, Index index) {
   return {corners, is_even, index};
 }
 
-// Returns the faces all of whose corners are corners of new faces, sorted by corners.
+// Returns the faces of which all corners are corners of new faces (faces that are not whole input
+// faces), sorted by corners.
 std::vector<UnorderedFace> sorted_faces_at_new_ones(const Assembly& assembly) {
   const std::vector<Face>& faces = assembly.mesh.faces;
   std::vector<char> is_at_new(assembly.mesh.positions.size(), 0);
@@ -87,7 +88,7 @@ std::vector<UnorderedFace> sorted_faces_at_new_ones(const Assembly& assembly) {
   return sorted;
 }
 
-// Unmarks pairs of faces with equal corners and opposite orientation.
+// Sets the `keep` entries of pairs of faces with equal corners and opposite orientation to 0.
 void cancel_opposite_faces(const Assembly& assembly, std::vector<char>& keep) {
   const std::vector<UnorderedFace> sorted = sorted_faces_at_new_ones(assembly);
   for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
@@ -116,7 +117,8 @@ void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
 
 }  // namespace
 
-// Only faces near new faces are searched, because no other face can intersect a new face.
+// Searches only new faces and the faces whose boxes overlap with theirs. Other faces cannot
+// intersect a new face.
 BrokenFaces find_broken_faces(const Assembly& assembly) {
   const std::vector<Index> rows = marked(find_faces_at_new_ones(assembly));
   const Mesh part = mesh_of_faces(assembly.mesh, rows);

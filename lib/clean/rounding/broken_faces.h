@@ -1,4 +1,6 @@
-/// Finds and removes faces that rounding of exact points to stored coordinates broke (paper 4.3).
+/// Finds and removes faces that intersect others, or have no area, because exact points were
+/// rounded to stored coordinates (paper 4.3). New faces are those that are not whole faces of the
+/// input.
 #pragma once
 
 #include <vector>
@@ -7,24 +9,27 @@
 
 namespace transformesh {
 
-/// Broken faces at the present coordinates.
+/// Broken faces of a mesh: faces that intersect another face, or have no area, because of rounding.
 struct BrokenFaces {
-  std::vector<Index> faces;  ///< faces that intersect a new face, or have no area; ascending
-  std::size_t pairs = 0;     ///< number of intersecting pairs with at least one new face
+  /// Broken faces, ascending; only intersections with at least one new face count.
+  std::vector<Index> faces;
+  std::size_t pairs = 0;  ///< number of intersecting pairs with at least one new face
 };
 
-/// Finds the broken faces. Whole input faces must not intersect each other. Cost: O(n log n).
+/// Finds the broken faces. Faces that are whole faces of the input must not intersect each other.
+/// Cost: O(n log n).
 BrokenFaces find_broken_faces(const Assembly& assembly);
 
 /// Returns `faces` and all faces that share a corner with them, in ascending order.
 std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces);
 
-/// Returns the number of connected sets of `faces`. Faces that share a corner are connected.
+/// Returns the number of connected sets into which `faces` are divided. Faces that share a corner
+/// are connected.
 std::size_t count_places(const Mesh& mesh, const std::vector<Index>& faces);
 
-/// Merges the indices of vertices with equal positions. Drops faces that refer to a vertex twice,
-/// and pairs of coincident new faces with opposite orientation. A closed mesh stays closed. Returns
-/// true if a face was dropped.
+/// Merges vertices with equal positions in the faces. Drops faces that refer to a vertex twice, and
+/// pairs of coincident faces with opposite orientation, if their corners are corners of new faces.
+/// A closed mesh stays closed. Returns true if a face was dropped.
 bool drop_collapsed_faces(Assembly& assembly);
 
 }  // namespace transformesh

@@ -27,10 +27,12 @@ class FlatVertexRemover {
   bool remove_all(Displacement& moved);
 
  private:
-  /// An edge collapse, and the quality of the triangles that it leaves around the removed vertex.
+  /// The collapse of an edge to its vertex `end`, and the quality of the triangles that remain
+  /// around the removed vertex.
   struct Collapse {
     Index end = no_index;
-    double lowest = 0;  ///< least relative height of these triangles
+    /// Least relative height (height / longest edge) of the remaining triangles.
+    double lowest = 0;
     double moved = 0;
   };
 
@@ -52,10 +54,10 @@ class FlatVertexRemover {
   double steps_;
   const VertexGrids& grids_;
   std::unordered_map<Index, std::vector<Index>> faces_at_;
-  /// For each vertex that may be removed: true if it is in the queue.
+  /// Contains each vertex that may be removed; the value is true if the vertex is in the queue.
   std::unordered_map<Index, bool> is_queued_;
   std::deque<Index> queue_;
-  /// Displacement of each face by all its collapses.
+  /// Displacement of each face by all collapses that changed it.
   std::unordered_map<Index, Displacement> moved_;
 };
 
@@ -101,8 +103,8 @@ std::vector<Index> FlatVertexRemover::ring_of(Index v) const {
   return ring.size() == star.size() ? ring : std::vector<Index>();
 }
 
-// Link condition: true if the ends of the edge share exactly two faces, and the two opposite
-// vertices are their only common neighbors.
+// True if the link condition holds for the edge from `v` to `end`. Both ends must have exactly two
+// common faces, and no common neighbors except the third corners of these faces.
 bool FlatVertexRemover::has_link(Index v, Index end, const std::vector<Index>& ring) const {
   std::vector<Index> common;
   std::size_t at_edge = 0;
@@ -116,7 +118,7 @@ bool FlatVertexRemover::has_link(Index v, Index end, const std::vector<Index>& r
   return at_edge == 2 && common.size() == 2;
 }
 
-// True if the vertex is on the input face that the face is cut from, within the tolerance.
+// True if vertex `v` is within the tolerance of the input face from which `face` is cut.
 bool FlatVertexRemover::is_on_source(Index face, Index v) const {
   const Triangle source = triangle_of(input_, assembly_.source_face[face]);
   const Vec3 normal = unit_normal(source);
@@ -130,7 +132,7 @@ bool FlatVertexRemover::is_on_source(Index face, Index v) const {
 }
 
 // Returns the distance by which the face moves if its corner `v` moves to `end`. Returns nothing if
-// the distance exceeds the tolerance.
+// the distance exceeds the tolerance, or if the normal turns by more than 60 degrees.
 std::optional<double> FlatVertexRemover::movement(Index face, Index v, Index end) const {
   const Triangle before = triangle_of(mesh_, face);
   Triangle after = before;
@@ -162,8 +164,9 @@ std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::collapse_to(Index 
   return result;
 }
 
-// Returns the collapse that maximizes the least relative height of the triangles around the vertex,
-// if this height does not decrease.
+// Returns the collapse after which the least relative height (height / longest edge) of the
+// triangles around the vertex is largest. Returns nothing if every collapse decreases the least
+// relative height.
 std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::best_collapse(
     Index v, const std::vector<Index>& ring) const {
   double lowest = std::numeric_limits<double>::infinity();
@@ -178,8 +181,8 @@ std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::best_collapse(
   return best;
 }
 
-// Returns the collapse of the shortest edge at the vertex, if that edge is at most half the
-// tolerance long. Faces may turn by any angle.
+// Returns the collapse of the shortest edge at the vertex. Returns nothing if the edge is longer
+// than half the tolerance. The collapse may turn the faces by any angle.
 std::optional<FlatVertexRemover::Collapse> FlatVertexRemover::shortest_collapse(
     Index v, const std::vector<Index>& ring) const {
   std::optional<Collapse> shortest;
@@ -206,7 +209,8 @@ void FlatVertexRemover::collapse(Index v, Index end) {
   faces_at_.at(v).clear();
 }
 
-// Each remaining face may contain points of any former face of the star.
+// Adds a movement to all faces at a removed vertex. After the collapse, each of them may contain
+// points that any of them contained before. Hence all of them get the largest displacement.
 void FlatVertexRemover::note_movement(const std::vector<Index>& star, const Displacement& moved) {
   Displacement total;
   for (const Index f : star) total.note(moved_[f]);

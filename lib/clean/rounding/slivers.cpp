@@ -10,8 +10,9 @@
 namespace transformesh {
 namespace {
 
-/// Largest number of flips of a face in a round. With 1, repair fails in 5 of 220 difficult test
-/// meshes. With 6, it fails for nearly coplanar faces (docs/design/rounding.md).
+/// Largest number of flips of a face in one round of repair (snap_rounding.h). With 1, repair fails
+/// in 5 of 220 difficult test meshes. With 6, repair fails for nearly coplanar faces
+/// (docs/design/rounding.md).
 constexpr int most_flips_of_face = 3;
 
 class SliverFlipper {
@@ -39,10 +40,10 @@ class SliverFlipper {
   double steps_;
   const VertexGrids& grids_;
   std::vector<Index> stack_;
-  /// Face of each halfedge of the faces to flip and their neighbors.
+  /// Maps the two ends of each halfedge to its face, for the faces to flip and their neighbors.
   std::map<std::pair<Index, Index>, Index> face_at_;
   std::map<Index, int> flips_;  ///< number of flips attempted for each face
-  /// Displacement of each face by all its flips.
+  /// Displacement of each face by all flips that changed it.
   std::map<Index, Displacement> moved_;
 };
 

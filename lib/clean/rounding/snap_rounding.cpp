@@ -18,25 +18,28 @@
 namespace transformesh {
 namespace {
 
-/// Height, in grid steps, below which a surface is flat, a cell is thin, and a face is a sliver.
-/// With a height of 2 steps, one of two test meshes of coplanar boxes cannot be rounded. With 8
-/// steps, nearly coplanar faces cannot be rounded (docs/design/rounding.md).
+/// Tolerance of repair, in grid steps. It applies to the heights of flat surfaces
+/// (flat_vertices.h), the thickness of thin cells (thin_cells.h), and the heights of slivers
+/// (slivers.h). With a height of 2 steps, one of two test meshes of coplanar boxes cannot be
+/// rounded. With 8 steps, nearly coplanar faces cannot be rounded (docs/design/rounding.md).
 constexpr double flat_steps = 4;
-/// Largest number of rounds. With 8, repair fails in 3 of 220 difficult test meshes. With 32, it
-/// succeeds in hardly any more meshes (docs/design/rounding.md).
-constexpr int most_rounds = 16;
-/// Doublings of the grid steps at the restart, and in later rounds that do not reduce the number of
-/// broken faces. Three doublings make grids 8 times coarser. With one in later rounds, repair fails
-/// in a difficult test mesh of nearly coplanar faces. Larger numbers increase displacements
+/// Largest number of rounds before repair fails or, once, starts again from the input. With 8,
+/// repair fails in 3 of 220 difficult test meshes. With 32, it succeeds in hardly any more meshes
 /// (docs/design/rounding.md).
+constexpr int most_rounds = 16;
+/// Number of doublings of the grid steps at a restart, and in other rounds that do not reduce the
+/// number of broken faces. Three doublings make grids 8 times coarser. With one doubling in these
+/// other rounds, repair fails in a difficult test mesh of nearly coplanar faces. Larger numbers
+/// increase displacements (docs/design/rounding.md).
 constexpr int doublings_in_vain = 3;
-/// Repair fails if the number of intersecting pairs exceeds this multiple of the pairs and faces of
-/// the input. This bounds time and memory. With the factor 1, repair fails for nearly coplanar
-/// faces; 2 and 8 make no difference (docs/design/rounding.md).
+/// Repair fails if the number of intersecting pairs exceeds this multiple of a sum: the number of
+/// intersecting pairs of the input, plus its number of faces. This bounds time and memory. With the
+/// factor 1, repair fails for nearly coplanar faces; 2 and 8 make no difference
+/// (docs/design/rounding.md).
 constexpr std::size_t most_pairs_share = 4;
 
-// Composes the results of two clean passes. Afterwards `vertex_is_new` and `source_face` of `after`
-// refer to the input of the first pass.
+// Composes the results of two successive clean passes. Changes `vertex_is_new` and `source_face` of
+// `after`, the result of the second pass, such that they refer to the input of the first pass.
 void inherit(const Assembly& before, Assembly& after) {
   for (std::size_t v = 0; v < after.input_vertex.size(); ++v) {
     const Index source = after.input_vertex[v];
@@ -107,13 +110,15 @@ class SnapRounder {
   const CleanPass& first_;
   const SnapRoundingOptions& options_;
   const Progress& progress_;
-  Progress repair_progress_;  ///< reports the phases of further clean passes as repair
+  /// Progress of further clean passes, whose phases are reported as "repair ...".
+  Progress repair_progress_;
   Assembly assembly_;
   VertexGrids grids_;
-  std::vector<char> is_broken_;    ///< 1 for each input face of which rounding broke a part
-  std::size_t broken_before_ = 0;  ///< broken faces of the previous round; 0 if there was none
+  std::vector<char> is_broken_;  ///< 1 for each input face of which rounding broke a part
+  /// Number of broken faces in the previous round; 0 in the first round.
+  std::size_t broken_before_ = 0;
   bool is_restarted_ = false;
-  bool moves_to_grids_ = true;  ///< false after the first restart
+  bool moves_to_grids_ = true;  ///< false after the first restart, true again after the second
   std::optional<Vec3> place_;   ///< a corner of the first broken face
   SnapRoundingResult result_;
 };
@@ -131,8 +136,8 @@ void SnapRounder::throw_nothing_left() {
                   "everything that the faces enclose is thinner than the rounding error");
 }
 
-// Removes collapsed faces until none is left. Faces without area at a singular edge may result from
-// an attempt to split the edge.
+// Removes faces without area until none is left. Such faces may come from splitting a singular edge
+// (an edge of more than two faces) that is too short to be split; this edge is contracted.
 void SnapRounder::drop_collapsed() {
   while (drop_collapsed_faces(assembly_) &&
          contract_unsplittable_edges(assembly_, result_.repairs > 1, options_.coordinate,
@@ -140,8 +145,9 @@ void SnapRounder::drop_collapsed() {
   }
 }
 
-// Simplifies the surface around broken faces until no face is broken. After the first restart,
-// vertices do not move to their coarse grids, because this can turn faces beyond neighboring
+// Tries in turn to move vertices to their grids, to remove vertices in flat surroundings, and to
+// flip slivers, until no face is broken. After the first restart, vertices do not move to their
+// grids. These are coarse then, and the movement can turn faces so far that they pass neighboring
 // sheets.
 void SnapRounder::mend() {
   BrokenFaces broken;
@@ -189,11 +195,12 @@ bool SnapRounder::clean_again(bool gives_cells, int winding_level, const PieceCh
   return pass.pairs == 0 && !is_given && assembly_.split_edges == 0 && !options_.is_open;
 }
 
-// Restarts repair from the input, once. If sheets intersect at tiny angles, every rounding creates
-// new intersections. Therefore thin cells between such sheets are removed in the exact arrangement
-// of the input, before rounding. Coarser grids, and thus thin cells, are only at faces that
-// rounding broke. Open meshes are not restarted, because it is not known which of their cells are
-// inside.
+// Restarts repair from the input. Called at most twice: if a round fails to reduce the number of
+// broken faces, and if all rounds fail. If sheets intersect at tiny angles, every rounding creates
+// new intersections. Therefore thin cells of space between such sheets are removed in the exact
+// arrangement of the input, before rounding. Only cells at faces that rounding broke are removed,
+// because only their grids become coarser. Open meshes are not restarted, because it is not known
+// which of their cells are inside.
 void SnapRounder::begin_anew() {
   moves_to_grids_ = is_restarted_;
   is_restarted_ = true;
@@ -224,8 +231,8 @@ void SnapRounder::note_broken(const std::vector<Index>& broken) {
   result_.places = count_places(assembly_.mesh, broken);
 }
 
-// Runs one round: rounding, repair, and a clean pass. Returns true if the mesh is the result. If
-// the first round breaks no face, a closed mesh needs no clean pass. An open mesh needs a clean
+// Runs one round: rounding, repair, and a clean pass. Returns true if no further round is needed.
+// If the first round breaks no face, a closed mesh needs no clean pass. An open mesh needs a clean
 // pass, because its pieces may now enclose other pieces.
 bool SnapRounder::repair_round(bool is_first) {
   progress_("round");
@@ -254,8 +261,8 @@ void SnapRounder::take_rounds(bool is_begun) {
   give_up();
 }
 
-// Repairs a closed mesh once more from the input if that fails. Vertices then move to their grids,
-// which planes that are folded many times need.
+// Repairs the mesh in rounds. If this fails for a closed mesh, starts once more from the input.
+// Then vertices move to their grids. Planes that are folded many times need this.
 void SnapRounder::repair() {
   try {
     take_rounds(false);
@@ -267,7 +274,8 @@ void SnapRounder::repair() {
   }
 }
 
-// If no face was repaired or merged, whole faces stay whole, because their corners do not move.
+// True if rounding may have changed faces that were whole after the first clean pass. If no face
+// was repaired or merged, whole faces stay whole, because their corners do not move.
 bool SnapRounder::has_changed() const {
   return result_.repairs > 0 || first_.assembly.mesh.faces.size() != assembly_.mesh.faces.size();
 }
@@ -285,7 +293,7 @@ void drop_unused_vertices(Assembly& assembly) {
   assembly.mesh = select_faces(assembly.mesh, std::vector<bool>(assembly.mesh.faces.size(), true));
 }
 
-// Marks the faces of the mesh that are whole faces of the assembly.
+// Returns 1 for each face of the mesh that is also a face of the assembly, corner by corner.
 std::vector<char> whole_faces(const Mesh& mesh, const Assembly& assembly) {
   std::vector<char> is_whole(mesh.faces.size(), 0);
   const auto at = [](const Mesh& of, Index face, std::size_t i) {
@@ -312,7 +320,8 @@ SnapRoundingResult SnapRounder::snap_round() {
   repair();
   if (has_changed()) count_faces(whole_faces(mesh_, first_.assembly));
   drop_unused_vertices(assembly_);
-  // A flipped sliver belongs to its former neighbor and takes the columns of that face.
+  // Flips of slivers changed the source faces of triangles (slivers.h). Each triangle gets the
+  // columns of its source face.
   if (result_.repairs > 0)
     assembly_.mesh.face_columns = mesh_.face_columns.select(assembly_.source_face);
   const auto& is_new = assembly_.vertex_is_new;

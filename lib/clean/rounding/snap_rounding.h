@@ -1,11 +1,12 @@
-/// Snap rounding: computes the mesh as it will be written (paper 4.3). Rounds the new vertices of a
-/// clean pass, and repairs faces that rounding broke. In the result no face intersects another or
-/// has no area, in the coordinates as stored.
+/// Snap rounding: computes the mesh with the coordinates that will be written (paper 4.3). Rounds
+/// the new vertices of a clean pass (pass/clean_pass.h), and repairs broken faces, which intersect
+/// others or have no area after rounding. The result has no broken faces, in the coordinates as
+/// written.
 ///
-/// Each new vertex is rounded to the nearest numbers. If exact tests find no broken face, this is
-/// the result. Otherwise repair works in rounds. Each vertex has a grid, whose step is half the
-/// spacing of numbers at the vertex. The step doubles at the corners of broken faces
-/// (vertex_grids.h). A round has these steps, until no face is broken:
+/// Each coordinate of a new vertex is rounded to the nearest number. If exact tests find no broken
+/// face, the mesh is the result. Otherwise it is repaired in rounds. Each vertex has a grid, whose
+/// step is half the spacing of floating-point numbers at the vertex. The step doubles at the
+/// corners of broken faces (vertex_grids.h). A round has these steps, until no face is broken:
 ///
 /// 1. Vertices around broken faces move to their grids.
 /// 2. Edges shorter than two steps are collapsed, and vertices are removed if the surface around
@@ -18,15 +19,16 @@
 /// arrangement of the input. After the restart, grids at the faces that broke are 8 times coarser,
 /// thin cells at these faces are removed before rounding, and vertices do not move to their grids.
 /// Later rounds make grids 8 times coarser if they do not reduce the number of broken faces,
-/// otherwise twice as coarse. If this fails, repair restarts once more and moves vertices to their
-/// grids. The reasons are in docs/design/rounding.md.
+/// otherwise twice as coarse. If repair fails after 16 rounds, it restarts once more and moves
+/// vertices to their grids. The reasons are in docs/design/rounding.md.
 ///
 /// Guarantees: the result has no self-intersections. Each point moves by at most `displacement`.
-/// Hence winding numbers at points farther than this from the surface are those of the input: a
-/// homotopy that does not pass a point keeps its winding number. Parts that take no part in an
-/// intersection do not move, except near broken faces. The algorithm terminates: it throws after 32
-/// rounds, or if the number of intersecting pairs exceeds four times the pairs and faces of the
-/// input. Deterministic. Cost: that of at most 32 clean passes.
+/// Hence the winding number at a point farther than this from the surface is that of the input. The
+/// reason is that a deformation changes winding numbers only at points over which the surface
+/// passes. Faces that take no part in an intersection do not move, except near broken faces. The
+/// algorithm terminates: it throws after at most 32 rounds, or if the number of intersecting pairs
+/// exceeds four times the pairs and faces of the input. Deterministic. Cost: that of at most 32
+/// clean passes.
 ///
 /// References: Halperin & Packer, "Iterated snap rounding", Computational Geometry 23(2), 2002;
 /// Valque & Lazard, "Removing self-intersections in 3D meshes while preserving floating-point
@@ -41,10 +43,11 @@ namespace transformesh {
 struct SnapRoundingOptions {
   int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
-  /// True if the mesh has borders; then it is not known which cells are inside.
+  /// True if the mesh has borders. Then thin cells of space are not removed, and repair does not
+  /// restart, because it is not known which cells are inside.
   bool is_open = false;
   Scalar coordinate = Scalar::float64;    ///< type in which positions will be written
-  const PieceChooser* chooser = nullptr;  ///< chooser of `pass`
+  const PieceChooser* chooser = nullptr;  ///< the chooser with which the clean pass selected pieces
 };
 
 struct SnapRoundingResult {
@@ -54,27 +57,27 @@ struct SnapRoundingResult {
   std::vector<Index> source_face;
   std::size_t new_vertices = 0;
   std::size_t copied_vertices = 0;
-  std::size_t cut_faces = 0;      ///< input faces that were whole after `pass` and are cut now
-  std::size_t removed_faces = 0;  ///< input faces that were whole after `pass` and are removed now
+  std::size_t cut_faces = 0;      ///< number of input faces that only rounding and repair cut
+  std::size_t removed_faces = 0;  ///< number of input faces that only rounding and repair removed
   std::size_t repairs = 0;        ///< number of repair rounds
-  std::size_t places = 0;         ///< number of places at which rounding first broke faces
-  std::size_t faces = 0;          ///< broken faces, summed over all repair rounds
-  std::size_t pairs = 0;          ///< intersecting pairs, summed over all repair rounds
-  unsigned level = 0;             ///< largest number of doublings of a grid step
+  std::size_t places = 0;  ///< number of connected sets of faces that the first rounding broke
+  std::size_t faces = 0;   ///< number of broken faces, summed over all repair rounds
+  std::size_t pairs = 0;   ///< number of intersecting pairs, summed over all repair rounds
+  unsigned level = 0;      ///< largest number of times that the grid step of a vertex was doubled
   Displacement displacement;
 };
 
-/// Rounds the new vertices of an assembly, and counts the places at which this breaks faces. If it
-/// breaks none, the result is that of snap_round(), also for a part of the mesh.
+/// Result of rounding the new vertices of a mesh once, without repair. If `places` is 0, the mesh
+/// is the result of snap_round(). This also holds if only a part of the mesh is rounded.
 struct FirstRound {
   std::size_t places = 0;
   Displacement displacement;
 };
 FirstRound round_once(Assembly& assembly, Scalar type);
 
-/// Rounds the result of `pass`, a clean pass of `mesh` that changed something. Throws GoalError
-/// with the place if repair does not succeed, or if all parts are thinner than the displacement by
-/// rounding.
+/// Rounds the result of `pass`, a clean pass of `mesh` that changed something. Throws GoalError if
+/// repair does not succeed; the error names the place. Also throws GoalError if everything that the
+/// mesh encloses is thinner than the displacement by rounding.
 SnapRoundingResult snap_round(const Mesh& mesh, const CleanPass& pass,
                               const SnapRoundingOptions& options, const Progress& progress);
 

@@ -12,12 +12,13 @@ namespace {
 
 constexpr char unknown = 2;  ///< a label other than 0 (outside) and 1 (inside)
 
-/// Error of the measured distance of a point from a plane, relative to the distance of the point
-/// from a corner of the plane.
+/// Error of the computed distance of a point from the plane of a triangle, relative to the distance
+/// of the point from a corner of the triangle.
 constexpr double measuring_error = std::numeric_limits<double>::epsilon() / 2;
 
-/// The cells of an arrangement, with inside or outside labels. Side 2 * patch is in front of a
-/// patch, side 2 * patch + 1 behind it. A cell has the number of one of its sides.
+/// The cells into which an arrangement divides space, each labeled as inside or outside. A cell is
+/// bounded by sides of patches: side 2 * patch is in front of a patch, side 2 * patch + 1 behind
+/// it. The index of a cell is the index of one of its sides.
 class LabeledCells {
  public:
   LabeledCells(Arrangement& arrangement, const std::vector<char>& kept, const Thinness& thinness);
@@ -42,8 +43,8 @@ class LabeledCells {
   Arrangement& arrangement_;
   const Thinness& thinness_;
   Patches patches_;
-  std::vector<Index> cell_of_;             ///< cell of each side
-  std::vector<std::vector<Index>> sides_;  ///< sides of each cell
+  std::vector<Index> cell_of_;             ///< cell at each side of a patch
+  std::vector<std::vector<Index>> sides_;  ///< patch sides on the boundary of each cell
   std::vector<char> is_inside_;            ///< label of each cell: 0, 1 or `unknown`
   std::vector<Vec3> positions_;            ///< position of each point
   std::vector<double> areas_;              ///< area of each patch, in arbitrary units
@@ -66,8 +67,8 @@ LabeledCells::LabeledCells(Arrangement& arrangement, const std::vector<char>& ke
   measure_patches();
 }
 
-// A kept patch has the outside in front and the inside behind. Across any other patch the label
-// does not change.
+// Labels all cells. A kept patch has an outside cell in front and an inside cell behind. The cells
+// on both sides of any other patch have the same label.
 void LabeledCells::spread_labels(const std::vector<char>& kept) {
   is_inside_.assign(cell_of_.size(), unknown);
   std::vector<Index> queue;
@@ -102,7 +103,7 @@ void LabeledCells::measure_patches() {
   }
 }
 
-// Returns the plane of the largest piece of the largest patch of the cell.
+// Returns the plane of the largest piece of the largest patch on the boundary of the cell.
 LabeledCells::Plane LabeledCells::largest_plane(Index cell) const {
   Index largest = sides_[cell].front() / 2;
   for (const Index side : sides_[cell])
@@ -120,8 +121,8 @@ void LabeledCells::visit_corners(Index cell, const Visit& visit) const {
         if (!visit(positions_[corner])) return;
 }
 
-// Returns the largest distance of the two planes of a thin cell, in spacings. The coarsest face
-// around the cell determines it.
+// Returns the largest distance, in spacings, that the two planes around a thin cell may have. The
+// face on the boundary of the cell with the coarsest grid determines this limit.
 double LabeledCells::most_spacings(Index cell) const {
   int level = 0;
   for (const Index side : sides_[cell])
@@ -131,7 +132,8 @@ double LabeledCells::most_spacings(Index cell) const {
   return std::ldexp(thinness_.steps, level - 1);
 }
 
-// True if all corners are between two planes that are close enough at each corner.
+// True if the cell is thin: all its corners are between two parallel planes, and their distance is
+// below the limit at each corner.
 bool LabeledCells::is_thin(Index cell, Displacement& thickness) const {
   const Plane plane = largest_plane(cell);
   if (plane.normal.isZero(0)) return false;
@@ -148,12 +150,13 @@ bool LabeledCells::is_thin(Index cell, Displacement& thickness) const {
     return is_thin;
   };
   visit_corners(cell, check);
-  if (is_thin) visit_corners(cell, check);  // repeat with the final distance of the planes
+  if (is_thin) visit_corners(cell, check);  // test again: `low` and `high` are final now
   if (is_thin) thickness.note(high - low, spacing_around(plane.triangle[0], thinness_.type));
   return is_thin;
 }
 
-// True if less surface remains after the label of the cell changes.
+// True if less surface remains after the label of the cell changes from inside to outside, or from
+// outside to inside.
 bool LabeledCells::wants_change(Index cell) const {
   double alike = 0, unlike = 0;
   for (const Index side : sides_[cell]) {
@@ -172,8 +175,8 @@ bool LabeledCells::give_thin_ones_away(Displacement& moved) {
     if (is_thin(cell, thickness)) thin.push_back(cell);
   }
   bool is_any = false, is_changed = true;
-  // Each change reduces the surface, so the loop ends. The limit of turns is for rounding errors of
-  // areas.
+  // Each change of a label reduces the area of the surface, so the loop ends. Because areas have
+  // rounding errors, the number of turns is limited, too.
   for (std::size_t turn = 0; turn < thin.size() && is_changed; ++turn) {
     is_changed = false;
     for (const Index cell : thin) {

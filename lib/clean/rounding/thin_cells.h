@@ -1,9 +1,9 @@
 /// Removes thin cells of an arrangement (paper 4.3). The pieces divide space into cells (Zhou,
 /// Grinspun, Zorin & Jacobson, "Mesh arrangements for solid geometry", ACM TOG 35(4), 2016). A cell
-/// between two planes at a distance of a few grid steps has no significant shape. Hence it counts
-/// as inside or outside, whichever leaves less surface. This removes thin sheets and gaps that
-/// rounding would make intersect repeatedly. The surface moves by at most the thickness of the
-/// cells. Deterministic. O(n log n) for n pieces.
+/// between two planes at a distance of a few grid steps has no significant shape. Hence it is
+/// counted as inside or as outside, depending on which choice leaves less surface. This removes
+/// thin sheets and gaps that rounding would make intersect repeatedly. The surface moves by at most
+/// the thickness of the cells. Deterministic. O(n log n) for n pieces.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,19 @@
 
 namespace transformesh {
 
-/// A cell is thin if it is between two planes that are at most `steps` apart at each of its
-/// corners. The unit is the grid step (vertex_grids.h) of the coarsest face around the cell.
+/// Definition of a thin cell: it is between two parallel planes whose distance is at most `steps`
+/// grid steps at each corner of the cell. The grid step (vertex_grids.h) depends on the corner; its
+/// number of doublings is the largest one of the faces around the cell.
 struct Thinness {
   double steps = 0;
-  /// Number of doublings of the grid step at each face of the arranged mesh.
+  /// Number of times that the grid step was doubled, for each face of the arranged mesh.
   const std::vector<std::uint8_t>& levels;
   Scalar type = Scalar::float64;
 };
 
-/// Updates `kept`, and reverses pieces whose inside is now on the other side. Returns true if a
-/// cell changed; then adds the thickness of the thickest thin cell to `moved`.
+/// Counts thin cells as inside or outside such that less surface remains. Updates `kept`, and
+/// reverses pieces whose inside is now on the other side. Returns true if a cell changed; then adds
+/// the thickness of the thickest thin cell to `moved`.
 bool give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
                           const Thinness& thinness, Displacement& moved);
 

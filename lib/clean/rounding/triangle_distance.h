@@ -1,6 +1,6 @@
-/// Normals and distances that stay accurate if some corners are far away. Differences are taken
-/// from the nearest corner, because subtraction of large coordinates would cancel small values. In
-/// doubles; no product overflows.
+/// Normals of triangles, and distances of points from triangles and lines, that stay accurate if
+/// some corners are far away. Positions are subtracted from the nearest corner, because differences
+/// to far corners would lose small values by rounding. In doubles; no product overflows.
 #pragma once
 
 #include "mesh/triangle.h"
@@ -14,8 +14,8 @@ Vec3 unit_normal(const Triangle& triangle);
 /// Returns the distance of a point from the plane of the triangle, positive in front.
 double height_over(const Triangle& triangle, const Vec3& unit_normal, const Vec3& point);
 
-/// Distance of a point from the line through a and b. `beyond` is the distance of the point's
-/// projection from the nearer end of the segment; negative if the projection is inside the segment.
+/// Distance of a point from the line through two points a and b. `beyond` is the distance of the
+/// point's projection from the nearer of a and b; negative if the projection is between a and b.
 struct LineDistance {
   double distance = 0;
   double beyond = 0;

@@ -35,11 +35,13 @@ class Assembler {
   const std::vector<char>& kept_;
   PiecePairs pairs_;
   Umbrellas umbrellas_;
-  /// For each umbrella the input vertex that it keeps, or no_index.
+  /// For each umbrella (connected pieces around a point, which get one vertex) the input vertex
+  /// that becomes its vertex, or no_index.
   std::vector<Index> old_vertex_;
-  std::vector<Index> umbrella_of_;  ///< umbrella that keeps each input vertex, or no_index
-  RawVector<Index> vertex_of_;      ///< output vertex of each umbrella
-  bool has_vertex_rows_;            ///< false if vertices have no columns
+  /// Umbrella whose vertex each input vertex becomes, or no_index.
+  std::vector<Index> umbrella_of_;
+  RawVector<Index> vertex_of_;  ///< output vertex of each umbrella
+  bool has_vertex_rows_;        ///< false if vertices have no columns
   std::vector<RowBlend> vertex_rows_;
   Assembly result_;
 };
@@ -65,8 +67,8 @@ Index Assembler::piece_face(const Piece& piece) const {
   return arrangement_.welded->face_of[arrangement_.sources_of(piece).front().face];
 }
 
-// Assigns to each umbrella the smallest input vertex at its corners, unless an earlier umbrella has
-// that vertex.
+// Assigns to each umbrella an input vertex: the smallest one at the corners of its input faces. If
+// several umbrellas would get the same vertex, only the first of them gets it.
 void Assembler::choose_old_vertices() {
   const WeldedMesh& welded = *arrangement_.welded;
   old_vertex_.assign(umbrellas_.vertex_of.size(), no_index);
@@ -87,8 +89,8 @@ void Assembler::choose_old_vertices() {
   });
 }
 
-// Numbers the kept input vertices first, in their order. The remaining vertices follow in the order
-// of their umbrellas.
+// Numbers the vertices of the result. Input vertices come first, in their order. The remaining
+// vertices follow in the order of their umbrellas (connected pieces around a point).
 void Assembler::number_vertices() {
   choose_old_vertices();
   const NumberedSelection old(umbrella_of_.size(),

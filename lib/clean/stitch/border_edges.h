@@ -21,14 +21,15 @@ class BorderEdges {
   /// Returns the vertices of the border edges, ascending.
   const std::vector<Index>& vertices() const { return vertices_; }
 
-  /// A border halfedge near a vertex, with the parameter of the nearest point along it, in [0, 1].
+  /// A border halfedge near a vertex. `along` is the position of the halfedge's point nearest to
+  /// the vertex, as a fraction of the halfedge's length, in [0, 1].
   struct Near {
     Index halfedge = 0;
     double distance = 0;
     double along = 0;
   };
   /// Calls visit(near) for each border edge within `distance` of the vertex, in no particular
-  /// order. Skips the edges that end in the vertex.
+  /// order. Skips the edges of which the vertex is an end.
   void visit_near(Index vertex, double distance,
                   const std::function<void(const Near&)>& visit) const;
 

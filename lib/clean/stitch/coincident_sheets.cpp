@@ -10,13 +10,15 @@
 namespace transformesh {
 namespace {
 
-/// Two neighboring bundles at an edge, with equally many faces.
+/// An edge of exactly two bundles (sets of faces with the same three corners) of equally many
+/// faces.
 struct Joint {
   Index edge;
   Index first, second;  ///< indices of the two bundles
 };
 
-/// Groups faces with equal corners to bundles, and assigns each face of a bundle to its own layer.
+/// Groups faces with the same three corners to bundles, and assigns the faces of each bundle to
+/// different layers. A layer is one of several coincident copies of a surface.
 class Layers {
  public:
   Layers(const Mesh& mesh, const Edges& edges) : mesh_(mesh), edges_(edges) {
@@ -37,20 +39,27 @@ class Layers {
 
   const Mesh& mesh_;
   const Edges& edges_;
-  /// Bundle of each face; no_index if none of its edges has more than two faces.
+  /// Bundle (set of faces with the same three corners) of each face; no_index if no edge of the
+  /// face has more than two faces.
   std::vector<Index> bundle_of_;
-  /// Faces of each bundle; after ordering, in the order of their layers.
+  /// Faces of each bundle. Face `i` is in layer `i` if `is_ordered_` is set for the bundle.
   std::vector<std::vector<Index>> bundles_;
   std::vector<Joint> joints_;
-  std::vector<std::vector<Index>> joints_at_;  ///< joints of each bundle
-  std::vector<char> is_ordered_;               ///< 1 for each bundle whose faces have layers
-  /// 1 for each bundle whose lowest face has to be reversed to agree with the first bundle.
+  /// Indices in `joints_` of the joints of each bundle.
+  std::vector<std::vector<Index>> joints_at_;
+  /// 1 for each bundle whose faces are in the order of their layers.
+  std::vector<char> is_ordered_;
+  /// 1 for each bundle whose lowest face has to be reversed to be oriented consistently with the
+  /// lowest face of the first connected bundle.
   std::vector<char> is_turned_;
-  std::vector<Index> part_of_;      ///< first bundle of the connected part of each bundle
-  std::vector<char> has_one_side_;  ///< 1 for each part that is one-sided, by its first bundle
+  /// First of the bundles that are connected with each bundle by joints.
+  std::vector<Index> part_of_;
+  /// 1 for each first bundle of a connected set of bundles that is one-sided.
+  std::vector<char> has_one_side_;
 };
 
-// The result contains all copies of a face, because copies are at the same edges.
+// Returns the faces with an edge of more than two faces, ascending. If the result contains a face,
+// it contains all faces with the same corners, because these have the same edges.
 std::vector<Index> Layers::faces_at_multiple_edges() const {
   std::vector<Index> faces;
   for (std::size_t e = 0; e < edges_.size(); ++e)
@@ -104,7 +113,8 @@ bool Layers::points_forward(Index face, Index edge) const {
   return is_forward(mesh_.faces, halfedge_of(face, edge));
 }
 
-// True if the lowest faces of both bundles traverse the edge in the same direction.
+// True if the faces with the lowest indices of both bundles traverse the edge in the same
+// direction.
 bool Layers::is_turned(const Joint& joint) const {
   const auto lowest = [&](Index bundle) { return *std::ranges::min_element(bundles_[bundle]); };
   return points_forward(lowest(joint.first), joint.edge) ==
@@ -112,7 +122,8 @@ bool Layers::is_turned(const Joint& joint) const {
 }
 
 void Layers::order_layers(const Joint& joint, Index from, Index to) {
-  // Backward and forward faces, each with the lowest face last.
+  // The faces of bundle `to` that have no layer yet: first those that traverse the edge backward,
+  // then those that traverse it forward. The lowest face of each list is last.
   std::array<std::vector<Index>, 2> left;
   for (auto face = bundles_[to].rbegin(); face != bundles_[to].rend(); ++face)
     left[points_forward(*face, joint.edge) ? 1 : 0].push_back(*face);

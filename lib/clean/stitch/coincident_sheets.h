@@ -1,11 +1,12 @@
-/// Separates coincident copies of a surface into layers. The result defines sheets: faces that are
-/// connected across edges, with faces of equal corners treated as one bundle.
+/// Separates coincident copies of a surface into layers. All faces with the same three corners form
+/// a bundle. Neighboring bundles of equally many faces are connected layer by layer, so that each
+/// copy of the surface becomes a separate sheet of connected faces.
 ///
-/// An edge of more than two faces still continues a surface if its faces are equally many copies of
-/// two faces. Then each copy of one face gets a copy of the other face as neighbor. A copy with the
-/// opposite direction along the edge is preferred, then the lowest face index. Hence copies that
-/// were consistently oriented stay together. Faces of a copied one-sided surface get no neighbors.
-/// Cost: O(n log n). Deterministic.
+/// At an edge of more than two faces, layers are connected if the faces belong to two bundles of
+/// equally many faces. Then each face of one bundle gets a face of the other bundle as neighbor.
+/// Faces that traverse the edge in opposite directions are preferred, then low face indices. Hence
+/// copies that were consistently oriented stay together. Copies of a one-sided surface, such as a
+/// Moebius strip, get no neighbors at these edges. Cost: O(n log n). Deterministic.
 #pragma once
 
 #include <vector>
@@ -15,8 +16,8 @@
 namespace transformesh {
 
 /// Returns the neighbor of each halfedge across its edge, or no_index. At an edge of two faces this
-/// is the result of neighbors_across(). At an edge of equally many copies of two faces it is the
-/// halfedge of the copy in the same layer. `edges` must not contain faces that refer to a vertex
+/// is the result of neighbors_across(). At an edge of two bundles of n coincident faces it is the
+/// halfedge of the face in the same layer. `edges` must not contain faces that refer to a vertex
 /// twice.
 std::vector<Index> neighbors_in_layers(const Mesh& mesh, const Edges& edges);
 

@@ -18,7 +18,7 @@ namespace {
 struct SortedFace {
   Face corners;
   Index face;
-  bool is_odd;  ///< the original orientation is odd with respect to the sorted corners
+  bool is_odd;  ///< true if sorting the corners reversed the orientation
 
   auto key() const { return std::tie(corners, face); }
 };
@@ -31,7 +31,8 @@ SortedFace sorted_face(const Face& v, Index face) {
   return sorted;
 }
 
-// Calls visit(first, last) for each set of coincident faces.
+// Calls visit(first, last) for each set of faces with the same three corners, as a range of
+// SortedFace.
 template <class Visit>
 void visit_coincident(const std::vector<Face>& faces, const Visit& visit) {
   std::vector<SortedFace> sorted;
@@ -48,7 +49,8 @@ void visit_coincident(const std::vector<Face>& faces, const Visit& visit) {
   }
 }
 
-// Calls visit(first, last) for each set of coincident faces that contains reverses.
+// Calls visit(first, last) for each set of faces with the same three corners in which both
+// orientations occur.
 template <class Visit>
 void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
   visit_coincident(faces, [&](auto first, auto last) {
@@ -58,7 +60,7 @@ void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
   });
 }
 
-// Returns the faces with equal positions merged to one vertex.
+// Returns the faces of the mesh after vertices at equal positions are merged.
 std::vector<Face> welded_faces(const Mesh& mesh) {
   const std::vector<Index> joined = weld_positions(mesh.positions, 0);
   std::vector<Face> faces = mesh.faces;

@@ -1,6 +1,7 @@
-/// Double-sided models: each face has a reverse, so the faces enclose nothing. Such models are
-/// common in graphics, where only the front of a face is drawn. Two faces are reverses of each
-/// other if their corners have equal positions and opposite orientation. Deterministic; O(n log n).
+/// Finds and repairs double-sided models. In such a model each face has a reverse: a face with
+/// corners at the same positions, and with opposite orientation. Hence the faces enclose nothing.
+/// Such models are common in graphics, where only the front of a face is drawn. Deterministic; O(n
+/// log n).
 #pragma once
 
 #include <cstddef>
@@ -12,17 +13,18 @@ namespace transformesh {
 /// Returns the number of faces that have a reverse.
 std::size_t count_double_sided(const Mesh& mesh);
 
-/// True if the mesh has a border after drop_reverses() with equal positions welded.
+/// True if the mesh has a border after its vertices at equal positions are merged, and
+/// drop_reverses() removes one face of each coincident pair. Does not change the mesh.
 bool one_side_is_open(const Mesh& mesh);
 
-/// Keeps only the first of each set of coincident faces that contains reverses, and drops the
-/// others. Vertices are equal if their indices are. Columns follow; vertices stay. Returns the
-/// number of dropped faces.
+/// Removes the reverses of faces. If a set of coincident faces has both orientations, only its
+/// first face stays. Faces coincide if they have the same vertex indices. Face columns are updated;
+/// vertices stay. Returns the number of dropped faces.
 std::size_t drop_reverses(Mesh& mesh);
 
-/// Keeps only the first of coincident faces with the same orientation, and drops the others.
-/// Vertices are equal if their indices are. Columns follow; vertices stay. Returns the number of
-/// dropped faces.
+/// Keeps only the first of coincident faces with the same orientation, and drops the others. Faces
+/// coincide if they have the same vertex indices. Face columns are updated; vertices stay. Returns
+/// the number of dropped faces.
 std::size_t drop_copies(Mesh& mesh);
 
 /// Reverses the closed components with negative volume. Returns the number of reversed faces.

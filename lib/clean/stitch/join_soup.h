@@ -1,5 +1,6 @@
-/// Joins a triangle soup: if border edges coincide (touching_borders.h), vertices with equal
-/// positions are merged as by stitch(). Any other mesh, closed or open, does not change.
+/// Joins a triangle soup, whose triangles share no vertices. If border edges of a mesh coincide
+/// (touching_borders.h), its vertices with equal positions are merged as stitch() does. Any other
+/// mesh, closed or open, does not change.
 #pragma once
 
 #include "transformesh/stitch.h"
@@ -7,8 +8,8 @@
 namespace transformesh {
 
 /// Returns the result of stitch(); `joined_vertices` is 0 if the mesh is unchanged. Throws
-/// InputError if joined faces traverse an edge in the same direction; the error names the place.
-/// O(n), or O(n log n) if vertices are joined.
+/// InputError if two neighboring faces would traverse their common edge in the same direction; the
+/// error names the place. O(n), or O(n log n) if vertices are joined.
 StitchResult join_soup(Mesh& mesh);
 
 }  // namespace transformesh

@@ -22,12 +22,14 @@ namespace {
 /// Faces connected across edges of two faces, or of copies of two faces (coincident_sheets.h).
 struct Sheet {
   std::vector<Index> faces;
-  bool agreed = true;       ///< the sheet is oriented consistently, in itself and with other sheets
-  bool has_border = false;  ///< the sheet has an edge of one face
-  /// True if `agreed` is true for all coincident copies of the sheet. Stored at the representative
-  /// of the set of copies.
+  /// True if the input orients the sheet consistently, in itself and with the sheets at its ends.
+  bool agreed = true;
+  bool has_border = false;  ///< true if the sheet has an edge of one face
+  /// True if `agreed` is true for all sheets that coincide with this sheet. Valid only in the sheet
+  /// that represents the set of coincident sheets in `copies_`.
   bool copies_agreed = true;
-  double volume = 0;  ///< six times the volume of the cone from the group's centroid over the sheet
+  /// Six times the signed volume between the sheet and the mean position of the group's corners.
+  double volume = 0;
 };
 
 class Orienter {
@@ -52,7 +54,7 @@ class Orienter {
   const Mesh& mesh_;
   const bool keeps_most_;
   const Edges edges_;
-  /// For each halfedge the halfedge that continues its sheet, or no_index.
+  /// For each halfedge the halfedge of the neighboring face in the same sheet, or no_index.
   std::vector<Index> across_;
   std::vector<Index> sheet_of_;  ///< sheet of each face
   /// 1 for each face that has to be reversed to agree with the first face of its sheet.
@@ -60,8 +62,8 @@ class Orienter {
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;
   SheetAlignment links_{0};
-  /// Sets of coincident sheets. If one sheet of a set is inconsistent, all sheets of the set are
-  /// oriented.
+  /// Sets of coincident sheets. If one sheet of a set is inconsistent in the input, the groups of
+  /// all sheets of the set are oriented.
   DisjointSets copies_{0};
 };
 
@@ -83,7 +85,8 @@ Orienter::Orienter(const Mesh& mesh, bool keeps_most)
     if (!sheets_[sheet].agreed) sheets_[copies_.find(sheet)].copies_agreed = false;
 }
 
-// True if the halfedge points forward after its face is oriented like the first face of its sheet.
+// True if the halfedge runs from the smaller to the larger vertex index after its face is oriented
+// consistently with the first face of its sheet.
 bool Orienter::points_forward(Index h) const {
   return is_forward(mesh_.faces, h) != (is_reversed_[h / 3] != 0);
 }
@@ -120,7 +123,8 @@ void Orienter::refuse(Index halfedge, Index across) const {
                    std::move(data));
 }
 
-// Computes the agreement of sheets that end at the same edges (sheet_alignment.h).
+// Links the sheets that end at the same edges of more than two faces (sheet_alignment.h). Also
+// finds the sheets that have borders, that coincide, and that are inconsistent with other sheets.
 void Orienter::link_sheets() {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto halfedges = edges_.halfedges(e);
@@ -166,8 +170,10 @@ double Orienter::volume(Index sheet) const {
   return sheet_is_reversed_[sheet] ? -sheets_[sheet].volume : sheets_[sheet].volume;
 }
 
-// Reverses sheets in order of increasing volume, as long as this improves the agreement, or the
-// volume at equal agreement. Agreement and volume only grow, so the loop ends.
+// Reverses sheets of a group, the sheets with the smallest volume first, until no reversal is an
+// improvement. A reversal is an improvement if it increases the agreement of the sheets
+// (sheet_alignment.h). It is also an improvement if the agreement stays the same, the group has no
+// border, and the volume of the group grows. Each reversal is an improvement, so the loop ends.
 void Orienter::improve(std::vector<Index> group, bool has_border) {
   std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
     return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);
@@ -186,8 +192,9 @@ void Orienter::improve(std::vector<Index> group, bool has_border) {
   }
 }
 
-// Repeats the search from a start in which each sheet is oriented outwards. Keeps the result if it
-// is at least as good.
+// Repeats improve() with another start, in which each sheet is oriented outwards. Uses the new
+// result if it is at least as good as the previous one: first by the agreement of the sheets, then
+// by the volume.
 void Orienter::try_outwards(const std::vector<Index>& group) {
   const auto score = [&] {
     links_.sum_up(group, sheet_is_reversed_);

@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t most_named = 5;  ///< faces listed in a sentence, to keep it short
+/// Number of faces that a message lists, so that it stays short.
+constexpr std::size_t most_named = 5;
 
 std::string list_text(const std::vector<Index>& faces) {
   std::string text = "faces " + std::to_string(faces[0]);
@@ -24,7 +25,8 @@ std::string list_text(const std::vector<Index>& faces) {
   return text;
 }
 
-// Lists the faces of an edge that have the direction of the majority.
+// Returns the problem of a misoriented edge, which names its faces of one direction. `forward` is
+// the direction in which most faces traverse the edge.
 Problem edge_problem(const Mesh& mesh, std::span<const Index> halfedges, bool forward) {
   const auto points_alike = [&](Index h) { return is_forward(mesh.faces, h) == forward; };
   std::vector<Index> alike;

@@ -16,9 +16,10 @@
 namespace transformesh {
 namespace {
 
-/// Number of vertices of a component that are tested for containment in another component; the
-/// majority decides. Vertices on the other component do not count, and intersecting components have
-/// vertices on both sides. A choice: more vertices take more time and are more robust.
+/// Approximate number of vertices of a component that are tested for being inside another
+/// component; the majority decides. One vertex is not enough: it may be on the surface of the other
+/// component, where it does not count, and components may intersect. A choice: more vertices take
+/// more time and are more robust.
 constexpr std::size_t voters = 9;
 
 class Bodies {
@@ -26,7 +27,8 @@ class Bodies {
   explicit Bodies(const Mesh& mesh);
   /// Returns 1 for each component of a body that is inside out.
   std::vector<char> inward() const;
-  /// Returns 1 for each closed component whose orientation does not match its nesting depth.
+  /// Returns 1 for each closed component that is oriented outwards although an odd number of closed
+  /// components contains it, or inwards although the number is even.
   std::vector<char> against_nesting() const;
   bool any_negative() const;
   Index of_face(std::size_t face) const { return parts_.of_face[face]; }
@@ -76,7 +78,8 @@ Mesh Bodies::mesh_of(Index part) const {
   return result;
 }
 
-// True if `vote` is true for the majority of the tested vertices of `inner`.
+// Calls `vote` for some vertices of component `inner`. True if `vote` returns true more often than
+// false.
 bool Bodies::most_vote(Index inner,
                        const std::function<std::optional<bool>(const Vec3&)>& vote) const {
   std::size_t yes = 0, no = 0;
@@ -112,7 +115,8 @@ std::vector<std::vector<Index>> Bodies::containers() const {
   return around;
 }
 
-// Removes the components that a component with borders encloses, by generalized winding numbers.
+// Removes from `inners` the components that are inside a component with borders, by its generalized
+// winding number.
 void Bodies::erase_enclosed(std::vector<Index>& inners) const {
   for (Index outer = 0; outer < faces_.size(); ++outer) {
     if (is_closed(outer)) continue;
@@ -131,8 +135,9 @@ void Bodies::erase_enclosed(std::vector<Index>& inners) const {
   }
 }
 
-// A component is inward if the smallest of the outermost components around it is inside out. A
-// component that no other component contains is inward if it is inside out itself.
+// Returns 1 for each component of a body that is inside out. An outermost component is a component
+// that no other component contains; it defines a body. A component inside several outermost
+// components belongs to the smallest of these bodies.
 std::vector<char> Bodies::inward() const {
   const std::vector<std::vector<Index>> around = containers();
   std::vector<char> is_inward(around.size(), 0);

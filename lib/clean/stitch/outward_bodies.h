@@ -1,8 +1,9 @@
 /// Finds and reverses bodies that are inside out. A body is a closed component that no other
 /// component contains, together with all components in it: cavities, and bodies inside cavities. A
 /// body is inside out if the volume of its outer component is negative. Exact winding numbers at
-/// vertices decide on containment. Cost: O(n log n) if few boxes of components are nested.
-/// Deterministic.
+/// vertices decide whether a closed component contains another component. For components with
+/// borders, generalized winding numbers decide. Cost: O(n log n) if few boxes of components are
+/// nested. Deterministic.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +18,9 @@ bool has_inward_bodies(const Mesh& mesh);
 /// the number of reversed faces.
 std::size_t turn_bodies_outwards(Mesh& mesh);
 
-/// Orients closed components by their nesting depth: outwards at even depth, and inwards, like
-/// cavities, at odd depth. Returns the number of reversed faces.
+/// Orients each closed component by the number of closed components that contain it: outwards if
+/// the number is even, and inwards, like a cavity, if it is odd. Returns the number of reversed
+/// faces.
 std::size_t turn_nested_alternately(Mesh& mesh);
 
 }  // namespace transformesh

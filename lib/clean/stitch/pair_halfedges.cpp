@@ -10,8 +10,9 @@ namespace {
 
 constexpr std::size_t edges_per_task = 4096;  ///< affects time only
 
-// In angular order, the inside is between a backward piece and the forward piece after it. Hence
-// pieces are matched like brackets on a circle.
+// Pairs the halfedges of an edge of more than two pieces. In angular order, the inside is between a
+// backward piece and the next forward piece. Hence backward and forward halfedges are matched like
+// opening and closing brackets on a circle.
 void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& sorted,
                         std::vector<Index>& opposite) {
   std::vector<Index> open;
@@ -28,8 +29,9 @@ void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& s
   }
 }
 
-// Pairs halfedges within the closed part, and within each open component of two pieces. The caller
-// pairs the remaining halfedges without regard to components.
+// Pairs the halfedges of an edge that belong to the closed part, and those of each open component
+// that has exactly two pieces at the edge. The caller pairs the remaining halfedges, regardless of
+// their components.
 void pair_components(std::span<const Face> faces, const std::vector<Index>& sorted,
                      std::span<const Index> component_of, std::vector<Index>& opposite) {
   std::map<Index, std::vector<Index>> of_component;

@@ -27,12 +27,14 @@ class PiecePairing {
   const Arrangement& arrangement_;
   const WeldedMesh& welded_;
   const std::vector<char>& kept_;
-  /// The piece of each face that is kept as it is; otherwise no_index.
+  /// The piece of each welded face that is kept without being cut or reversed; no_index for other
+  /// faces.
   std::vector<Index> piece_of_;
   PiecePairs result_;
 };
 
-// Whole faces that are kept in the other orientation have other corners, and count as other pieces.
+// Fills `piece_of_`. A face that is kept with reversed orientation gets no_index, because its
+// corners are in a different order.
 void PiecePairing::find_pieces_of_faces() {
   piece_of_.assign(welded_.faces.size(), no_index);
   parallel_for_each(arrangement_.whole_pieces, [&](Index p) {
@@ -41,9 +43,9 @@ void PiecePairing::find_pieces_of_faces() {
   });
 }
 
-// Pairs a kept piece across the edges that it has in common with one other kept whole face. No cut
-// face contains such an edge, because it would intersect both faces. Returns false if the piece has
-// another edge.
+// Pairs the piece of a face that is kept without being cut, across its edges to other such faces.
+// Only edges of two welded faces are considered. No piece of a cut face is at such an edge, because
+// the cut face would intersect both faces. Returns false if the piece has any other edge.
 bool PiecePairing::pair_as_welded(Index piece) {
   Index* const opposite = result_.opposite.data() + std::size_t{3} * piece;
   std::fill_n(opposite, 3, no_index);
@@ -60,7 +62,8 @@ bool PiecePairing::pair_as_welded(Index piece) {
   return !has_other;
 }
 
-// Pairs the pieces at other edges in a mesh of these pieces only, in the same order.
+// Pairs the pieces for which pair_as_welded() returned false. They form a smaller mesh in the same
+// order, to which pair_across_inside() is applied.
 void PiecePairing::pair_others(const std::vector<char>& has_other) {
   const NumberedSelection selection(has_other.size(),
                                     [&](std::size_t p) { return has_other[p] != 0; });

@@ -1,7 +1,8 @@
 /// Pairs the kept pieces of an arrangement across edges (paper 3.3). Most edges are between two
-/// whole faces that stay: their pieces are paired as in the welded mesh. pair_across_inside()
-/// decides on the other edges. Cost: O(n) with a small constant, and as in pair_halfedges.h for the
-/// pieces at the other edges. Parallel; deterministic.
+/// faces that were not cut and are both kept. These are paired as in the welded mesh.
+/// pair_across_inside() (pair_halfedges.h) pairs the pieces at all other edges. Cost: O(n) with a
+/// small constant, plus that of pair_across_inside() for the pieces at the other edges. Parallel;
+/// deterministic.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,8 @@ struct PiecePairs {
 /// Pairs the pieces with a nonzero `kept` entry.
 PiecePairs pair_pieces(const Arrangement& arrangement, const std::vector<char>& kept);
 
-/// Returns the opposites of the kept pieces, which are numbered in their order from 0 to `count`.
+/// Returns the opposite halfedges in a mesh of the kept pieces only. The `count` kept pieces are
+/// renumbered from 0, in their order.
 std::vector<Index> opposites_of_kept(const RawVector<Index>& opposite,
                                      const std::vector<char>& kept, std::size_t count);
 

@@ -13,11 +13,12 @@
 namespace transformesh {
 namespace {
 
-/// Largest number of halvings of a step: a step that is invalid at 1/1024 of its length is refused.
-/// A choice: with more halvings, more vertices move by tiny distances.
+/// Largest number of halvings of the movement of a vertex. If the movement is still invalid at
+/// 1/1024 of its length, the vertex stays. A choice: with more halvings, more vertices move by tiny
+/// distances.
 constexpr int most_halvings = 10;
 
-// The directions of the faces around a vertex: a cone with its apex at the vertex.
+// The cone of the faces around a vertex. Its apex is the vertex, and each face is a side.
 struct Cone {
   struct Side {
     Vec3 first, second;  ///< unit vectors along the two edges
@@ -25,7 +26,7 @@ struct Cone {
   };
   std::vector<Side> sides;
   Vec3 normal = Vec3::Zero();  ///< unit mean of the normals, weighted by angle
-  Vec3 axis = Vec3::Zero();    ///< unit mean of the directions into the sides, weighted by angle
+  Vec3 axis = Vec3::Zero();    ///< unit mean of the directions into the faces, weighted by angle
 };
 
 Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
@@ -47,7 +48,8 @@ Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
   return cone;
 }
 
-// Returns the point of a side, taken as an infinite sector, that is nearest to a unit vector.
+// Returns the point of a side of a cone that is nearest to a unit vector. The side is an infinite
+// planar sector with its apex at the origin.
 Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
   Vec3 in_plane = direction - direction.dot(side.normal) * side.normal;
   const bool is_left = side.normal.dot(side.first.cross(in_plane)) >= 0;
@@ -59,12 +61,14 @@ Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
                                     : Vec3(along_second * side.second);
 }
 
-// Returns a positive value if the direction is in front of the cone, and a negative value if it is
-// behind the cone. The sign is that of angle-weighted pseudonormals (Baerentzen & Aanaes 2005).
-// Near the cone, rounding may decide; a wrong sign can only cause a refusal.
+// Returns a positive value if the direction points to the front side of the cone of faces, and a
+// negative value if it points to the back side. The sign is computed by angle-weighted
+// pseudonormals (Baerentzen & Aanaes 2005). For directions close to the cone, the sign may be wrong
+// because of rounding. A wrong sign can only have the effect that the vertex stays.
 double side_of(const Cone& cone, const Vec3& direction) {
   constexpr double same = 1e-12;  // distances with a smaller difference are equal up to rounding
-  double least = 1 - same;        // distance of the direction's end from the apex of the cone
+  // Distance of `direction` from the nearest point of the cone so far; initially from the apex.
+  double least = 1 - same;
   Vec3 nearest = Vec3::Zero();
   Vec3 normal = cone.normal;
   for (const Cone::Side& side : cone.sides) {
@@ -142,8 +146,8 @@ class Separator {
     return groups;
   }
 
-  // Moves the copies of one vertex. The directions are chosen before any copy moves. Returns true
-  // if a copy moved.
+  // Moves several vertices at one position (copies) apart. All directions are chosen before any
+  // copy moves. Returns true if a copy moved.
   bool move_apart(const std::vector<Index>& copies) {
     std::vector<std::vector<Vec3>> directions;
     directions.reserve(copies.size());
@@ -158,13 +162,13 @@ class Separator {
     return any;
   }
 
-  // Returns the unit vectors in which the vertex may move away from its copies. Empty if there are
-  // copies on both sides.
+  // Returns the directions, as unit vectors, in which the vertex may move away from the other
+  // vertices at its position (copies). Empty if there are copies on both sides of its faces.
   std::vector<Vec3> ways_out(Index vertex, const std::vector<Index>& copies) const {
     if (is_border_[vertex]) return {};
     const Cone cone = cone_at(mesh_, vertex, faces_at_[vertex]);
-    // At the edge of a thin blade, the normals cancel each other, and only the axis points into the
-    // blade.
+    // At the edge of a thin part, the normals of both sides cancel each other, and only the axis of
+    // the cone points into the part.
     if (tries_all_) return {-cone.normal, cone.normal, cone.axis, -cone.axis};
     bool in_front = false;
     bool behind = false;
@@ -195,7 +199,7 @@ class Separator {
     return false;
   }
 
-  // Returns the faces of other vertices that the faces of this vertex may reach.
+  // Returns the faces that do not contain the vertex, but that its faces may meet after it moved.
   std::vector<Index> faces_near(Index vertex) const {
     Vec3 low = mesh_.positions[vertex];
     Vec3 high = low;
@@ -238,8 +242,9 @@ class Separator {
     return !passes_any(vertex, target, near) && !meets_any(vertex, target, near);
   }
 
-  // True if a face is inside the volume that the step sweeps. Faces intersect neither the old nor
-  // the new faces of the vertex, so one point of each face decides.
+  // True if a face in `near` is inside the volume that the faces of the vertex sweep when it moves
+  // to `target`. No face in `near` intersects the faces of the vertex before or after the movement,
+  // so testing one point of each face is enough.
   bool passes_any(Index vertex, const Vec3& target, const std::vector<Index>& near) const {
     for (const Index f : faces_at_[vertex]) {
       const Face& face = mesh_.faces[f];
@@ -278,9 +283,11 @@ class Separator {
   std::vector<char> is_border_;
   std::vector<char> was_moved_;
   Bvh bvh_;  ///< tree of the faces, built from the initial positions
-  /// Try both directions of the normal and of the axis, because no side could be determined.
+  /// True if both directions along the normal and the axis have to be tried, because no side is
+  /// known.
   bool tries_all_ = false;
-  /// Upper bound of the distance of any vertex from its first position, including the next step.
+  /// Upper bound of the distance of any vertex from its position in the input, including the next
+  /// movement.
   double reach_ = 0;
 };
 

@@ -1,10 +1,11 @@
-/// Separates vertices at equal positions, which stitching creates where sheets touch (paper 3.3).
-/// Each copy moves by half the distance along the mean normal of its faces, weighted by angle. The
-/// direction is towards the side without other copies. Copies at which bodies touch move into their
-/// own bodies; copies at which a cavity touches its wall move out of the cavity. A copy between two
-/// other copies waits until these have moved. If no side can be determined, for example at a blade
-/// thinner than rounding, four directions are tried. They are both directions along the normal, and
-/// both along the mean direction into the faces.
+/// Moves vertices at equal positions apart. Stitching duplicates vertices at places where sheets
+/// touch (paper 3.3); these duplicates are called copies. Each copy moves by half of `distance`
+/// along the mean normal of its faces, weighted by angle. It moves to the side on which there are
+/// no other copies. Hence copies at which two bodies touch move into their own bodies. Copies at
+/// which the wall of a cavity touches itself move out of the cavity. A copy between two other
+/// copies moves after these have moved. If no side can be determined, for example at the edge of a
+/// part thinner than rounding errors, four directions are tried. They are both directions along the
+/// mean normal, and both directions along the mean direction into the faces.
 ///
 /// Guarantees: if the mesh has no self-intersections, the result has none, exactly and in the
 /// coordinates as written. No normal is reversed, no face loses its area, and no face passes
@@ -22,7 +23,8 @@
 namespace transformesh {
 
 struct SeparateOptions {
-  double distance = 0;  ///< distance of two copies after they moved, in input units; > 0
+  /// Distance of two vertices at one position after both moved, in input units; > 0.
+  double distance = 0;
   Scalar coordinate = Scalar::float64;  ///< type in which positions will be written
 };
 

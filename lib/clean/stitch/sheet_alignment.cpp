@@ -15,7 +15,8 @@ void SheetAlignment::find_kinds() {
   std::map<std::vector<End>, Index> kinds;
   for (Index sheet = 0; sheet < ends_.size(); ++sheet) {
     const auto next = static_cast<Index>(kinds_.size());
-    // A sheet that ends at no edge of more than two faces has no links, and gets its own kind.
+    // A sheet without ends at edges of more than two faces has no links, and gets a kind of its
+    // own.
     const Index kind =
         ends_[sheet].empty() ? next : kinds.emplace(ends_[sheet], next).first->second;
     if (kind == next) kinds_.emplace_back().ends = &ends_[sheet];
@@ -27,7 +28,8 @@ void SheetAlignment::find_kinds() {
     for (const auto& [edge, sum] : *kinds_[kind].ends) kinds_at_[edge].emplace_back(kind, sum);
 }
 
-/// Queues the lowest unaligned sheet of a kind, if there is one.
+/// Adds the best link to a kind to the queue. The link leads to the lowest sheet of the kind that
+/// align() has not returned. Does nothing if there is no such sheet.
 void SheetAlignment::push(Index number) {
   Kind& kind = kinds_[number];
   if (kind.aligned == kind.sheets.size()) return;
@@ -35,7 +37,8 @@ void SheetAlignment::push(Index number) {
   steps_.push(kind.best);
 }
 
-/// Links an aligned sheet of a kind to all kinds with a common edge.
+/// Follows the links from a sheet of kind `from` to all kinds with which it has a common edge.
+/// `is_reversed` is the final state of the sheet.
 void SheetAlignment::link(Index from, bool is_reversed) {
   if (std::exchange(kinds_[from].has_links[is_reversed ? 1 : 0], true)) return;
   std::map<Index, std::int64_t> agreements;
@@ -61,7 +64,8 @@ std::vector<Index> SheetAlignment::align(Index first, std::vector<char>& is_reve
     steps_.pop();
     const Index number = kind_of_[step.sheet];
     Kind& kind = kinds_[number];
-    // Skip links that were followed already, and links to kinds to which a stronger link was found.
+    // Skip a link if it is no longer the best link to its kind: it was followed already, or a
+    // stronger link to the kind was found.
     if (kind.best < step || step < kind.best) continue;
     ++kind.aligned;
     is_reversed[step.sheet] = step.is_reversed ? 1 : 0;

@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// A vertex that splits a halfedge, with its parameter along the halfedge.
+/// A vertex that splits a halfedge. `along` is the position of the split, as a fraction of the
+/// length of the halfedge.
 struct Split {
   Index halfedge;
   double along;
@@ -30,27 +31,30 @@ std::vector<Split> find_splits(const Mesh& mesh, double tolerance) {
   return splits;
 }
 
-/// Cuts faces at the splits of their edges, one edge after the other.
+/// Cuts faces at the vertices that split their edges, one edge after the other.
 class FaceCutter {
  public:
   explicit FaceCutter(Mesh& mesh) : mesh_(mesh) {}
 
-  /// Splits the edge of the face that starts at `corner`.
+  /// Splits the edge of the face that starts at corner `corner` (0 to 2) at the given vertices,
+  /// which are in order along the edge.
   void cut(Index face, Index corner, const std::vector<Index>& vertices);
   BorderSplits take() { return std::move(result_); }
 
  private:
   Mesh& mesh_;
   BorderSplits result_;
-  Index face_ = no_index;          ///< face whose edges are being cut
-  std::array<Index, 3> holder_{};  ///< for each edge of `face_` the piece that contains it
+  Index face_ = no_index;  ///< face whose edges are being cut
+  /// For each edge of the original face `face_` the face that contains it now.
+  std::array<Index, 3> holder_{};
 };
 
 void FaceCutter::cut(Index face, Index corner, const std::vector<Index>& vertices) {
   if (face != face_) holder_ = {face, face, face};
   face_ = face;
   const Index piece = holder_[corner];
-  // Each piece keeps two corners of its face; a vertex on an edge replaces the third corner.
+  // Each triangle of the fan has the corner opposite to the split edge, and two consecutive
+  // vertices on this edge.
   const Face whole = mesh_.faces[piece];
   Index from = whole[corner];
   for (const Index v : vertices) {
@@ -69,7 +73,8 @@ void FaceCutter::cut(Index face, Index corner, const std::vector<Index>& vertice
   last[corner] = from;
   mesh_.faces.push_back(last);
   result_.face_source.push_back(face);
-  // The last piece contains the next edge, unless an earlier cut moved that edge to another piece.
+  // The last triangle of the fan contains the next edge of the face, unless an earlier cut moved
+  // this edge to another triangle.
   const Index next = (corner + 1) % 3;
   if (holder_[next] == piece) holder_[next] = static_cast<Index>(mesh_.faces.size() - 1);
   ++result_.edges;

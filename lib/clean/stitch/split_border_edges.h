@@ -1,6 +1,7 @@
-/// Splits border edges at border vertices within a tolerance, as at T-junctions, so that both sides
-/// have the same vertices. No vertex moves or is added. The surface moves by the distance of the
-/// vertices from the edges. Faces are cut into triangle fans; the new pieces follow all faces.
+/// Splits border edges at other border vertices that are within a tolerance of them, as at
+/// T-junctions. Afterwards both sides of a gap have the same vertices. No vertex moves or is added.
+/// The surface moves by at most the distance of these vertices from the edges. Each face is cut
+/// into a triangle fan; its first triangle replaces the face, and the others follow all faces.
 /// Cost: O(n log n). Deterministic.
 #pragma once
 

@@ -36,8 +36,8 @@ void Splitter::pair(Index first, Index second) {
   if (second != no_index) opposite_[second] = first;
 }
 
-// Cuts a face in two. The face keeps the first half of the edge. Returns the halfedge of the second
-// half, which belongs to a new face.
+// Cuts a face in two, from `vertex` on halfedge `h` to the opposite corner. The face keeps the
+// first half of the halfedge. Returns the halfedge of the second half, which belongs to a new face.
 Index Splitter::split_face(Index h, Index vertex) {
   const Index face = h / 3, next = next_halfedge(h), before = previous_halfedge(h);
   const auto added = static_cast<Index>(mesh_.faces.size());
@@ -49,7 +49,8 @@ Index Splitter::split_face(Index h, Index vertex) {
   result_.face_source.push_back(source(face));
   result_.cut_faces.push_back(source(face));
 
-  // The edge after the split edge moves to the new face. The cut takes its place in the old face.
+  // The edge after the split edge now belongs to the new face. In the old face, the new edge from
+  // `vertex` to the opposite corner takes its place.
   pair(3 * added + next % 3, opposite_[next]);
   moved_[next] = 3 * added + next % 3;
   pair(next, 3 * added + before % 3);
@@ -69,7 +70,8 @@ void Splitter::split_sheet(Index h) {
   pair(across, second);
 }
 
-// Returns one halfedge per sheet at each edge of more than two faces.
+// Returns the halfedges to split: for each edge of more than two faces one halfedge of each pair of
+// opposite halfedges, and each halfedge without opposite.
 std::vector<Index> Splitter::find_singular() {
   const Edges edges(mesh_);
   std::vector<Index> singular;
@@ -83,8 +85,9 @@ std::vector<Index> Splitter::find_singular() {
   return singular;
 }
 
-// Repeats until no edge is singular. If one sheet has two faces with the same corners, both are cut
-// along the same edge, and their cuts form a new singular edge.
+// Splits edges until no edge has more than two faces. More than one round may be needed. If one
+// sheet has two faces with the same corners, both are cut at the same edge. Then the cuts end at
+// the same corner, and may form a new singular edge.
 EdgeSplits Splitter::split() {
   for (auto singular = find_singular(); !singular.empty(); singular = find_singular()) {
     for (Index h : singular) {

@@ -22,8 +22,8 @@
 namespace transformesh {
 namespace {
 
-// Replaces the corners of faces by the vertices with which they are joined. Returns the number of
-// replaced vertices.
+// Joins vertices within the tolerance of each other: faces refer to only one of them afterwards.
+// Returns the number of vertices that were replaced.
 std::size_t join_vertices(Mesh& mesh, double tolerance) {
   const std::vector<Index> representative = weld_positions(mesh.positions, tolerance);
   for (Face& face : mesh.faces) {
@@ -41,7 +41,7 @@ std::size_t drop_collapsed_faces(Mesh& mesh) {
 }
 
 // Counts border edges and misoriented edges. An edge with several unpaired halfedges is
-// misoriented, because all of these have the same direction.
+// misoriented, because these halfedges have the same direction.
 void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
                       StitchResult& result) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -53,8 +53,9 @@ void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
   }
 }
 
-// Removes vertices that no face uses, and keeps the order of the others. `copies` follow the
-// vertices of the mesh in the numbering.
+// Appends duplicates of vertices, and removes vertices that no face uses. `copies` has the original
+// vertex of each duplicate; the faces already refer to the duplicates by indices after those of the
+// mesh's vertices. The order of vertices does not change.
 void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
   std::vector<Index> renumbered(mesh.positions.size() + copies.size(), no_index);
   for (const Face& face : mesh.faces) {
@@ -75,8 +76,9 @@ void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
   }
 }
 
-// Gives each umbrella its own vertex (paper 3.3.1). The first umbrella at a vertex keeps the
-// vertex; the others get copies, which follow all vertices. Returns the number of copies.
+// Gives each umbrella (faces around a vertex that are connected across edges) its own vertex (paper
+// 3.3.1). The first umbrella at a vertex keeps the vertex. The others get duplicates, which follow
+// all vertices. Returns the number of duplicates.
 std::size_t separate_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
   std::vector<char> is_taken(mesh.positions.size(), 0);
   RawVector<Index> vertex_of = umbrellas.vertex_of;
@@ -96,8 +98,8 @@ std::size_t separate_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
   return copies.size();
 }
 
-// Splits edges that are still singular. Midpoints and pieces inherit columns from their edges and
-// faces.
+// Splits edges that still have more than two faces. A midpoint interpolates the columns of the ends
+// of its edge; a new face gets the columns of the face from which it is cut.
 std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
   const EdgeSplits splits = split_singular_edges(mesh, opposite);
   for (const auto& [face, ends] : splits.vertices) {
@@ -109,7 +111,8 @@ std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
   return splits.edges;
 }
 
-// Splits border edges at T-junctions. Pieces inherit the columns of their faces.
+// Splits border edges at T-junctions. New faces get the columns of the faces from which they are
+// cut.
 std::size_t split_borders(Mesh& mesh, double tolerance) {
   const BorderSplits splits = split_border_edges(mesh, tolerance);
   for (const Index face : splits.face_source)

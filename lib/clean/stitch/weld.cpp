@@ -14,11 +14,13 @@
 namespace transformesh {
 namespace {
 
-/// If points have on average more other points than this within the tolerance along x, cells
-/// replace the sweep.
+/// Limit on the average number of points whose x coordinate differs from that of a point by at most
+/// the tolerance. If it is exceeded, a grid of cells is used instead of a sweep. Affects time only.
 constexpr std::size_t usual_window = 100;
-constexpr std::size_t most_tried = 4096;  ///< up to this number of pairs is tested without a tree
-/// Largest coordinate, in tolerances, whose cell index is exact in doubles.
+/// If two cells have at most this many pairs of points, all pairs are tested without a tree.
+constexpr std::size_t most_tried = 4096;
+/// Coordinates must be below this multiple of the tolerance for cells to be used, so that cell
+/// indices are exact in doubles.
 constexpr double largest_cell = 0x1p45;
 /// Factor that exceeds 1 plus the relative rounding error of a distance.
 constexpr double surely = 1 + 1e-9;
@@ -27,7 +29,8 @@ bool is_within(const Vec3& a, const Vec3& b, double tolerance) {
   return (b - a).stableNorm() <= tolerance;
 }
 
-// Sweeps along x, by which the points are sorted. Joined points are within the tolerance along x.
+// Joins points within the tolerance of each other by a sweep along x. `order` has the points sorted
+// by x. Only points whose x coordinates differ by at most the tolerance are tested.
 void join_by_sweep(const std::vector<Vec3>& positions, const std::vector<Index>& order,
                    double tolerance, DisjointSets& sets) {
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -49,9 +52,10 @@ bool has_usual_windows(const std::vector<Vec3>& positions, const std::vector<Ind
   return pairs <= usual_window * order.size();
 }
 
-// Welds dense clusters of points by a grid of cells with half the tolerance as width. All points in
-// a cell are joined. Cells up to three apart are joined if they contain points within the
-// tolerance.
+// Joins points that form dense clusters, by a grid of cells whose width is half the tolerance. All
+// points in a cell are joined. Two cells that are at most three cells apart along each axis are
+// compared. Their points are joined if a point of one cell is within the tolerance of a point of
+// the other.
 class HeapWeld {
  public:
   HeapWeld(const std::vector<Vec3>& positions, double tolerance)

@@ -20,7 +20,8 @@ constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 
 std::string in_quotes(const std::string& path) { return "'" + path + "'"; }
 
-/// Identifies the mesh and the number of tiles by any tile in the folder.
+/// Returns the mesh hash and the number of tiles that the first tile found in the folder has in its
+/// comment.
 TileName find_split(const std::string& folder) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {

@@ -1,7 +1,7 @@
-/// Joins the clean pieces of all tiles of a mesh (split_tiles.h). The result has the triangles of
-/// clean() for the whole mesh, tile by tile, with shared vertices. Memory holds one tile at a time,
-/// and the seams (seams.h). Deterministic. Cost: that of seams.h, and two further passes over all
-/// files.
+/// Joins the cleaned tiles of a mesh (split_tiles.h) to one mesh. The result has the triangles that
+/// clean() gives for the whole mesh, tile by tile. Triangles of different tiles share vertices.
+/// Memory holds one tile at a time, and the border edges of all tiles (seams.h). Deterministic.
+/// Cost: that of seams.h, and two further passes over all files.
 #pragma once
 
 #include <string>
@@ -14,12 +14,13 @@ namespace transformesh {
 struct JoinResult {
   std::size_t tiles = 0;
   std::size_t vertices = 0, faces = 0;  ///< number of vertices and of faces of the result
-  std::size_t joined_vertices = 0;      ///< vertices of tiles that were merged into other vertices
+  /// Number of vertices of tiles that were merged into other vertices.
+  std::size_t joined_vertices = 0;
 };
 
 /// Reads the files cleaned_tile_path() of a folder, and writes binary PLY with `comment` added.
-/// Throws InputError before writing if a file is missing, belongs to another mesh, or leaves seams
-/// open. Throws OutputError if writing fails.
+/// Throws InputError before writing if a file is missing or belongs to another mesh, or if the
+/// joined mesh would have border edges. Throws OutputError if writing fails.
 JoinResult join_tiles(const std::string& folder, const std::string& comment, AtomicFile& file,
                       const Progress& progress);
 

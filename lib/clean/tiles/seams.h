@@ -1,6 +1,6 @@
 /// Joins seams between meshes that are parts of one closed manifold: the ends of coincident border
 /// edges of different meshes become one vertex. Cost: O(n log n) for n border edges, and about 150
-/// bytes for each. Other faces are not stored. Deterministic.
+/// bytes of memory for each. Faces without border edges are not stored. Deterministic.
 #pragma once
 
 #include <vector>
@@ -21,12 +21,13 @@ class Seams {
     keep_borders();
   }
 
-  /// Joins the ends of edges after all meshes are added. At edges of more than two faces, halfedges
-  /// are paired across the inside (paper 3.3.2). Returns the number of remaining border edges.
+  /// Joins the ends of edges after all meshes are added. At edges of more than two faces, two faces
+  /// are joined if the inside of the mesh is between them (paper 3.3.2). Returns the number of
+  /// remaining border edges.
   std::size_t join();
 
-  /// Returns the vertex of the joined mesh for each vertex of a mesh. Joined vertices have the
-  /// place of the first joined vertex; all others keep their order.
+  /// Returns for each vertex of the given mesh its index in the joined mesh. Vertices that became
+  /// one vertex have the index of the first of them. Otherwise vertices keep their order.
   std::vector<Index> numbers_of(std::size_t mesh) const;
   /// Returns true for each vertex that was merged into an earlier vertex.
   std::vector<bool> is_repeated(std::size_t mesh) const;
@@ -34,12 +35,12 @@ class Seams {
 
  private:
   struct BorderFace {
-    Index from, to;  ///< ends of the border halfedge; indices in the mesh
-    Index apex;      ///< third corner; index in the mesh
+    Index from, to;  ///< ends of the border halfedge, as vertex indices of its mesh
+    Index apex;      ///< third corner of the face, as vertex index of its mesh
   };
   struct Part {
     std::size_t vertices = 0;  ///< number of vertices of the mesh
-    Index first_border = 0;    ///< index of the mesh's first border vertex
+    Index first_border = 0;    ///< index of the first border vertex of the mesh in `vertex_of_`
     Index first_number = 0;    ///< index of the mesh's first vertex in the joined mesh
   };
 
@@ -51,10 +52,12 @@ class Seams {
   /// Index of each border vertex in its mesh; ascending in each mesh.
   std::vector<Index> vertex_of_;
   std::vector<Vec3> positions_;  ///< position of each border vertex
-  std::vector<Face> halfedges_;  ///< border halfedges by border vertices of all meshes: from, to, 0
-  std::vector<Vec3> apexes_;     ///< position of the third corner at each border halfedge
-  std::vector<Index> first_;     ///< for each border vertex the first vertex that is joined with it
-  std::vector<Index> number_;    ///< index of each border vertex in the joined mesh
+  /// Border halfedges of all meshes: from, to, 0; indices of border vertices.
+  std::vector<Face> halfedges_;
+  std::vector<Vec3> apexes_;  ///< position of the third corner at each border halfedge
+  /// For each border vertex the first border vertex that is joined with it.
+  std::vector<Index> first_;
+  std::vector<Index> number_;  ///< index of each border vertex in the joined mesh
   std::vector<Index> border_vertices_;
   std::vector<BorderFace> border_faces_;
   std::size_t vertex_count_ = 0;

@@ -17,16 +17,16 @@
 namespace transformesh {
 namespace {
 
-/// Number of sampled positions that determine the boxes of tiles. A tenth of the samples divides a
-/// million faces into 16 tiles whose numbers of faces differ by 0.1 %. Thousands of tiles need
-/// about a hundred samples per tile.
+/// Largest number of sampled positions that determine the boxes of tiles. With a tenth of this
+/// number, a million faces are divided into 16 tiles whose numbers of faces differ by 0.1 %.
+/// Thousands of tiles need about a hundred samples per tile.
 constexpr std::size_t most_samples = 1000000;
 /// Size of the output buffer, in bytes. A choice without influence on the result.
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
-/// Number of rings around own faces that a tile contains.
+/// Number of rings of neighboring faces around its own faces that a tile contains.
 constexpr Index rings = rings_of_complete + rings_around_complete;
-/// Width of a coarse cell, in cells. With 4 or 16, tiles of a million folded faces are the same,
-/// and the time differs by less than a tenth.
+/// Width of a cell of `coarse_grid_`, in cells of `grid_`. With 4 or 16, tiles of a million folded
+/// faces are the same, and the time differs by less than a tenth.
 constexpr double cells_per_coarse_cell = 8;
 /// Number of faces between two reports of progress.
 constexpr std::size_t faces_per_report = std::size_t{1} << 16;
@@ -59,15 +59,16 @@ class Splitter {
   CellSize cell_size_;
   CellGrid grid_{1}, coarse_grid_{1};
   double margin_ = 0;
-  CellMarks marks_, coarse_marks_;  ///< cells of the faces that each tile has so far
+  CellMarks marks_, coarse_marks_;  ///< grid cells of the faces that each tile has so far
   std::vector<Cell> cells_;         ///< cells of the current face
   std::vector<Cell> coarse_cells_;
-  std::vector<Index> cell_owners_;  ///< for each of `cells_`: the tile whose own box contains the
-                                    ///< cell, or no_index
-  std::vector<Index> found_, owners_;  ///< tiles that contain the current face, or the current cell
-  std::vector<Box> own_, held_;        ///< Tile::own and Tile::held of each tile
-  std::vector<char> has_faces_;        ///< 1 for each tile with own faces
-  std::optional<BoxGrid> boxes_;       ///< search structure of the own boxes
+  /// For each of `cells_`: the tile whose box (Tile::own) contains the cell, or no_index.
+  std::vector<Index> cell_owners_;
+  /// Tiles that get the current face; tiles whose boxes touch the current cell.
+  std::vector<Index> found_, owners_;
+  std::vector<Box> own_, held_;   ///< Tile::own and Tile::held of each tile
+  std::vector<char> has_faces_;   ///< 1 for each tile with own faces
+  std::optional<BoxGrid> boxes_;  ///< search structure of the boxes Tile::own
   std::vector<ReferencePoint> references_;
   FaceSums sums_;
   SplitResult result_;
@@ -101,8 +102,9 @@ void Splitter::choose_boxes() {
   margin_ = margin_around(cell_size_.bounds(), rows_.coordinate());
 }
 
-// Returns the tile whose own box contains a cell, or no_index. Cells in the own box of a tile count
-// as marked for the tile, so that marks are only stored outside of own boxes.
+// Returns the tile whose box Tile::own contains a grid cell, or no_index. All cells in this box
+// count as marked for the tile, so that marks for the tile are stored only for cells outside its
+// box.
 Index Splitter::owner_of(Cell cell) {
   const Box box = grid_.box_around(cell);
   boxes_->find(box.min(), box.max(), owners_);
@@ -119,8 +121,9 @@ void Splitter::mark(Index tile, Index ring) {
   }
 }
 
-// True if a face is inside the own box of one tile and far from all marks. Then the face belongs to
-// this tile only. This holds for most faces, whose cells need no inspection.
+// True if a face is inside the box Tile::own of one tile, and far from all marked cells. Then no
+// other tile needs the face. This holds for most faces, so that their grid cells need not be
+// computed.
 bool Splitter::is_inside(const Triangle& t) {
   const Vec3 reach = Vec3::Constant(1.02 * grid_.size() + margin_);
   const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
@@ -159,7 +162,8 @@ void Splitter::mark_own() {
   has_faces_ = std::move(has_faces);
 }
 
-// Finds the tiles that have faces in the cells of a triangle.
+// Finds the tiles that already have faces in the grid cells of a triangle. They need the triangle
+// as a neighbor of these faces.
 void Splitter::find_tiles(const Triangle& triangle, Index ring) {
   cells_.clear();
   if (is_inside(triangle)) return;
@@ -177,7 +181,7 @@ void Splitter::find_tiles(const Triangle& triangle, Index ring) {
   std::sort(found_.begin(), found_.end());
 }
 
-// Adds the faces near the current faces of each tile.
+// Adds to each tile one ring of faces: the faces that share a grid cell with a face of the tile.
 void Splitter::add_ring(Index ring) {
   visit_faces("halos", [&](Index, const Triangle& t) {
     find_tiles(t, ring);
@@ -268,8 +272,8 @@ SplitResult Splitter::split() {
   return std::move(result_);
 }
 
-/// Returns a file name. Numbers have as many digits as the number of the last tile, so that a shell
-/// sorts the names by number.
+/// Returns the path of a numbered file. All numbers have as many digits as the number of the last
+/// tile, so that a shell sorts the names by number.
 std::string numbered(const std::string& folder, const std::string& stem, std::size_t number,
                      std::size_t count) {
   const std::string digits = std::to_string(number);
@@ -286,7 +290,7 @@ SplitResult split_tiles(const PlyRows& rows, std::size_t count, const std::strin
   try {
     return Splitter(rows, count, folder, progress).split();
   } catch (...) {
-    std::error_code ignored;  // the error that the folder is not empty is ignored
+    std::error_code ignored;  // a folder that is not empty cannot be removed; this is not an error
     std::filesystem::remove(folder, ignored);
     throw;
   }

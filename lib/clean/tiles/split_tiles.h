@@ -1,12 +1,12 @@
-/// Splits a closed mesh, which may be larger than memory, into tiles (box/tile.h). A tile contains
-/// its own faces and all other faces that clean_tile() needs. Rows of vertices and faces, with
-/// their properties, are copied from the file in their order. Vertices that no face uses are
-/// omitted.
+/// Splits a closed mesh, which may be larger than memory, into tiles (box/tile.h). The faces of a
+/// tile are its own faces, which only this tile cleans, and all other faces that clean_tile() needs
+/// for this purpose. Rows of vertices and faces, with their properties, are copied from the file in
+/// their order. Vertices that no face uses are omitted.
 ///
 /// The file is read six times sequentially, and once more tile by tile. Memory: 64 KB per tile,
-/// about 30 bytes per face of the largest tile, and one position per face up to a million. Each
-/// cell (cell_grid.h) that a tile's faces touch outside of its own box takes 64 bytes.
-/// Deterministic.
+/// about 30 bytes per face of the largest tile, and the positions of at most a million samples.
+/// Each grid cell (cell_grid.h) that the faces of a tile touch outside its box takes 64 bytes. The
+/// box of a tile contains the first vertices of its own faces. Deterministic.
 #pragma once
 
 #include <functional>
@@ -18,11 +18,12 @@
 namespace transformesh {
 
 struct SplitResult {
-  std::size_t faces = 0;          ///< number of faces of the mesh
-  std::size_t tile_faces = 0;     ///< number of faces of all tiles together
-  std::size_t largest_tile = 0;   ///< number of faces of the largest tile
-  std::size_t empty_tiles = 0;    ///< number of tiles without own faces
-  std::vector<AtomicFile> files;  ///< complete files that are not yet committed
+  std::size_t faces = 0;         ///< number of faces of the mesh
+  std::size_t tile_faces = 0;    ///< number of faces of all tiles together
+  std::size_t largest_tile = 0;  ///< number of faces of the largest tile
+  std::size_t empty_tiles = 0;   ///< number of tiles without own faces
+  /// Files that are written completely, but do not have their final names yet.
+  std::vector<AtomicFile> files;
 };
 
 /// Writes tiles to the files tile_path() of a folder. Creates the folder; on failure the folder is

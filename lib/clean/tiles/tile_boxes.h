@@ -1,4 +1,5 @@
-/// Divides space into boxes that contain about equally many points. Deterministic.
+/// Divides space into boxes that contain about equally many points, and finds the boxes that touch
+/// a box. Deterministic.
 #pragma once
 
 #include <functional>
@@ -9,15 +10,15 @@
 namespace transformesh {
 
 /// Returns `count` half-open boxes that cover space without overlap. They are the leaves of a k-d
-/// tree, split along the longest side of the points. Boxes may be empty if many points share a
-/// coordinate. O(n log count).
+/// tree, whose nodes are split along the longest side of the bounding box of their points. Boxes
+/// may contain no points if many points share a coordinate. O(n log count).
 std::vector<Box> divide_space(std::vector<Vec3> points, std::size_t count);
 
 /// Uniform grid for finding the boxes that touch a box. Cost: O(boxes) to build; about O(1) per
 /// query if the boxes are tiles.
 class BoxGrid {
  public:
-  /// The grid divides `bounds`; boxes may extend beyond `bounds`, also to infinity.
+  /// The grid divides `bounds`. The boxes may extend beyond `bounds`, even to infinity.
   BoxGrid(const Box& bounds, std::vector<Box> boxes);
 
   const std::vector<Box>& boxes() const { return boxes_; }

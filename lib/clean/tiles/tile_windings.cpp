@@ -37,7 +37,8 @@ void TileWindings::add(const Triangle& t) {
   for (; ray != rays_.end() && ray->from.y() <= high; ++ray) ray->path.add(t);
 }
 
-// Starts from the winding number at infinity, which is 0.
+// Returns the winding number at the start of a ray as the sum of the changes along the ray; at
+// infinity it is 0.
 ReferencePoint TileWindings::of_box(std::size_t box) const {
   if (is_empty_[box]) return {};
   for (const Ray& ray : rays_) {

@@ -16,12 +16,14 @@
 namespace transformesh {
 namespace {
 
-/// If at least this fraction of faces has a coincident reverse, reverses are named as the reason
-/// why the mesh encloses nothing. A choice.
+/// If at least this fraction of faces coincides with a face of opposite orientation, the error
+/// message names this as the reason why the mesh encloses nothing. A choice.
 constexpr double double_sided_share = 0.5;
 
-/// Describes a mesh of coincident reverses. An empty difference and a double-sided solid are the
-/// same mesh, so the text names both. A double-sided sheet without its reverses is open.
+/// Returns the problem of a mesh in which `reverses` faces coincide with a face of opposite
+/// orientation. A solid minus itself and a double-sided solid are the same mesh, so the message
+/// names both. If the mesh is open after removing one face of each pair, the mesh is a double-sided
+/// sheet.
 Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
   const bool is_sheet = one_side_is_open(mesh);
   return {is_sheet ? ErrorKind::double_sided_sheet : ErrorKind::double_sided,
