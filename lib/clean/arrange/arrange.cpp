@@ -17,6 +17,7 @@ namespace {
 // (scaffold), whose corners are at about 12 times the extent of the faces. With this limit, the
 // coordinates of the scaffold do not overflow.
 constexpr double largest_coordinate = 1e306;
+constexpr std::size_t points_per_task = 64;    ///< affects time only
 constexpr std::size_t planes_per_task = 4;     ///< planes cut in one task; affects time only
 constexpr std::size_t planes_per_block = 512;  ///< planes joined in one task; affects time only
 
@@ -168,6 +169,15 @@ void append(const std::vector<CutPieces>& blocks, Arrangement& result) {
   });
 }
 
+// Each point is evaluated by one thread only, because its exact coordinates are kept in it.
+RawVector<Vec3> positions_of(const ExactGeometry& geometry, std::span<const ExactPoint> points) {
+  RawVector<Vec3> positions(points.size());
+  parallel_for(points.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) positions[i] = geometry.position(points[i]);
+  });
+  return positions;
+}
+
 }  // namespace
 
 void reverse_piece(Arrangement& arrangement, Piece& piece) {
@@ -195,6 +205,8 @@ Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Pla
   result.welded = welded;
   UnifiedPoints unified = unify_points(*welded, cuts);
   result.cut_points = std::move(unified.cut_points);
+  result.cut_positions = positions_of(result.geometry(), result.cut_points);
+  result.cut_positions = positions_of(result.geometry(), result.cut_points);
   add_whole_pieces(*welded, planes, cuts, is_left_out, result);
   const Copies copies(*welded);
   std::vector<CutPieces> blocks((cuts.size() + planes_per_block - 1) / planes_per_block);

@@ -38,6 +38,9 @@ struct Arrangement {
   std::shared_ptr<const WeldedMesh> welded;
   /// Points that cutting created; the first has the index `welded->points.size()`.
   std::vector<ExactPoint> cut_points;
+  /// Positions of these points in doubles, within one unit in the last place. Threads may read them
+  /// at the same time, but must not evaluate the same exact point.
+  RawVector<Vec3> cut_positions;
   RawVector<Piece> pieces;  ///< whole faces in mesh order, then the pieces of cut faces
   RawVector<PieceSource> sources;
   std::size_t whole_pieces = 0;
@@ -46,10 +49,9 @@ struct Arrangement {
   ExactPoint point(Index i) const {
     return i < welded->points.size() ? geometry().given(i) : cut_points[i - welded->points.size()];
   }
-  /// Returns the position of a point in doubles, within one unit in the last place.
-  Vec3 position(Index i) const {
+  const Vec3& position(Index i) const {
     return i < welded->points.size() ? welded->points[i]
-                                     : geometry().position(cut_points[i - welded->points.size()]);
+                                     : cut_positions[i - welded->points.size()];
   }
   std::size_t point_count() const { return welded->points.size() + cut_points.size(); }
   std::span<const PieceSource> sources_of(const Piece& piece) const {

@@ -13,9 +13,6 @@
 namespace transformesh {
 namespace {
 
-/// New vertices, whose positions are computed with exact numbers. Affects time only.
-constexpr std::size_t others_per_task = 64;
-
 class Assembler {
  public:
   Assembler(const Mesh& input, const Arrangement& arrangement, const std::vector<char>& kept);
@@ -95,9 +92,8 @@ void Assembler::number_vertices() {
   choose_old_vertices();
   const NumberedSelection old(umbrella_of_.size(),
                               [&](std::size_t v) { return umbrella_of_[v] != no_index; });
-  const auto others = NumberedSelection(old_vertex_.size(), [&](std::size_t u) {
-                        return old_vertex_[u] == no_index;
-                      }).list();
+  const NumberedSelection others(old_vertex_.size(),
+                                 [&](std::size_t u) { return old_vertex_[u] == no_index; });
   const std::size_t count = old_vertex_.size();
   vertex_of_.resize(count);
   result_.mesh.positions.resize(count);
@@ -106,9 +102,8 @@ void Assembler::number_vertices() {
   if (has_vertex_rows_) vertex_rows_.resize(count);
   old.visit(
       [&](std::size_t v, std::size_t n) { set_vertex(umbrella_of_[v], static_cast<Index>(n)); });
-  parallel_for(others.size(), others_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t n = first; n < last; ++n)
-      set_vertex(others[n], static_cast<Index>(old.size() + n));
+  others.visit([&](std::size_t u, std::size_t n) {
+    set_vertex(static_cast<Index>(u), static_cast<Index>(old.size() + n));
   });
   result_.copies = NumberedSelection(count, [&](std::size_t u) {
                      return old_vertex_[u] == no_index && !result_.vertex_is_new[vertex_of_[u]];

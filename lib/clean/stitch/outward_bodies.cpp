@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/ray_cast_winding.h"
+#include "geometry/search/bvh.h"
 #include "geometry/winding_hierarchy.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/components.h"
@@ -34,6 +35,8 @@ class Bodies {
   Index of_face(std::size_t face) const { return parts_.of_face[face]; }
 
  private:
+  template <class Visit>
+  void for_each_within(Index outer, const Visit& visit) const;
   std::vector<std::vector<Index>> containers() const;
   double volume(Index part) const { return parts_.components[part].volume; }
   bool is_closed(Index part) const { return parts_.components[part].boundary_loops == 0; }
@@ -44,16 +47,23 @@ class Bodies {
   const Mesh& mesh_;
   Components parts_;
   std::vector<Box> boxes_;
+  BoxFrame frame_;
+  Bvh tree_;  ///< boxes of the components
   std::vector<std::vector<Index>> faces_;
 };
 
-Bodies::Bodies(const Mesh& mesh) : mesh_(mesh), parts_(connected_components(mesh)) {
+Bodies::Bodies(const Mesh& mesh)
+    : mesh_(mesh), parts_(connected_components(mesh)), frame_(mesh.positions) {
   boxes_.resize(parts_.components.size());
   faces_.resize(parts_.components.size());
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     faces_[parts_.of_face[f]].push_back(f);
     for (const Index v : mesh.faces[f]) boxes_[parts_.of_face[f]].extend(mesh.positions[v]);
   }
+  std::vector<FloatBox> boxes;
+  boxes.reserve(boxes_.size());
+  for (const Box& box : boxes_) boxes.push_back(frame_.box(box.min(), box.max()));
+  tree_ = Bvh(boxes);
 }
 
 bool Bodies::any_negative() const {
@@ -91,16 +101,24 @@ bool Bodies::most_vote(Index inner,
   return yes > no;
 }
 
+// Calls visit(inner) for each other component whose bounding box lies in that of `outer`.
+template <class Visit>
+void Bodies::for_each_within(Index outer, const Visit& visit) const {
+  const Box& box = boxes_[outer];
+  tree_.visit_overlaps(frame_.box(box.min(), box.max()), [&](Index inner) {
+    if (inner != outer && box.contains(boxes_[inner])) visit(inner);
+    return true;
+  });
+}
+
 // Returns for each component the closed components that contain it.
 std::vector<std::vector<Index>> Bodies::containers() const {
-  const auto count = static_cast<Index>(faces_.size());
-  std::vector<std::vector<Index>> around(count);
-  for (Index outer = 0; outer < count; ++outer) {
+  std::vector<std::vector<Index>> around(faces_.size());
+  for (Index outer = 0; outer < faces_.size(); ++outer) {
     if (!is_closed(outer)) continue;
     std::optional<RayCastWinding> winding;
     Mesh outer_mesh;
-    for (Index inner = 0; inner < count; ++inner) {
-      if (inner == outer || !boxes_[outer].contains(boxes_[inner])) continue;
+    for_each_within(outer, [&](Index inner) {
       if (!winding) {
         outer_mesh = mesh_of(outer);
         winding.emplace(outer_mesh);
@@ -110,7 +128,7 @@ std::vector<std::vector<Index>> Bodies::containers() const {
         return number ? std::optional(*number != 0) : std::nullopt;
       };
       if (most_vote(inner, is_inside)) around[inner].push_back(outer);
-    }
+    });
   }
   return around;
 }

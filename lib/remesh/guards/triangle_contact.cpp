@@ -53,6 +53,23 @@ bool are_apart(const Triangle& first, const Triangle& second) {
   return false;
 }
 
+/// True if the bounding boxes have no common point.
+template <class Points, class OtherPoints>
+bool are_boxes_apart(const Points& points, const OtherPoints& others) {
+  const auto low = [](const auto& p) {
+    Vec3 result = p[0];
+    for (const Vec3& x : p) result = result.cwiseMin(x);
+    return result;
+  };
+  const auto high = [](const auto& p) {
+    Vec3 result = p[0];
+    for (const Vec3& x : p) result = result.cwiseMax(x);
+    return result;
+  };
+  return (low(points).array() > high(others).array()).any() ||
+         (low(others).array() > high(points).array()).any();
+}
+
 /// The unit directions of the four edges at the common corner of two triangles.
 struct Wedges {
   /// Directions of two edges of the first triangle, then two edges of the second.
@@ -154,6 +171,9 @@ bool may_touch(const Triangle& first, const Triangle& second) {
     case 0:
       return !are_apart(first, second);
     case 1: {
+      const std::array<Vec3, 2> edge{first[(i + 1) % 3], first[(i + 2) % 3]};
+      const std::array<Vec3, 2> other_edge{second[(j + 1) % 3], second[(j + 2) % 3]};
+      if (are_boxes_apart(edge, second) && are_boxes_apart(other_edge, first)) return false;
       const Wedges wedges{{(first[(i + 1) % 3] - origin).normalized(),
                            (first[(i + 2) % 3] - origin).normalized(),
                            (second[(j + 1) % 3] - origin).normalized(),
