@@ -50,8 +50,7 @@ struct Arrangement {
     return i < welded->points.size() ? geometry().given(i) : cut_points[i - welded->points.size()];
   }
   const Vec3& position(Index i) const {
-    return i < welded->points.size() ? welded->points[i]
-                                     : cut_positions[i - welded->points.size()];
+    return i < welded->points.size() ? welded->points[i] : cut_positions[i - welded->points.size()];
   }
   std::size_t point_count() const { return welded->points.size() + cut_points.size(); }
   std::span<const PieceSource> sources_of(const Piece& piece) const {
