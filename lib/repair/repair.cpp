@@ -3,9 +3,7 @@
 #include <cmath>
 
 #include "clean/stitch/double_sided.h"
-#include "clean/stitch/orientation_check.h"
 #include "clean/stitch/outward_bodies.h"
-#include "clean/stitch/weld.h"
 #include "geometry/search/closest_point.h"
 #include "mesh/location_text.h"
 #include "repair/crack_tolerance.h"
@@ -20,11 +18,6 @@
 
 namespace transformesh {
 namespace {
-
-/// A model counts as double-sided if at least this share of its faces has a duplicate with opposite
-/// orientation. In bodies that touch, a few faces have a duplicate; in double-sided models, all or
-/// most faces do.
-constexpr double double_sided_share = 0.5;
 
 /// Holes get smooth patches if the diagonal of their bounding box is at most this share of the
 /// model's diagonal. Larger holes get flat patches, near the places where the generalized winding
@@ -46,19 +39,6 @@ bool is_solid(const MeshCheck& check, bool may_be_open) {
   return check.problems.empty() && check.degenerate_faces == 0 &&
          check.manifold.isolated_vertices.empty() && check.manifold.touching_borders == 0 &&
          (may_be_open || check.manifold.is_closed());
-}
-
-/// True if the mesh has a second side that must be removed. In an oriented mesh, a few duplicates
-/// with opposite orientation are walls between bodies that touch, and cleaning cancels them.
-bool has_one_side_too_many(const Mesh& mesh) {
-  const auto reverses = static_cast<double>(count_double_sided(mesh));
-  if (reverses == 0) return false;
-  if (reverses >= double_sided_share * static_cast<double>(mesh.faces.size())) return true;
-  Mesh welded = mesh;
-  const std::vector<Index> joined = weld_positions(mesh.positions, 0);
-  for (Face& face : welded.faces)
-    for (Index& v : face) v = joined[v];
-  return !describe_misorientation(welded).empty();
 }
 
 /// True if all faces have the same corner positions in the same order.
@@ -124,7 +104,7 @@ void Repair::join() {
   crack_width_ = cracks.width;
   StitchOptions options;
   options.tolerance = cracks.tolerance;
-  options.one_side = has_one_side_too_many(mesh);
+  options.one_side = needs_one_side(mesh);
   options.orient = !options.one_side;
   options.outwards = options.drop_copies = true;
   const bool needs_none =

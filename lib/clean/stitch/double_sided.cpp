@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clean/stitch/weld.h"
+#include "mesh/disjoint_sets.h"
 #include "mesh/drop_faces.h"
 #include "mesh/edges.h"
 #include "mesh/surface_columns.h"
@@ -69,6 +70,29 @@ std::vector<Face> welded_faces(const Mesh& mesh) {
   return faces;
 }
 
+// Returns the number of edges with an odd number of faces.
+std::size_t count_odd(const Edges& edges) {
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) count += edges.halfedges(e).size() % 2;
+  return count;
+}
+
+// True if all faces of a connected part coincide with other faces, at least two of them with
+// opposite orientations.
+bool has_double_part(const std::vector<Face>& faces, const Edges& edges) {
+  DisjointSets parts(faces.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (const Index h : edges.halfedges(e)) parts.join(h / 3, edges.halfedges(e).front() / 3);
+  std::vector<char> has_single(faces.size(), 0), has_reverse(faces.size(), 0);
+  visit_coincident(faces, [&](auto first, auto last) {
+    if (last - first == 1) has_single[parts.find(first->face)] = 1;
+  });
+  visit_double_sided(faces, [&](auto first, auto) { has_reverse[parts.find(first->face)] = 1; });
+  for (Index f = 0; f < faces.size(); ++f)
+    if (has_reverse[f] && !has_single[f]) return true;
+  return false;
+}
+
 }  // namespace
 
 std::size_t count_double_sided(const Mesh& mesh) {
@@ -77,6 +101,15 @@ std::size_t count_double_sided(const Mesh& mesh) {
   visit_double_sided(
       faces, [&](auto first, auto last) { count += static_cast<std::size_t>(last - first); });
   return count;
+}
+
+bool needs_one_side(const Mesh& mesh) {
+  Mesh welded{mesh.positions, without_collapsed(welded_faces(mesh)), {}, {}};
+  const Edges edges(welded);
+  if (has_double_part(welded.faces, edges)) return true;
+  if (drop_reverses(welded) == 0) return false;
+  drop_copies(welded);
+  return count_odd(Edges(welded)) < count_odd(edges);
 }
 
 bool one_side_is_open(const Mesh& mesh) {

@@ -13,6 +13,13 @@ namespace transformesh {
 /// Returns the number of faces that have a reverse.
 std::size_t count_double_sided(const Mesh& mesh);
 
+/// True if one side of the faces that have a reverse must be removed before the mesh encloses its
+/// volume, after vertices at equal positions are merged. Otherwise such faces are walls between
+/// bodies that touch, and winding numbers do not count them. One side must be removed in two cases.
+/// Either all faces of a connected part coincide with others, some with opposite orientations. Or
+/// fewer edges have an odd number of faces if only one of coincident faces stays.
+bool needs_one_side(const Mesh& mesh);
+
 /// True if the mesh has a border after its vertices at equal positions are merged, and
 /// drop_reverses() removes one face of each coincident pair. Does not change the mesh.
 bool one_side_is_open(const Mesh& mesh);

@@ -124,12 +124,14 @@ std::size_t split_borders(Mesh& mesh, double tolerance) {
 
 StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   StitchResult result;
+  // Bodies that touch are turned before their vertices are joined, because then they are separate.
+  if (options.outwards && !options.one_side) result.reversed_faces = turn_bodies_outwards(mesh);
   result.joined_vertices = join_vertices(mesh, options.tolerance);
   if (options.tolerance > 0) result.split_borders = split_borders(mesh, options.tolerance);
   if (options.one_side) result.dropped_reverses = drop_reverses(mesh);
   if (options.drop_copies) result.dropped_copies = drop_copies(mesh);
   if (options.orient || options.one_side)
-    result.reversed_faces = orient_faces(mesh, options.outwards);
+    result.reversed_faces += orient_faces(mesh, options.outwards);
   const std::vector<Face> all_faces = mesh.faces;
   result.dropped_faces = drop_collapsed_faces(mesh);
 

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
+
 #include "corpus/repair/damage.h"
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
@@ -30,6 +32,19 @@ Mesh replayed(Mesh mesh, const std::vector<RepairStep>& steps) {
     void operator()(const SelectionOptions& options) const { select(mesh, options); }
   };
   for (const RepairStep& step : steps) std::visit(Apply{mesh}, step.operation);
+  return mesh;
+}
+
+/// Unit cubes in a block of n^3 cells that touch; `is_used(number)` selects them, and cubes for
+/// which is_inward(number) is true are inside out.
+Mesh cubes(int n, const std::function<bool(int)>& is_used,
+           const std::function<bool(int)>& is_inward) {
+  Mesh mesh;
+  for (int i = 0; i < n * n * n; ++i) {
+    if (!is_used(i)) continue;
+    const Mesh cube = test::moved(test::cube(), Vec3(i % n, i / n % n, i / (n * n)));
+    mesh = test::joined(mesh, is_inward(i) ? test::reversed(cube) : cube);
+  }
   return mesh;
 }
 
@@ -116,6 +131,25 @@ TEST_CASE("a mesh that is a single point is refused") {
                        GoalError);
   mesh.faces = {{0, 1, 2}};
   CHECK_THROWS_WITH_AS(repair(mesh), doctest::Contains("they have no area"), GoalError);
+}
+
+TEST_CASE("walls between cubes that touch are no second side of a surface") {
+  const auto all = [](int) { return true; };
+  const auto none = [](int) { return false; };
+  const auto third = [](int i) { return i % 3 == 0; };
+  const auto some = [](int i) { return i * 7919 % 64 < 34; };
+  for (const Mesh& whole : {cubes(4, all, none), cubes(4, all, third)}) {
+    const RepairResult result = repair(whole);
+    CHECK(volume(result.mesh) == doctest::Approx(64));
+    CHECK(result.mesh.faces.size() == 6 * 16 * 2);
+    CHECK(connected_components(result.mesh).components.size() == 1);
+  }
+  const double cells = static_cast<double>(cubes(4, some, none).faces.size()) / 12;
+  CHECK(volume(repair(cubes(4, some, third)).mesh) == doctest::Approx(cells));
+  CHECK(volume(repair(test::soup_of(cubes(4, some, none))).mesh) == doctest::Approx(cells));
+  Mesh open = cubes(4, some, none);
+  open.faces.pop_back();
+  CHECK(volume(repair(open).mesh) == doctest::Approx(cells));
 }
 
 }  // namespace transformesh

@@ -58,6 +58,32 @@ TEST_CASE("a surface with one side only stays") {
   CHECK(turn_outwards(mesh) == 0);
 }
 
+TEST_CASE("one side must go where a part has no other faces, or where it leaves fewer borders") {
+  const Mesh cube = test::cube();
+  CHECK(!needs_one_side(cube));
+  CHECK(needs_one_side(double_sided(cube, 3)));
+  const Mesh touching = test::joined(cube, test::moved(cube, {1, 0, 0}));
+  CHECK(count_double_sided(touching) == 4);
+  CHECK(!needs_one_side(touching));
+  CHECK(!needs_one_side(test::soup_of(touching)));
+  CHECK(needs_one_side(test::joined(touching, test::moved(double_sided(cube, 3), {5, 0, 0}))));
+
+  // Two sides of the cube's faces have a reverse.
+  Mesh partly = cube;
+  for (Index f = 0; f < 4; ++f)
+    partly.faces.push_back({cube.faces[f][1], cube.faces[f][0], cube.faces[f][2]});
+  CHECK(needs_one_side(partly));
+
+  // A double-sided sheet at an edge of the cube.
+  Mesh fin = cube;
+  fin.positions.push_back({-1, -1, 0});
+  const auto tip = static_cast<Index>(fin.positions.size() - 1);
+  const Face& face = cube.faces[0];
+  fin.faces.push_back({face[0], face[1], tip});
+  fin.faces.push_back({face[1], face[0], tip});
+  CHECK(!needs_one_side(fin));
+}
+
 TEST_CASE("cleaning says that a model is double-sided") {
   const Mesh mesh = double_sided(test::icosphere(1), 2);
   try {
