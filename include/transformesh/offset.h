@@ -50,11 +50,4 @@ double offset_edge(const Mesh& mesh, double distance);
 OffsetResult offset(Document& document, const OffsetOptions& options,
                     const Progress& progress = Progress());
 
-/// Offsets the planes of the faces; corners stay sharp. Cleans the result. Throws as offset().
-void offset_mitered(Mesh& mesh, double distance, Scalar coordinate = Scalar::float64,
-                    const Progress& progress = Progress());
-/// Makes a solid around an open sheet, with mitered corners, and cleans it. Throws as offset().
-void thicken(Mesh& mesh, double thickness, Scalar coordinate = Scalar::float64,
-             const Progress& progress = Progress());
-
 }  // namespace transformesh

@@ -5,6 +5,7 @@
 #include "mesh/surface_columns.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
+#include "transformesh/mitered_offset.h"
 #include "transformesh/offset.h"
 
 namespace {
@@ -24,6 +25,14 @@ void note_missed(const OffsetResult& result, tool::Run& run) {
            significant(result.edge / 2, 3));
 }
 
+void report_miter(const MiterDeviation& deviation, tool::Run& run) {
+  run.report({{"deviation_max", deviation.most}});
+  if (deviation.is_large)
+    run.note("planes of faces miss the distance by up to " + significant(deviation.most, 3) +
+             ", most of all at " + point_text(deviation.at) +
+             ", where more than three planes meet at a vertex, or a spike is cut off");
+}
+
 void offset_document(Document& document, Choices& choices, tool::Run& run) {
   if (choices.thicken.has_value() == choices.distance.has_value())
     throw UsageError(
@@ -31,10 +40,11 @@ void offset_document(Document& document, Choices& choices, tool::Run& run) {
         "sheet");
   const Scalar coordinate = document.style.coordinate;
   if (choices.thicken) tool::note_dropped_lists(drop_corner_lists(document.mesh.face_columns), run);
-  if (choices.thicken)
-    return thicken(document.mesh, run.length(*choices.thicken), coordinate, run.progress());
-  if (choices.miter)
-    return offset_mitered(document.mesh, run.length(*choices.distance), coordinate, run.progress());
+  if (choices.thicken || choices.miter) {
+    const double length = run.length(choices.thicken ? *choices.thicken : *choices.distance);
+    const auto move = choices.thicken ? thicken : offset_mitered;
+    return report_miter(move(document.mesh, length, coordinate, run.progress()), run);
+  }
   choices.offset.distance = run.length(*choices.distance);
   if (choices.edge) choices.offset.edge = run.length(*choices.edge);
   const OffsetResult result = offset(document, choices.offset, run.progress());

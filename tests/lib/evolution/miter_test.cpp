@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "mesh/coordinate_spacing.h"
@@ -9,7 +11,7 @@
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
-#include "transformesh/offset.h"
+#include "transformesh/mitered_offset.h"
 
 using namespace transformesh;
 using doctest::Approx;
@@ -33,6 +35,23 @@ TEST_CASE("a mitered offset of a cube is a cube, and of a thin one nothing") {
   CHECK_THROWS_AS(offset_mitered(cube, -0.6), GoalError);
   CHECK_THROWS_AS(offset_mitered(cube, 0), UsageError);
   CHECK(volume(cube) == Approx(1));
+}
+
+TEST_CASE("the deviation says where planes miss the distance") {
+  Mesh cube = test::cube();
+  const MiterDeviation none = offset_mitered(cube, 0.5);
+  CHECK(none.most < 1e-12);
+  CHECK(!none.is_large);
+
+  // A pyramid. At its tip, planes should move by 0.1; the movement of the tip is limited to 0.4.
+  Mesh spike;
+  spike.positions = {{-0.1, -0.1, 0}, {0.1, -0.1, 0}, {0.1, 0.1, 0}, {-0.1, 0.1, 0}, {0, 0, 2}};
+  spike.faces = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  const MiterDeviation cut = offset_mitered(spike, 0.1);
+  CHECK(cut.is_large);
+  CHECK(cut.at == Vec3(0, 0, 2));
+  const double slope = 0.1 / std::hypot(0.1, 2);  // of the normals of the sides, upwards
+  CHECK(cut.most == Approx(0.1 - 0.4 * slope));
 }
 
 TEST_CASE("a thick sheet is closed and keeps its columns") {
