@@ -50,7 +50,7 @@ TEST_CASE("the deviation says where planes miss the distance") {
   const MiterDeviation cut = offset_mitered(spike, 0.1);
   CHECK(cut.is_large);
   CHECK(cut.at == Vec3(0, 0, 2));
-  const double slope = 0.1 / std::hypot(0.1, 2);  // of the normals of the sides, upwards
+  const double slope = 0.1 / std::hypot(0.1, 2);  // upward part of the normals of the sides
   CHECK(cut.most == Approx(0.1 - 0.4 * slope));
 }
 
