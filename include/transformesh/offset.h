@@ -1,13 +1,11 @@
 /// The offset surface of a closed surface. Outwards: the boundary of the union of balls around all
 /// its points. Inwards: the boundary of the points at least as deep inside. A self-intersecting
 /// source is cleaned first. The surface moves along the gradient of its distance from the source in
-/// the iterations of an evolution (iteration.h). Parts merge, split and vanish, and outer corners
-/// become round.
+/// the iterations of an evolution (iteration.h). Outer corners become round.
 ///
-/// Guarantees: the result is an oriented manifold without self-intersections, subject to the limits
-/// of remesh(). Not guaranteed: the exact offset; the result reports the deviation. Concave corners
-/// are rounded by about an edge length. Parts thinner than an edge may be lost, which is reported.
-/// Cavities stay. Columns are carried as by clean() and remesh().
+/// Guarantees: an oriented manifold without self-intersections, subject to the limits of remesh().
+/// The result reports its deviation from the exact offset, and whether parts thinner than an edge
+/// are lost. Concave corners are rounded by about an edge. Columns are carried as by remesh().
 #pragma once
 
 #include <cstddef>
@@ -33,10 +31,8 @@ struct OffsetDeviation {
 struct OffsetResult {
   std::size_t iterations = 0;
   bool has_arrived = false;  ///< vertices are within 1/100 edge of the offset, or came no closer
-  /// True if points of the true offset are farther from the result than edges explain: a thin part
-  /// or its rim is lost.
-  bool has_missed = false;
-  double edge = 0;  ///< edge length that was used; input units
+  bool has_missed = false;   ///< `missed` is larger than edges explain: a thin part is lost
+  double edge = 0;           ///< edge length that was used; input units
   Topology topology;
   OffsetDeviation deviation;
   bool is_done() const { return has_arrived && !has_missed; }
@@ -44,10 +40,21 @@ struct OffsetResult {
 
 /// Returns the mean edge, at most half the distance and diagonal / 60, and at least diagonal / 400.
 double offset_edge(const Mesh& mesh, double distance);
-
 /// Throws UsageError if the distance is 0 or not finite, and InputError if the mesh is open or not
 /// oriented. Throws GoalError if nothing is left (inwards), or as clean() does.
 OffsetResult offset(Document& document, const OffsetOptions& options,
-                    const Progress& progress = Progress());
+                    const Progress& progress = {});
+
+struct MiterDeviation {
+  double most = 0;         ///< largest error of the distance by which a face's plane has moved
+  Vec3 at = Vec3::Zero();  ///< vertex with this error: over three planes meet, or a spike is cut
+  bool is_large = false;   ///< over 5 % of the distance, which is more than on smooth surfaces
+};
+/// Offsets the planes of the faces; corners stay sharp. Cleans the result. Throws as offset().
+MiterDeviation offset_mitered(Mesh& mesh, double distance, Scalar coordinate = Scalar::float64,
+                              const Progress& progress = {});
+/// Makes a solid around an open sheet, with mitered corners, and cleans it. Throws as offset().
+MiterDeviation thicken(Mesh& mesh, double thickness, Scalar coordinate = Scalar::float64,
+                       const Progress& progress = {});
 
 }  // namespace transformesh

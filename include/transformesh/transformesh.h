@@ -31,7 +31,6 @@
 #include "transformesh/measure.h"
 #include "transformesh/mesh.h"
 #include "transformesh/mesh_io.h"
-#include "transformesh/mitered_offset.h"
 #include "transformesh/morph.h"
 #include "transformesh/morph_step.h"
 #include "transformesh/motion.h"

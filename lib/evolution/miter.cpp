@@ -12,7 +12,7 @@
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
 #include "transformesh/manifold.h"
-#include "transformesh/mitered_offset.h"
+#include "transformesh/offset.h"
 
 namespace transformesh {
 namespace {

@@ -12,7 +12,6 @@
 #include "transformesh/displace.h"
 #include "transformesh/flow.h"
 #include "transformesh/intersect.h"
-#include "transformesh/mitered_offset.h"
 #include "transformesh/offset.h"
 #include "transformesh/repair.h"
 #include "transformesh/shapes.h"

@@ -5,7 +5,6 @@
 #include "mesh/surface_columns.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
-#include "transformesh/mitered_offset.h"
 #include "transformesh/offset.h"
 
 namespace {

@@ -11,7 +11,7 @@
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
-#include "transformesh/mitered_offset.h"
+#include "transformesh/offset.h"
 
 using namespace transformesh;
 using doctest::Approx;
