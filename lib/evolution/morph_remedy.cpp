@@ -30,7 +30,8 @@ Problem narrow_at(const Vec3& place, double width, double edge, bool has_uniform
           {.position = position_data(place), .lengths = {width, edge}}};
 }
 
-/// Returns a problem that names the narrowest vertex of the target; empty if none is narrow.
+/// Returns a problem that names the vertex at which the target is thinnest. Returns nothing if the
+/// target is thick enough for the edges.
 std::optional<Problem> narrowest(const Target& target, double edge, bool has_uniform_edges) {
   const std::vector<double>& widths = target.thickness;
   const auto least = std::min_element(widths.begin(), widths.end());

@@ -28,8 +28,8 @@ struct CarvingEvidence {
 
 struct CarvingStages {
   std::function<CarvingEvidence(const Mesh&)> measure;
-  std::function<void(Document&)> sweep;   ///< cleans, then takes a short sweep
-  std::function<void(Document&)> settle;  ///< takes a full sweep
+  std::function<void(Document&)> sweep;   ///< cleans, then runs a short sweep of steps
+  std::function<void(Document&)> settle;  ///< runs a sweep of steps to its end
   std::function<void()> keep;             ///< called each time `document` of carve() is replaced
   double distance = 0;                    ///< largest movement of a vertex in a round; input units
 };

@@ -68,7 +68,7 @@ class ComponentWalk {
   std::vector<Index> faces_;
   bool has_border_ = false;
   double six_volumes_ = 0;
-  double sizes_ = 0;  ///< sum of the sizes at the corners of the faces
+  double sizes_ = 0;  ///< sum of the wanted edge lengths at the faces' corners
 };
 
 /// Returns the second longest side of the bounding box of the faces along their principal axes.

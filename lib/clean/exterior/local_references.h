@@ -27,8 +27,8 @@ class LocalReferences {
       : around_(around), visit_faces_(std::move(visit_faces)) {}
 
   /// Returns a reference point in the grid cell of `place`; each value of `attempt` gives a
-  /// different point. The part contains every face that the segment from `place` to this point can
-  /// meet. Returns nothing if no path to the cell is found.
+  /// different point. The faces near the box (`around`) include every face that the segment from
+  /// `place` to this point can meet. Returns nothing if no path to the cell is found.
   std::optional<ReferencePoint> near(const Vec3& place, int attempt) const;
 
  private:

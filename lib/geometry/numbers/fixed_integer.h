@@ -102,7 +102,8 @@ class CommonScale {
     bits_ = high < low_ ? 0 : high - low_;
   }
 
-  /// Number of bits b such that all multiples are less than 2^b in absolute value.
+  /// Number of bits b such that all numbers, as multiples of this power of two, are less than 2^b
+  /// in absolute value.
   int bits() const { return bits_; }
 
   /// Returns a multiple in two's complement. `Unsigned` must have at least bits() + 1 bits.

@@ -223,8 +223,9 @@ std::optional<Direction> EmbeddingGuard::direction_of(const Patch& patch) const 
   return nearest_direction(cone, sum_of(patch.normals));
 }
 
-/// Tests the certificate of is_height_field() for direction_of(). Cells and vertices whose cones
-/// contain the direction are skipped without a test of their faces.
+/// Proves that the patch is a height field, as is_height_field() does, but in the direction of
+/// direction_of(). Cells and vertices whose normal cones contain this direction are skipped: their
+/// faces need no test.
 bool EmbeddingGuard::is_seen_around(const Patch& patch) {
   const std::optional<Direction> direction = direction_of(patch);
   if (!direction) return false;

@@ -16,10 +16,10 @@ namespace {
 /// edge from the largest extent of a mesh to the shortest edge that is split. More rounds would
 /// only repeat refused splits.
 constexpr int most_rounds = 64;
-/// Triangles of at least this roundness may become narrower when a new vertex leaves its chord.
-/// Other operations use the limit 0.6. Here it would refuse the curved position of a vertex if its
-/// triangles were halved twice, because these are less round. Values far below 0.1 would allow
-/// slivers.
+/// A new vertex may move from the middle of its edge to the curved surface if its triangles keep at
+/// least this roundness. Other operations use the limit 0.6. Triangles that were halved twice are
+/// less round than that, so their new vertices would stay off the curved surface. Values far below
+/// 0.1 would allow slivers.
 constexpr double round_enough = 0.1;
 
 /// The curved midpoints of the edges that are too long, by the ends of the edges. The midpoints are
