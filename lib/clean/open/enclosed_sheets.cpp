@@ -90,8 +90,9 @@ std::vector<char> find_contradictions(const Arrangement& arrangement, const Patc
   return contradicts;
 }
 
-// Returns 1 for each face of a sheet that bounds nothing: the winding numbers of the cells in front
-// of its patches and behind them do not differ as the sheet requires. Pieces of multiplicity 0 (coincident faces that cancel out) are ignored.
+// Returns 1 for each face of a sheet that bounds nothing. There the winding numbers of the cells in
+// front of a patch and behind it do not differ as the sheet requires. Pieces of multiplicity 0
+// (coincident faces that cancel out) are ignored.
 std::vector<char> mark_contradictions(const Arrangement& arrangement, int winding_level) {
   const WeldedMesh& welded = *arrangement.welded;
   const Patches patches(arrangement);
