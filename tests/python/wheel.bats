@@ -4,7 +4,7 @@ load ../helpers/common
 
 setup_file() {
   export python=/usr/bin/python3
-  "$python" -c 'import build, ensurepip' 2>/dev/null || skip "scripts/setup --package installs what makes wheels"
+  "$python" -c 'import build.__main__, ensurepip' 2>/dev/null || skip "scripts/setup --package installs what makes wheels"
   ls "$tm_build"/python/transformesh/_transformesh.*.so >/dev/null 2>&1 || skip "the Python module is not built"
   cd "$tm_root"
   "$python" -m build --wheel --no-isolation -o "$BATS_FILE_TMPDIR/dist" -C "build=$tm_build" >"$BATS_FILE_TMPDIR/log" 2>&1 ||
