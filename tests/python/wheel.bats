@@ -2,16 +2,26 @@
 
 load ../helpers/common
 
+# Says what is missing for making a wheel. A folder named build in the current directory is a module
+# for Python, too.
+missing() {
+  if ! "$python" -c 'import build.__main__, ensurepip' 2>/dev/null; then
+    echo "scripts/setup --package installs what makes wheels"
+  elif ! ls "$tm_build"/python/transformesh/_transformesh.*.so >/dev/null 2>&1; then
+    echo "the Python module is not built"
+  fi
+}
+
 setup_file() {
   export python=/usr/bin/python3
-  "$python" -c 'import build.__main__, ensurepip' 2>/dev/null || skip "scripts/setup --package installs what makes wheels"
-  ls "$tm_build"/python/transformesh/_transformesh.*.so >/dev/null 2>&1 || skip "the Python module is not built"
+  [ -z "$(missing)" ] || return 0
   cd "$tm_root"
   "$python" -m build --wheel --no-isolation -o "$BATS_FILE_TMPDIR/dist" -C "build=$tm_build" >"$BATS_FILE_TMPDIR/log" 2>&1 ||
     fail "$(tail -n 20 "$BATS_FILE_TMPDIR/log")"
 }
 
 setup() {
+  [ -z "$(missing)" ] || skip "$(missing)"
   cd "$BATS_TEST_TMPDIR"
   wheel=$(echo "$BATS_FILE_TMPDIR"/dist/*.whl)
 }
