@@ -151,8 +151,8 @@ bool LocalBoolean::assemble_chosen(Arrangement& arrangement) {
 // Assigns vertices of the solid to the vertices of `assembly_`. There, a vertex is duplicated for
 // each umbrella (faces around the vertex that are connected across edges). If all faces of a vertex
 // are in the part (an inner vertex), only its first duplicate is the vertex of the solid, and the
-// others are new vertices. If the part lacks faces of a vertex, one umbrella may appear as several.
-// Then all duplicates are the vertex of the solid.
+// others are new vertices. If the part lacks faces of a vertex, one umbrella of the solid may
+// appear as several in the part, and all duplicates are the vertex of the solid.
 void LocalBoolean::number_vertices() {
   std::vector<double>& numbers = assembly_.mesh.vertex_columns.find(vertex_number)->values;
   std::vector<char> is_taken(vertices_.size(), 0);

@@ -19,7 +19,7 @@
 namespace transformesh {
 namespace {
 
-/// A thread takes one of this number of ranges for each thread, of the indices that are left. Hence
+/// A thread takes the next 1 / (ranges_per_thread * threads) of the indices that are left. Hence
 /// ranges become smaller towards the end of a loop, and threads end at nearly the same time. A
 /// choice: with more ranges, loops whose iterations take different times are balanced better; with
 /// fewer ranges, the overhead is less.

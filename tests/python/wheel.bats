@@ -2,8 +2,8 @@
 
 load ../helpers/common
 
-# Says what is missing for making a wheel. A folder named build in the current directory is a module
-# for Python, too.
+# Says what is missing for making a wheel. bats 1.8 counts a skip in setup_file as a failure. A folder
+# named build in the current directory is a module for Python, too.
 missing() {
   if ! "$python" -c 'import build.__main__, ensurepip' 2>/dev/null; then
     echo "scripts/setup --package installs what makes wheels"

@@ -27,8 +27,8 @@ void note_missed(const OffsetResult& result, tool::Run& run) {
 void report_miter(const MiterDeviation& deviation, tool::Run& run) {
   run.report({{"deviation_max", deviation.most}});
   if (deviation.is_large)
-    run.note("planes of faces miss the distance by up to " + significant(deviation.most, 3) +
-             ", most of all at " + point_text(deviation.at) +
+    run.note("planes of faces move by up to " + significant(deviation.most, 3) +
+             " too much or too little, most of all at " + point_text(deviation.at) +
              ", where more than three planes meet at a vertex, or a spike is cut off");
 }
 

@@ -59,8 +59,8 @@ class Copies {
     }
   }
 
-  /// For each source at `begin` or later, appends the faces with the same three points as sources.
-  /// Then sorts the sources from `begin` on by face.
+  /// For each source at `begin` or later, appends the faces with the same three points as sources,
+  /// and then sorts all sources at `begin` or later by face.
   void add(RawVector<PieceSource>& sources, std::size_t begin) const {
     if (next_.empty()) return;
     const std::size_t end = sources.size();
@@ -205,7 +205,6 @@ Arrangement join_cuts(const std::shared_ptr<const WeldedMesh>& welded, const Pla
   result.welded = welded;
   UnifiedPoints unified = unify_points(*welded, cuts);
   result.cut_points = std::move(unified.cut_points);
-  result.cut_positions = positions_of(result.geometry(), result.cut_points);
   result.cut_positions = positions_of(result.geometry(), result.cut_points);
   add_whole_pieces(*welded, planes, cuts, is_left_out, result);
   const Copies copies(*welded);

@@ -50,8 +50,8 @@ void Placing::claim(Index piece) {
   }
 }
 
-// Assigns input vertices to vertices of the cleaned mesh. Cleaning may have duplicated a vertex.
-// Then the duplicate that belongs to faces outside the box gets the input vertex.
+// Assigns input vertices to vertices of the cleaned mesh. If cleaning has duplicated a vertex, the
+// duplicate at faces outside the box is the input vertex, and the others are new.
 void Placing::claim_vertices() {
   for (const bool is_replaced : {false, true})
     for (const bool is_uncut : {true, false})

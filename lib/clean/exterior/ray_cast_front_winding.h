@@ -26,8 +26,8 @@ struct FaceCrossing {
 class RayCastFrontWinding {
  public:
   /// `rays` is the approximate number of rays. Up to 8 rays are tested against all faces, which
-  /// costs less than building a hierarchy. If `welded` is only a part of a mesh, pass `around`.
-  /// Then segments from nearby points with known winding numbers replace the rays
+  /// costs less than building a hierarchy. If `welded` is only a part of a mesh, pass `around`:
+  /// rays are then replaced by segments from nearby points with known winding numbers
   /// (local_references.h). Keeps references to the arguments.
   RayCastFrontWinding(const WeldedMesh& welded, std::size_t rays,
                       const Surroundings* around = nullptr);

@@ -10,11 +10,11 @@ namespace transformesh {
 namespace {
 
 /// Limits of the number of sampled pieces per patch. A patch with more pieces than the limit is
-/// sampled at equal shares of its area. The limit is in [least_samples, most_samples], and such
-/// that about `most_faces_summed` solid angles of faces are summed. With a limit of 15 samples for
-/// all components, the results of 6 of 10,000 random meshes changed after a rotation, because the
-/// order of pieces of equal area changed.
-constexpr std::size_t most_faces_summed = 2'000'000;
+/// sampled at equal shares of its area. The limit is in [least_samples, most_samples], and its
+/// product with the number of faces of the component is `samples_times_faces`. With a limit of 15
+/// samples for all components, the results of 6 of 10,000 random meshes changed after a rotation,
+/// because the order of pieces of equal area changed.
+constexpr std::size_t samples_times_faces = 2'000'000;
 constexpr std::size_t most_samples = 200;
 constexpr std::size_t least_samples = 15;
 
@@ -100,7 +100,7 @@ double ComponentWinding::median(Index component, const std::vector<Index>& piece
 }
 
 std::size_t ComponentWinding::samples_of(Index component) const {
-  return std::clamp(most_faces_summed / mesh_of(component).faces.size(), least_samples,
+  return std::clamp(samples_times_faces / mesh_of(component).faces.size(), least_samples,
                     most_samples);
 }
 

@@ -261,8 +261,9 @@ void SnapRounder::take_rounds(bool is_begun) {
   give_up();
 }
 
-// Repairs the mesh in rounds. If this fails for a closed mesh, starts once more from the input.
-// Then vertices move to their grids. Planes that are folded many times need this.
+// Repairs the mesh in rounds. If this fails for a closed mesh, starts once more from the input, and
+// in these rounds moves vertices to their grids, too. Meshes in which one plane has many layers of
+// coplanar faces need this.
 void SnapRounder::repair() {
   try {
     take_rounds(false);

@@ -2,8 +2,9 @@
 /// 4.3). Stitching duplicates the ends of a singular edge. If this does not separate the sheets
 /// that meet there, stitching splits the edge at its midpoint (split_singular_edges.h). If the
 /// midpoint is rounded to one of the ends, every clean pass creates the same faces without area.
-/// Such an edge is one or two spacings long. One end of the edge moves to the other end, and all
-/// faces at the edge vanish. A closed mesh stays closed. Deterministic. Cost: O(n log n).
+/// This happens to edges of one or two spacings of coordinates. One end of such an edge moves to
+/// the other end, and all faces at the edge vanish. A closed mesh stays closed. Deterministic.
+/// Cost: O(n log n).
 #pragma once
 
 #include "clean/rounding/displacement.h"

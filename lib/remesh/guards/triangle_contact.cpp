@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "transformesh/measure.h"
+
 namespace transformesh {
 namespace {
 
@@ -53,21 +55,18 @@ bool are_apart(const Triangle& first, const Triangle& second) {
   return false;
 }
 
-/// True if the bounding boxes have no common point.
-template <class Points, class OtherPoints>
-bool are_boxes_apart(const Points& points, const OtherPoints& others) {
-  const auto low = [](const auto& p) {
-    Vec3 result = p[0];
-    for (const Vec3& x : p) result = result.cwiseMin(x);
-    return result;
+Box box_of(const Triangle& t) { return Box(t[0]).extend(t[1]).extend(t[2]); }
+
+/// True if neither the edge opposite to the common corner of one triangle meets the other triangle,
+/// judged by bounding boxes. Then triangles that share a single corner share no other point: a ray
+/// from the corner through such a point would leave one triangle, at its opposite edge, inside the
+/// other.
+bool are_apart_beyond(const Triangle& first, std::size_t i, const Triangle& second, std::size_t j) {
+  const auto opposite = [](const Triangle& t, std::size_t corner) {
+    return Box(t[(corner + 1) % 3]).extend(t[(corner + 2) % 3]);
   };
-  const auto high = [](const auto& p) {
-    Vec3 result = p[0];
-    for (const Vec3& x : p) result = result.cwiseMax(x);
-    return result;
-  };
-  return (low(points).array() > high(others).array()).any() ||
-         (low(others).array() > high(points).array()).any();
+  return !opposite(first, i).intersects(box_of(second)) &&
+         !opposite(second, j).intersects(box_of(first));
 }
 
 /// The unit directions of the four edges at the common corner of two triangles.
@@ -171,9 +170,7 @@ bool may_touch(const Triangle& first, const Triangle& second) {
     case 0:
       return !are_apart(first, second);
     case 1: {
-      const std::array<Vec3, 2> edge{first[(i + 1) % 3], first[(i + 2) % 3]};
-      const std::array<Vec3, 2> other_edge{second[(j + 1) % 3], second[(j + 2) % 3]};
-      if (are_boxes_apart(edge, second) && are_boxes_apart(other_edge, first)) return false;
+      if (are_apart_beyond(first, i, second, j)) return false;
       const Wedges wedges{{(first[(i + 1) % 3] - origin).normalized(),
                            (first[(i + 2) % 3] - origin).normalized(),
                            (second[(j + 1) % 3] - origin).normalized(),

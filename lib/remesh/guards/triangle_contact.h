@@ -10,8 +10,9 @@ namespace transformesh {
 
 /// Returns false only if the triangles certainly share no point other than common corners and the
 /// edge between two common corners. Returns true for contact, for distances within rounding errors,
-/// for equal triangles, and if a triangle has no area. Also returns true for faces that fold onto
-/// each other at a common edge, with an angle below a thousandth of a radian.
+/// for equal triangles, and if a triangle without area comes near the other beyond a single common
+/// corner. Also returns true for faces that fold onto each other at a common edge, with an angle
+/// below a thousandth of a radian.
 bool may_touch(const Triangle& first, const Triangle& second);
 
 }  // namespace transformesh
