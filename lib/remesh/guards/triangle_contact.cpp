@@ -57,10 +57,10 @@ bool are_apart(const Triangle& first, const Triangle& second) {
 
 Box box_of(const Triangle& t) { return Box(t[0]).extend(t[1]).extend(t[2]); }
 
-/// True if neither the edge opposite to the common corner of one triangle meets the other triangle,
-/// judged by bounding boxes. Then triangles that share a single corner share no other point: a ray
-/// from the corner through such a point would leave one triangle, at its opposite edge, inside the
-/// other.
+/// True if the bounding boxes of an edge opposite to the common corner and of the other triangle
+/// are disjoint, for both triangles. Then triangles that share a single corner share no other
+/// point. A ray from the corner through such a point would leave one of the triangles first, at its
+/// opposite edge and inside the other triangle.
 bool are_apart_beyond(const Triangle& first, std::size_t i, const Triangle& second, std::size_t j) {
   const auto opposite = [](const Triangle& t, std::size_t corner) {
     return Box(t[(corner + 1) % 3]).extend(t[(corner + 2) % 3]);
