@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/counted_edges.h"
 #include "geometry/solid_angle_sum.h"
 #include "transformesh/measure.h"
 
@@ -15,28 +16,6 @@ constexpr std::size_t faces_per_leaf = 16;
 /// Share of the largest coordinate by which boxes are enlarged. Points that rounding has moved off
 /// a face are then in the boxes of this face. Far above rounding, and far below usual edges.
 constexpr double box_margin = 1e-9;
-
-/// An edge of several faces. It counts as often as faces traverse it from `low` to `high`, less the
-/// faces that traverse it in the other direction.
-struct CountedEdge {
-  Index low, high;
-  int count;
-  auto key() const { return std::pair(low, high); }
-};
-using Boundary = std::vector<CountedEdge>;
-
-// Adds up equal edges of a sorted list and removes those with count 0.
-void add_up(Boundary& edges) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < edges.size();) {
-    CountedEdge sum = edges[i];
-    while (++i < edges.size() && edges[i].key() == sum.key()) sum.count += edges[i].count;
-    if (sum.count != 0) edges[kept++] = sum;
-  }
-  edges.resize(kept);
-}
-
-bool is_before(const CountedEdge& a, const CountedEdge& b) { return a.key() < b.key(); }
 
 }  // namespace
 
@@ -52,13 +31,13 @@ class WindingHierarchy::Builder {
   }
 
   /// Builds the nodes of a range of the order; returns the boundary of its faces.
-  Boundary build(Range faces) {
+  CountedEdges build(Range faces) {
     const std::size_t number = tree_.nodes_.size();
     tree_.nodes_.emplace_back();
     Node node;
     node.faces = faces;
     const bool is_leaf = faces.last - faces.first <= faces_per_leaf;
-    Boundary boundary = is_leaf ? boundary_of_faces(node) : boundary_of_halves(node);
+    CountedEdges boundary = is_leaf ? boundary_of_faces(node) : boundary_of_halves(node);
     std::size_t edges = 0;
     for (const CountedEdge& edge : boundary)
       edges += static_cast<std::size_t>(std::abs(edge.count));
@@ -69,34 +48,31 @@ class WindingHierarchy::Builder {
   }
 
  private:
-  Boundary boundary_of_faces(Node& node) const {
-    Boundary boundary;
+  CountedEdges boundary_of_faces(Node& node) const {
+    CountedEdges boundary;
     for (Index i = node.faces.first; i < node.faces.last; ++i) {
       const Face& face = mesh_.faces[tree_.order_[i]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Index from = face[k], to = face[(k + 1) % 3];
-        boundary.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
-        node.box.extend(mesh_.positions[from]);
-      }
+      append_edges(face, boundary);
+      for (const Index v : face) node.box.extend(mesh_.positions[v]);
     }
-    std::sort(boundary.begin(), boundary.end(), is_before);
+    std::sort(boundary.begin(), boundary.end());
     add_up(boundary);
     const Vec3 margin = Vec3::Constant(box_margin * tree_.largest_coordinate_);
     node.box = Box(node.box.min() - margin, node.box.max() + margin);
     return boundary;
   }
 
-  Boundary boundary_of_halves(Node& node) {
+  CountedEdges boundary_of_halves(Node& node) {
     const Index middle = split(node.faces);
     node.left = static_cast<Index>(tree_.nodes_.size());
-    const Boundary of_left = build({node.faces.first, middle});
+    const CountedEdges of_left = build({node.faces.first, middle});
     node.right = static_cast<Index>(tree_.nodes_.size());
-    const Boundary of_right = build({middle, node.faces.last});
+    const CountedEdges of_right = build({middle, node.faces.last});
     node.box = tree_.nodes_[node.left].box.merged(tree_.nodes_[node.right].box);
-    Boundary boundary;
+    CountedEdges boundary;
     boundary.reserve(of_left.size() + of_right.size());
     std::merge(of_left.begin(), of_left.end(), of_right.begin(), of_right.end(),
-               std::back_inserter(boundary), is_before);
+               std::back_inserter(boundary));
     add_up(boundary);
     return boundary;
   }
@@ -115,7 +91,7 @@ class WindingHierarchy::Builder {
     return middle;
   }
 
-  void add_fan(const Boundary& boundary, Node& node) {
+  void add_fan(const CountedEdges& boundary, Node& node) {
     node.vertices.first = static_cast<Index>(tree_.vertices_.size());
     node.triangles.first = static_cast<Index>(tree_.triangles_.size());
     for (const CountedEdge& edge : boundary) add_to_fan(boundary.front().low, edge, node);

@@ -2,9 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "geometry/numbers/predicates.h"
 #include "support/parallel.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
@@ -18,15 +22,19 @@ constexpr std::size_t samples_times_faces = 2'000'000;
 constexpr std::size_t most_samples = 200;
 constexpr std::size_t least_samples = 15;
 
-constexpr std::size_t samples_per_task = 16;  ///< affects time only
+constexpr std::size_t samples_per_task = 4;  ///< affects time only
 
 /// Sums of areas whose relative difference is smaller than this count as equal.
 constexpr double rounding = 1e-9;
 
-/// An open component is a body with holes if the median of its winding number at its own surface is
-/// at least this. The median is 0 for a flat sheet, 1/4 for a hemisphere, and 0.35 for a sphere
-/// without 30 % of its area.
+/// An open component is a body with holes if its number on itself is at least this. The number is 0
+/// for a flat sheet, 1/4 for a hemisphere, and 0.35 for a sphere without 30 % of its area.
 constexpr double least_of_body = 0.3;
+
+/// A component with a fraction below this, or above 1 minus this, encloses less than a hemisphere.
+/// Its fraction alone tells on which side. A nearly closed component has a fraction near 1/2 on
+/// either side, so its volume decides.
+constexpr double most_of_sheet = 0.25;
 
 Index add_position(const Vec3& position, Index point, std::vector<Index>& number_of, Mesh& mesh) {
   if (number_of[point] == no_index) {
@@ -62,6 +70,7 @@ ComponentWinding::ComponentWinding(const Arrangement& arrangement) : arrangement
   }
   pieces_of_.resize(faces_of.size());
   on_itself_.resize(faces_of.size());
+  areas_.resize(faces_of.size());
   for (Index p = 0; p < arrangement.pieces.size(); ++p) {
     const Piece& piece = arrangement.pieces[p];
     if (!piece.is_open || piece.source_count == 0) continue;
@@ -69,22 +78,63 @@ ComponentWinding::ComponentWinding(const Arrangement& arrangement) : arrangement
   }
 }
 
-// Returns the winding number of a component at the centroid of a piece. If a face of the component
-// contains the piece, this face is left out, because its contribution is 1/2, -1/2 or 0, depending
-// on rounding. Hence the result is the mean of the values on both sides.
-double ComponentWinding::number_at(Index component, Index piece) const {
-  const WeldedMesh& welded = *arrangement_.welded;
+Index ComponentWinding::component_of(Index piece) const {
+  const Piece& p = arrangement_.pieces[piece];
+  if (!p.is_open) return closed_part;
+  return arrangement_.welded->open_component[arrangement_.sources_of(p).front().face];
+}
+
+// Adds areas in ascending order, so that the sum does not depend on the order of the pieces.
+double ComponentWinding::area_of(const std::vector<Index>& pieces) const {
+  std::vector<double> areas;
+  areas.reserve(pieces.size());
+  for (const Index p : pieces) {
+    const auto& [a, b, c] = arrangement_.pieces[p].corners;
+    const Vec3 at = arrangement_.position(a);
+    areas.push_back(
+        (arrangement_.position(b) - at).cross(arrangement_.position(c) - at).stableNorm());
+  }
+  std::sort(areas.begin(), areas.end());
+  return std::accumulate(areas.begin(), areas.end(), 0.0) / 2;
+}
+
+double ComponentWinding::area_of(Index component) {
+  if (!areas_[component]) areas_[component] = area_of(pieces_of_[component]);
+  return *areas_[component];
+}
+
+Vec3 ComponentWinding::centroid(Index piece) const {
   const auto& [a, b, c] = arrangement_.pieces[piece].corners;
-  const Vec3 at =
-      arrangement_.position(a) / 3 + arrangement_.position(b) / 3 + arrangement_.position(c) / 3;
+  return arrangement_.position(a) / 3 + arrangement_.position(b) / 3 + arrangement_.position(c) / 3;
+}
+
+const WindingHierarchy& ComponentWinding::hierarchy_of(Index component) {
+  if (!windings_[component]) windings_[component].emplace(mesh_of(component));
+  return *windings_[component];
+}
+
+double ComponentWinding::number_at(Index component, Index piece) {
+  return number_at(hierarchy_of(component), component, piece);
+}
+
+// If a face of the component contains the piece, this face is left out, because its contribution is
+// 1/2, -1/2 or 0, depending on rounding. Hence the result is the mean of the values on both sides.
+double ComponentWinding::number_at(const WindingHierarchy& hierarchy, Index component,
+                                   Index piece) const {
+  const WeldedMesh& welded = *arrangement_.welded;
   std::vector<Index> own_faces;
   for (const PieceSource& source : arrangement_.sources_of(arrangement_.pieces[piece]))
     if (welded.is_open(source.face) && welded.open_component[source.face] == component)
       own_faces.push_back(number_of_face_[source.face]);
-  return (*windings_[component])(at, own_faces);
+  return hierarchy(centroid(piece), own_faces);
 }
 
 double ComponentWinding::median(Index component, const std::vector<Index>& pieces) {
+  return median_of(sampled_numbers(component, pieces));
+}
+
+std::vector<ComponentWinding::Number> ComponentWinding::sampled_numbers(
+    Index component, const std::vector<Index>& pieces) {
   std::vector<Sample> samples;
   samples.reserve(pieces.size());
   for (const Index p : pieces) {
@@ -96,7 +146,7 @@ double ComponentWinding::median(Index component, const std::vector<Index>& piece
   std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
     return a.area != b.area ? a.area > b.area : compare_positions(a.at, b.at) < 0;
   });
-  return median_of(numbers_at(component, choose(samples, samples_of(component))));
+  return numbers_at(component, choose(samples, samples_of(component)));
 }
 
 std::size_t ComponentWinding::samples_of(Index component) const {
@@ -106,11 +156,11 @@ std::size_t ComponentWinding::samples_of(Index component) const {
 
 std::vector<ComponentWinding::Number> ComponentWinding::numbers_at(
     Index component, const std::vector<Sample>& samples) {
-  if (!windings_[component]) windings_[component].emplace(mesh_of(component));
+  const WindingHierarchy& hierarchy = hierarchy_of(component);
   std::vector<Number> numbers(samples.size());
   parallel_for(samples.size(), samples_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      numbers[i] = {number_at(component, samples[i].piece), samples[i].area};
+      numbers[i] = {number_at(hierarchy, component, samples[i].piece), samples[i].area};
   });
   std::sort(numbers.begin(), numbers.end(), [](const Number& a, const Number& b) {
     return a.number != b.number ? a.number < b.number : a.area < b.area;
@@ -150,10 +200,30 @@ double ComponentWinding::median_of(const std::vector<Number>& numbers) {
   return lower.value_or(0);
 }
 
+// Returns the number in [0, 1) from which the given numbers differ by integers, up to the least
+// mean deviation, weighted by area.
+double ComponentWinding::fraction_of(const std::vector<Number>& numbers) {
+  double result = 0, least = std::numeric_limits<double>::infinity();
+  for (const Number& candidate : numbers) {
+    double deviation = 0;
+    for (const Number& n : numbers) {
+      const double difference = n.number - candidate.number;
+      deviation += n.area * std::abs(difference - std::round(difference));
+    }
+    if (deviation >= (1 - rounding) * least) continue;
+    least = deviation;
+    result = candidate.number - std::floor(candidate.number);
+  }
+  return result;
+}
+
 double ComponentWinding::on_itself(Index component) {
   std::optional<double>& number = on_itself_[component];
-  if (!number) number = median(component, pieces_of_[component]);
-  return *number;
+  if (number) return *number;
+  const double fraction = fraction_of(sampled_numbers(component, pieces_of_[component]));
+  const bool is_inverted =
+      fraction > 1 - most_of_sheet || (fraction >= most_of_sheet && volume(mesh_of(component)) < 0);
+  return *(number = is_inverted ? fraction - 1 : fraction);
 }
 
 bool ComponentWinding::is_body(Index component) { return on_itself(component) >= least_of_body; }

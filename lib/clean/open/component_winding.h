@@ -19,10 +19,24 @@ class ComponentWinding {
   /// Keeps a reference to `arrangement`.
   explicit ComponentWinding(const Arrangement& arrangement);
 
+  static constexpr Index closed_part = no_index;
+  /// Returns the open component of a piece, or `closed_part`.
+  Index component_of(Index piece) const;
+  const Mesh& mesh_of(Index component) const { return meshes_[component]; }
+
+  double area_of(Index component);
+  double area_of(const std::vector<Index>& pieces) const;
+  Vec3 centroid(Index piece) const;
+  /// Returns the winding number of a component at the centroid of a piece.
+  double number_at(Index component, Index piece);
+
   /// Returns the median of the winding number of a component at the centroids of the given pieces.
   double median(Index component, const std::vector<Index>& pieces);
-  /// Returns the median of the winding number of a component at its own pieces: 0 for a flat sheet,
-  /// 1/2 for a closed body.
+  /// Returns the typical winding number of a component at those of its own pieces that none of its
+  /// other parts hide: 0 for a flat sheet, 1/2 for a closed body, -1/2 for a closed body with
+  /// inward orientation. At hidden pieces, the winding number differs from this by an integer.
+  /// Hence the result is a median of the fractions of the numbers, and does not depend on how much
+  /// is hidden.
   double on_itself(Index component);
   /// True if the component is a body with holes: it encloses most of what it would enclose without
   /// its holes.
@@ -42,9 +56,11 @@ class ComponentWinding {
   std::size_t samples_of(Index component) const;
   static std::vector<Sample> choose(const std::vector<Sample>& samples, std::size_t count);
   std::vector<Number> numbers_at(Index component, const std::vector<Sample>& samples);
+  std::vector<Number> sampled_numbers(Index component, const std::vector<Index>& pieces);
+  static double fraction_of(const std::vector<Number>& numbers);
   static double median_of(const std::vector<Number>& numbers);
-  const Mesh& mesh_of(Index component) const { return meshes_[component]; }
-  double number_at(Index component, Index piece) const;
+  const WindingHierarchy& hierarchy_of(Index component);
+  double number_at(const WindingHierarchy& hierarchy, Index component, Index piece) const;
 
   const Arrangement& arrangement_;
   std::vector<Mesh> meshes_;           ///< mesh of each component
@@ -54,6 +70,7 @@ class ComponentWinding {
   std::vector<std::optional<WindingHierarchy>> windings_;
   /// Result of on_itself() for each component, computed on demand.
   std::vector<std::optional<double>> on_itself_;
+  std::vector<std::optional<double>> areas_;  ///< of the components, computed on demand
 };
 
 }  // namespace transformesh

@@ -9,14 +9,15 @@
 
 #include "clean/exterior/angular_order.h"
 #include "clean/open/component_winding.h"
+#include "clean/open/own_numbers.h"
+#include "clean/open/patch_numbers.h"
 #include "mesh/disjoint_sets.h"
 
 namespace transformesh {
 namespace {
 
-constexpr Index closed_part = no_index;
-/// Winding numbers whose difference is smaller than this count as equal. Lengths whose relative
-/// difference is smaller than this count as equal.
+constexpr Index closed_part = ComponentWinding::closed_part;
+/// Areas whose relative difference is smaller than this count as equal.
 constexpr double rounding = 1e-9;
 
 /// A component with exactly two halfedges at an edge, in opposite directions.
@@ -36,16 +37,11 @@ class PatchFinder {
       : arrangement_(arrangement),
         winding_level_(winding_level),
         sets_(arrangement.pieces.size()),
-        winding_(arrangement) {}
+        winding_(arrangement),
+        own_numbers_(arrangement, winding_) {}
   OpenPatches find();
 
  private:
-  using Pair = std::pair<Index, Index>;
-  /// Total length of the curves along which a patch is in front of a component, and of those along
-  /// which it is behind the component.
-  struct Lengths {
-    double front = 0, behind = 0;
-  };
   /// An edge at which two components intersect each other. Each component has two pieces there, on
   /// different sides of the other component.
   struct Crossing {
@@ -56,8 +52,7 @@ class PatchFinder {
     Index other;
     double length;
   };
-
-  Index component(Index piece) const;
+  Index component(Index piece) const { return winding_.component_of(piece); }
   bool is_cut(Index halfedge) const { return halfedge / 3 >= arrangement_.whole_pieces; }
   void visit_edge(std::span<const Index> halfedges);
   void visit_curve(std::span<const Index> halfedges);
@@ -66,34 +61,19 @@ class PatchFinder {
                                                 const Passage& one, const Passage& other);
   bool cross(const std::vector<Index>& sorted, const Passage& one, const Passage& other);
   void measure_curves();
-  int count_around(Index patch);
-  int own_number(Index patch);
   int front_of(const Piece& piece) const;
   void decide();
   bool drop_contradictions();
-  int round(double number);
 
   const Arrangement& arrangement_;
   int winding_level_;
   DisjointSets sets_;  ///< sets of connected pieces; in the end each set is a patch
   ComponentWinding winding_;
+  OwnNumbers own_numbers_;
   std::vector<Crossing> crossings_;
-  /// For each patch and component the lengths of the curves along which they intersect.
-  std::map<Pair, Lengths> curves_;
-  std::map<Index, std::set<Index>>
-      intersect_;  ///< for each component the other components that cut it into patches
-  std::set<Index> self_intersect_;              ///< components that intersect themselves
-  std::map<Index, std::vector<Index>> pieces_;  ///< pieces of each patch
+  CutPatches patches_;
   OpenPatches result_;
-  /// True if the decision on the current patch needed a generalized winding number.
-  bool is_by_number_ = false;
 };
-
-Index PatchFinder::component(Index piece) const {
-  const Piece& p = arrangement_.pieces[piece];
-  if (!p.is_open) return closed_part;
-  return arrangement_.welded->open_component[arrangement_.sources_of(p).front().face];
-}
 
 // Connects the two pieces at an edge of two pieces. An edge of more pieces is part of an
 // intersection curve, and is handled by visit_curve().
@@ -119,8 +99,9 @@ std::vector<Passage> PatchFinder::find_passages(const std::vector<Index>& sorted
       passages.push_back({component, forward[0], backward[0]});
     } else if (forward.size() > 1 && backward.size() > 1 && component != closed_part &&
                std::any_of(sorted.begin(), sorted.end(), [&](Index h) { return is_cut(h); })) {
-      self_intersect_.insert(component);
+      patches_.self_intersecting.insert(component);
     }
+    if (component != closed_part) own_numbers_.add_edge(sorted, component);
   }
   return passages;
 }
@@ -174,46 +155,10 @@ void PatchFinder::measure_curves() {
   for (const Crossing& c : crossings_) {
     const Index front = sets_.find(c.front), back = sets_.find(c.back);
     if (front == back) continue;
-    curves_[{front, c.other}].front += c.length;
-    curves_[{back, c.other}].behind += c.length;
-    intersect_[component(c.front)].insert(c.other);
+    patches_.curves[{front, c.other}].front += c.length;
+    patches_.curves[{back, c.other}].behind += c.length;
+    patches_.intersecting[component(c.front)].insert(c.other);
   }
-}
-
-int PatchFinder::round(double number) {
-  is_by_number_ = true;
-  const double rounded = std::floor(number + 0.5 + rounding);
-  result_.least_margin =
-      std::min(result_.least_margin, std::max(0.0, 0.5 - std::abs(number - rounded)));
-  return static_cast<int>(rounded);
-}
-
-// Returns the number of other components behind which the patch is.
-int PatchFinder::count_around(Index patch) {
-  const Index own = component(patch);
-  const auto others = intersect_.find(own);
-  if (others == intersect_.end()) return 0;
-  int count = 0;
-  for (const Index other : others->second) {
-    if (own == closed_part && !winding_.is_body(other)) continue;
-    const auto curves = curves_.find({patch, other});
-    if (curves != curves_.end()) {
-      count += curves->second.behind > (1 + rounding) * curves->second.front ? 1 : 0;
-    } else {
-      count += std::clamp(round(winding_.median(other, pieces_[patch])), 0, 1);
-    }
-  }
-  return count;
-}
-
-// Returns the winding number of the patch's own component in front of the patch. The generalized
-// winding number in front of a sheet with borders is between -1/2 and 0 even without
-// self-intersections. This part is subtracted.
-int PatchFinder::own_number(Index patch) {
-  const Index own = component(patch);
-  if (!self_intersect_.contains(own)) return 0;
-  const double lack = std::clamp(winding_.on_itself(own) - 0.5, -0.5, 0.0);
-  return round(winding_.median(own, pieces_[patch]) - 0.5 - lack);
 }
 
 // Returns the winding number of the closed part in front of a piece. A closed piece is on the
@@ -232,7 +177,7 @@ OpenPatches PatchFinder::find() {
   for (std::size_t e = 0; e < edges.size(); ++e) visit_edge(edges.halfedges(e));
   measure_curves();
   for (Index p = 0; p < pieces.size(); ++p)
-    if (counts[p]) pieces_[sets_.find(p)].push_back(p);
+    if (counts[p]) patches_.pieces[sets_.find(p)].push_back(p);
 
   decide();
   while (drop_contradictions()) {
@@ -243,32 +188,37 @@ OpenPatches PatchFinder::find() {
 void PatchFinder::decide() {
   const auto& pieces = arrangement_.pieces;
   result_.kept.assign(pieces.size(), 0);
-  result_.patches = pieces_.size();
-  for (const auto& [patch, members] : pieces_) {
-    is_by_number_ = false;
-    const int number = count_around(patch) + own_number(patch);
-    result_.decided_by_number += is_by_number_ ? 1 : 0;
+  result_.patches = patches_.pieces.size();
+  PatchNumbers numbers(patches_, winding_, own_numbers_);
+  for (const auto& [patch, members] : patches_.pieces) {
+    const auto [count, is_by_winding] = numbers.hiding(patch);
+    result_.decided_by_number += is_by_winding ? 1 : 0;
     for (const Index p : members) {
-      const int front = front_of(pieces[p]) + number;
+      const int front = front_of(pieces[p]) + count;
       const bool is_boundary =
           front < winding_level_ && front + pieces[p].multiplicity >= winding_level_;
       result_.kept[p] = is_boundary ? 1 : 0;
     }
   }
+  result_.least_margin = numbers.least_margin();
 }
 
 // Drops patches that would make the result misoriented, and returns true if there are any. The
 // result is misoriented at an intersection curve of two components if one patch of each component
-// is kept, and both patches traverse the curve in the same direction. Of these two patches, the one
-// that is behind the other component is dropped.
+// is kept, and both patches traverse the curve in the same direction. The patch with the smaller
+// area is dropped; if both areas are equal, the one that is behind the other component.
 bool PatchFinder::drop_contradictions() {
   const auto& kept = result_.kept;
   std::set<Index> dropped;
   for (const Crossing& c : crossings_)
-    if (kept[c.back] && !kept[c.front] && kept[c.other_front] && !kept[c.other_back])
-      dropped.insert(sets_.find(c.back));
+    if (kept[c.back] && !kept[c.front] && kept[c.other_front] && !kept[c.other_back]) {
+      const Index behind = sets_.find(c.back), other = sets_.find(c.other_front);
+      const double area = winding_.area_of(patches_.pieces.at(other));
+      const bool is_larger = winding_.area_of(patches_.pieces.at(behind)) > (1 + rounding) * area;
+      dropped.insert(is_larger ? other : behind);
+    }
   for (const Index patch : dropped)
-    for (const Index p : pieces_[patch]) result_.kept[p] = 0;
+    for (const Index p : patches_.pieces.at(patch)) result_.kept[p] = 0;
   return !dropped.empty();
 }
 

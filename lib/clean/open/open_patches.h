@@ -6,23 +6,17 @@
 ///
 /// The winding number in front of a patch is a sum of three terms. The first is the winding number
 /// of the closed part (the faces that traverse each edge equally often in both directions). The
-/// second is the number of other open components behind which the patch is. The third is the
-/// winding number of the patch's own component; it is 0 unless the component intersects itself. To
-/// decide whether a patch is behind another component, the curves along which both intersect are
-/// considered. The patch is behind the component if it is behind it along more than half of the
-/// length of these curves. If there are no such curves, but the component intersects other patches
-/// of the same component as the patch, its generalized winding number decides. Then the patch is
-/// behind it if the median of this number over the area of the patch is at least 1/2. A patch of
-/// the closed part can only be behind a body with holes: an open component that encloses most of
-/// what it would enclose without its holes.
+/// second is the number of other open components that hide the patch. The third is the number of
+/// parts of its own component that hide it; it is 0 unless the component intersects itself
+/// (patch_numbers.h computes the second and third).
 ///
 /// Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using
 /// generalized winding numbers", ACM TOG 32(4), 2013. Departure: integer winding numbers and
 /// intersection curves decide first. Generalized winding numbers decide only if both leave the
 /// decision open.
 ///
-/// Deterministic; independent of the order of faces. Cost: O(n log n), and O(m) for each sample of
-/// a generalized winding number of a component with m faces.
+/// Deterministic; independent of the order of faces. Cost: O(n log n), and O(sqrt(m)) for each
+/// computed winding number of a component with m faces.
 #pragma once
 
 #include <vector>
