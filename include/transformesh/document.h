@@ -49,8 +49,8 @@ struct Document {
 
 /// Appends a document to another: vertices, faces, columns and further elements in their order. A
 /// column gets a type that holds the values of both; missing values are zero. Comments are joined
-/// without repetition, and the reference edge of the first document stays. Returns one line for
-/// each column that is a list in one document and a number in the other. O(n).
+/// without repetition, and the reference edge (unit of lengths) of the first document stays.
+/// Returns one line for each column that is a list in one document and a number in the other. O(n).
 std::vector<std::string> append(Document& all, const Document& other);
 
 /// Returns the name of a format: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp, 3mf or xyz.

@@ -31,7 +31,7 @@ enum class ErrorKind {
   static_test_of_open_mesh,  ///< the static test needs a closed mesh, with integer winding numbers
   decimation_stuck,          ///< no further edge can be collapsed without breaking a guarantee
   meets_keep_out,            ///< the mesh intersects the surface to keep out of
-  bad_reference_edge,        ///< the comment of a mesh holds no positive length
+  bad_reference_edge,        ///< the comment of a mesh file that gives a length is not positive
   unknown_format,            ///< the bytes are in no known mesh format
   no_velocity,               ///< the mesh has no velocity
   no_source_points,          ///< the mesh has no columns with source points

@@ -5,13 +5,13 @@
 /// Slits the surface along the loop (short_loops.h), moves both sides apart by a third of an edge
 /// length, and closes each side by a patch (hole_patch.h).
 ///
-/// Guarantees: the result is a closed oriented manifold with as many components. Every removed
-/// handle lowers the genus by one. Input vertices and faces stay, with order and columns; only the
-/// vertices of loops move. New vertices and faces follow, with columns as in fill.h. The surface
-/// may intersect itself at a slit; clean() resolves this. No patch intersects another component, or
-/// the same component farther than two rings from the loop. No such component or part lies between
-/// the two patches of a loop: cavities stay closed, and clean() keeps the components. Deterministic
-/// for any number of threads.
+/// Guarantees: the result is a closed oriented manifold with as many components as the input. Every
+/// removed handle lowers the genus by one. Input vertices and faces stay, with order and columns;
+/// only the vertices of loops move. New vertices and faces follow, with columns as in fill.h. The
+/// surface may intersect itself at a slit; clean() resolves this. No patch intersects another
+/// component, or the same component farther than two rings from the loop. No such component or part
+/// lies between the two patches of a loop: cavities stay closed, and clean() keeps the components.
+/// Deterministic for any number of threads.
 ///
 /// Throws InputError if the mesh is not a closed oriented manifold, and UsageError if `max_length`
 /// is not positive. Cost: that of short_loops() for each round, and O(n) for each handle.
