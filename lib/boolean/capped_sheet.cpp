@@ -80,7 +80,7 @@ class CellsBehind {
   /// 1 for each cell in front of the sheet. The index of a cell is that of its representative patch
   /// side in `sides_`.
   std::vector<char> is_front_;
-  std::vector<char> is_behind_;  ///< 1 for each cell behind the sheet, at its representative side
+  std::vector<char> is_behind_;  ///< 1 for each cell behind the sheet; indexed like `is_front_`
 };
 
 void CellsBehind::mark(Index patch) {
