@@ -50,7 +50,7 @@ struct CleanOptions {
   double separate = 0;  ///< move duplicates of a vertex apart by this; input units; 0: not at all
   CleanSources sources = CleanSources::none;
   std::optional<Box> box = {};  ///< clean only the faces in this box
-  bool only = false;            ///< with `box`: leave out faces that do not belong to the box
+  bool only = false;            ///< if `box` is set: leave out faces that do not belong to it
 };
 
 /// Cleans a mesh.

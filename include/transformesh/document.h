@@ -24,10 +24,10 @@ struct OtherElement {
 /// Encoding of the file. The defaults are the format in which programs pass meshes through pipes.
 struct Style {
   Format format = Format::ply_little;
-  Scalar coordinate = Scalar::float64;       ///< float32 or float64
+  Scalar coordinate = Scalar::float64;       ///< type of positions in the file: float32 or float64
   std::vector<std::string> comments;         ///< texts of comments, without the keyword `comment `
   std::vector<std::string> obj_info;         ///< texts of obj_info lines, without this keyword
-  std::string face_list = "vertex_indices";  ///< vertex_indices or vertex_index
+  std::string face_list = "vertex_indices";  ///< PLY list of face corners, or vertex_index
   Scalar face_list_count = Scalar::uint8;
   Scalar face_list_index = Scalar::int32;
   std::size_t position_column = 0;   ///< number of vertex properties before x y z

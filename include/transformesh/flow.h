@@ -27,7 +27,7 @@ FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::si
 
 /// Each flow has some of these options. Setting one that a flow lacks is a UsageError.
 struct FlowOptions {
-  double speed = 1;                   ///< factor of the velocity; > 0 in flows by curvature
+  double speed = 1;                   ///< multiplies the velocity; > 0 in curvature flows
   std::optional<double> period = {};  ///< > 0; default by flow: rotation 1, vortex 8, deformation 3
   std::optional<Vec3> center = {};    ///< default (.5, .5, .5), the center of the unit cube
   std::optional<Vec3> direction = {};  ///< default: z axis for rotation, x for translation; not 0

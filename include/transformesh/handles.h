@@ -31,8 +31,8 @@ struct HandleOptions {
 
 struct HandleResult {
   std::size_t removed = 0;
-  std::size_t refused = 0;  ///< loops for which no two patches fit
-  std::size_t blocked = 0;  ///< loops whose patches would touch another part of the surface
+  std::size_t refused = 0;  ///< loops left uncut because no two patches fit
+  std::size_t blocked = 0;  ///< loops left uncut because patches would touch other parts
   std::size_t new_vertices = 0, new_faces = 0;
   bool dropped_source_points = false;  ///< source points were dropped (carry.h)
 };

@@ -41,7 +41,7 @@ struct HullOptions {
 
 struct HullResult {
   Mesh mesh;  ///< closed, oriented 2-manifold without self-intersection
-  Box box;    ///< searched box
+  Box box;    ///< box in which the hull was searched for
   double cell = 0;
   std::size_t dropped_components = 0;
 };

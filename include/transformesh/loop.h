@@ -16,7 +16,7 @@ namespace transformesh {
 
 /// Files with an empty name are not written.
 struct RecordOptions {
-  std::string state;  ///< folder of the state
+  std::string state;  ///< folder that stores the state of the run
   /// Text of all settings; a run continues only if its state has equal text.
   std::string settings;
   bool resume = false;     ///< continue from the state if there is one

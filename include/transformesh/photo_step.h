@@ -15,7 +15,7 @@ enum class PhotoStepRule { gauss_newton, gradient };  ///< `gradient`: the paper
 enum class PairOrder { both, rising, falling };       ///< rising: lower view index is the reference
 struct CorrelationOptions {    ///< comparison of windows by normalized cross-correlation cc
   int radius = 3;              ///< radius of windows; pixels; 1 to 5
-  double noise_variance = 25;  ///< added to both variances; squared intensities; > 0
+  double noise_variance = 25;  ///< added to the variance of both windows; intensity^2; > 0
   double contrast = 25;        ///< variance at which a window has weight 1/2; 0: equal weights
   double robust = 0;  ///< value of 1 - cc that reduces a window's pull to 1/4; 0: no reduction
 };
@@ -45,7 +45,7 @@ struct PhotoStepOptions {
 struct PhotoStepResult {
   double energy = 0, dissimilarity = 0;  ///< sum, mean of 1 - correlation before the step
   std::size_t pixels = 0;                ///< compared pixels, summed over all pairs
-  double coverage = 0;                   ///< `pixels` over the pixels that show the surface; [0, 1]
+  double coverage = 0;                   ///< `pixels` / pixels that show the surface; [0, 1]
   std::size_t unseen = 0, outside = 0;   ///< vertices visible in no pair; outside a silhouette
   double mean_share = 0;                 ///< mean movement as a fraction of the local mean edge
   DisplaceResult displaced;
