@@ -1,14 +1,14 @@
 /// Rigid registration: moves a mesh onto a reference that shows part of the same surface, such as
 /// two scans of one object. Pairs sampled points of the mesh with their closest points on the
-/// reference. Minimizes the distances from the tangent planes there until the mesh comes to rest.
+/// reference. Minimizes the distances from the tangent planes there until the mesh moves no more.
 ///
 /// Robust: each iteration uses the fraction of the pairs with the least fractional root mean square
 /// distance. Outliers and parts that only one scan shows therefore do not count. Pairs on the
-/// border of the reference, or whose surfaces face different ways, are left out. This is a local
-/// method: it converges from rotations of 20 degrees with offsets of 10 % of the diagonal. Place
-/// the mesh roughly first if it is farther away.
+/// border of the reference, or with normals that point in opposite directions, are left out. This
+/// is a local method: it converges from rotations of 20 degrees with offsets of 10 % of the
+/// diagonal. Place the mesh roughly first if it is farther away.
 ///
-/// Guarantees: the motion is a rotation and a translation; columns follow as in transform().
+/// Guarantees: the motion is a rotation and a translation; normals and velocities are rotated too.
 /// Deterministic for any number of threads. Cost: O(iterations * samples * log n). References: Chen
 /// & Medioni, "Object modelling by registration of multiple range images", Image and Vision
 /// Computing 10(3), 1992. Phillips, Liu & Tomasi, "Outlier robust ICP for minimizing fractional
@@ -32,17 +32,18 @@ struct RegistrationResult {
   /// Root mean square distance of the overlapping samples from the reference; input units.
   double rms = 0;
   double overlap = 0;  ///< fraction of the samples that lie on the reference; [0, 1]
-  /// Smallest resistance to a small rigid motion divided by the largest; [0, 1]. 0: `mesh` can
-  /// slide.
+  /// Square root of smallest / largest eigenvalue of the point-to-plane equations; [0, 1]. If it is
+  /// near 0, `mesh` can slide along the reference.
   double stability = 0;
   int iterations = 0;
-  bool has_converged = false;  ///< the mesh came to rest within the limit of iterations
+  bool has_converged = false;  ///< the mesh stopped moving within the limit of iterations
 };
 
 /// Moves `mesh`. Both meshes may be open and must have the same orientation. A mesh without faces
-/// stands for its vertices. Their normals are the columns nx ny nz, or are estimated for the
-/// reference. Throws UsageError for options out of range, InputError if a mesh has no surface, and
-/// GoalError if too few points find a partner. `mesh` does not change if the function throws.
+/// is a point cloud. Its normals are the columns nx ny nz; if the reference lacks them, they are
+/// estimated. Throws UsageError for options out of range, InputError if a mesh has no surface, and
+/// GoalError if too few points have a usable closest point. `mesh` does not change if the function
+/// throws.
 RegistrationResult align(Mesh& mesh, const Mesh& reference, const RegistrationOptions& options = {},
                          const Progress& progress = Progress());
 

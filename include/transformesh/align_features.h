@@ -1,6 +1,6 @@
 /// Aligns a mesh that lies near a target with the target's sharp edges. A mesh edge that crosses a
-/// sharp edge cuts it off. Afterwards there is a vertex at each corner of the target, and vertices
-/// and mesh edges along each sharp edge.
+/// sharp edge of the target bevels it. Afterwards there is a vertex at each corner of the target,
+/// and vertices and mesh edges along each sharp edge.
 ///
 /// Moves vertices onto the nearest sharp edge if one of their edges crosses it, the nearest
 /// vertices first. Flips edges if this brings their midpoints nearer to the target. Collapses short
@@ -9,10 +9,10 @@
 /// from volume data", SIGGRAPH 2001, who insert new vertices instead of moving existing ones.
 ///
 /// Guarantees of remesh(): an oriented manifold of the same topology, no new self-intersection
-/// (embedding_guard.h), interpolated attributes. Moves do not make poor triangles poorer. Not
-/// guaranteed: that all sharp edges are met. A step that would break a guarantee is left out. Sharp
-/// edges that are nearer to each other than the mesh's edge length are merged at best.
-/// Deterministic; O(n log n).
+/// (embedding_guard.h), interpolated attributes. Moves do not make poor triangles poorer. Some
+/// sharp edges may remain unaligned. A step that would break a guarantee is left out. Sharp edges
+/// nearer to each other than the mesh's edge length cannot be resolved separately. Deterministic;
+/// O(n log n).
 #pragma once
 
 #include "transformesh/control.h"
@@ -21,7 +21,8 @@
 namespace transformesh {
 
 struct AlignOptions {
-  double feature_angle_deg = 40;        ///< least angle between normals at sharp edges; in (0, 180)
+  /// An edge is sharp if its normals differ by at least this angle; in (0, 180).
+  double feature_angle_deg = 40;
   double min_edge = 0;                  ///< length of the mesh's shortest edges; input units; > 0
   double max_edge = 0;                  ///< length of the mesh's longest edges; input units
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked

@@ -6,8 +6,8 @@
 /// that region, without walls of zero thickness. Rounded to `coordinate`, it has no
 /// self-intersection and no face without area. Faces that meet no other operand keep coordinates,
 /// columns and order, unless `merge_flat` retriangulates their flat region. Faces of subtracted
-/// operands are reversed. Pieces have the columns of their faces; columns.h defines missing values.
-/// An empty region gives an empty mesh. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh
+/// operands are reversed. Parts of cut faces keep its columns; columns.h defines missing values. An
+/// empty region gives an empty mesh. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh
 /// arrangements for solid geometry", ACM TOG 35(4), 2016. Throws InputError, naming the operand, if
 /// one is not closed and oriented, and GoalError if rounding cannot be repaired. Deterministic.
 /// Cost: that of clean(); more for `exclude` and if one of several operands intersects itself.
@@ -36,14 +36,14 @@ struct Operand {
 struct BooleanOptions {
   bool merge_flat = true;       ///< merge coplanar faces around cuts (clean.h)
   bool source_operand = false;  ///< add a face column source_operand: index of the face's operand
-  Scalar coordinate = Scalar::float64;  ///< positions of input and output are rounded to it
-  bool cap = false;  ///< cut_sheet(): add faces of the solid to close the part of the sheet
+  Scalar coordinate = Scalar::float64;  ///< type to which positions of input and output are rounded
+  bool cap = false;                     ///< cut_sheet(): close the result by faces of the solid
 };
 
 struct BooleanResult : CleanResult {
-  std::optional<ErrorKind> reason{};      ///< if the result is empty: the kind of error of clean()
-  std::vector<std::size_t> inside_out{};  ///< operands with w < 0 somewhere, and w > 0 nowhere
-  std::vector<std::size_t> canceling{};   ///< operands that have faces, but w = 0 everywhere
+  std::optional<ErrorKind> reason{};      ///< why the result is empty, as an error kind of clean()
+  std::vector<std::size_t> inside_out{};  ///< operands with winding numbers < 0, but none > 0
+  std::vector<std::size_t> canceling{};   ///< operands with faces, but winding number 0 everywhere
 };
 
 /// All counts in the result are sums over the operands. `operands` must not be empty.
@@ -51,9 +51,9 @@ BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& op
                       const BooleanOptions& options = {}, const Progress& progress = Progress());
 
 enum class SheetSide { outside, inside };
-/// Returns the part of a sheet outside or inside of a solid, cut along the surface of the solid. If
-/// BooleanOptions::cap is set, faces of the solid are added that close this part to a solid. Throws
-/// like boolean() for the solid, and InputError if no faces close the part.
+/// Returns the part of a sheet, an open surface, outside or inside of a solid. If
+/// BooleanOptions::cap is set, faces of the solid are added that close this part. Throws like
+/// boolean() for the solid, and InputError if no faces close the part.
 BooleanResult cut_sheet(const Operand& sheet, const Operand& solid, SheetSide side,
                         const BooleanOptions& options = {}, const Progress& progress = Progress());
 

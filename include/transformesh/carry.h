@@ -4,8 +4,8 @@
 /// O(n log n); deterministic.
 ///
 /// Numeric vertex columns are interpolated in the face of the source point. Face columns take the
-/// row of that face. Lists of texture coordinates get the values at the corners. If the values come
-/// from both sides of a texture seam, those on the side of the face's source point are used.
+/// row of that face. Texture coordinates are interpolated at the source point of each corner. At a
+/// texture seam, the side of the face's source point is used.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ CarryResult carry_columns(const Mesh& first, const SourcePoints& on_first, Mesh&
                           const std::vector<std::string>& names = {});
 
 struct CarryOptions {
-  std::vector<std::string> columns;  ///< names; empty: the default of carry_columns()
+  std::vector<std::string> columns;  ///< names of columns to carry; empty: as in carry_columns()
   bool closest = false;              ///< use the closest points for meshes without source points
   std::vector<std::string> names;    ///< names of the meshes, for messages; may be empty
 };

@@ -1,5 +1,5 @@
-/// Result of clean(): the mesh, and counts of what was found and changed. With a `box`, all counts
-/// are of the faces that belong to the box.
+/// Result of clean(): the mesh, and counts of what was found and changed. With CleanOptions::box,
+/// all counts refer to faces that belong to the box.
 #pragma once
 
 #include <optional>
@@ -19,19 +19,22 @@ struct CleanResult {
   std::size_t cut_faces = 0, removed_faces = 0;
   /// Vertices made on intersections; duplicates made where parts of the surface touch.
   std::size_t new_vertices = 0, copied_vertices = 0;
-  /// Patches of a mesh with borders (0 for closed meshes); rays cast to find the exterior.
+  /// Patches: parts of an open mesh between intersection curves; 0 for closed meshes. Rays: cast to
+  /// find the exterior.
   std::size_t patches = 0, rays = 0;
-  std::size_t decided_by_number = 0;  ///< patches decided by a generalized winding number
-  /// Least distance of a generalized winding number from its rounding threshold.
+  std::size_t decided_by_number = 0;  ///< patches decided by their generalized winding number
+  /// Least distance of a generalized winding number from the half-integers, where its rounding
+  /// changes.
   double least_margin = 0.5;
-  std::size_t dropped_components = 0;                     ///< components that `outermost` dropped
-  std::size_t rounding_repairs = 0, rounding_places = 0;  ///< rounds of repair; repaired places
+  std::size_t dropped_components = 0;  ///< components that `outermost` dropped
+  /// Rounds of repair; places repaired in them.
+  std::size_t rounding_repairs = 0, rounding_places = 0;
   /// Faces broken by rounding and intersecting pairs of faces, each summed over all rounds of
   /// repair.
   std::size_t rounding_faces = 0, rounding_pairs = 0;
   std::size_t rounding_level = 0;  ///< largest number of times that a rounding grid was coarsened
-  /// Bound on the movement of the surface by rounding and repair, in input units and in spacings of
-  /// the coordinates there.
+  /// Bounds on the movement of the surface by rounding and repair: in input units, and in multiples
+  /// of the floating-point spacing at the coordinates.
   double rounding_displacement = 0;
   double rounding_spacings = 0;
   std::size_t merged_faces = 0;   ///< faces by which `merge_flat` reduced the mesh

@@ -18,8 +18,10 @@
 namespace transformesh {
 
 struct ColorResult {
-  std::size_t unseen = 0;   ///< vertices that are visible in no view
-  double disagreement = 0;  ///< mean difference from the photographs that observe a vertex well
+  std::size_t unseen = 0;  ///< vertices that are visible in no view
+  /// Mean difference of the color of a vertex from the photographs that observe the vertex well; 0
+  /// to 255.
+  double disagreement = 0;
   double largest_gain = 1;  ///< largest factor of the exposure correction of a photograph
 };
 
@@ -29,11 +31,13 @@ ColorResult color_vertices(Mesh& mesh, const ViewSources& sources, const Progres
 
 struct AtlasOptions {
   int most_size = 4096;  ///< largest width and height, in texels; 16 to 32768
-  int padding = 4;       ///< texels around charts, 1 to 64
+  int padding = 4;       ///< width of the margin around charts, in texels; 1 to 64
 };
 
 struct Atlas {
-  Image picture;           ///< all charts; a texel is as large as a pixel, or larger to fit
+  /// Texture with all charts. Texels have the size of a photograph's pixel, or are larger if this
+  /// is needed to fit.
+  Image picture;
   std::size_t charts = 0;  ///< number of charts
   double texel = 0;        ///< length of a texel's side; input units
   ColorResult color;       ///< result of color_vertices()

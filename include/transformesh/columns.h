@@ -29,7 +29,7 @@ struct StaleColumns {
   bool dropped_source_points = false;  ///< source points were dropped (carry.h)
 };
 
-/// A new row as a weighted mean of up to three old ones. Unused sources have weight 0.
+/// A new row as a weighted mean of up to three old rows. Unused entries have weight 0.
 struct RowBlend {
   std::array<std::uint32_t, 3> source{};
   std::array<double, 3> weight{1, 0, 0};

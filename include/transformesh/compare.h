@@ -40,8 +40,8 @@ struct Comparison {
 Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options = {},
                    const Progress& progress = {});
 
-/// Returns the distances of all vertices from the faces of the reference, or from its vertices if
-/// it has no faces. Signed distances are negative inside, and need faces. Throw like compare().
+/// Return the distances of all vertices from the faces of the reference, or from its vertices if it
+/// has no faces. Signed distances, negative inside, need faces there. Throw like compare().
 std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
                                      const Progress& progress = {});
 std::vector<double> signed_vertex_distances(const Mesh& mesh, const Mesh& reference,

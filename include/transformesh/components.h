@@ -43,9 +43,9 @@ std::vector<Mesh> split_components(const Mesh& mesh, ComponentSize by);
 
 /// Connectivity of a closed oriented manifold.
 struct Connectivity {
-  std::vector<Index> opposites;  ///< halfedge across the edge of each halfedge
+  std::vector<Index> opposites;  ///< opposite halfedge of each halfedge
   std::size_t components = 0;
-  std::vector<Index> component_of;  ///< component of each face; ordered by their first face
+  std::vector<Index> component_of;  ///< component of each face; numbered by their first face
 };
 
 /// Finds the components from the opposite halfedges. O(n).
@@ -54,7 +54,7 @@ Connectivity connect(std::vector<Index> opposites);
 /// Returns the components of a mesh with this connectivity; several times as fast as without it.
 Components connected_components(const Mesh& mesh, const Connectivity& connectivity);
 
-/// Returns the faces f with keep[f] and their vertices, both in their order, with all columns.
+/// Returns the faces f with keep[f] and their vertices, in the order of `mesh`, with all columns.
 Mesh select_faces(const Mesh& mesh, const std::vector<bool>& keep);
 
 }  // namespace transformesh

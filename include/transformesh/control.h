@@ -32,9 +32,9 @@ class Progress {
 /// Returns the number of threads that operations may use now.
 std::size_t allowed_thread_count();
 
-/// Limits operations to `count` threads while it exists; 0 changes nothing. `count` may be larger
-/// than the number of cores. Without any limit there is one thread per core. The innermost of
-/// nested limits counts. Results do not depend on the number of threads.
+/// Limits operations to `count` threads while this object exists; 0 changes nothing. `count` may be
+/// larger than the number of cores. Without any limit there is one thread per core. The innermost
+/// of nested limits counts. Results do not depend on the number of threads.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int count);

@@ -1,14 +1,15 @@
 /// Decimation: collapses the edges that change the surface least until the wanted number of faces
-/// is left, or until each further collapse would exceed an error. The cost is the sum of squared
-/// distances from the planes of the input's faces. An edge is collapsed to the point of least cost,
-/// to its midpoint or to one of its ends. Reference: Garland & Heckbert, "Surface simplification
-/// using quadric error metrics", SIGGRAPH 1997.
+/// is left, or until each further collapse would exceed a maximal distance, `error`. The cost is
+/// the sum of squared distances from the planes of the input's faces. An edge is collapsed to the
+/// point of least cost, to its midpoint or to one of its ends. Reference: Garland & Heckbert,
+/// "Surface simplification using quadric error metrics", SIGGRAPH 1997.
 ///
-/// Guarantees of remesh.h: topology, no new self-intersections (embedding_guard.h), interpolated
-/// attributes. With an error, each point of the input is within this distance of the result and
-/// vice versa (error_bound.h), and flat faces are merged first (merge_flat.h). Without an error
-/// they are merged only if collapses alone do not reach `faces`. Deterministic; O(n log n) for n
-/// faces; about 300 bytes per face, 550 with an error.
+/// Guarantees, as for remesh(): the topology stays, no self-intersection is added
+/// (embedding_guard.h), and attributes are interpolated. If `error` is set, each point of the input
+/// is within this distance of the result and vice versa (error_bound.h), and flat faces are merged
+/// first (merge_flat.h). If `error` is not set, flat faces are merged only if collapses alone do
+/// not reach `faces`. Deterministic; O(n log n) for n faces; about 300 bytes per face, 550 if
+/// `error` is set.
 #pragma once
 
 #include <optional>
@@ -19,12 +20,13 @@
 namespace transformesh {
 
 struct DecimateOptions {
-  /// Wanted number of faces, >= 4; 0 with `error`: as few as `error` allows.
+  /// Wanted number of faces, >= 4. If 0, `error` must be set: as few faces as `error` allows.
   std::size_t faces = 0;
-  double feature_angle_deg = 180;  ///< sharper edges are kept; in (0, 180]; 180: no edge is sharp
-  bool keep_border = false;        ///< keep border vertices and edges
+  /// Edges sharper than this angle are kept; in (0, 180]; 180: no edge is sharp.
+  double feature_angle_deg = 180;
+  bool keep_border = false;             ///< keep border vertices and edges
   Scalar coordinate = Scalar::float64;  ///< new positions are rounded to this type, then checked
-  KeepOutOptions keep_out = {};         ///< collapses keep this distance from the obstacle
+  KeepOutOptions keep_out = {};  ///< an obstacle, and the distance that collapses keep from it
   /// Largest distance between input and result in both directions; input units; >= 0. With 0, only
   /// flat faces are merged, which moves the surface by rounding errors.
   std::optional<double> error = {};
@@ -44,8 +46,8 @@ struct DecimateResult {
 };
 
 /// Throws UsageError for options out of range, and InputError if the mesh is no oriented manifold
-/// or has no faces. Throws GoalError if there is no `error` and more than 1.01 `faces` are left
-/// because every further collapse would change the topology or make a self-intersection.
+/// or has no faces. Throws GoalError if there is no `error` and more than 1.01 times `faces` are
+/// left because every further collapse would change the topology or make a self-intersection.
 DecimateResult decimate(Mesh& mesh, const DecimateOptions& options, const Progress& progress = {});
 
 }  // namespace transformesh

@@ -24,10 +24,10 @@ struct OtherElement {
 /// Encoding of the file. The defaults are the format in which programs pass meshes through pipes.
 struct Style {
   Format format = Format::ply_little;
-  Scalar coordinate = Scalar::float64;       ///< float32 or float64
+  Scalar coordinate = Scalar::float64;       ///< type of positions in the file: float32 or float64
   std::vector<std::string> comments;         ///< texts of comments, without the keyword `comment `
   std::vector<std::string> obj_info;         ///< texts of obj_info lines, without this keyword
-  std::string face_list = "vertex_indices";  ///< vertex_indices or vertex_index
+  std::string face_list = "vertex_indices";  ///< PLY list of face corners, or vertex_index
   Scalar face_list_count = Scalar::uint8;
   Scalar face_list_index = Scalar::int32;
   std::size_t position_column = 0;   ///< number of vertex properties before x y z
@@ -49,8 +49,8 @@ struct Document {
 
 /// Appends a document to another: vertices, faces, columns and further elements in their order. A
 /// column gets a type that holds the values of both; missing values are zero. Comments are joined
-/// without repetition, and the reference edge of the first document stays. Returns one line for
-/// each column that is a list in one document and a number in the other. O(n).
+/// without repetition, and the reference edge (unit of lengths) of the first document stays.
+/// Returns one line for each column that is a list in one document and a number in the other. O(n).
 std::vector<std::string> append(Document& all, const Document& other);
 
 /// Returns the name of a format: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp, 3mf or xyz.

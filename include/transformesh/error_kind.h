@@ -9,17 +9,17 @@ enum class ErrorKind {
   not_joined,           ///< border edges coincide: the mesh is a soup of triangles
   not_oriented,         ///< two faces traverse their common edge in the same direction
   not_orientable,       ///< no reversal of faces orients the mesh
-  overlapping_sheets,   ///< only splitting coincident sheets orients the mesh
+  overlapping_sheets,   ///< to orient the mesh, coincident sheets must be split
   one_sided,            ///< the surface is not orientable, like a Moebius strip
   not_manifold,         ///< the mesh is not an oriented manifold
   self_intersections,   ///< faces intersect
   inside_out,           ///< faces are oriented inwards
-  double_sided,         ///< most faces of a solid have a coincident reverse
-  double_sided_sheet,   ///< most faces of an open sheet have a coincident reverse
-  canceling_faces,      ///< all faces have a coincident reverse
+  double_sided,         ///< most faces of a solid coincide with a reversed face
+  double_sided_sheet,   ///< most faces of an open sheet coincide with a reversed face
+  canceling_faces,      ///< all faces coincide with a reversed face
   no_area,              ///< no face has an area
   no_positive_winding,  ///< no point has a positive winding number
-  no_such_level,        ///< no point has a winding number that reaches the level
+  no_such_level,        ///< no point has a winding number >= winding level
   component_too_small,  ///< every component is smaller than the shortest edge
   surface_vanished,     ///< the surface of an evolution shrinks to nothing
   thinner_than_rounding,
@@ -30,8 +30,8 @@ enum class ErrorKind {
   box_in_open_mesh,          ///< only a closed mesh can be cleaned in a box
   static_test_of_open_mesh,  ///< the static test needs a closed mesh, with integer winding numbers
   decimation_stuck,          ///< no further edge can be collapsed without breaking a guarantee
-  meets_keep_out,            ///< the mesh intersects the surface to keep out of
-  bad_reference_edge,        ///< the comment of a mesh holds no positive length
+  meets_keep_out,            ///< the mesh intersects the obstacle to keep out of
+  bad_reference_edge,        ///< the comment of a mesh file that gives a length is not positive
   unknown_format,            ///< the bytes are in no known mesh format
   no_velocity,               ///< the mesh has no velocity
   no_source_points,          ///< the mesh has no columns with source points

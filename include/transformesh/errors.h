@@ -1,4 +1,4 @@
-/// Errors that the library throws: each has a kind, data and a sentence.
+/// Errors that the library throws. Each has a kind, a message (`sentence`) and the values in it.
 #pragma once
 
 #include <array>
@@ -12,18 +12,18 @@
 
 namespace transformesh {
 
-/// Values that the sentence of an error states.
+/// Values that the message of an error contains.
 struct ErrorData {
   std::vector<std::size_t> faces = {};                  ///< indices of faces
   std::optional<std::array<std::size_t, 2>> edge = {};  ///< indices of the edge's vertices
   std::optional<std::array<double, 3>> position = {};   ///< coordinates in input units
-  std::vector<std::size_t> counts = {};  ///< numbers of elements, in the order of the sentence
-  std::vector<double> lengths = {};      ///< in the order of the sentence
+  std::vector<std::size_t> counts = {};  ///< numbers of elements, in the order of the message
+  std::vector<double> lengths = {};      ///< in the order of the message
   std::string name = {};                 ///< name of a file, folder, view or argument
 };
 
-/// Content of an error or a warning. The sentence is one line, empty if there is no problem, and
-/// names no remedy: callers choose it by the kind.
+/// An error or a warning. `sentence` is its message: one line, or empty if there is no problem. It
+/// names no remedy: callers choose the remedy by `kind`.
 struct Problem {
   ErrorKind kind = ErrorKind::other;
   std::string sentence = {};

@@ -22,7 +22,7 @@ namespace transformesh {
 struct UntilRule {
   double least_movement = 0;
   bool is_stalled = false;
-  std::optional<long> components = {}, genus = {};  ///< ends at this number or this genus
+  std::optional<long> components = {}, genus = {};  ///< end at this count, at this genus
 };
 
 /// Ends when no vertex moved by `length`, in input units, or farther.
@@ -46,10 +46,10 @@ struct EvolveResult {
   double clamped_share = 0;
   IterationResult last;                    ///< last iteration of this run
   std::vector<Event> events;               ///< events of this run, with `finds_events`
-  std::optional<std::size_t> event_count;  ///< number in all runs; set with `finds_events`
+  std::optional<std::size_t> event_count;  ///< number of events of all runs, with `finds_events`
 };
 
-/// Evolves a document and carries its columns. A continued run replaces the document by its state.
+/// Evolves a document and carries its columns. A resumed run starts from its saved state.
 EvolveResult evolve(Document& document, const Step& step, const EvolveOptions& options = {},
                     const LoopOptions& loop = {}, const Progress& progress = Progress());
 

@@ -1,4 +1,4 @@
-/// Evolves a surface along a motion in physical time. In each step all vertices move by the same
+/// Evolves a surface along a motion in physical time. In each step all vertices move for the same
 /// span of time. Then clean() removes self-intersections and remesh() keeps the surface sampled.
 ///
 /// The velocity is evaluated at the stages of the integrator on the same connectivity. A step that
@@ -23,16 +23,16 @@ struct TimeOptions {
   double end = 1;   ///< the evolution lasts from time 0 to this; > 0
   double span = 0;  ///< duration of a step; 0: as long as `max_move` and `tolerance` permit
   Integrator integrator = Integrator::midpoint;
-  double max_move =
-      0.5;  ///< largest movement in a step, in mean edges at the vertex; used if `span` is 0
+  /// Largest movement of a vertex in a step, relative to its mean edge; used if `span` is 0.
+  double max_move = 0.5;
   /// Largest distance of a vertex from its position by the embedded method (Euler in midpoint,
   /// midpoint in rk4); input units; 0: no limit. Used only if `span` is 0.
   double tolerance = 0;
-  /// Limit of the span above which steps are repeated; 0: none is repeated; negative: `end` / 1000.
+  /// Longer steps are repeated if the topology changes. 0: no step is; negative: `end` / 1000.
   double event_tolerance = -1;
-  /// Restores the volume after remeshing: vertices move along normals, in proportion to their step.
+  /// Restores the volume after remeshing: offsets vertices in proportion to their movement.
   bool keep_volume = false;
-  std::string bodies = {};  ///< face column that numbers bodies which may not meet; empty: none
+  std::string bodies = {};  ///< face column with the number of the body; bodies may not meet
   double gap = 0;           ///< least distance of two bodies; input units; > 0 with `bodies`
 };
 
@@ -41,12 +41,12 @@ struct TimeResult {
   EvolveResult evolution;     ///< `is_done`: the time `end` or the rule `until` was reached
   double volume = 0;          ///< volume of the result, in cubic input units
   double volume_drift = 0;    ///< volume change by cleaning and remeshing that was not restored
-  double max_move = 0;        ///< largest movement in a step, in mean lengths of a vertex's edges
+  double max_move = 0;        ///< largest movement of a vertex in a step, relative to its mean edge
   std::size_t held_back = 0;  ///< largest number of vertices held back by other bodies in one step
   std::size_t repeated = 0;   ///< steps repeated with a shorter span, including earlier runs
 };
 
-/// A run that continues replaces the document by its state. `options.iteration.remesh` smooths by
+/// A resumed run replaces `document` by its saved state. `options.iteration.remesh` smooths by
 /// default: use RemeshOptions() to keep what the motion made.
 TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOptions& time,
                           const EvolveOptions& options = {}, const LoopOptions& loop = {},

@@ -16,7 +16,7 @@ namespace transformesh {
 struct FlowGrid {
   Vec3 origin = Vec3::Zero();                ///< position of the first node, in input units
   Vec3 spacing = Vec3::Ones();               ///< distance of neighboring nodes; > 0
-  std::array<std::size_t, 3> size{1, 1, 1};  ///< nodes on each axis; 1: constant values
+  std::array<std::size_t, 3> size{1, 1, 1};  ///< nodes per axis; 1: constant along this axis
   std::size_t components = 3;                ///< 3: velocities; 1: speeds
   std::vector<double> values;                ///< the components of a node are side by side
   std::optional<double> time = {};
@@ -27,10 +27,10 @@ FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::si
 
 /// Each flow has some of these options. Setting one that a flow lacks is a UsageError.
 struct FlowOptions {
-  double speed = 1;                    ///< factor of the velocity; > 0 in flows by curvature
-  std::optional<double> period = {};   ///< time > 0; default: rotation 1, vortex 8, deformation 3
-  std::optional<Vec3> center = {};     ///< default (.5, .5, .5), the center of the unit cube
-  std::optional<Vec3> direction = {};  ///< default: rotation axis z; translation x; any length > 0
+  double speed = 1;                   ///< multiplies the velocity; > 0 in curvature flows
+  std::optional<double> period = {};  ///< > 0; default by flow: rotation 1, vortex 8, deformation 3
+  std::optional<Vec3> center = {};    ///< default (.5, .5, .5), the center of the unit cube
+  std::optional<Vec3> direction = {};  ///< default: z axis for rotation, x for translation; not 0
   std::optional<std::string> column = {};  ///< flow `normal`: vertex column of speeds
   std::vector<FlowGrid> grids = {};        ///< flow `grid`: velocities; `normal`: speeds
 };
@@ -38,11 +38,11 @@ struct FlowOptions {
 struct FlowKind {
   std::string name;
   std::string summary;
-  std::vector<std::string> parameters;  ///< names of the members of FlowOptions beside `speed`
+  std::vector<std::string> parameters;  ///< FlowOptions members of this flow, besides `speed`
 };
 const std::vector<FlowKind>& flow_kinds();
 
-/// Counts of vertices that evaluations of a flow treated specially.
+/// Counts of vertices that were outside of the grids, or kept fixed at a border.
 struct FlowCounts {
   std::size_t outside = 0;  ///< largest number of vertices outside of the grids in one evaluation
   bool is_time_outside = false;  ///< a time was before the first grid or after the last one

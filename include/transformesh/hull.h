@@ -16,8 +16,8 @@
 
 namespace transformesh {
 
-/// Meaning of silhouettes: the object's outline, or a region that the object covers at least, to
-/// within a pixel, such as the result of a threshold.
+/// Meaning of a silhouette. `exact`: the outline of the object. `least`: the object covers at least
+/// this region, to within a pixel. A threshold of intensities gives such a region.
 enum class SilhouetteMeaning { exact, least };
 
 /// Extraction of a silhouette from a photograph of a bright object in front of a dark background.
@@ -41,15 +41,15 @@ struct HullOptions {
 
 struct HullResult {
   Mesh mesh;  ///< closed, oriented 2-manifold without self-intersection
-  Box box;    ///< searched box
+  Box box;    ///< box in which the hull was searched for
   double cell = 0;
   std::size_t dropped_components = 0;
 };
 
 /// Computes the hull of the views that have a silhouette. Throws UsageError for options out of
 /// range and for more than 2^28 cells. Throws InputError if no view has a silhouette, if
-/// silhouettes do not bound the object, or if their hull is empty. Evaluates F only near the
-/// surface: 0.25 s for 16 views of 640x480 and 100^3 cells. Memory: 4 bytes per cell. Parallel;
+/// silhouettes do not bound the object, or if their hull is empty. Evaluates distances only near
+/// the surface: 0.25 s for 16 views of 640x480 and 100^3 cells. Memory: 4 bytes per cell. Parallel;
 /// deterministic.
 HullResult visual_hull(const Views& views, const HullOptions& options = {},
                        const Progress& progress = {});

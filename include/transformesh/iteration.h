@@ -28,12 +28,12 @@ RemeshOptions smoothed_by(double factor);
 struct IterationOptions {
   Length min_edge{0.7, Length::Unit::reference_edge};
   Length max_edge{1.5, Length::Unit::reference_edge};
-  double reference_edge = 0;                ///< input units; 0: mean edge of the initial mesh
-  double edge_factor = 1;                   ///< factor of `min_edge` and `max_edge`
-  RemeshOptions remesh = smoothed_by(0.1);  ///< `min_edge`, `max_edge`, `coordinate` are ignored
-  bool outermost = true;                    ///< CleanOptions::outermost
+  double reference_edge = 0;                ///< length `1x`, in input units; 0: initial mean edge
+  double edge_factor = 1;                   ///< multiplies `min_edge` and `max_edge`
+  RemeshOptions remesh = smoothed_by(0.1);  ///< its `min_edge`, `max_edge`, `coordinate` are unused
+  bool outermost = true;                    ///< drop cavities (CleanOptions::outermost)
   bool expects_changes = false;  ///< clean() probably changes the mesh; affects only the speed
-  /// Called after a change by clean(), before `outermost` is applied, and after loops were pinched.
+  /// Called after clean() changed the mesh, before cavities are dropped, and after necks are cut.
   std::function<void(const Mesh& before, Mesh& cleaned)> on_cleaned = {};
 };
 

@@ -2,8 +2,9 @@
 /// iteration, and meshes as frames.
 ///
 /// The state is a folder with the last mesh and the variables of the loop. It is replaced
-/// atomically after each iteration. A run that was ended in any way, even killed, continues from
-/// its state to the same bytes. The CSV file then loses the rows after that state.
+/// atomically after each iteration. A run that was ended in any way, even killed, can be resumed
+/// from its state, and then writes the same bytes as an uninterrupted run. Resuming removes rows of
+/// the CSV file that are newer than the state.
 #pragma once
 
 #include <functional>
@@ -15,7 +16,7 @@ namespace transformesh {
 
 /// Files with an empty name are not written.
 struct RecordOptions {
-  std::string state;  ///< folder of the state
+  std::string state;  ///< folder that stores the state of the run
   /// Text of all settings; a run continues only if its state has equal text.
   std::string settings;
   bool resume = false;     ///< continue from the state if there is one
@@ -24,12 +25,12 @@ struct RecordOptions {
   std::size_t every = 10;  ///< iterations from one frame to the next
   std::string csv;         ///< CSV file with a row for each iteration
   std::string events;      ///< CSV file of the events (events.h) of loops that find them
-  bool is_alone = false;   ///< fail if another process uses the state
+  bool is_alone = false;   ///< throw OutputError if another process uses the state
   bool keep_state_at_end = false;  ///< the caller calls remove_state() after saving the result
 };
 
 struct LoopOptions {
-  std::size_t iterations = 1000;  ///< limit, including iterations of earlier runs
+  std::size_t iterations = 1000;  ///< largest number of iterations, including earlier runs
   std::function<void(const std::string& message)> on_iteration = {};
   /// Loops throw UsageError if the state has other settings, or is of an interrupted run and
   /// neither `resume` nor `restart` is set. They throw InputError if the folder holds no state, and

@@ -34,7 +34,7 @@ struct ManifoldReport {
 ManifoldReport check_manifold(const Mesh& mesh);
 
 /// Returns the first problem of manifoldness, of orientation, and of closedness if `closed` is set.
-/// The sentence has face and vertex indices and coordinates; it is empty if there is no problem.
+/// The message has face and vertex indices and coordinates; it is empty if there is no problem.
 Problem manifold_problem(const Mesh& mesh, const ManifoldReport& report, bool closed);
 
 }  // namespace transformesh

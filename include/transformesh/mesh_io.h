@@ -32,7 +32,7 @@ struct ReadOptions {
 struct ReadResult {
   Document document;
   std::vector<std::string> notes;             ///< changes made while reading, one line each
-  std::optional<std::size_t> soup_note = {};  ///< index of the note that faces share no vertices
+  std::optional<std::size_t> soup_note = {};  ///< index in `notes`: faces share no vertices
 };
 
 struct WriteResult {

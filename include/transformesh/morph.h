@@ -1,7 +1,7 @@
 /// Evolves a surface until it coincides with a target (paper 5.2): repeats morph_step(), clean()
-/// and remesh(). Parts merge and split. Target components that it overlaps are reached.
+/// and remesh(). Parts merge and split. The surface reaches target components that it overlaps.
 ///
-/// A morph ends if no measure improves. It has converged if mesh and target are near each other
+/// A morph ends if it makes no progress. It has converged if mesh and target are near each other
 /// everywhere and have the same topology; otherwise it has stalled. The final mesh is aligned with
 /// sharp edges and cleaned. Columns are carried. Deterministic for any number of threads.
 #pragma once
@@ -22,7 +22,7 @@ enum class Features { automatic, on, off };
 
 struct MorphOptions {
   MorphStepOptions step;       ///< morph() measures the target's thickness if `gap_edges` needs it
-  IterationOptions iteration;  ///< `reference_edge` 0: mean edge of the source
+  IterationOptions iteration;  ///< reference_edge = 0: mean edge of the source
   Features features = Features::automatic;
   int scales = 1;  ///< edges are 2^(scales - 1) times as long at the beginning; 1 to 10
 };
@@ -35,9 +35,9 @@ struct MorphResult {
   std::optional<Topology> expected;  ///< target's topology without cavities, if known
   std::size_t left_out = 0;          ///< components of the target that are cavities or inside them
   MorphStepResult distances;         ///< distances between the result and the target
-  std::string fault;                 ///< difference of result and target; empty if there is none
-  std::optional<double> to_target, from_target;  ///< Hausdorff distances, to a target with faces
-  Problem cause;                                 ///< cause of `fault`
+  std::string fault;  ///< why the result does not coincide with the target; else empty
+  std::optional<double> to_target, from_target;  ///< Hausdorff distances, if the target has faces
+  Problem cause;                                 ///< problem that explains `fault`
   std::size_t aligned = 0;                       ///< vertices on the target's sharp edges
 };
 

@@ -32,11 +32,11 @@ struct MorphStepOptions {
   std::optional<MorphDistance> distance;  ///< default: `surface` for a mesh, else `points`
   DisplaceOptions displace;
   std::string mask;  ///< vertex column that multiplies the velocities; empty: none
-  /// Number of edges across narrow places. If > 0 and the target's thickness is measured, the
-  /// vertex column `size` is set to an edge length.
+  /// Wanted number of edges across narrow places. If it is > 0 and the target's thickness is
+  /// measured, the vertex column `size` is set to an edge length.
   double gap_edges = 0;
   double largest_size = 0;  ///< largest value of `size`; input units; the smallest is 1/20 of this
-  /// Part of the target that is measured for `from_target`; null: all.
+  /// Only this part of the target is measured for `from_target`; null: the whole target.
   const Target* goal = nullptr;
 };
 

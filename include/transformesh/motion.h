@@ -18,8 +18,8 @@ namespace transformesh {
 
 /// The point of time for which a motion is evaluated.
 struct Moment {
-  double time = 0;  ///< time of the stage
-  double span = 0;  ///< time of the whole step; 0 if the evolution has not chosen the span yet
+  double time = 0;  ///< time at this stage of the integrator
+  double span = 0;  ///< duration of the whole step; 0 if the evolution has not chosen it yet
   int stage = 0;    ///< number of the stage within the step, from 0
 };
 

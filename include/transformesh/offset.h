@@ -38,7 +38,7 @@ struct OffsetResult {
   bool is_done() const { return has_arrived && !has_missed; }
 };
 
-/// Returns the mean edge, at most half the distance and diagonal / 60, and at least diagonal / 400.
+/// Mean edge length of `mesh`; at most distance / 2 and diagonal / 60, at least diagonal / 400.
 double offset_edge(const Mesh& mesh, double distance);
 /// Throws UsageError if the distance is 0 or not finite, and InputError if the mesh is open or not
 /// oriented. Throws GoalError if nothing is left (inwards), or as clean() does.
@@ -47,8 +47,8 @@ OffsetResult offset(Document& document, const OffsetOptions& options,
 
 struct MiterDeviation {
   double most = 0;         ///< largest error of the distance by which a face's plane has moved
-  Vec3 at = Vec3::Zero();  ///< vertex with this error: over three planes meet, or a spike is cut
-  bool is_large = false;   ///< over 5 % of the distance, which is more than on smooth surfaces
+  Vec3 at = Vec3::Zero();  ///< its vertex, at which over three planes meet or a spike is cut
+  bool is_large = false;   ///< `most` is over 5 % of the distance, more than on smooth surfaces
 };
 /// Offsets the planes of the faces; corners stay sharp. Cleans the result. Throws as offset().
 MiterDeviation offset_mitered(Mesh& mesh, double distance, Scalar coordinate = Scalar::float64,

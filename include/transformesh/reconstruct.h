@@ -30,12 +30,12 @@ struct DoubtfulPlace {
 };
 
 struct ReconstructionResult {
-  std::size_t sweeps = 0;  ///< sweeps, with those of earlier runs
+  std::size_t sweeps = 0;  ///< number of sweeps (iterations), including earlier runs
   std::string fault;       ///< reason why the result is not converged; empty if it is converged
   std::string kept;        ///< reason why the given initial mesh is the result, else empty
   double restored = 0;     ///< fraction of vertices moved back onto a given initial mesh; [0, 1]
   Topology topology;
-  std::size_t crumbs = 0;   ///< components that were dropped at the end
+  std::size_t crumbs = 0;   ///< small components that were dropped at the end
   std::size_t handles = 0;  ///< handles that were removed
   double pixel = 0;         ///< length of a pixel's side at the object; input units
   std::size_t faces = 0;

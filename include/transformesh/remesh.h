@@ -18,19 +18,19 @@ namespace transformesh {
 struct RemeshResult {
   struct RemovedComponents {
     std::size_t count = 0, faces = 0;
-    double area = 0, volume = 0;  ///< sums of absolute values
+    double area = 0, volume = 0;  ///< sums of absolute values over the removed components
   } components_removed;           ///< components that are too small for the edge lengths
   std::size_t splits = 0, collapses = 0, flips = 0;
   std::size_t refused = 0;           ///< steps refused in the last iteration to keep guarantees
   std::size_t kept_out = 0;          ///< steps refused because of `keep_out`
   std::size_t films_kept = 0;        ///< collapses that `min_film` refused in the last iteration
-  std::size_t pinched = 0;           ///< loops that were cut and capped
-  std::size_t pinch_refused = 0;     ///< loops around which no caps fit
+  std::size_t pinched = 0;           ///< thin parts that were cut along a loop and capped
+  std::size_t pinch_refused = 0;     ///< loops that stay uncut because no caps fit
   std::size_t near_keep_out = 0;     ///< input faces nearer to `keep_out` than its gap
   std::size_t degenerate_faces = 0;  ///< remaining faces with height < longest edge / 1000
-  /// Degenerate faces that stay: only a few spacings of coordinates high.
+  /// Degenerate faces that stay because they are only a few coordinate spacings high.
   std::size_t slivers_kept = 0;
-  Vec3 first_sliver = Vec3::Zero();    ///< a corner of the first sliver
+  Vec3 first_sliver = Vec3::Zero();    ///< a corner of the first degenerate face that stays
   std::size_t faces_without_area = 0;  ///< slivers that have no area and could not be removed
   double feature_angle_deg = 180;
   StaleColumns columns;

@@ -25,25 +25,27 @@ enum class Smoothing { none, tangential, laplace, bilaplace };
 enum class FlipRule { none, valence, angle };
 
 struct RemeshOptions {
-  double min_edge = 0;      ///< shorter edges are collapsed; input units, > 0
-  double max_edge = 0;      ///< longer edges are split; input units, >= 1.5 min_edge
-  std::string size_column;  ///< vertex column that multiplies both lengths; empty: none
+  double min_edge = 0;  ///< shorter edges are collapsed; input units, > 0
+  double max_edge = 0;  ///< longer edges are split; input units, >= 1.5 min_edge
+  /// Vertex column that multiplies `min_edge` and `max_edge`; empty: none.
+  std::string size_column;
   /// > 0: edge lengths follow the curvature, so that faces are at most this far from the smooth
   /// surface; input units.
   double adaptive_error = 0;
   int iterations = 1;        ///< >= 0; 0 removes only small components and degenerate faces
   bool only_smooth = false;  ///< smooth only; no splits, collapses and flips
   FlipRule flip = FlipRule::valence;
-  Smoothing smoothing = Smoothing::tangential;  ///< Laplacians also move vertices off the surface
+  Smoothing smoothing = Smoothing::tangential;  ///< `laplace`, `bilaplace`: not only tangential
   /// Laplacian smoothing moves v to v - b1 dv + b2 d2v, where dv and d2v are Laplacians (smooth.h).
   /// This is b1, in [0, 1].
   double smooth_first = 0;
   double smooth_second = 0;  ///< b2 of the formula above, for bilaplace; in [(b1 - 1) / 2, b1 / 2]
-  double feature_angle_deg = 180;  ///< sharper edges stay; [0, 180]; 0: 40 if edges are sharp
-  bool keep_border = false;        ///< border vertices and edges stay
-  bool project = false;            ///< move relaxed vertices onto the input surface
-  bool curved = false;             ///< new vertices lie on quadrics or cubics, as described above
-  double min_film = 0;             ///< > 0: no collapse moves the surface by more than half of this
+  /// Edges sharper than this stay; [0, 180]; 0: 40 if sharp edges exist.
+  double feature_angle_deg = 180;
+  bool keep_border = false;  ///< border vertices and edges stay
+  bool project = false;      ///< project moved vertices onto the input surface
+  bool curved = false;       ///< new vertices lie on quadrics or cubics, as described above
+  double min_film = 0;       ///< > 0: no collapse moves the surface by more than half of this
   double pinch = 0;  ///< > 0: cut necks and handles around which a loop is at most this long
   Scalar coordinate = Scalar::float64;  ///< type to which new positions are rounded
   KeepOutOptions keep_out = {};

@@ -1,8 +1,9 @@
 /// Turns any mesh into a solid: closed, oriented outwards, manifold, free of self-intersections.
 /// The input may be a soup, open, double-sided, misoriented, inside out, in several parts, cracked,
 /// or self-intersecting. Measures the defects and applies the least change in a fixed order. Joins
-/// equal positions and the sides of cracks, orients faces, and drops second sides. Then fills
-/// holes, turns bodies outwards, cleans the mesh, and drops shards.
+/// equal positions and the sides of cracks, orients faces, and drops one side of double-sided
+/// parts. Then fills holes, turns bodies outwards, cleans the mesh, and drops tiny components
+/// (shards).
 ///
 /// Guarantees: a result passes check_mesh() with `closed` and `intersections`, unless `keep_open`
 /// leaves borders. A solid is unchanged. The steps, applied one after the other to meshes that are

@@ -4,8 +4,8 @@
 ///
 /// Points have the unit normal of their face in the vertex columns nx ny nz (zero if the face has
 /// no normal). Points get the interpolated vertex columns, and the face columns whose names no
-/// vertex column has. Corner lists are dropped. Distances are Euclidean, not geodesic. Floating
-/// point; deterministic in mesh, options and seed.
+/// vertex column has. Texture coordinates are dropped. Distances are Euclidean, not geodesic.
+/// Floating point; deterministic in mesh, options and seed.
 ///
 /// Reference: Cline, Jeschke, White, Razdan & Wonka, "Dart throwing on surfaces", Computer Graphics
 /// Forum 28(4), 2009. Random points are tried; then parts of faces that no disk covers are split

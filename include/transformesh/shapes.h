@@ -25,19 +25,19 @@ struct ShapeOptions {
   /// genus: N; torus-knot, tangle: P Q; ellipsoid, box: A B C; cylinder, cone: RADIUS HEIGHT;
   /// figure: T; folded: sphere or torus.
   std::vector<std::string> parameters;
-  std::optional<std::size_t> faces;  ///< approximate number; default 10000
+  std::optional<std::size_t> faces;  ///< approximate number of faces; default 10000
   std::optional<double> edge;        ///< approximate mean edge, instead of `faces`; > 0
   /// Radius of a sphere or dented sphere, or of the ring of a torus or knot; > 0.
   std::optional<double> radius;
   std::optional<double> tube;        ///< tube radius of a torus or knot; > 0
   std::optional<double> gap;         ///< gap of two-spheres and tori; negative: parts overlap
-  std::optional<double> neck;        ///< radius of a dumbbell's neck; negative: inverted
+  std::optional<double> neck;        ///< radius of a dumbbell's neck; negative: neck inside out
   std::optional<std::size_t> count;  ///< number of many-spheres or boxes
-  std::optional<double> noise;       ///< amplitude; >= 0; default 0, folded: 38 % of the diagonal
-  std::uint64_t seed = 1;            ///< seed of the noise and of random shapes
-  std::optional<Box> around;         ///< the sphere contains this box with a margin of at least 5 %
-  std::vector<Vec3> points;          ///< points of the hull
-  Vec3 center = Vec3::Zero();        ///< position of the shape's origin
+  std::optional<double> noise;  ///< amplitude of noise; >= 0; default 0, folded: 38 % of diagonal
+  std::uint64_t seed = 1;       ///< seed of the noise and of random shapes
+  std::optional<Box> around;    ///< the sphere contains this box with a margin of at least 5 %
+  std::vector<Vec3> points;     ///< points of which shape `hull` is the convex hull
+  Vec3 center = Vec3::Zero();   ///< position of the shape's origin
 };
 
 /// Returns the names of all kinds, in the order of the manual.

@@ -16,7 +16,7 @@ namespace transformesh {
 
 using Matrix4 = Eigen::Matrix4d;
 
-/// Throw UsageError for an axis or a normal of length 0.
+/// These functions throw UsageError for an axis or a normal of length 0.
 Matrix4 translation_by(const Vec3& way);
 /// Rotation about an axis through the origin, counter-clockwise seen from the tip of the axis, in
 /// degrees. Quarter turns about coordinate axes are exact.
@@ -39,7 +39,7 @@ double scale_of(const Matrix4& matrix);
 
 struct TransformResult {
   bool is_mirror = false;  ///< faces were reversed
-  double scale = 1;        ///< scale_of()
+  double scale = 1;        ///< uniform scale factor of the matrix, from scale_of()
 };
 
 /// Throws UsageError for a matrix that is singular, not finite, or not affine (last row 0 0 0 1).

@@ -1,5 +1,5 @@
-/// Velocities from columns of the mesh, of offsetting, and of mean-curvature flow. Cost: O(n log
-/// n); deterministic.
+/// Velocities of vertices: from columns of the mesh, along normals (offsetting), and of
+/// mean-curvature flow. Cost: O(n log n); deterministic.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct VelocityOptions {
   std::optional<double> normal_speed;
   /// Factor of mean curvature; squared input units per time.
   double curvature_speed = 0;
-  std::string mask;  ///< vertex column that multiplies the sum; empty: none
+  std::string mask;  ///< vertex column that multiplies the sum of all velocities; empty: none
 };
 
 /// Returns the sum of the velocities of both speeds and of `given`, or else of the columns if the
@@ -42,9 +42,9 @@ std::vector<Vec3> normal_velocities(const Mesh& mesh, double speed);
 /// borders and where the area is 0.
 std::vector<Vec3> curvature_velocities(const Mesh& mesh, double speed);
 
-/// Returns the signed mean curvature H of the same formula. H is positive where the surface is
-/// convex as seen from outside, and 1 / r on a sphere of radius r. H is 0 on borders, where the
-/// area is 0, and if it overflows.
+/// Returns the signed mean curvature H that curvature_velocities() uses. H is positive where the
+/// surface is convex as seen from outside, and 1 / r on a sphere of radius r. H is 0 on borders,
+/// where the area is 0, and if it overflows.
 std::vector<double> mean_curvatures(const Mesh& mesh);
 
 /// Multiplies each velocity by the vertex column of that name; a value of 0 fixes the vertex.

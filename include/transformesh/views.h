@@ -41,10 +41,10 @@ class Views {
 
 /// Paths of input files. Each is a file, a folder or a pattern.
 struct ViewSources {
-  std::string cameras;      ///< camera file, in any format that tm-cameras(1) lists
+  std::string cameras;      ///< file of cameras, in any format that tm-cameras(1) lists
   std::string images;       ///< photographs; empty: none
   std::string silhouettes;  ///< silhouettes; empty: none
-  bool mirror = false;      ///< the cameras' world is left-handed
+  bool mirror = false;      ///< the world coordinates of the cameras are left-handed
   /// Called with notes on how masks were read, and on images and cameras that were left out.
   std::function<void(const std::string& note)> on_note = {};
   bool needs_all_images = false;  ///< throw if a named image is missing; else skip its camera

@@ -20,7 +20,7 @@ namespace transformesh {
 struct AlphaWrapOptions {
   double alpha = 0;  ///< > 0: radius of the ball that stays outside; 0: see alpha_wrap()
   /// > 0: distance of vertices from the points. 0: an eighth of the points' spacing, at most 1/300
-  /// of the box's diagonal.
+  /// of the diagonal of the bounding box.
   double offset = 0;
 };
 
@@ -32,13 +32,13 @@ struct AlphaWrap {
 };
 
 /// Returns a closed, oriented 2-manifold that contains all points; one component if the points are
-/// dense compared with alpha. With alpha 0, alpha decreases from 1/5 of the box's diagonal in steps
-/// of 2^(1/4), at most to 1/100, until a wrap would be hollow. The ball then gets in between the
-/// points. A wrap is hollow if more than 1/20 of its area is thinner than four offsets, or, with
-/// the default offset, than 1/75 of the diagonal. Throws InputError if there are no points, and
-/// UsageError for options out of range and for an alpha that would give more than two million
-/// faces. Deterministic, one thread. Cost grows with the area over alpha^2: seconds for alpha =
-/// diagonal / 300, or to find alpha among 10 000 points.
+/// dense compared with alpha. With alpha 0, alpha decreases from 1/5 of the bounding box's diagonal
+/// in steps of 2^(1/4), at most to 1/100, until a wrap would be hollow. The ball then gets in
+/// between the points. A wrap is hollow if more than 1/20 of its area is thinner than four offsets,
+/// or, with the default offset, than 1/75 of the diagonal. Throws InputError if there are no
+/// points, and UsageError for options out of range and for an alpha that would give more than two
+/// million faces. Deterministic, one thread. Cost grows with the area over alpha^2: seconds for
+/// alpha = diagonal / 300, or to find alpha among 10 000 points.
 AlphaWrap alpha_wrap(std::span<const Vec3> points, const AlphaWrapOptions& options = {});
 
 /// Returns a closed, oriented 2-manifold without self-intersection. Its edges are about as long as

@@ -18,7 +18,7 @@ const std::vector<std::string>& boolean_commands();
 const std::string& cut_command();
 
 struct DocumentsBoolean {
-  BooleanResult result;           ///< result of the operation, without its mesh
+  BooleanResult result;           ///< result of the Boolean operation, without its mesh
   std::vector<Problem> problems;  ///< problems of operands and result, as returned by problems_of()
   /// One note for each column that is a list in one document and a number in another, from
   /// append().

@@ -47,7 +47,7 @@ struct ScriptResult {
   std::size_t pairs = 0;  ///< number of intersecting pairs of faces, summed over the operations
   /// Number of repair rounds after rounding, summed over the operations.
   std::size_t rounding_repairs = 0;
-  /// Number of operations that changed a mesh in place, near one operand only.
+  /// Number of operations that changed only the faces near one operand, in place.
   std::size_t in_place = 0;
   /// Bound on the displacement of the surface by merged flat faces.
   double merge_displacement = 0;

@@ -54,7 +54,8 @@ void refuse_borders(SheetSide side, const Arrangement& arrangement) {
   }
 }
 
-/// Finds the cells of space behind the sheet, and marks the sides of patches on their boundary.
+/// Finds the cells of space behind the sheet. A cell is a region of space that is bounded by
+/// patches (connected pieces of faces). Marks the patch sides on the boundary of these cells.
 class CellsBehind {
  public:
   CellsBehind(const Arrangement& arrangement, const Patches& patches)
@@ -75,11 +76,11 @@ class CellsBehind {
   const Arrangement& arrangement_;
   const Patches& patches_;
   DisjointSets sides_;
-  Index outermost_;  ///< a patch side on the boundary of the unbounded cell
-  /// 1 for each cell in front of the sheet. The index of a cell is its representative side in
-  /// `sides_`.
+  Index outermost_;  ///< one side of a patch that bounds the unbounded cell
+  /// 1 for each cell in front of the sheet. The index of a cell is that of its representative patch
+  /// side in `sides_`.
   std::vector<char> is_front_;
-  std::vector<char> is_behind_;  ///< 1 for each cell behind the sheet, at its representative side
+  std::vector<char> is_behind_;  ///< 1 for each cell behind the sheet; indexed like `is_front_`
 };
 
 void CellsBehind::mark(Index patch) {

@@ -14,7 +14,7 @@
 namespace transformesh {
 
 /// Implements PieceChooser::choose(). `arrangement` contains the pieces of a closed solid, and
-/// those of a sheet as an open component. The winding number of the solid in front of each piece is
+/// those of an open surface, the sheet. The winding number of the solid in front of each piece is
 /// set. Chooses nothing if no part of the sheet is on `side` of the solid. Throws InputError if the
 /// region is not defined.
 void choose_capped_sheet(SheetSide side, Arrangement& arrangement, std::vector<char>& kept);

@@ -68,13 +68,14 @@ class LocalBoolean {
   EditedSolid& solid_;
   const Mesh& operand_;
   const BooleanOptions& options_;
-  Box reach_;                 ///< the part consists of all faces of the solid that touch this box
-  std::vector<Index> faces_;  ///< faces of the solid in the part; ascending
+  Box reach_;  ///< faces of the solid that touch this box are near the operand, and form the part
+  std::vector<Index> faces_;     ///< faces of the solid near the operand (the part); ascending
   std::vector<Index> vertices_;  ///< vertices of `faces_`, as indices in the solid; ascending
-  /// 1 for each inner vertex of the part: all its faces in the solid are in the part.
+  /// 1 for each inner vertex of the part, the faces near the operand: all faces of the solid at the
+  /// vertex are in the part.
   std::vector<char> is_inner_;
-  JoinedOperands joined_;   ///< the part and the operand
-  std::vector<char> kept_;  ///< 1 for each piece that is kept
+  JoinedOperands joined_;   ///< the faces of the solid near the operand (the part), and the operand
+  std::vector<char> kept_;  ///< 1 for each piece of a cut face that is kept
   Assembly assembly_;
   LocalBooleanResult result_;
 };
@@ -125,8 +126,9 @@ void LocalBoolean::collect_part() {
   std::fill(values.begin() + static_cast<std::ptrdiff_t>(vertices_.size()), values.end(), -1);
 }
 
-// Returns the arrangement of part and operand. Returns nothing if the winding numbers of the
-// operand are not all 0 or 1, or if two faces of the solid intersect.
+// Returns the arrangement of the part (the faces of the solid near the operand) and the operand.
+// Returns nothing if the winding numbers of the operand are not all 0 or 1, or if two faces of the
+// solid intersect.
 std::optional<Arrangement> LocalBoolean::arranged() {
   const auto welded = std::make_shared<WeldedMesh>(weld(joined_.mesh));
   const std::vector<Meeting> meetings = find_meetings(*welded, Progress());
@@ -181,8 +183,8 @@ void LocalBoolean::merge() {
   result_.merge_displacement = merged.displacement;
 }
 
-// Compares the faces of `assembly_` with those of the part. Faces that occur in both do not change,
-// and keep their place in the solid.
+// Compares the faces of `assembly_` with those of the part, the faces of the solid near the
+// operand. Faces that occur in both do not change, and keep their place in the solid.
 LocalBoolean::Change LocalBoolean::find_change() const {
   const Mesh& mesh = assembly_.mesh;
   Change change;
@@ -207,8 +209,9 @@ LocalBoolean::Change LocalBoolean::find_change() const {
   return change;
 }
 
-// Returns true if no added face intersects a face of the solid outside the part. Such intersections
-// are possible because merged flat faces can reach beyond the part, and rounding moves faces.
+// Returns true if no added face intersects a face of the solid outside the part, the faces near the
+// operand. Such intersections are possible because merged flat faces can reach beyond the part, and
+// rounding moves faces.
 bool LocalBoolean::is_clear_of_rest(const Change& change) const {
   Mesh both = mesh_of_faces(assembly_.mesh, change.added);
   const Box box = bounding_box(both);

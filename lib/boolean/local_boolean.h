@@ -23,8 +23,9 @@ struct LocalBooleanResult {
   double merge_displacement = 0;  ///< bound on the displacement of the surface by merged flat faces
 };
 
-/// Changes the solid, or returns nothing and leaves it unchanged. `operation` must be unite or
-/// subtract, and the solid must be a result of boolean().
+/// Applies the operation to the solid in place. Returns nothing, and leaves the solid unchanged, if
+/// the operation is refused. `operation` must be unite or subtract, and the solid must be a result
+/// of boolean().
 std::optional<LocalBooleanResult> combine_in_place(BooleanOperation operation, EditedSolid& solid,
                                                    const Mesh& operand,
                                                    const BooleanOptions& options);

@@ -8,13 +8,15 @@
 namespace transformesh {
 namespace {
 
-/// A cell of space that a connected set of patches bounds, regardless of other sets.
+/// A region of space that is bounded by a connected set of patches (parts of the surface between
+/// intersection curves). Other sets of patches are ignored.
 struct Cell {
-  Index side = no_index;  ///< patch side that represents the cell in `sides_`
-  Index set = no_index;   ///< patch side that represents the connected set of patches in `sets_`
+  Index side = no_index;  ///< one side of a patch; represents the cell in `sides_`
+  /// One side of a patch; represents the connected set of patches in `sets_`.
+  Index set = no_index;
   /// Six times the signed volume of the cell; negative if the cell is unbounded.
   double volume = 0;
-  Mesh surface{};  ///< the cell lies behind these faces
+  Mesh surface{};  ///< faces of all patches on the boundary; the cell lies behind these faces
   Box box{};
 };
 
@@ -38,8 +40,8 @@ class NestedCells {
   DisjointSets& sides_;
   DisjointSets sets_;
   std::vector<Vec3> points_;
-  std::vector<Cell> cells_;      ///< the bounded cells of all sets
-  std::vector<Cell> unbounded_;  ///< the unbounded cell of each set
+  std::vector<Cell> cells_;      ///< the bounded cells of all connected sets of patches
+  std::vector<Cell> unbounded_;  ///< the unbounded cell of each connected set of patches
 };
 
 // Copies the points, divided by the largest coordinate so that no volume overflows.
@@ -86,9 +88,9 @@ bool NestedCells::is_within(const Cell& cell, const Vec3& point) const {
   return cell.box.contains(point) && SolidAngleWinding(cell.surface)(point).rounded() == 1;
 }
 
-// Returns the smallest bounded cell of other sets that contains the set of `unbounded`, or null.
-// The cells of other sets that contain this set contain each other, so that the smallest of them
-// surrounds the set directly.
+// Returns the smallest bounded cell of other connected sets that contains the set with the outer
+// cell `unbounded`, or null. Cells that contain this set are nested, so the smallest one surrounds
+// it directly.
 const Cell* NestedCells::find_container(const Cell& unbounded) const {
   const auto& [a, b, c] = unbounded.surface.faces.front();
   const Vec3 point = (points_[a] + points_[b] + points_[c]) / 3;

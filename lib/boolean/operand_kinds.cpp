@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-/// Finds the connected components of operands, and facts that determine the kind of each operand.
+/// Finds the connected components of operands, and facts that determine the OperandKind of each
+/// operand.
 class OperandParts {
  public:
   OperandParts(const WeldedMesh& welded, const JoinedOperands& operands)
@@ -22,10 +23,10 @@ class OperandParts {
   struct Facts {
     /// True if an edge is traversed more often in one direction than in the other.
     bool is_open = false;
-    /// True if an edge has more than two faces; components are not connected there.
+    /// True if an edge has more than two faces; faces are not connected across this edge.
     bool is_crowded = false;
     bool has_copies = false;    ///< true if two faces have the same three points
-    bool meets_part = false;    ///< true if two faces of one component intersect
+    bool meets_part = false;    ///< true if two faces of the same connected component intersect
     bool meets_itself = false;  ///< true if any two faces of the operand intersect
     /// Least and largest winding number just in front of the components of the operand; the range
     /// includes 0. If the operand is subtracted, and thus reversed, these are the numbers before
@@ -58,8 +59,8 @@ class OperandParts {
   std::unordered_map<Index, std::set<Index>> copies_;
 };
 
-// Pairs the halfedges at an edge, separately for each operand. Also notes whether the operands are
-// open or have more than two faces there.
+// Pairs the halfedges at an edge, separately for each operand. Also notes whether an operand is
+// open at this edge, or has more than two faces there.
 void OperandParts::pair_at_edge(std::span<const Index> halfedges) {
   for (const Index h : halfedges) {
     Facts& facts = operand_[operand_of(h / 3)];

@@ -16,8 +16,9 @@ namespace {
 using Jumps = std::vector<std::pair<Index, int>>;
 
 /// Numbers the different lists of jumps (changes of winding numbers) in an arrangement. The
-/// constructor stores the number of its list in the multiplicity of each piece. Patches contain
-/// only pieces of equal multiplicity, so all pieces of a patch have the same jumps.
+/// constructor stores the number of a piece's list in its `multiplicity`. Patches (connected
+/// pieces) contain only pieces of equal multiplicity. Hence all pieces of a patch have the same
+/// jumps.
 class PieceJumps {
  public:
   PieceJumps(const JoinedOperands& operands, Arrangement& arrangement);
@@ -31,7 +32,7 @@ class PieceJumps {
 
  private:
   std::map<Jumps, std::int32_t> numbers_;
-  std::vector<const Jumps*> numbered_;  ///< list of jumps with each number; list 0 is empty
+  std::vector<const Jumps*> numbered_;  ///< maps each number to its list of jumps; list 0 is empty
 };
 
 PieceJumps::PieceJumps(const JoinedOperands& operands, Arrangement& arrangement) {
@@ -85,15 +86,15 @@ class SelectedCells {
 
   BooleanOperation operation_;
   const JoinedOperands& operands_;
-  /// Returns winding numbers of the first operand; empty if the arrangement contains the whole
-  /// operand.
+  /// Function that returns winding numbers of the first operand. Empty if the arrangement contains
+  /// all faces of this operand.
   const WindingAt& first_at_;
   Arrangement& arrangement_;
   PieceJumps jumps_;
   Patches patches_;
   RayCastFrontWinding ray_;
-  std::vector<Index> cell_of_;  ///< cell of each side
-  /// Patch sides of each cell; the index of a cell is its representative side.
+  std::vector<Index> cell_of_;  ///< cell of space at each side of each patch
+  /// Patch sides on the boundary of each cell. The index of a cell is that of one of these sides.
   std::vector<std::vector<Index>> sides_;
   std::vector<char> is_selected_;    ///< for each cell 0, 1 or `unknown`
   std::vector<WindingSigns> signs_;  ///< for each operand which signs of winding numbers occur

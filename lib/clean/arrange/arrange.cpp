@@ -17,12 +17,13 @@ namespace {
 // (scaffold), whose corners are at about 12 times the extent of the faces. With this limit, the
 // coordinates of the scaffold do not overflow.
 constexpr double largest_coordinate = 1e306;
-constexpr std::size_t points_per_task = 64;    ///< affects time only
+constexpr std::size_t points_per_task = 64;    ///< points evaluated in one task; affects time only
 constexpr std::size_t planes_per_task = 4;     ///< planes cut in one task; affects time only
 constexpr std::size_t planes_per_block = 512;  ///< planes joined in one task; affects time only
 
-// Adds the faces without intersections as pieces. Reserves memory for all pieces, and for all
-// sources except copies (faces with the same three points as an earlier face).
+// Adds the faces without intersections as pieces. Reserves memory for all pieces, and for their
+// sources (faces that contain a piece). Copies (faces with the same three points as an earlier
+// face) are not counted.
 void add_whole_pieces(const WeldedMesh& welded, const Planes& planes,
                       const std::vector<PlaneCut>& cuts, const std::vector<char>& is_left_out,
                       Arrangement& result) {
@@ -45,7 +46,8 @@ void add_whole_pieces(const WeldedMesh& welded, const Planes& planes,
   });
 }
 
-// Lists the copies of each face (faces with the same three points), to add them as sources.
+// Lists the copies of each face (faces with the same three points). They are sources of a piece
+// too: faces that contain it.
 class Copies {
  public:
   explicit Copies(const WeldedMesh& welded) : welded_(welded) {
@@ -59,8 +61,8 @@ class Copies {
     }
   }
 
-  /// For each source at `begin` or later, appends the faces with the same three points as sources,
-  /// and then sorts all sources at `begin` or later by face.
+  /// For each source (face that contains a piece) at `begin` or later, appends the faces with the
+  /// same three points as sources. Then sorts all sources at `begin` or later by face.
   void add(RawVector<PieceSource>& sources, std::size_t begin) const {
     if (next_.empty()) return;
     const std::size_t end = sources.size();
@@ -87,15 +89,15 @@ class Copies {
   std::vector<Index> next_;
 };
 
-/// Pieces and sources of a block of consecutive planes. Piece::first_source is an index in
-/// `sources` of this object.
+/// Pieces of the faces in a block of consecutive planes, and the sources of the pieces (faces that
+/// contain them). Piece::first_source is an index in `sources` of this object.
 struct CutPieces {
   RawVector<Piece> pieces;
   RawVector<PieceSource> sources;
 };
 
-// Adds the sources (the faces that contain the facet) of a piece. An open piece gets only sources
-// that belong to open components, a closed piece gets only other sources.
+// Adds the sources of a piece (the faces that contain the facet). An open piece gets only sources
+// that belong to open components; a closed piece gets the others.
 void add_sources(const WeldedMesh& welded, const PlaneCut& cut, std::size_t facet,
                  const Copies& copies, bool is_open, RawVector<PieceSource>& sources) {
   const std::size_t first = sources.size();
@@ -111,8 +113,8 @@ void add_sources(const WeldedMesh& welded, const PlaneCut& cut, std::size_t face
       sources.end());
 }
 
-// Reverses the orientation of a piece, and inverts the `reversed` flags of `sources`, which are its
-// sources.
+// Reverses the orientation of a piece. Inverts the `reversed` flags of `sources`, the faces that
+// contain the piece.
 void reverse(Piece& piece, std::span<PieceSource> sources) {
   std::swap(piece.corners[1], piece.corners[2]);
   for (PieceSource& source : sources) source.reversed = !source.reversed;
@@ -133,7 +135,7 @@ void add_cut_pieces(const WeldedMesh& welded, const PlaneCut& cut, const std::ve
                 open.is_open,
                 open.front};
     for (const PieceSource& source : sources) piece.multiplicity += source.reversed ? -1 : 1;
-    // Orient the piece like the majority of its sources.
+    // Orient the piece like the majority of the faces that contain it.
     if (piece.multiplicity < 0) {
       piece.multiplicity = -piece.multiplicity;
       reverse(piece, sources);
@@ -142,7 +144,7 @@ void add_cut_pieces(const WeldedMesh& welded, const PlaneCut& cut, const std::ve
   }
 }
 
-// Appends the pieces of all blocks, with their sources.
+// Appends the pieces of all blocks, and the faces that contain the pieces (sources).
 void append(const std::vector<CutPieces>& blocks, Arrangement& result) {
   struct Place {
     std::size_t piece, source;

@@ -20,14 +20,16 @@
 namespace transformesh {
 
 struct Piece {
-  Face corners;        ///< corners of the piece, as indices of arrangement points
-  Index first_source;  ///< index of the piece's first source in `Arrangement::sources`
+  Face corners;  ///< corners of the piece, as indices of arrangement points
+  /// Index in `Arrangement::sources` of the first face that contains the piece.
+  Index first_source;
   std::uint32_t source_count;
-  /// Number of sources with the orientation of the piece minus the number of reversed ones. The
-  /// winding number grows by this amount from front to back. Never negative; 0 if the sources
-  /// cancel out.
+  /// Number of sources (faces that contain the piece) with the orientation of the piece, minus the
+  /// number of reversed ones. The winding number grows by this amount from front to back. It is >=
+  /// 0; 0 if the sources cancel out.
   std::int32_t multiplicity;
-  bool is_open;  ///< true if the sources belong to open components, false if to the closed part
+  /// True if faces of open components contain the piece, false for the closed part of the mesh.
+  bool is_open;
   /// Winding number of the closed part of the mesh (open/open_components.h) in front of the piece.
   /// Only arrange_exterior() sets it: for whole faces, and for all pieces if the mesh has open
   /// components.
@@ -58,7 +60,8 @@ struct Arrangement {
   }
 };
 
-/// Reverses the orientation of a piece, and inverts the `reversed` flags of its sources.
+/// Reverses the orientation of a piece. Inverts the `reversed` flags of the faces that contain the
+/// piece (sources).
 void reverse_piece(Arrangement& arrangement, Piece& piece);
 
 /// Cuts the welded faces along `meetings`, the sorted intersections of all pairs of faces. If

@@ -60,7 +60,7 @@ class PlaneCutter : public PlaneFacets {
   const WindingJumps* jumps_;  ///< null unless pieces are chosen by winding numbers
   ExactGeometry geometry_;
   PlaneProjection projection_;
-  /// Sources of constraints: three for the edges of each face, then one for each meeting.
+  /// Sources of constraints: three for the edges of each face, then one for each intersecting face.
   std::vector<Line> lines_;
   std::vector<Segment> segments_;
   std::vector<std::array<Index, 3>> corners_;  ///< triangulation points of the corners of each face
@@ -185,7 +185,7 @@ void PlaneCutter::insert_meeting(const Meeting& meeting) {
                            triangulation_.point(ends[0]), triangulation_.point(ends[1]));
 }
 
-// Adds face `k` of the plane as a source to all facets inside the face.
+// Records that face `k` of the plane contains the facets inside the face.
 void PlaneCutter::flood(std::size_t k) {
   const std::array<Index, 3>& corner = corners_[k];
   const auto& facets = triangulation_.facets();

@@ -1,6 +1,6 @@
-/// Assigns the same number to equal points of different planes. Points of the welded mesh keep
-/// their indices. New points follow in the order in which the planes list them. Cost: O(k log k)
-/// for k points. Exact; deterministic.
+/// Assigns the same number to equal points of different planes (sets of coplanar faces). Points of
+/// the welded mesh keep their indices. New points follow in the order in which the planes list
+/// them. Cost: O(k log k) for k points. Exact; deterministic.
 #pragma once
 
 #include <vector>

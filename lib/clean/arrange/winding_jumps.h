@@ -28,7 +28,8 @@ class WindingJumps {
   /// back. The closed faces with the same three points count +1, or -1 if their orientation is
   /// opposite.
   int multiplicity(Index face) const { return multiplicities_.empty() ? 1 : multiplicities_[face]; }
-  /// True if a face with the same three points, or the face itself, belongs to an open component.
+  /// True if the face, or another face with the same three points, belongs to an open component
+  /// (connected faces with borders).
   bool has_open_copy(Index face) const {
     return !has_open_copy_.empty() && has_open_copy_[face] != 0;
   }
@@ -53,10 +54,11 @@ class WindingJumps {
   template <class Visit>
   void for_each_at_edge(Index halfedge, const Visit& visit) const;
 
-  /// Multiplicity(face) of each face that is the first with its three points; empty if all are 1.
+  /// Result of multiplicity() for each face that is the first with its three points; empty if all
+  /// are 1.
   std::vector<int> multiplicities_;
-  /// Has_open_copy(face) of each face that is the first with its three points; empty if no face is
-  /// open.
+  /// Result of has_open_copy() for each face that is the first with its three points; empty if no
+  /// face is open.
   std::vector<char> has_open_copy_;
   /// Pairs of a halfedge without an opposite and its edge, ascending.
   std::vector<std::pair<Index, Index>> singular_edge_of_;

@@ -32,8 +32,8 @@ BoxPart::BoxPart(const Mesh& mesh, const Region& region, const std::vector<bool>
       grid_(region.cell_size) {}
 
 // Finds the complete faces (of which all pieces are needed) and the part of the mesh to arrange.
-// The part also contains all faces that touch `own_box_`, because the paths from the reference
-// point to own faces are in this box.
+// The part also contains all faces that touch `own_box_`, the box of the faces to clean. Paths from
+// the reference point, a point with known winding number, to these faces are in this box.
 void BoxPart::find_complete() {
   own_box_ = with_margin(first_vertices(mesh_, is_own_), options_.coordinate);
   const std::vector<bool> is_between = faces_near(mesh_, own_box_);
@@ -77,9 +77,10 @@ bool BoxPart::complete_planes() {
   return has_more;
 }
 
-// Throws GoalError if the loaded part of the mesh lacks faces around complete faces. The part
-// always contains the faces around the first two rings. complete_planes() may have added complete
-// faces beyond them. The box `region_.held` must contain the grid cells around these faces.
+// Throws GoalError if the loaded part of the mesh lacks faces around complete faces (of which all
+// pieces are needed). Faces around the first two rings are loaded in any case. complete_planes()
+// may have added complete faces beyond them. The box `region_.held` must contain the grid cells
+// around these faces.
 void BoxPart::check_held() const {
   FacesAround around(mesh_, is_own_, grid_, options_.coordinate);
   for (int ring = 0; ring < rings_of_complete; ++ring) around.grow();

@@ -23,7 +23,8 @@ struct Region {
   Box held;  ///< the loaded mesh contains every face of the whole mesh that touches this box
   ReferencePoint reference;  ///< a point in `held`, with its winding number
   /// Width of the grid cells that define rings of faces: the next ring contains the faces that
-  /// share a cell with the previous ones. The loaded mesh contains four rings around the own faces.
+  /// share a cell with the previous ones. The loaded mesh contains four rings around the faces to
+  /// clean.
   double cell_size = 1;
 };
 
@@ -31,8 +32,9 @@ struct Region {
 /// The first ring contains the neighbors of own faces; the second ring affects rounding. Own faces
 /// and these rings are called complete faces.
 inline constexpr int rings_of_complete = 2;
-/// Number of further rings around complete faces. The first of them contains the faces that meet
-/// complete faces; the second determines with which coplanar faces they are cut.
+/// Number of further rings around complete faces (of which all pieces are needed). The first of
+/// them contains the faces that meet complete faces; the second determines with which coplanar
+/// faces they are cut.
 inline constexpr int rings_around_complete = 2;
 
 /// Returns the description of a whole closed mesh: `held` is all of space, and the reference point
@@ -45,8 +47,9 @@ class BoxPart {
   BoxPart(const Mesh& mesh, const Region& region, const std::vector<bool>& is_own,
           const CleanOptions& options, const Progress& progress);
 
-  /// Returns the pieces of own faces, and of some other faces. Returns nothing if faces intersect
-  /// or have no area after rounding. Throws GoalError if faces outside the region are needed.
+  /// Returns the pieces of the faces to clean (own faces), and of some other faces. Returns nothing
+  /// if faces intersect or have no area after rounding. Throws GoalError if faces outside the
+  /// region are needed.
   std::optional<CleanedFaces> clean(CleanResult& counts);
 
  private:
@@ -65,8 +68,9 @@ class BoxPart {
   CellGrid grid_;
   /// True for each face of the mesh of which all pieces are needed.
   std::vector<bool> is_complete_;
-  CellMarks covered_;  ///< grid cells of the complete faces and of the first ring around them
-  Box own_box_;        ///< bounding box of the first corners of own faces, with a margin
+  /// Grid cells of the faces of which all pieces are needed, and of the ring of faces around them.
+  CellMarks covered_;
+  Box own_box_;  ///< bounding box of the first corners of the faces to clean, with a margin
   BoxSubmesh part_;
   std::shared_ptr<const WeldedMesh> welded_;
   std::vector<Meeting> meetings_;

@@ -73,7 +73,8 @@ Box first_vertices(const Mesh& mesh, const std::vector<bool>& faces) {
 }
 
 double margin_around(const Box& box, Scalar coordinate) {
-  // Chosen by hand, far above the spacings by which rounding moves vertices; not measured.
+  // In spacings of floating-point numbers. Chosen by hand, far above the spacings by which rounding
+  // moves vertices; not measured.
   constexpr double margin_spacings = 64;
   const Vec3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
   return margin_spacings * spacing_around(farthest, coordinate);

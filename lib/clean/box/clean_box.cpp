@@ -117,7 +117,8 @@ void check_input(const Mesh& mesh, const CleanOptions& options) {
                    "traversed equally often in both directions");
 }
 
-// Rejects options that need the whole mesh. A tile defines its own box.
+// Rejects options that need the whole mesh. A tile is a part of a mesh that is cleaned alone; its
+// data defines the box.
 void check_tile_options(const Tile& tile, const CleanOptions& options) {
   if (options.coordinate == Scalar::float32 && tile.coordinate != Scalar::float32)
     throw UsageError(

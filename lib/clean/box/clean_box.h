@@ -26,11 +26,11 @@ namespace transformesh {
 /// Uses `box`, `only`, `winding_level`, `refuse` and `coordinate` of the options.
 CleanResult clean_box(const Mesh& mesh, const CleanOptions& options, const Progress& progress);
 
-/// Cleans the own faces of a tile (tile.h). The result is that of clean_box() with `only` in the
-/// whole mesh. Uses `winding_level`, `refuse` and `coordinate` of the options. Throws UsageError if
-/// other options are set, and InputError if the mesh is not the tile. Throws GoalError if faces
-/// outside the tile are needed: if rounding breaks faces, or if coplanar faces extend far beyond
-/// the tile.
+/// Cleans the own faces of a tile (tile.h), which no other tile cleans. The result is that of
+/// clean_box() with `only` in the whole mesh. Uses `winding_level`, `refuse` and `coordinate` of
+/// the options. Throws UsageError if other options are set, and InputError if the mesh is not the
+/// tile. Throws GoalError if faces outside the tile are needed: if rounding breaks faces, or if
+/// coplanar faces extend far beyond the tile.
 CleanResult clean_tile(const Mesh& mesh, const Tile& tile, const CleanOptions& options,
                        const Progress& progress);
 

@@ -25,7 +25,8 @@ void FacesAround::mark(const std::vector<Cell>& cells, Index round) {
   for (const Cell cell : cells) marks_.add(cell, 0, round);
 }
 
-// Calls visit(face, cells) for the faces of the next ring.
+// Calls visit(face, cells) for each face of the next ring: faces that share a grid cell with the
+// faces of the set. `cells` are the grid cells of the face.
 template <class Visit>
 void FacesAround::visit_ring(const Visit& visit) const {
   const std::vector<bool> near =

@@ -1,4 +1,4 @@
-/// Finds the reference point of a part of a closed mesh, with its winding number in the whole mesh.
+/// Finds a point in a part of a closed mesh, and its winding number in the whole mesh.
 #pragma once
 
 #include "clean/exterior/surroundings.h"

@@ -36,8 +36,8 @@ class Placing {
   std::vector<Index> face_rows_;
 };
 
-// Assigns to each vertex of a piece the corner of its input face at the same position, if there is
-// one and no other vertex has it.
+// Assigns to each vertex of a piece the corner of its input face at the same position. Skips
+// corners that were assigned to another vertex.
 void Placing::claim(Index piece) {
   for (const Index v : cleaned_.mesh.faces[piece]) {
     if (vertex_of_[v] != no_index) continue;

@@ -27,11 +27,11 @@ constexpr std::array<std::array<double, 3>, 14> tried_weights = {{{0.344, 0.327,
 /// factor for the next sample.
 constexpr double step = 2;
 
-/// Least distance of a sample from its face, relative to the distance by which rounding may have
-/// moved the face. A choice: larger values leave more samples undecided.
+/// Least distance of a sample point from its face, relative to the distance by which rounding may
+/// have moved the face. A choice: larger values leave more samples undecided.
 constexpr double beyond_clearance = 1.25;
 
-/// Least distance of a sample from its face, relative to the least height of the face.
+/// Least distance of a sample point from its face, relative to the least height of the face.
 constexpr double nearest_share = 0x1p-60;
 
 struct Plane {

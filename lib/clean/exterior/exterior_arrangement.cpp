@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t planes_per_task = 4;  ///< affects time only
+constexpr std::size_t planes_per_task = 4;  ///< planes cut in one task; affects time only
 constexpr int unknown = std::numeric_limits<int>::min();
 
 /// True if exactly one of the winding numbers in front and behind is below the winding level.
@@ -28,8 +28,8 @@ class FacetChooser {
       : windings_(windings), ray_(ray), winding_level_(winding_level) {}
 
   std::vector<char> choose(const PlaneFacets& facets, Index first_face);
-  /// Returns whether each of the given facets is an open piece, with the winding number in front.
-  /// The facets are those of the plane for which facets were chosen last.
+  /// Returns for each of the given facets whether it is an open piece, and its winding number in
+  /// front. The facets must be in the plane that was processed last.
   std::vector<OpenFacet> describe(const std::vector<Index>& facets) const;
   bool is_chosen(Index facet) const { return is_chosen_[facet] != 0; }
   /// True if any facet of any plane has a surface: its coincident faces do not cancel out.
@@ -45,7 +45,8 @@ class FacetChooser {
   int winding_level_;
   std::vector<int> front_;       ///< winding number in front of each facet
   std::vector<char> is_chosen_;  ///< 1 for each chosen facet
-  std::vector<OpenFacet> open_;  ///< classification of each facet
+  /// For each facet whether it is open, and its winding number in front.
+  std::vector<OpenFacet> open_;
   std::vector<Index> stack_;
   std::size_t rays_ = 0;
   bool has_surface_ = false;

@@ -24,7 +24,7 @@ namespace transformesh {
 
 struct ExteriorArrangement {
   Arrangement arrangement;
-  std::vector<char> kept;       ///< 1 for each piece that is kept
+  std::vector<char> kept;       ///< 1 for each piece that is kept in the result
   std::size_t whole_faces = 0;  ///< number of faces without intersections, whether kept or not
   std::size_t rays = 0;
   bool has_surface = false;  ///< false if every face coincides with a face of opposite orientation
@@ -32,7 +32,7 @@ struct ExteriorArrangement {
 
 struct ExteriorArrangementOptions {
   int winding_level = 1;
-  bool arranges_everything = false;      ///< also return the pieces that are not kept
+  bool arranges_everything = false;      ///< also return the pieces that are not kept in the result
   const Surroundings* around = nullptr;  ///< set for a part of a closed mesh, null for a whole mesh
 };
 

@@ -46,8 +46,8 @@ class ExteriorCutter::FaceCut {
   std::vector<ExactPoint> corners_;
   SegmentsInFace in_;
   std::vector<KnownWinding> known_;
-  DefinitionTable ends_;      ///< maps definitions of segment ends to indices in `in_.points`
-  DefinitionTable inserted_;  ///< maps definitions to points of the triangulation
+  DefinitionTable ends_;      ///< maps definitions of segment ends to their indices in `in_.points`
+  DefinitionTable inserted_;  ///< maps definitions of points to points of the triangulation
 };
 
 Index ExteriorCutter::FaceCut::number_of(const PointDefinition& definition, Index edge) {

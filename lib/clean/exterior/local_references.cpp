@@ -52,8 +52,8 @@ std::optional<ReferencePoint> LocalReferences::known(Cell cell) const {
   return last;
 }
 
-// Returns a path of adjacent cells to `cell`. The path starts in a cell that contains a point with
-// known winding number. The breadth-first search runs backwards, from `cell`.
+// Returns a path of adjacent grid cells that ends in `cell`. The path starts in a cell that
+// contains a point with known winding number. The breadth-first search runs backwards, from `cell`.
 std::vector<Cell> LocalReferences::way_to(Cell cell) const {
   std::unordered_map<Cell, Cell> towards{{cell, cell}};
   std::vector<Cell> queue{cell};
@@ -70,8 +70,9 @@ std::vector<Cell> LocalReferences::way_to(Cell cell) const {
   return {};
 }
 
-// Finds a point with known winding number in the cell, starting from the reference point of the
-// part. Returns false if the box in which the part has all faces does not overlap the cell.
+// Finds a point with known winding number in the cell. Starts from the reference point of the
+// loaded part of the mesh. Returns false if the cell does not overlap the box in which all faces
+// are loaded.
 bool LocalReferences::enter(Cell cell) const {
   const Eigen::AlignedBox3d common = around_.grid.box_of(cell).intersection(around_.held);
   if (common.isEmpty()) return false;

@@ -18,8 +18,8 @@ namespace transformesh {
 class LocalReferences {
  public:
   using Visit = std::function<bool(const Triangle&)>;
-  /// Function that calls `visit` for all faces of the part that touch a box, until `visit` returns
-  /// false.
+  /// Function that calls `visit` for all faces of the loaded part of the mesh that touch a box,
+  /// until `visit` returns false.
   using VisitFaces = std::function<void(const Vec3& low, const Vec3& high, const Visit& visit)>;
 
   /// Keeps a reference to `around`.

@@ -17,7 +17,7 @@ Patches::Patches(const Arrangement& arrangement) : arrangement_(arrangement) {
 }
 
 // True if the surface continues across the edge: exactly two pieces meet there, traverse the edge
-// in opposite directions, and have equal multiplicity.
+// in opposite directions, and have equal multiplicity (signed number of coincident faces).
 bool Patches::is_inner_edge(std::span<const Index> halfedges) const {
   const auto& all = arrangement_.pieces;
   return halfedges.size() == 2 && is_forward(all, halfedges[0]) != is_forward(all, halfedges[1]) &&

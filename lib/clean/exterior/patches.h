@@ -40,9 +40,9 @@ class Patches {
 /// arrangement lacks some of these pieces.
 using IsWholeEdge = std::function<bool(std::span<const Index> halfedges)>;
 
-/// Joins the sides of patches between which there is a common cell of space next to a common edge.
-/// Side 2 * patch is in front of a patch, side 2 * patch + 1 behind it. Edges for which `is_whole`
-/// returns false are skipped. If `is_whole` is empty, no edge is skipped.
+/// Joins the sides of patches that bound the same cell of space next to a common edge. Side 2 *
+/// patch is in front of a patch, side 2 * patch + 1 behind it. Edges for which `is_whole` returns
+/// false are skipped. If `is_whole` is empty, no edge is skipped.
 DisjointSets join_sides_around_edges(const Arrangement& arrangement, const Patches& patches,
                                      const IsWholeEdge& is_whole = {});
 

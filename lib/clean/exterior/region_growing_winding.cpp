@@ -39,9 +39,9 @@ RegionGrowingWinding::RegionGrowingWinding(const WeldedMesh& welded, const Plane
   if (around_) grow_from_cut_faces();
 }
 
-// Removes incomplete faces from the adjacency, so that they do not propagate the winding number w.
-// Faces that meet an incomplete face may be missing in this part of the mesh, and would change w
-// along its edges.
+// Removes incomplete faces (not all faces around them are loaded) from the adjacency, so that they
+// do not propagate the winding number w. Faces that meet an incomplete face may be missing in this
+// part of the mesh, and would change w along its edges.
 void RegionGrowingWinding::leave_out_incomplete() {
   complete_across_ = welded_.opposites;
   for (Index h = 0; h < complete_across_.size(); ++h) {
@@ -61,8 +61,8 @@ void RegionGrowingWinding::find_regions() {
   region_front_.assign(first_face_.size(), unknown);
 }
 
-// Lists for each region the halfedges of cut faces whose opposite halfedge belongs to the region
-// (counting sort).
+// Lists for each region of connected faces without intersections the halfedges of cut faces next to
+// the region (counting sort).
 void RegionGrowingWinding::list_neighbors() {
   const auto for_each = [&](const auto& visit) {
     for (std::size_t i = 0; i < planes_.size(); ++i) {
@@ -206,8 +206,8 @@ void RegionGrowingWinding::spread_from_corner(Index corner) {
   visit_corner(face, before, w - cut.along[before]);
 }
 
-// Assigns the winding number w to a face near its corner `i`. A face without intersections has the
-// same w everywhere in its region, so the region gets w.
+// Assigns the winding number w to a face near its corner `i`. If the face has no intersections, w
+// is the same in its whole region of connected faces without intersections, which gets w.
 void RegionGrowingWinding::visit_face(Index face, Index i, int w) {
   planes_.is_whole(face) ? visit_region(region_of_[face], w) : visit_corner(face, i, w);
 }

@@ -45,7 +45,7 @@ class RegionGrowingWinding {
   static constexpr int unknown = std::numeric_limits<int>::min();
   /// Changes of the winding number w in front of a cut face along its edges.
   struct CutFace {
-    std::array<int, 3> along{};  ///< change of w from corner i to the next corner
+    std::array<int, 3> along{};  ///< change of the winding number from corner i to the next corner
     /// True if a face that intersects the cut face contains corner i.
     std::array<bool, 3> is_met{};
   };
@@ -73,15 +73,17 @@ class RegionGrowingWinding {
   const WeldedMesh& welded_;
   const Planes& planes_;
   const WindingJumps& jumps_;
-  const Surroundings* around_;       ///< null unless the mesh is a part of a larger mesh
-  bool has_no_closed_face_ = false;  ///< true if w is 0 everywhere
-  /// Changes of w along the edges of the first face of each plane.
+  const Surroundings* around_;  ///< null unless the mesh is a part of a larger mesh
+  /// True if there are no closed faces, so that the winding number is 0 everywhere.
+  bool has_no_closed_face_ = false;
+  /// Changes of the winding number along the edges of the first face of each plane.
   std::vector<CutFace> cut_faces_;
-  /// Opposite halfedges; no_index if one of the two faces is incomplete.
+  /// Opposite halfedges; no_index if the faces around one of the two faces are not all loaded.
   std::vector<Index> complete_across_;
   std::span<const Index> across_;  ///< opposite of each halfedge, or no_index
-  RawVector<Index> region_of_;     ///< region of each face; no_index for a cut face
-  RawVector<Index> first_face_;    ///< face with the lowest index of each region
+  /// Region (connected faces without intersections) of each face; no_index for a cut face.
+  RawVector<Index> region_of_;
+  RawVector<Index> first_face_;  ///< face with the lowest index of each region
   /// For each region the halfedges of cut faces next to the region, in one list.
   std::vector<Index> cut_at_;
   std::vector<Index> cut_offsets_;   ///< index in `cut_at_` of the first halfedge of each region

@@ -38,10 +38,10 @@ struct SegmentsInFace {
   }
 };
 
-/// An intersection of two segments. Each is stored twice, once for each of the two as `segment`.
+/// An intersection of two segments. It is stored twice, once with each of the two as `segment`.
 struct Crossing {
   Index segment, other;
-  Index pair;  ///< number of the crossing, equal in both entries
+  Index pair;  ///< number of the crossing, equal in both of its entries
   int side;    ///< side of `other` on which the start of `segment` is: +1 for left
   /// Lower and upper bound of the position of the crossing on `segment`, as a fraction of its
   /// length.
@@ -56,7 +56,7 @@ class SegmentCrossings {
 
   /// Finds all crossings. Returns false if segments touch elsewhere than at common ends.
   bool find();
-  /// Returns the crossings of a segment. After sort_along() they are in order along the segment.
+  /// Returns the crossings of a segment; after sort_along() in their order along the segment.
   std::span<const Crossing> of(Index s) const {
     return {crossings_.data() + first_[s], crossings_.data() + first_[s + 1]};
   }

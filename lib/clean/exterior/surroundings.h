@@ -22,8 +22,8 @@ struct Surroundings {
   /// the box.
   Eigen::AlignedBox3d held;
   ReferencePoint reference;
-  /// `covered` has cells of `grid` in which the part contains all faces. All cells that complete
-  /// faces touch are in `covered`.
+  /// A grid, and its cells in which the part contains all faces (`covered`). They include all cells
+  /// that faces with an `is_complete` entry of 1 touch.
   CellGrid grid{1};
   CellMarks covered;
 };

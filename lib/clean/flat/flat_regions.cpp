@@ -70,8 +70,8 @@ class RegionFinder {
   FlatRegions found_;
 };
 
-/// Returns the faces from which regions may grow: wanted faces and their neighbors, the largest
-/// first.
+/// Returns the faces from which regions may grow, the largest first: faces that the caller wants,
+/// and their neighbors.
 std::vector<Index> RegionFinder::seeds() const {
   std::vector<std::pair<double, Index>> faces;
   for (Index f = 0; f < mesh_.faces.size(); ++f) {

@@ -146,7 +146,7 @@ FlatMerger::Plan FlatMerger::plan() {
 }
 
 /// If a new edge of a region already exists elsewhere in the mesh, the region keeps its old faces.
-/// Returns true if there are such regions.
+/// Returns true if there are regions of this kind.
 bool FlatMerger::give_up_double_edges(const Plan& plan) {
   struct Edge {
     std::array<Index, 2> ends;
@@ -201,7 +201,7 @@ Assembly FlatMerger::applied(const Plan& plan) const {
 }
 
 /// If a new face of a region intersects another face or has no area, the region keeps its old
-/// faces. Returns true if there are such regions.
+/// faces. Returns true if there are regions of this kind.
 bool FlatMerger::give_up_broken(const Plan& plan, const Assembly& merged) {
   const std::size_t first_new = merged.mesh.faces.size() - plan.faces.size();
   bool is_any = false;

@@ -5,7 +5,7 @@
 namespace transformesh {
 namespace {
 
-/// A point outside the face; a FaceSimplex of the face is 0 to 6.
+/// Value for a point outside the face; 0 to 6 are the corners, edges and interior.
 constexpr FaceSimplex outside = 255;
 
 // One of the two tested faces, with the relations of its corners to the other tested face.

@@ -21,7 +21,8 @@ namespace transformesh {
 
 /// The cells from `low` to `high`, both included.
 struct CellRange {
-  using Cell = std::array<std::uint8_t, 4>;  ///< the fourth byte is padding
+  /// Grid coordinates of a cell; the fourth byte is padding.
+  using Cell = std::array<std::uint8_t, 4>;
   Cell low, high;
   std::size_t size() const {
     std::size_t size = 1;

@@ -17,7 +17,8 @@ constexpr std::size_t most_cells_per_face = 16;
 /// Largest number of cells along an axis, without the two cells that RegionGrid adds as a margin.
 /// The sum, 255, fits into a byte.
 constexpr unsigned most_cells_per_axis = 253;
-/// Marks a cell that has faces of several regions, or a face without region.
+/// Marks a cell that has faces of several intersection-free regions, or a face outside such
+/// regions.
 constexpr Index several = no_index - 1;
 
 RawVector<Index> first_copies(const WeldedMesh& welded) {

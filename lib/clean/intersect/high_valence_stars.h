@@ -42,7 +42,7 @@ class HighValenceStars {
     Index center;
     PlaneProjection projection;
     std::vector<Index> faces;
-    std::vector<Index> rim;     ///< for each face its first corner after the center
+    std::vector<Index> rim;     ///< for each face of the star its corner that follows the center
     std::vector<char> is_late;  ///< 1 for each face at an angle of pi or more from rim[0]
     FloatBox box;
   };

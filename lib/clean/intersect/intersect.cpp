@@ -174,8 +174,8 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
   RawVector<Index> faces = find_faces_to_search(welded, regions.of_face);
   const SimplexLinks links = find_simplex_links(welded.points, welded.faces);
   const std::vector<char> is_crowded = HighValenceStars::crowded_points(welded, links);
-  // The list `is_crowded` is empty unless a point or an edge has so many faces that it has a
-  // simplex link.
+  // The list `is_crowded` is empty unless a point or an edge has so many faces that `links` exist
+  // for it.
   for (std::size_t p = 0; p < is_crowded.size(); ++p) regions.is_seam[p] |= is_crowded[p];
   std::vector<char> is_embedded;
   HighValenceStars stars;

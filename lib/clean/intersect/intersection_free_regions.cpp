@@ -44,7 +44,7 @@ struct SharedRegions {
   }
   /// Region of each face: the index of the face from which the region grew.
   std::vector<Index> of_face;
-  std::vector<char> is_seam;    ///< 1 for each point on an outline
+  std::vector<char> is_seam;    ///< 1 for each point on the outline of a region
   std::vector<char> is_region;  ///< 1 for each face that is the first face of a kept region
 };
 

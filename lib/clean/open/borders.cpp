@@ -44,9 +44,8 @@ Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
   return result;
 }
 
-// True if there is a connected set of border edges at each of which at least two border edges have
-// the same positions. Then a part of the surface that has this set as its border has the wrong
-// orientation.
+// True if there is a connected set of border edges in which every edge coincides with another
+// border edge. Then the surface inside this border has the wrong orientation.
 bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   const std::vector<Index> border = check_manifold(mesh).border_halfedges;
   const auto ends_of = [&](Index h) {
@@ -68,16 +67,16 @@ bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
   });
 }
 
-// True if border edges coincide in the same direction only because several sheets end at another
-// sheet. Cleaning creates such meshes, and reversing sheets cannot make them oriented. Hence
-// returns false if reversing sheets makes the mesh oriented.
+// True if border edges coincide in the same direction only because several sheets (sets of
+// connected faces) end at another sheet. Cleaning creates such meshes, and reversing sheets cannot
+// make them oriented. Hence returns false if reversing sheets makes the mesh oriented.
 bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& borders) {
   return is_stitched(mesh, borders) &&
          !(has_reversed_patch(welded, mesh) && can_be_oriented(with_joined_vertices(welded, mesh)));
 }
 
-// True if find_oriented_borders() accepts the mesh after stitch(), which gives sheets that end at
-// another sheet their own vertices.
+// True if find_oriented_borders() accepts the mesh after stitch(), which gives sheets (sets of
+// connected faces) that end at another sheet their own vertices.
 bool can_be_stitched(const Mesh& mesh) {
   Mesh stitched{mesh.positions, mesh.faces, {}, {}};
   stitch(stitched);

@@ -13,7 +13,8 @@ struct Borders {
   /// Boundary loops, as indices of welded points in the direction in which the faces traverse the
   /// border.
   std::vector<std::vector<Index>> loops;
-  bool is_oriented = true;  ///< true if the sum along each edge is -1, 0 or 1
+  /// True if along each edge the numbers of faces in both directions differ by at most 1.
+  bool is_oriented = true;
 };
 
 /// Finds the boundary loops. A closed mesh has none. An edge is in n loops if n more faces traverse

@@ -63,12 +63,13 @@ class ComponentWinding {
   double number_at(const WindingHierarchy& hierarchy, Index component, Index piece) const;
 
   const Arrangement& arrangement_;
-  std::vector<Mesh> meshes_;           ///< mesh of each component
-  std::vector<Index> number_of_face_;  ///< index of each open face in the mesh of its component
-  std::vector<std::vector<Index>> pieces_of_;  ///< pieces of each component
-  /// Hierarchies of the components, computed on demand.
+  std::vector<Mesh> meshes_;  ///< mesh of each open component
+  /// Index of each open face in the mesh of its open component.
+  std::vector<Index> number_of_face_;
+  std::vector<std::vector<Index>> pieces_of_;  ///< pieces of each open component
+  /// Hierarchies of the open components, computed on demand.
   std::vector<std::optional<WindingHierarchy>> windings_;
-  /// Result of on_itself() for each component, computed on demand.
+  /// Result of on_itself() for each open component, computed on demand.
   std::vector<std::optional<double>> on_itself_;
   std::vector<std::optional<double>> areas_;  ///< of the components, computed on demand
 };

@@ -68,9 +68,9 @@ void Sheets::restore_needed(std::vector<char>& marks) const {
 }
 
 // Returns 1 for each patch that contradicts the winding numbers of the cells on both sides, if both
-// cells are inside the body. A patch contradicts them if their difference is not the multiplicity
-// of the patch. Cells on both sides of a marked patch are merged, which may lead to further
-// contradictions.
+// cells are inside the body. A patch contradicts them if their difference is not its multiplicity:
+// the number of coincident faces, with sign. Cells on both sides of a marked patch are merged,
+// which may lead to further contradictions.
 std::vector<char> find_contradictions(const Arrangement& arrangement, const Patches& patches,
                                       int winding_level) {
   std::vector<char> contradicts(patches.size(), 0);
@@ -90,9 +90,9 @@ std::vector<char> find_contradictions(const Arrangement& arrangement, const Patc
   return contradicts;
 }
 
-// Returns 1 for each face of a sheet that bounds nothing. There the winding numbers of the cells in
-// front of a patch and behind it do not differ as the sheet requires. Pieces of multiplicity 0
-// (coincident faces that cancel out) are ignored.
+// Returns 1 for each face of a sheet (set of connected faces) that bounds nothing: all its pieces
+// contradict the winding numbers of the cells on both sides. Pieces of multiplicity 0 (coincident
+// faces that cancel out) are ignored.
 std::vector<char> mark_contradictions(const Arrangement& arrangement, int winding_level) {
   const WeldedMesh& welded = *arrangement.welded;
   const Patches patches(arrangement);

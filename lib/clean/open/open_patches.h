@@ -27,7 +27,7 @@ namespace transformesh {
 
 struct OpenPatches {
   std::vector<char> kept;   ///< 1 for each exterior piece, which is kept
-  std::size_t patches = 0;  ///< number of patches
+  std::size_t patches = 0;  ///< number of patches (connected pieces between intersection curves)
   /// Number of patches that needed a generalized winding number.
   std::size_t decided_by_number = 0;
   /// Least distance of a used generalized winding number from the nearest value at which it would

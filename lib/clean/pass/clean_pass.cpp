@@ -76,7 +76,7 @@ class CleanPassRun {
   bool is_closed_manifold_ = false;
   Borders borders_;
   Arrangement arrangement_;
-  std::vector<char> kept_;  ///< 1 for each piece that is kept
+  std::vector<char> kept_;  ///< 1 for each piece that is kept in the result
   bool has_surface_ = true;
   std::size_t whole_faces_ = 0;
   CleanPass pass_;

@@ -22,7 +22,8 @@ struct CleanPass {
   /// Number of intersecting pairs of faces. If it exceeds `most_pairs`, all other members are
   /// empty.
   std::size_t pairs = 0;
-  std::size_t pieces = 0;  ///< number of pieces of the arrangement, which may lack hidden pieces
+  /// Number of pieces of cut and whole faces; hidden pieces may be missing.
+  std::size_t pieces = 0;
   std::size_t cut_faces = 0;
   std::size_t removed_faces = 0;  ///< number of faces without intersections that were removed
   bool is_open = false;           ///< true if the mesh has borders

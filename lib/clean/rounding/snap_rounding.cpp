@@ -27,10 +27,10 @@ constexpr double flat_steps = 4;
 /// repair fails in 3 of 220 difficult test meshes. With 32, it succeeds in hardly any more meshes
 /// (docs/design/rounding.md).
 constexpr int most_rounds = 16;
-/// Number of doublings of the grid steps at a restart, and in other rounds that do not reduce the
-/// number of broken faces. Three doublings make grids 8 times coarser. With one doubling in these
-/// other rounds, repair fails in a difficult test mesh of nearly coplanar faces. Larger numbers
-/// increase displacements (docs/design/rounding.md).
+/// Number of doublings of the grid steps at a restart, and after a round that does not reduce the
+/// number of broken faces. Three doublings make grids 8 times coarser. With one doubling after such
+/// a round, repair fails in a difficult test mesh of nearly coplanar faces. Larger numbers increase
+/// displacements (docs/design/rounding.md).
 constexpr int doublings_in_vain = 3;
 /// Repair fails if the number of intersecting pairs exceeds this multiple of a sum: the number of
 /// intersecting pairs of the input, plus its number of faces. This bounds time and memory. With the
@@ -118,7 +118,7 @@ class SnapRounder {
   /// Number of broken faces in the previous round; 0 in the first round.
   std::size_t broken_before_ = 0;
   bool is_restarted_ = false;
-  bool moves_to_grids_ = true;  ///< false after the first restart, true again after the second
+  bool moves_to_grids_ = true;  ///< vertices move to grids: false after one restart, true after two
   std::optional<Vec3> place_;   ///< a corner of the first broken face
   SnapRoundingResult result_;
 };
