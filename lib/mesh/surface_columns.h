@@ -33,7 +33,7 @@ bool is_corner_list(const Column& column);
 /// Erases corner lists and returns their names. Call if faces have changed.
 std::vector<std::string> drop_corner_lists(Columns& face_columns);
 
-/// Names of the columns of source points, in this order.
+/// Names of the columns of source points: a face of another mesh and barycentric coordinates on it.
 inline constexpr std::array<const char*, 3> source_point_names{"source_face", "source_u",
                                                                "source_v"};
 
@@ -52,9 +52,9 @@ struct PolygonTriangle {
   std::array<std::uint32_t, 3> corners{0, 1, 2};
 };
 
-/// Reduces the corner lists of triangulated polygons. Each triangle has the whole list of its
-/// polygon, and keeps the values of its three corners. Lists whose length is no multiple of the
-/// polygon's number of corners stay.
+/// Shortens the corner lists of triangles. On entry, each triangle has the list of the whole
+/// polygon; on return, it has the values of its three corners. A list whose length is not a
+/// multiple of the polygon's number of corners is kept.
 void split_corner_lists(Columns& face_columns, std::span<const PolygonTriangle> triangles);
 
 /// Updates normals, corner lists and source points after faces were created or moved.

@@ -9,10 +9,9 @@
 namespace transformesh {
 namespace {
 
-/// Calls visit(corner) for the corners at the same vertex in the faces across both edges of a
-/// corner. If two halfedges of an edge start at the same vertex, the corners at their sources are
-/// neighbors, and so are those at their targets. Otherwise the corner at each source is the
-/// neighbor of the corner at the other halfedge's target.
+/// Calls visit(neighbor) for the corners next to a corner at the same vertex, in the faces across
+/// the two edges at this corner. If faces have different orientations, the two halfedges of an edge
+/// may start at the same vertex.
 template <bool is_oriented, class Visit>
 void for_each_neighbor(std::span<const Face> faces, std::span<const Index> across, Index corner,
                        const Visit& visit) {

@@ -40,7 +40,7 @@ class LiveRun {
   PageRun run_;
   Known<PageMesh> meshes_, targets_;
   Known<PageViews> views_;
-  Mesh target_;              ///< target read last
+  Mesh target_;              ///< target mesh of the evolution that was read last
   std::string target_path_;  ///< path and stamp_of() of the file of `target_`
 };
 

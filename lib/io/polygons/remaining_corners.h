@@ -1,5 +1,5 @@
-/// The corners of a polygon that are not yet cut off while it is triangulated in one projection, as
-/// a circular list.
+/// The corners of a polygon that are left while triangles are cut off it, as a circular list. The
+/// polygon is triangulated in one projection to a plane.
 #pragma once
 
 #include <span>
@@ -12,7 +12,8 @@ namespace transformesh {
 
 class RemainingCorners {
  public:
-  /// Keeps references. `points` are the projected positions.
+  /// Keeps references. `positions` and `vertices` are the corners in space and their vertex
+  /// indices. `points` are the projected positions.
   RemainingCorners(std::span<const Vec3> positions, std::span<const Index> vertices,
                    std::span<const Eigen::Vector2d> points);
 
@@ -24,8 +25,8 @@ class RemainingCorners {
 
   /// Cuts off corners until no two consecutive corners, and no two neighbors of a corner, coincide.
   void remove_coincident();
-  /// Cuts off one end of the edge from `corner`, the end with the smaller triangle, and `count - 1`
-  /// more corners after it.
+  /// Cuts off one end of the edge from `corner` to the next corner: the end whose triangle is
+  /// smaller. Then cuts off the `count - 1` corners after it.
   void cut_edge(std::uint32_t corner, std::size_t count);
   /// Cuts off all corners as a triangle fan from the first corner.
   void cut_fan();
