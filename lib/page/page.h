@@ -55,7 +55,7 @@ using PageBlocks = std::vector<std::pair<std::string, const std::string*>>;
 PageBlocks page_blocks(std::span<const PageRun> runs);
 
 /// Inserts the page into the HTML of the viewer, at the placeholders `<!--tm:title-->` in the title
-/// and `<!--tm:data-->` in the body. A live page gets no blocks.
+/// and `<!--tm:data-->` in the body. The packed meshes are inserted unless the page is live.
 std::string page_html(const Page& page, std::string_view viewer);
 
 }  // namespace transformesh
