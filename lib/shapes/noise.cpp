@@ -33,7 +33,7 @@ constexpr std::array<std::array<double, 3>, 16> gradients = {{{1, 1, 0},
                                                               {0, -1, 1},
                                                               {0, -1, -1}}};
 
-// Returns the linear function of a lattice corner at an offset from the corner.
+// Evaluates the random linear function of a lattice corner at an offset from this corner.
 double corner_slope(const std::array<std::int64_t, 3>& cell, const Vec3& offset,
                     std::uint64_t seed) {
   std::uint64_t hash = seed;

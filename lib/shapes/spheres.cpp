@@ -174,7 +174,8 @@ Mesh dented_sphere(double radius, std::size_t faces) {
 }
 
 Mesh many_spheres(std::size_t count, std::uint64_t seed, std::size_t faces) {
-  // The sum of the spheres' volumes is about twice the volume of the ball that contains them.
+  // Radius of the ball that contains the spheres. The sum of the spheres' volumes is about twice
+  // its volume.
   constexpr double world = 1.2;
   const double typical = std::min(0.6, world * elementary::cbrt(4 / static_cast<double>(count)));
   Random random(seed);
