@@ -1,5 +1,5 @@
-/// The folder of an active run, for a page that polls for changes. Files that disappear or are
-/// incomplete are read at a later refresh.
+/// Reads the folder of a running evolution for a page that polls for changes. Each refresh reads
+/// what has changed. Files that disappear or are incomplete are read at a later refresh.
 #pragma once
 
 #include <functional>

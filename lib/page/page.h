@@ -48,14 +48,15 @@ struct Page {
   std::vector<PageRun> runs;
 };
 
-/// Returns the page's data as JSON, without blocks. Throws InputError if a report is not JSON.
+/// Returns the page's data as JSON, without the packed meshes and photographs. Throws InputError if
+/// a report is not JSON.
 std::string page_json(const Page& page);
 /// Names (as in page_json()) and bytes of packed meshes, targets and photographs.
 using PageBlocks = std::vector<std::pair<std::string, const std::string*>>;
 PageBlocks page_blocks(std::span<const PageRun> runs);
 
 /// Inserts the page into the HTML of the viewer, at the placeholders `<!--tm:title-->` in the title
-/// and `<!--tm:data-->` in the body. The packed meshes are inserted unless the page is live.
+/// and `<!--tm:data-->` in the body. Meshes and photographs are inserted unless the page is live.
 std::string page_html(const Page& page, std::string_view viewer);
 
 }  // namespace transformesh

@@ -29,8 +29,8 @@ Page read_runs_page(const std::vector<std::string>& folders, const RunPageOption
 /// True if a mesh of a run has the column, so that it can be `color_by`.
 bool has_column(const Page& page, const std::string& name);
 
-/// Read the text files of a recorded evolution, and list its mesh files with their numbers: the
-/// frames, followed by the result, unless the last frame is of the last iteration.
+/// Read the text files of a recorded evolution, and list its mesh files with their numbers. Mesh
+/// files are the frames, and the result unless the last frame is of the last iteration.
 PageRun read_run_texts(const std::string& folder);
 RunPaths run_mesh_files(const std::string& folder, const std::string& log);
 

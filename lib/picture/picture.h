@@ -33,8 +33,8 @@ struct PictureOptions {
   /// Draws only this mesh. With Framing::place, camera and colors are chosen for all meshes. The
   /// separate pictures of all meshes can then be the frames of a movie.
   std::optional<std::size_t> only{};
-  /// If given, cameras are fitted to this mesh instead of the drawn meshes, so that the camera of a
-  /// movie does not move.
+  /// If given, cameras are fitted to this mesh instead of the drawn meshes. In a movie, the camera
+  /// then does not depend on the frame.
   const Mesh* around = nullptr;
   ShadeOptions shade;  ///< `range` sets its color scale; the floor is placed under the meshes
   /// Values at the ends of the color scale if shade.color.by is set. Default: the range of the

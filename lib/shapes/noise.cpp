@@ -11,7 +11,8 @@
 namespace transformesh::shapes {
 namespace {
 
-// A choice: fewer steps follow the changing normals less closely, more take longer.
+// Number of steps in which vertices move along their current normals. A choice: fewer steps follow
+// the changing normals less closely, more take longer.
 constexpr int noise_steps = 10;
 constexpr std::size_t vertices_per_task = 2048;
 

@@ -77,7 +77,8 @@ class GeodesicBuilder {
                corners_[face[2]] * static_cast<double>(j));
   }
 
-  // Returns point `step` of n between two corners. Edges are stored from their lower corner.
+  // Returns the index of point `step` on an edge between two corners, which has n equal parts. The
+  // points are stored once per edge, starting at the corner with the lower index.
   Index edge_point(Index from, Index to, std::size_t step) {
     if (from > to) {
       std::swap(from, to);

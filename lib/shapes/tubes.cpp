@@ -106,7 +106,7 @@ std::pair<std::vector<double>, double> equal_pieces(const TorusKnot& knot, std::
 
   std::vector<double> cuts(count);
   for (std::size_t k = 0, i = 0; k < count; ++k) {
-    // The offset 0.2137 of a step prevents that the division points have the symmetries of the
+    // Without the offset of 0.2137 steps, the division points would have the symmetries of the
     // knot.
     const double wanted = length.back() * (static_cast<double>(k) + 0.2137) / count;
     while (length[i + 1] < wanted) ++i;

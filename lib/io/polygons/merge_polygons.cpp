@@ -76,7 +76,8 @@ void Merger::add_polygon(std::vector<Index> faces) {
   ++unmerged_;
 }
 
-// Lists the faces to write. A polygon takes the place of its first triangle.
+// Lists the faces to write, in the order of the triangles. A polygon takes the place of its first
+// triangle.
 void Merger::find_rows() {
   const std::vector<double>& numbers = mesh_.face_columns.find(polygon_column)->values;
   std::map<double, std::vector<Index>> polygons;

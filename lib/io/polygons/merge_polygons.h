@@ -18,7 +18,7 @@ struct MergedPolygons {
   /// Each polygon is one face, whose corners are in `outlines`. The document has no polygon_column.
   Document document;
   Column outlines;  ///< list column: the vertices of each face in order
-  /// Polygons that stay triangles, because their outline is not a single loop.
+  /// Number of polygons that are written as triangles, because their outline is not a single loop.
   std::size_t unmerged = 0;
 };
 

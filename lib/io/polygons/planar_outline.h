@@ -1,7 +1,8 @@
 /// Triangulates closed outlines in the plane without new points, by exact predicates. Computes the
 /// constrained Delaunay triangulation of the edges and keeps the triangles with a winding number
-/// other than 0. An outline may visit a point several times: a bridge to a hole and back leaves the
-/// hole open. Cost: O(n log n) on usual outlines; deterministic.
+/// other than 0. An outline may visit a point several times. For example, an edge that is traversed
+/// in both directions may connect the outer boundary with a hole; the hole then stays open. Cost:
+/// O(n log n) on usual outlines; deterministic.
 #pragma once
 
 #include <Eigen/Core>

@@ -35,7 +35,7 @@ class RemainingCorners {
   void add_flat(const CornerTriangle& triangle) { add(triangle, upright); }
 
   std::vector<CornerTriangle> triangles;  ///< triangles that were cut off or added
-  /// Number of triangles with an area in space that were cut off at an edge or in a fan.
+  /// Number of triangles with an area in space that cut_edge() or cut_fan() cut off.
   std::size_t folds = 0;
   /// Number of triangles with an area in space, but not in the projection.
   std::size_t upright = 0;

@@ -17,8 +17,8 @@ namespace {
 
 using Point = Eigen::Vector2d;
 
-/// A projection to the plane by products with two vectors. If the vectors are axes, projected
-/// coordinates equal the original doubles.
+/// Projects a point to two coordinates: its dot products with the vectors u and v. If these are
+/// axes, the coordinates are the original doubles.
 struct Projection {
   Vec3 u, v;
 
