@@ -25,7 +25,8 @@
 namespace transformesh {
 namespace {
 
-/// Removes a UTF-8 byte order mark. In the header of binary STL these bytes are part of the name.
+/// Removes a UTF-8 byte order mark at the start of a file. A binary STL file stays unchanged: its
+/// header is arbitrary text, which may start with these bytes.
 std::string_view without_byte_order_mark(std::string_view bytes) {
   constexpr std::string_view mark = "\xef\xbb\xbf";
   const bool is_marked = bytes.starts_with(mark) && !is_binary_stl_by_size(bytes);
@@ -74,7 +75,8 @@ ReadResult read_compressed(std::string_view bytes, const std::string& name,
   return result;
 }
 
-/// Writes a mesh. `outlines` are MergedPolygons::outlines, for PLY, OFF and OBJ, or null.
+/// Writes a mesh. For PLY, OFF and OBJ, `outlines` may be the polygons to write as faces
+/// (MergedPolygons::outlines). If it is null, the triangles are written.
 WriteResult write_format(const Document& document, const Column* outlines = nullptr) {
   check_writable(document);
   switch (document.style.format) {

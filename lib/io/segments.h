@@ -15,7 +15,8 @@ using Segment = std::pair<Vec3, Vec3>;
 /// there is no element `edge` or an index is out of range.
 std::vector<Segment> segments_of(const Document& document, const std::string& name);
 
-/// Returns the bytes of a binary PLY file with the segments. Segments share no vertices.
+/// Returns the bytes of a binary PLY file with the segments. Each segment gets two vertices of its
+/// own.
 std::string segment_file(const std::vector<Segment>& segments);
 
 }  // namespace transformesh

@@ -2,8 +2,8 @@
 /// represents its component, so that the result does not depend on the threads.
 ///
 /// Reference: Jayadharini Jaiganesh, Martin Burtscher, "A High-Performance Connected Components
-/// Implementation for GPUs", 2018. Each element first points to its smallest neighbor; only edges
-/// that this leaves out are joined by compare and swap.
+/// Implementation for GPUs", 2018. Each element first points to its smallest neighbor. Only the
+/// edges to other neighbors need an atomic compare and swap.
 #pragma once
 
 #include <atomic>
@@ -77,10 +77,10 @@ RawVector<Index> connected_minima(std::size_t size, const Neighbors& neighbors) 
   return minima;
 }
 
-/// Numbers the components in the order of their smallest elements, which must be `minima` of their
-/// elements; replaces the entry of each element by the number of its component. Elements for which
-/// is_included(element) is false get no_index; a component is included or left out as a whole.
-/// Returns the smallest elements of the components.
+/// Numbers the components in ascending order of their smallest elements. On entry, `minima[i]` is
+/// the smallest element of the component of i; on return, it is the number of this component. A
+/// component is left out if is_included() is false for its elements; their entry is then no_index.
+/// Returns the smallest element of each component.
 template <class IsIncluded>
 RawVector<Index> number_components(RawVector<Index>& minima, const IsIncluded& is_included) {
   const NumberedSelection selection(minima.size(), [&](std::size_t i) {

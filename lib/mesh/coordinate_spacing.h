@@ -46,12 +46,12 @@ std::size_t round_positions(Mesh& mesh, Scalar coordinate);
 std::optional<Mesh> rounded_mesh(const Mesh& mesh, Scalar coordinate);
 
 struct RoundingLoss {
-  std::size_t collapsed = 0;  ///< faces two corners of which coincide after rounding
+  std::size_t collapsed = 0;  ///< number of faces with two corners that coincide after rounding
   /// Faces that did not collapse, but whose normal turned by more than 45 degrees.
   std::size_t turned = 0;
 };
 
-/// Counts the faces that the rounding of positions damaged. O(faces).
+/// Counts the faces that rounding damaged. `before` are the positions before rounding. O(faces).
 RoundingLoss rounding_loss(const Mesh& mesh, std::span<const Vec3> before);
 
 }  // namespace transformesh

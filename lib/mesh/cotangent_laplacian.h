@@ -11,8 +11,8 @@ namespace transformesh {
 
 /// How the cotangents of thin triangles are bounded.
 enum class CotangentBounds {
-  /// Angles count as 5 to 175 degrees, and the weight of an edge as at least 0. No vertex is pushed
-  /// away from a neighbor, but edges opposite of obtuse angles are in error.
+  /// Each angle is clamped to 5 to 175 degrees, and each edge weight to at least 0. No vertex is
+  /// then pushed away from a neighbor. Edges opposite obtuse angles get wrong weights.
   each_edge,
   /// The cotangents of a triangle with an angle below 1 degree are scaled down together. Other
   /// cotangents are exact. The operator stays negative semidefinite, so that implicit steps are

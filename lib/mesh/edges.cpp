@@ -24,21 +24,21 @@ constexpr Index halfedge_of(Entry entry) { return static_cast<Index>(entry); }
 
 constexpr std::size_t edges_per_task = 8192;   ///< affects time only
 constexpr std::size_t faces_per_block = 4096;  ///< affects time only
-/// Parts of the vertices for each thread. More parts balance the threads better; with more parts,
-/// more blocks of faces belong to two parts. A choice.
+/// The vertices are divided into this number of parts per thread. A choice: more parts balance the
+/// threads better, but more blocks of faces have vertices in two parts.
 constexpr std::size_t parts_per_thread = 4;
 
 /// A range of vertices with their buckets, which one thread fills and sorts.
 struct Part {
   Index first = 0, last = 0;    ///< the vertices from `first` to before `last`
-  std::size_t first_entry = 0;  ///< number of the first entry of these buckets
-  std::size_t entries = 0;      ///< number of entries
-  std::size_t first_edge = 0;   ///< number of the first edge
-  std::size_t edges = 0;        ///< number of edges
+  std::size_t first_entry = 0;  ///< index of the first entry of its buckets among all entries
+  std::size_t entries = 0;      ///< number of entries in its buckets
+  std::size_t first_edge = 0;   ///< index of its first edge among all edges
+  std::size_t edges = 0;        ///< number of edges in its buckets
 };
 
-/// The range of the smaller vertices of the halfedges in a block of faces: the smallest and the
-/// largest of them.
+/// For a block of faces: the smallest and the largest of the vertices in whose buckets its
+/// halfedges are.
 struct VertexRange {
   Index first = no_index, last = 0;
   bool overlaps(const Part& part) const { return first < part.last && last >= part.first; }
@@ -77,7 +77,8 @@ class Buckets {
  public:
   Buckets(std::span<const Face> faces, std::size_t vertices);
   std::size_t entry_count() const { return parts_.back().first_entry + parts_.back().entries; }
-  /// Writes the halfedges of all edges, and returns the offsets of the edges in them.
+  /// Writes the halfedges of all edges, edge by edge. Returns the index of each edge's first
+  /// halfedge in `halfedges`.
   RawVector<Index> sort(std::span<Index> halfedges);
 
  private:

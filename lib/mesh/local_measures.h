@@ -7,7 +7,7 @@
 
 namespace transformesh {
 
-/// Returns the positions of the vertices that faces use, in their order.
+/// Returns the positions of the vertices that faces use, in the order of the vertices.
 std::vector<Vec3> used_positions(const Mesh& mesh);
 
 /// Returns the mean of the corners of a face.

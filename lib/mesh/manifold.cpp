@@ -65,8 +65,8 @@ Problem edge_problem(ErrorKind kind, const std::string& what, const Mesh& mesh,
   return {kind, what + and_more(halfedges.size(), "edges"), std::move(data)};
 }
 
-/// Coincident border edges are reported first: such edges must be joined, because patches would
-/// fill the gap between them.
+/// Reports coincident border edges together with the border. Such edges must be joined first:
+/// filling the holes would put faces between them.
 Problem border_problem(const Mesh& mesh, const ManifoldReport& report) {
   const std::vector<Index>& borders = report.border_halfedges;
   Problem problem =

@@ -75,8 +75,8 @@ double smallest_angle(const Mesh& mesh, const Face& face) {
 double lesser(double a, double b) { return a < b ? a : b; }
 double greater(double a, double b) { return a > b ? a : b; }
 
-/// Compares the three corners with each other first. The box then depends on the previous face by
-/// only one operation.
+/// Extends a box by three points. Finds the extremes of the three points first. In a loop over
+/// faces, each box then waits for the previous box for only one comparison.
 void extend(Box& box, const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int axis = 0; axis < 3; ++axis) {
     const double low = lesser(lesser(a[axis], b[axis]), c[axis]);

@@ -14,9 +14,9 @@ struct PointBounds {
   Vec3 low, high;
 };
 
-/// Returns the bounds of point_of(0) to point_of(count - 1); `count` must not be 0. The blocks do
-/// not depend on the number of threads, and neither do the signs of zeros. Points that are not
-/// numbers are skipped.
+/// Returns the bounds of point_of(0) to point_of(count - 1); `count` must not be 0. The result,
+/// including the signs of zeros, does not depend on the number of threads. NaN coordinates are
+/// skipped.
 template <class PointOf>
 PointBounds bounds_of_points(std::size_t count, const PointOf& point_of) {
   constexpr std::size_t block = 8192;  // affects time only
@@ -24,7 +24,7 @@ PointBounds bounds_of_points(std::size_t count, const PointOf& point_of) {
   std::vector<PointBounds> bounds((count + block - 1) / block);
   parallel_for(bounds.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t b = from; b < to; ++b) {
-      // Separate numbers stay in registers.
+      // Separate variables, because the compiler keeps them in registers.
       double x0 = infinity, y0 = infinity, z0 = infinity;
       double x1 = -infinity, y1 = -infinity, z1 = -infinity;
       for (std::size_t i = b * block; i < std::min(count, (b + 1) * block); ++i) {

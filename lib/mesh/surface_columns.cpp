@@ -25,7 +25,8 @@ void set_row(const NormalColumns& columns, std::size_t row, const Vec3& normal) 
     columns[axis]->values[row] = normal[static_cast<Eigen::Index>(axis)];
 }
 
-// Appends the values of three corners from the list of a row, `width` per corner.
+// Appends the values of three corners of a polygon. `from` has a list of values for each row, with
+// `width` values per corner.
 void append_corners(Column& to, const Column& from, std::size_t row,
                     const std::array<std::uint32_t, 3>& corners, std::size_t width) {
   for (const std::uint32_t corner : corners)

@@ -22,26 +22,28 @@ bool refresh_normals(Mesh& mesh);
 /// Negates all normals. Call if all faces were reversed.
 void reverse_normals(Mesh& mesh);
 
-/// Exchanges the values of the last two corners of a face in corner lists.
+/// Exchanges the values of the last two corners of a face in columns with values per face corner,
+/// such as texture coordinates.
 void reverse_corner_lists(Mesh& mesh, Index face);
 
-/// Reverses all faces, with their normals and corner lists.
+/// Reverses all faces, with their normals and their values per corner (texture coordinates).
 void reverse_faces(Mesh& mesh);
 
 bool is_corner_list(const Column& column);
 
-/// Erases corner lists and returns their names. Call if faces have changed.
+/// Erases the columns with values per face corner (texture coordinates), and returns their names.
+/// Call if faces have changed.
 std::vector<std::string> drop_corner_lists(Columns& face_columns);
 
-/// Names of the columns of source points, in this order.
+/// Names of the columns of source points: a face of another mesh and barycentric coordinates on it.
 inline constexpr std::array<const char*, 3> source_point_names{"source_face", "source_u",
                                                                "source_v"};
 
-/// True if all three columns of source points exist and are numbers.
+/// True if all three columns of source points (places on another mesh) exist and are numbers.
 bool has_source_columns(const Columns& columns);
 
-/// Erases source points. Returns true if the mesh had source points. Call if vertices or faces have
-/// changed.
+/// Erases the columns of source points (places on another mesh). Returns true if the mesh had them.
+/// Call if vertices or faces have changed.
 bool drop_source_points(Mesh& mesh);
 
 /// A triangle of a triangulated polygon: row and number of corners of the polygon, and the three
@@ -52,12 +54,13 @@ struct PolygonTriangle {
   std::array<std::uint32_t, 3> corners{0, 1, 2};
 };
 
-/// Reduces the corner lists of triangulated polygons. Each triangle has the whole list of its
-/// polygon, and keeps the values of its three corners. Lists whose length is no multiple of the
-/// polygon's number of corners stay.
+/// Shortens the corner lists of triangles. On entry, each triangle has the list of the whole
+/// polygon; on return, it has the values of its three corners. A list whose length is not a
+/// multiple of the polygon's number of corners is kept.
 void split_corner_lists(Columns& face_columns, std::span<const PolygonTriangle> triangles);
 
-/// Updates normals, corner lists and source points after faces were created or moved.
+/// Call after faces were created or moved. Recomputes normals, and erases texture coordinates of
+/// corners and source points, because these are wrong afterwards.
 inline StaleColumns refresh_columns(Mesh& mesh) {
   return {refresh_normals(mesh), drop_corner_lists(mesh.face_columns), drop_source_points(mesh)};
 }

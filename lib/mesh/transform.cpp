@@ -19,7 +19,7 @@ namespace {
 
 using Matrix3 = Eigen::Matrix3d;
 
-/// Bound on the error of a scale of 1 after products of rotations.
+/// Tolerance for a scale factor of 1, which products of rotations change by rounding.
 constexpr double rounding = 1e-12;
 
 Matrix4 affine(const Matrix3& linear, const Vec3& way) {

@@ -9,10 +9,10 @@
 namespace transformesh {
 namespace {
 
-/// Calls visit(corner) for the corners at the same vertex in the faces across both edges of a
-/// corner. If two halfedges of an edge start at the same vertex, the corners at their sources are
-/// neighbors, and so are those at their targets. Otherwise the corner at each source is the
-/// neighbor of the corner at the other halfedge's target.
+/// Calls visit(neighbor) for the corners next to a corner at the same vertex, in the faces across
+/// the two edges at this corner. The two halfedges of an edge usually have opposite directions: the
+/// source of one is the target of the other. If both start at the same vertex, because their faces
+/// have different orientations, the corners at their sources are neighbors.
 template <bool is_oriented, class Visit>
 void for_each_neighbor(std::span<const Face> faces, std::span<const Index> across, Index corner,
                        const Visit& visit) {

@@ -1,6 +1,5 @@
-/// Umbrellas of a mesh (paper 3.3): maximal sets of faces at a vertex that are connected across
-/// edges. A vertex of a manifold has one umbrella; a singular vertex has several. Cost: O(n);
-/// deterministic.
+/// Umbrellas of a mesh: maximal sets of faces at a vertex that are connected across edges. A vertex
+/// of a manifold has one umbrella; a singular vertex has several. Cost: O(n); deterministic.
 #pragma once
 
 #include <span>

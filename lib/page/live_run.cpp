@@ -57,7 +57,7 @@ void LiveRun::read_views() {
   views_ = std::move(present);
 }
 
-/// Reads and packs a target, unless it is the target that was read last.
+/// Reads and packs the target of an evolution, unless it is the file that was read last.
 void LiveRun::read_target(std::size_t number, const std::string& path) {
   const std::string stamp = stamp_of(path);
   if (target_path_ == path + stamp) return;

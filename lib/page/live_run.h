@@ -1,5 +1,5 @@
-/// The folder of an active run, for a page that polls for changes. Files that disappear or are
-/// incomplete are read at a later refresh.
+/// Reads the folder of a running evolution for a page that polls for changes. Each refresh reads
+/// what has changed. Files that disappear or are incomplete are read at a later refresh.
 #pragma once
 
 #include <functional>
@@ -40,7 +40,7 @@ class LiveRun {
   PageRun run_;
   Known<PageMesh> meshes_, targets_;
   Known<PageViews> views_;
-  Mesh target_;              ///< target read last
+  Mesh target_;              ///< target mesh of the evolution that was read last
   std::string target_path_;  ///< path and stamp_of() of the file of `target_`
 };
 

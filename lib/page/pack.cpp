@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 constexpr double most = 65535;
 constexpr std::uint32_t not_finite = 65535;
 
-/// Concatenates the streams of a block.
+/// Builds the bytes of a packed mesh from streams of integers.
 class Streams {
  public:
   void add(std::span<const std::uint32_t> numbers, int bytes) {
@@ -24,7 +24,8 @@ class Streams {
       for (const std::uint32_t number : numbers)
         bytes_ += static_cast<char>((number >> (8 * byte)) & 255U);
   }
-  /// Adds differences modulo 256^bytes.
+  /// Adds the first number and the difference of each number from the previous one, modulo
+  /// 256^bytes.
   void add_differences(std::vector<std::uint32_t> numbers, int bytes) {
     for (std::size_t i = numbers.size(); i-- > 1;) numbers[i] -= numbers[i - 1];
     add(numbers, bytes);

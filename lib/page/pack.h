@@ -10,8 +10,9 @@
 ///   or 0 for a new vertex. Integers have four bytes, or two if there are at most 65535 vertices.
 /// - x, then y, then z of all vertices: integers 0 to 65535 from `low` to `high`, each as the
 ///   difference from the previous one, modulo 65536.
-/// - Columns in this way, too: integers 0 to 65534; 65535 is a non-finite number. A color is three
-///   streams of bytes, red, green and blue, as differences modulo 256.
+/// - Columns: integers 0 to 65534 from `low` to `high`, as differences like the coordinates.
+///   65535 is a non-finite number. A color is three streams of bytes, red, green and blue, as
+///   differences modulo 256.
 ///
 /// Lists, normals and velocities (nx ny nz, vx vy vz) are left out. Faces keep their order. Cost:
 /// linear except for the compression. Deterministic for a given version of zlib.

@@ -72,7 +72,7 @@ Json mesh_json(const PageMesh& mesh, const std::string& block) {
 Json camera_json(const RunView& view, const std::string& photograph) {
   const CameraRecord& record = view.camera;
   const PinholeCamera& camera = record.camera;
-  // If the image size is unknown, the principal point counts as the center.
+  // If the image size is unknown, the principal point is assumed to be the center.
   const double width = record.width > 0 ? record.width : 2 * camera.intrinsics(0, 2) + 1;
   const double height = record.height > 0 ? record.height : 2 * camera.intrinsics(1, 2) + 1;
   Json corners = Json::array();

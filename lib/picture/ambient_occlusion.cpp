@@ -15,7 +15,7 @@ namespace transformesh {
 namespace {
 
 constexpr int directions = 128;  ///< more directions reduce noise and take proportionally more time
-/// Least distance of occluders, as a fraction of the diagonal.
+/// Least distance of occluders from a vertex, as a fraction of the bounding box's diagonal.
 constexpr double least_distance = 1e-5;
 constexpr std::size_t vertices_per_task = 256;
 
@@ -27,8 +27,8 @@ Vec3 direction(int i) {
   return {radius * elementary::cos(turn), radius * elementary::sin(turn), height};
 }
 
-/// Casts parallel rays. The mesh is rotated so that rays point upwards. A ray is then a box of zero
-/// width.
+/// Casts parallel rays. The mesh is rotated so that rays point upwards. A ray is then an
+/// axis-aligned box of zero width for the Bvh query.
 class ParallelRays {
  public:
   ParallelRays(const Mesh& mesh, const Vec3& upwards)

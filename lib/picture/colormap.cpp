@@ -62,7 +62,8 @@ std::vector<Color> make_table(const std::array<Stop, Stops>& stops) {
   return table;
 }
 
-/// Returns the relative position of a value between the ends. Values are halved to avoid overflow.
+/// Returns the position of a value between `low` and `high`, in [0, 1]. Values are halved to avoid
+/// overflow.
 double place_between(double low, double high, double value) {
   const double extent = high / 2 - low / 2;
   if (!(extent > 0)) return 0.5;

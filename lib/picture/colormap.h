@@ -28,8 +28,8 @@ struct ColorScale {
   Color at(double value) const;
 };
 
-/// Return a number column (no lists): of the faces, and of the vertices if the faces have none.
-/// Null if there is none.
+/// Return the column of this name: of the faces, and of the vertices if the faces have none. Return
+/// null if there is no such column, or if it is a list column.
 const Column* number_column_of_faces(const Mesh& mesh, const std::string& name);
 const Column* number_column_of_vertices(const Mesh& mesh, const std::string& name);
 

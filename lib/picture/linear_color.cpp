@@ -11,8 +11,8 @@ namespace {
 
 constexpr int steps = 4096;  ///< entries of the table of srgb_byte()
 
-/// Tabulates sRGB at equidistant square roots of linear light, of which sRGB is nearly a linear
-/// function.
+/// Tabulates the sRGB curve by the square root of linear light, at equidistant steps. In terms of
+/// the square root the curve is nearly linear.
 std::array<float, steps + 1> make_bytes() {
   std::array<float, steps + 1> bytes{};
   for (int i = 0; i <= steps; ++i) {

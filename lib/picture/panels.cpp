@@ -74,7 +74,7 @@ int columns_of(std::size_t meshes, const PictureOptions& options, int strip) {
   return largest_panels(all, options.width, options.height - strip);
 }
 
-/// Returns panels in reading order, without meshes.
+/// Returns the panels in reading order. Their meshes are not yet set.
 std::vector<Panel> divide(std::size_t meshes, const PictureOptions& options, int strip) {
   const int all = static_cast<int>(meshes) * options.views;
   const int columns = columns_of(meshes, options, strip);

@@ -45,8 +45,8 @@ double lowest(std::span<const Mesh* const> meshes, const Vec3& upright) {
   return height;
 }
 
-/// Returns the height of the floor under a mesh. All meshes have a common floor if all panels show
-/// the same box.
+/// Returns the height of the floor under a mesh. With Framing::place or PictureOptions::around, all
+/// meshes have a common floor.
 double floor_of(const Mesh* mesh, std::span<const Mesh* const> meshes,
                 const PictureOptions& options, const Vec3& upright) {
   if (options.around != nullptr) return lowest({&options.around, 1}, upright);

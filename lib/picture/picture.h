@@ -25,24 +25,25 @@ struct PictureOptions {
   /// and there are several views, each mesh has its own row. The views of a single mesh are laid
   /// out such that panels are as large as possible.
   int columns = 0;
-  /// Number of panels of each mesh. The camera starts at `orbit` and moves around the mesh to its
-  /// right, once in total.
+  /// Number of panels of each mesh. From panel to panel, the camera moves to the right around the
+  /// mesh. The panels together show one full turn that starts at `orbit`.
   int views = 1;   ///< >= 1
   int frames = 1;  ///< number of pictures in a movie in which the camera moves around once, >= 1
   int frame = 0;
-  /// Draws only this mesh. With Framing::place, the camera and the colors are those of all meshes,
-  /// so that the pictures of all meshes in turn are a film.
+  /// Draws only this mesh. With Framing::place, camera and colors are chosen for all meshes. The
+  /// separate pictures of all meshes can then be the frames of a movie.
   std::optional<std::size_t> only{};
-  /// If given, cameras are fitted to this mesh instead of the drawn meshes, for steady movies.
+  /// If given, cameras are fitted to this mesh instead of the drawn meshes. In a movie, the camera
+  /// then does not depend on the frame.
   const Mesh* around = nullptr;
-  ShadeOptions shade;  ///< the color scale is set by `range`, the floor by the meshes
+  ShadeOptions shade;  ///< `range` sets its color scale; the floor is placed under the meshes
   /// Values at the ends of the color scale if shade.color.by is set. Default: the range of the
   /// finite values of all meshes.
   std::optional<std::pair<double, double>> range;
 };
 
 /// Returns the corners of the bounding box of all meshes, as a mesh for PictureOptions::around.
-/// Many pictures of many meshes then need no points of all meshes for each picture.
+/// Fitting cameras to eight corners is faster than to all vertices for each picture.
 Mesh corners_around(std::span<const Mesh* const> meshes);
 
 /// Draws the panels from left to right, then down. A camera that moves around looks at the center

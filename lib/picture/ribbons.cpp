@@ -19,7 +19,8 @@ void add_ribbons(std::span<const std::pair<Vec3, Vec3>> segments, const Camera& 
     const double depth_b = camera.project(b).z();
     if (!(size > 0 && depth_a > 0 && depth_b > 0)) continue;
 
-    // Vertices are half a width to either side of each end, and one width closer to the camera.
+    // Each end of the segment gets two vertices, half a width to its left and right. They are one
+    // width closer to the camera than the end.
     const auto first = static_cast<Index>(mesh.positions.size());
     for (const auto& [end, depth] : {std::pair(a, depth_a), std::pair(b, depth_b)}) {
       const double length = width * depth / focal_length;

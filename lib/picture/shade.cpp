@@ -16,7 +16,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int most_samples = 1 << 17;  ///< limit per thread; one row of pixels may exceed it
+constexpr int most_samples = 1 << 17;  ///< limit of samples per thread; one row may exceed it
 constexpr int most_rows = 8;  ///< limit of the pixel rows in a band, so that all threads have work
 /// Half the width of mesh edges in pixels; the adjacent face draws the other half.
 constexpr double line_half_width = 0.45;
@@ -108,7 +108,7 @@ class Shader {
     return pixel_of(all / static_cast<float>(samples));
   }
 
-  /// Fraction of the key light on the face of the last sample in a pixel.
+  /// Cached fraction of the key light that reaches a face, for the next samples of the same pixel.
   struct KeyLight {
     Index face = no_index;
     float share = 1;

@@ -17,14 +17,15 @@ constexpr double least_distance = 1e-6;
 constexpr double least_determinant = 1e-9;  ///< relative; faces observed edge-on hide nothing
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The part of a segment on which linear functions are not negative, in [0, 1].
+/// The part of a segment on which linear functions are not negative. Its ends are parameters in [0,
+/// 1] along the segment.
 struct Interval {
   double from = 0;
   double to = 1;
 
   bool empty() const { return !(from < to); }
-  /// Intersects with the part on which a function is not negative. The function has these values at
-  /// 0 and 1.
+  /// Keeps only the part on which a linear function is not negative. `at_0` and `at_1` are its
+  /// values at the ends of the segment.
   void keep(double at_0, double at_1) {
     if (at_0 < 0 && at_1 < 0) to = from;
     if (at_0 < 0 && at_1 >= 0) from = std::max(from, at_0 / (at_0 - at_1));
@@ -128,7 +129,8 @@ VisibleLines::Parts VisibleLines::parts(const Vec3& from, const Vec3& to,
   const Interval inside = inside_image(a, b, camera_.width, camera_.height);
   if (inside.empty()) return {};
 
-  // Candidates are faces whose image overlaps the segment's and that are not entirely behind it.
+  // Candidates are faces whose image overlaps the image of the segment and that are not entirely
+  // behind the segment.
   const Vec3 start = image_of(a + inside.from * (b - a));
   const Vec3 end = image_of(a + inside.to * (b - a));
   if (!start.allFinite() || !end.allFinite()) return {};

@@ -39,10 +39,10 @@ struct Fit {
   double eye_back = 0;
 };
 
-/// Returns the position nearest to the points from which all of them are inside the image along
-/// `direction`. All coordinates are along `direction` and `back`. The point (u, d) is inside the
-/// image of a camera at (m, b) if |u - m| * slope <= b - d. These conditions bound b + slope m and
-/// b - slope m from below. If both are at their bounds, b is least.
+/// Returns the camera position closest to the points for which all points are inside the image
+/// along one image axis. Coordinates are measured along `direction` (u) and `back` (d). A point (u,
+/// d) is inside the image of a camera at (m, b) if |u - m| * slope <= b - d. This bounds both b +
+/// slope m and b - slope m from below. The least b has both at their bounds.
 Fit fit(std::span<const Vec3> points, const Vec3& direction, const Vec3& back, double slope) {
   double plus = -HUGE_VAL;
   double minus = -HUGE_VAL;
@@ -123,9 +123,9 @@ Aim turn_aim(std::span<const Vec3> points, const Orbit& orbit, int width, int he
 
   // Let (r, a, h) be cylindrical coordinates of a point around `middle`: radius, azimuth relative
   // to the camera, and height. The point is r sin a to the right of `middle`, as observed by the
-  // camera. It is h cosine - r sine cos a above `middle`, and r cosine cos a + h sine nearer to the
-  // camera. The distance must be at least the last number plus the slope times the offset to the
-  // right, up or down. The maximum of each such sum over all a has a closed form.
+  // camera. It is h cosine - r sine cos a above `middle`, and n = r cosine cos a + h sine nearer to
+  // the camera. The distance must be at least n plus the slope times the offset to the right, up or
+  // down. The maximum of each such sum over all a has a closed form.
   double distance = 0;
   for (const Vec3& point : points) {
     const double height_of = up.dot(point - middle);

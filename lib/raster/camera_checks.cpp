@@ -62,7 +62,7 @@ void check_read_again(const CameraRecord& record, const PinholeCamera& again) {
 }
 
 void check_rotation(const TextRows& rows, const Eigen::Matrix3d& rotation, const std::string& who) {
-  // Tolerance of the product of the matrix with its transpose, because numbers in files may be
+  // Tolerance for the product of the rotation matrix with its transpose. Numbers in files may be
   // rounded to three digits.
   constexpr double rounding = 1e-3;
   const Eigen::Matrix3d product = rotation * rotation.transpose();

@@ -8,10 +8,11 @@
 namespace transformesh {
 namespace {
 
-/// Photographs are compared on four rings of neighbors around a vertex together, and movements
-/// decrease over two rings. Edges are three pixels long: four rings are 25 pixels wide, in which
-/// noise hardly decides.
+/// Number of rings of neighbors around a vertex on which photographs are compared together. Edges
+/// are three pixels long, so that four rings are 25 pixels wide. On this width noise hardly
+/// decides.
 constexpr int compared_rings = 4;
+/// Number of rings of neighbors over which movements decrease to zero.
 constexpr int blended_rings = 2;
 /// Returns the vertex of a face that is closest to a point.
 Index closest_corner(const Mesh& mesh, Index face, const Vec3& point) {

@@ -15,14 +15,15 @@ namespace {
 /// Carving ends if photographs contradict less than this fraction of the observed area. On true
 /// surfaces they contradict 0 to 0.3 %, near contours.
 constexpr double least_share = 0.005;
-/// Number of rounds before a full sweep. Rounds blur the surface, so that only the surface after a
-/// full sweep can be judged. On two linked tori, three rounds without such a sweep lowered the
-/// score although they removed most of a filling.
+/// Number of rounds of carving before a full sweep of steps. Rounds blur the surface, so that only
+/// the surface after a full sweep can be compared. On two linked tori, the score after three rounds
+/// was lower although most of a false surface between the tori was removed.
 constexpr int rounds_before_settling = 4;
-/// Limits the time if carving never reaches the accepted fraction. Other values were not measured.
+/// Largest number of full sweeps. It limits the time if carving does not reach the accepted
+/// fraction. Other values were not measured.
 constexpr int most_settlings = 4;
-/// Least ratio of the new score to the best one. At lower values, noise of the score lets carving
-/// continue until strands tear. This noise reached 0.1 % on the torus knot 2,3.
+/// Least ratio of the new score to the best one. At lower values, carving continues because of
+/// noise in the score until thin strands tear. This noise reached 0.1 % on the torus knot 2,3.
 constexpr double least_improvement = 1.001;
 /// Tolerated decrease of the mean overlap of outlines and exact masks. A strand that tears lowers
 /// the overlap by more. Other values were not measured.
@@ -30,7 +31,7 @@ constexpr double most_outline_lost = 0.001;
 
 /// Measures by which surfaces of different rounds are compared.
 struct CarvedSurface {
-  double confirmed = 0;           ///< weight of the windows on parts on which photographs agree
+  double confirmed = 0;           ///< sum of the weights of windows on which photographs agree
   double contradicted_share = 0;  ///< fraction of the observed area that photographs contradict
   double outline = 1;
 
@@ -56,8 +57,8 @@ CarvedSurface measured(const Mesh& mesh, const CarvingEvidence& evidence) {
   return surface;
 }
 
-// Takes four rounds of carving and a full sweep. Returns false if a stage fails, for example
-// because nothing of the surface is left.
+// Runs four rounds of carving, then a full sweep of steps. Returns false if a stage fails, for
+// example because nothing of the surface is left.
 bool carve_and_settle(Document& document, CarvingEvidence& evidence, const CarvingStages& stages) {
   try {
     for (int round = 0; round < rounds_before_settling; ++round) {

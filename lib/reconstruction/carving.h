@@ -28,10 +28,10 @@ struct CarvingEvidence {
 
 struct CarvingStages {
   std::function<CarvingEvidence(const Mesh&)> measure;
-  std::function<void(Document&)> sweep;   ///< cleans, then runs a short sweep of steps
-  std::function<void(Document&)> settle;  ///< runs a sweep of steps to its end
-  std::function<void()> keep;             ///< called each time `document` of carve() is replaced
-  double distance = 0;                    ///< largest movement of a vertex in a round; input units
+  std::function<void(Document&)> sweep;   ///< cleans the mesh, then takes a few steps
+  std::function<void(Document&)> settle;  ///< takes the steps of a full sweep
+  std::function<void()> keep;  ///< called after the document is replaced by a better surface
+  double distance = 0;         ///< largest movement of a vertex in a round; input units
 };
 
 /// Carves until photographs contradict at most 0.5 % of the observed surface, in at most 16 rounds.

@@ -8,11 +8,11 @@
 namespace transformesh {
 namespace {
 
-/// Tolerated decrease of the intersection over union with silhouettes: the inaccuracy that follows
-/// from the edge length of the initial mesh.
+/// Tolerated decrease of the intersection over union of outlines and silhouettes. The outlines of
+/// the initial mesh are inaccurate by about this much because its edges are long.
 constexpr double agreement_lost = 0.005;
-/// Limit between true and wrong surfaces. On true surfaces, dissimilarity exceeds the level that
-/// noise explains by up to 0.09, on wrong surfaces by 0.5 (disagreement.h).
+/// Largest accepted dissimilarity of photographs after subtraction of their noise (disagreement.h).
+/// On true surfaces it is at most 0.09, on wrong surfaces 0.5.
 constexpr double most_disagreement = 0.2;
 /// Largest accepted area of doubtful places, as a fraction of the observed area. Chosen to tolerate
 /// small places that photographs do not confirm.

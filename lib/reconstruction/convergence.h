@@ -9,8 +9,8 @@
 
 namespace transformesh {
 
-/// Measures of the resulting surface by which convergence is decided, in addition to faults of the
-/// sweeps.
+/// Measures of the resulting surface by which convergence is decided. ReconstructionFaults contains
+/// further reasons, from the sweeps.
 struct SurfaceEvidence {
   /// Mean intersection over union of the outlines of the initial mesh and exact masks.
   double first_agreement = 1;
@@ -21,10 +21,10 @@ struct SurfaceEvidence {
 
 /// Reasons why a reconstruction has not converged.
 struct ReconstructionFaults {
-  /// Scale of photographs during which the compared part of the surface shrank
+  /// Scale at which the part of the surface on which photographs can be compared became smaller
   /// (SweepVerdict::is_lost); 0: none.
   double lost_at = 0;
-  double late_at = 0;       ///< scale below 2 at which the topology changed; 0: none
+  double late_at = 0;       ///< scale below 2 at which components or handles changed; 0: none
   bool is_at_rest = false;  ///< true if the surface hardly moved in the last sweep
 
   /// Returns the first fault as a sentence, or "" if there is none. Besides the members above, four

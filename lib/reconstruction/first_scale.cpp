@@ -5,7 +5,7 @@
 namespace transformesh {
 namespace {
 
-/// Dissimilarity from which on windows are more different than alike.
+/// Windows with a larger dissimilarity are more different than alike.
 constexpr double different = 0.5;
 /// Tolerated share of windows with a larger dissimilarity than `different`. On four generated
 /// scenes the share at scale 1 was 0.001 to 0.035 on the true surface and on decimated ones. The

@@ -16,7 +16,8 @@ namespace {
 // Width in pixels of photographs at the coarsest scale by default. Smaller photographs tolerate
 // worse initial meshes but lose thin parts.
 constexpr double coarsest_pixels = 28.5;
-/// Relative tolerance for a scale or an edge that nearly equals the requested one.
+/// Factor that tolerates rounding: a scale or an edge this close to the requested one counts as
+/// equal.
 constexpr double tolerance = 0.999;
 
 double scale_after(int steps) { return elementary::exp2(steps / 2.0); }

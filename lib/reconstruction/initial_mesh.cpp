@@ -46,8 +46,8 @@ void append(Mesh& mesh, const Mesh& other) {
     mesh.faces.push_back({a + offset, b + offset, c + offset});
 }
 
-// Vertices that are projected outside of the image count as outside of the mask: nothing is known
-// about them.
+// Returns true if the mesh is projected into the mask, up to a tolerance. Projections outside of
+// the image count as outside of the mask.
 bool is_within_mask(const Mesh& mesh, const View& view) {
   // Tolerance in pixels. Contours of masks without intermediate intensities have errors of up to a
   // pixel.
@@ -113,8 +113,8 @@ void add_silhouette(const PackableImage& silhouette, Rectangle& rectangle) {
 /// Returns the view cropped to the mesh and the silhouette, with a margin so that the surface can
 /// move.
 View around(const Mesh& mesh, const View& view) {
-  // Margin in pixels, plus a fraction of the cropped size. A larger margin leaves more room for the
-  // surface but takes more memory.
+  // The margin is the sum of this number of pixels and a fraction of the cropped size. A larger
+  // margin leaves more room for the surface but takes more memory.
   constexpr double margin_px = 32;
   constexpr double margin_share = 0.05;
   Rectangle rectangle;
@@ -150,8 +150,8 @@ Mesh hull_of_silhouettes(std::vector<View>& views, const InitialMeshOptions& opt
 }
 
 /// Makes `document` the hull of thresholded silhouettes and returns "". If this fails, removes the
-/// silhouettes and returns the reason. Rethrows errors of check_views() if a threshold was given,
-/// or if they mean anything but that views disagree.
+/// silhouettes and returns the reason. Rethrows the error if a threshold was given. Also rethrows
+/// errors of find_silhouettes() other than ErrorKind::views_disagree.
 std::string reason_against_hull(Document& document, std::vector<View>& views,
                                 const InitialMeshOptions& options, double edge,
                                 const Progress& progress) {

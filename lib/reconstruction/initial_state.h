@@ -15,9 +15,9 @@ namespace transformesh {
 struct InitialState {
   Document document;
   std::optional<Mesh> outlined;  ///< InitialMesh::outlined: hull of thresholded silhouettes
-  /// Coarsest scale of the reconstruction, if hollows of the hull were opened by depth maps
-  /// (opened_hull.h): the scale of these depth maps. Longer edges, as at coarser scales, would
-  /// close the hollows.
+  /// Coarsest scale of the reconstruction, if depth maps were used to open hollows of the hull
+  /// (opened_hull.h). It is the scale of these depth maps. At coarser scales, edges are longer and
+  /// would close the hollows again.
   std::optional<double> coarsest;
   /// InitialMesh::unclipped: the cleaned given mesh, if the initial mesh is only a part of it.
   std::optional<Document> unclipped;

@@ -8,7 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// PairOptions::spread above scale 1. Keeps pairs of views close together (see `near_pairs_`).
+/// Value of PairOptions::spread at scales above 1, so that only views close together are compared
+/// (see `near_pairs_`).
 constexpr double near_spread = 1.5;
 
 }  // namespace
@@ -33,7 +34,7 @@ Photographs::Photographs(std::vector<View>& views, int width, const Reconstructi
 const PhotoScene& Photographs::at(double scale) {
   if (scale == scale_) return scene_;
   scene_ = PhotoScene();
-  // Scale 1 is the last one, so that the full views are not needed afterwards.
+  // Scale 1 is the last scale. The views at full size are not needed afterwards.
   const bool is_last = spends_views_ && scale == 1;
   const PairOptions& pairs = scale > 1 ? near_pairs_ : pairs_;
   scene_ = is_last ? take_photo_scene(views_, scale, pairs) : photo_scene(views_, scale, pairs);

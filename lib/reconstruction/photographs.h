@@ -33,8 +33,8 @@ class Photographs {
   /// Moves the surface by the steps of one sweep.
   PhotoStepsResult sweep(Mesh& mesh, double scale, const SweepForces& forces,
                          const Progress& progress);
-  /// Measures the surface by a step without movement. Compares each pair of views in one order if
-  /// `in_one_order`, else in both.
+  /// Measures the surface: computes a step, but does not move the surface. If `in_one_order`, each
+  /// pair of views is compared in one order only, else in both.
   PhotoStepResult look(Mesh mesh, double scale, bool in_one_order, const Progress& progress);
   /// Measures the surface at scale 1. Leaves SurfaceMeasures::doubt empty if `with_doubt` is false,
   /// which halves the time.
@@ -68,7 +68,7 @@ class Photographs {
   PairOptions near_pairs_;
   PhotoStepsOptions steps_;
   std::optional<double> pull_;
-  bool are_outlines_;  ///< true if silhouettes are outlines of the hull
+  bool are_outlines_;  ///< true if silhouettes are outlines of a visual hull, not masks
   WindowRadii windows_;
   double scale_ = 0;  ///< scale of `scene_`; 0: none
   PhotoScene scene_;

@@ -34,7 +34,7 @@ class Movements {
       is_open_[v] = !is_observed_[v] || of_vertex_[v] > 0;
   }
 
-  /// Returns the fraction of each vertex.
+  /// Returns, for each vertex, the fraction of the largest distance by which it moves.
   const std::vector<double>& find() {
     for (Index v = 0; v < is_open_.size(); ++v)
       if (is_open_[v]) continue_into_unobserved(take_connected(v, laplacian_, is_open_));
@@ -58,7 +58,7 @@ class Movements {
   std::vector<double> areas_;
   std::vector<double> of_vertex_;
   std::vector<bool> is_observed_;
-  /// True for moving or unobserved vertices that are in no connected set yet.
+  /// True for moving or unobserved vertices that are not yet assigned to a connected set.
   std::vector<bool> is_open_;
 };
 

@@ -138,8 +138,8 @@ class ReconstructionLoop : public Loop {
 
   Photographs& photographs_;
   const Document& initial_;
-  /// The given mesh, cleaned but not intersected with the hull. If no mesh was intersected with the
-  /// hull, the initial mesh.
+  /// The given mesh, cleaned but not intersected with the hull. It is the initial mesh if there was
+  /// no intersection with the hull.
   const Document given_;
   const ReconstructionOptions& options_;
   std::vector<ScaleStep> scale_steps_;

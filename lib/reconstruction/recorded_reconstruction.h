@@ -1,5 +1,5 @@
-/// The loop of reconstruct.h, whose states are stored in a record (record.h) that the caller has
-/// opened.
+/// Runs a reconstruction (reconstruct.h) and stores its states in a record (record.h) that the
+/// caller has opened. A run can be resumed from its record.
 #pragma once
 
 #include <string>
@@ -11,8 +11,9 @@
 
 namespace transformesh {
 
-/// Reconstructs as described in reconstruct.h. Also stores the initial mesh as `start.ply` and the
-/// hull of thresholded silhouettes, if any, as `hull.ply` in the record's folder.
+/// Reconstructs like reconstruct() in reconstruct.h. In addition, stores the initial mesh as
+/// `start.ply` in the record's folder, and the hull of thresholded silhouettes, if there is one, as
+/// `hull.ply`.
 ReconstructionResult reconstruct(Document& document, std::vector<View>& views,
                                  const ReconstructionOptions& options, Record& record,
                                  const Progress& progress = Progress());

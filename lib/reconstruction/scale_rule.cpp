@@ -5,8 +5,8 @@
 namespace transformesh {
 namespace {
 
-// Limits described at ScaleRule and SweepVerdict in the header. Stricter values of `share_at_rest`
-// and `improvement` take more sweeps per scale.
+// Limits that decide when a scale is finished; see ScaleRule and SweepVerdict in the header.
+// Smaller values of `share_at_rest` and `improvement` take more sweeps per scale.
 constexpr double share_at_rest = 0.015;
 constexpr double improvement = 0.99;
 constexpr double least_coverage_kept = 0.9;
@@ -17,7 +17,8 @@ constexpr double outside_share = 0.002;
 /// Vertices are entering silhouettes if the number of vertices outside fell below this fraction of
 /// the number after the last sweep.
 constexpr double entering_share = 0.9;
-/// Scales below this are late. Slightly below 2, because scales are rounded.
+/// Changes of the topology at scales below this are faults. Slightly below 2, because scales are
+/// rounded.
 constexpr double late_scale = 1.99;
 
 double real(std::size_t count) { return static_cast<double>(count); }

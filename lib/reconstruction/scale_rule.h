@@ -11,7 +11,8 @@
 
 namespace transformesh {
 
-/// Measures of a finished sweep.
+/// Measures of a finished sweep, which is one iteration of a reconstruction: some steps of the
+/// surface at one scale of the photographs.
 struct Sweep {
   ScaleStep scale_step;
   IterationResult mesh;

@@ -30,7 +30,8 @@ constexpr const char* from_before = "before";
 
 struct Surface {
   Document document;
-  /// Mesh with which the surface began: `from_hull`, `from_given` or `from_before`.
+  /// Initial mesh from which this surface was reconstructed: `from_hull`, `from_given` or
+  /// `from_before`.
   std::string start;
   ReconstructionResult result;
   /// Mean intersection over union of outline and silhouette, over the views.
@@ -137,7 +138,8 @@ Surface SequenceLoop::made_from_hull(const Progress& progress) {
   return made(from_hull, std::move(document), progress);
 }
 
-// Returns the surface that begins with the previous one, or nothing if its reconstruction fails.
+// Reconstructs a time step from the surface of the previous time step. Returns nothing if this
+// fails.
 std::optional<Surface> SequenceLoop::tracked(const Document& before, const Progress& progress) {
   try {
     return made(from_before, before, progress);

@@ -1,6 +1,6 @@
-/// Reconstructs a movie of a moving object (paper 5.3.3), one time step after the other. Each time
-/// step begins with the surface of the previous one; its surface is called tracked. A tracked
-/// surface is compared with the last surface that was not tracked. If it is worse
+/// Reconstructs a movie of a moving object (paper 5.3.3), one time step after the other. The
+/// initial mesh of each time step is the surface of the previous one. The result is called tracked.
+/// A tracked surface is compared with the last surface that was not tracked. If it is worse
 /// (tracking_faults()), the time step is also reconstructed from its visual hull, and the better
 /// surface is used.
 ///
@@ -21,9 +21,10 @@
 namespace transformesh {
 
 struct SequenceOptions {
-  /// The members `initial` and `scales.coarsest` apply only to surfaces that are not tracked.
+  /// The members `initial` and `scales.coarsest` apply only to surfaces that are not reconstructed
+  /// from the surface of the previous time step.
   ReconstructionOptions reconstruction;
-  double track = 4;  ///< coarsest scale of photographs for tracked surfaces
+  double track = 4;  ///< coarsest scale if a time step starts from the previous surface
   /// Comments for the file headers of surfaces that are reconstructed from a visual hull.
   std::vector<std::string> comments = {};
   /// Folder in which the surface of each time step is stored as NAME.ply or NAME.off; empty: none.
@@ -38,8 +39,9 @@ struct SequenceOptions {
 struct SequenceResult {
   /// Number of finished time steps, including those before a run was resumed.
   std::size_t time_steps = 0;
-  std::size_t tracked = 0;  ///< number of time steps whose surface is tracked
-  /// Number of time steps whose surface has no tracking faults or is not tracked.
+  std::size_t tracked = 0;  ///< time steps reconstructed from the previous surface
+  /// Number of time steps whose surface has no tracking_faults(), or is not reconstructed from the
+  /// surface of the previous time step.
   std::size_t accepted = 0;
 };
 

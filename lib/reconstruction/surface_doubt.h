@@ -33,8 +33,8 @@ struct SurfaceDoubt {
 /// there. Chosen by hand.
 inline constexpr double contradicted = 0.5;
 
-/// Number of rings of neighbors whose windows decide together about a vertex. When carving two tori
-/// that touch, one ring did not separate more of them. Other values were not measured.
+/// Number of rings of neighbors whose windows decide together about a vertex. Carving of two
+/// touching tori separated no more of them with one ring. Other values were not measured.
 inline constexpr int doubt_rings = 2;
 
 /// Adds to the WindowSums of each vertex those of its neighbors, `rings` times, so that no single

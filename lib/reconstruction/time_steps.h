@@ -9,7 +9,7 @@ namespace transformesh {
 struct TimeStep {
   /// Text that replaces {} in paths: a line of the file, or the path of a folder.
   std::string text;
-  std::string name;  ///< the last component of `text`
+  std::string name;  ///< last component of the path `text`
 };
 
 /// If `where` is a file, returns its lines that are not blank. Otherwise returns the folders in the

@@ -12,9 +12,10 @@
 namespace transformesh {
 namespace {
 
-/// Least ratio of the next larger length to the crack width. The ratio is in the thousands at
-/// cracks that rounded coordinates cause. With a lower limit, narrow slots would count as cracks;
-/// with a much higher limit, cracks in finely meshed files with six digits would be missed.
+/// A crack must be narrower than other lengths of the mesh: the next larger border distance or edge
+/// is at least this many times the crack width. The ratio is in the thousands at cracks that
+/// rounded coordinates cause. With a lower limit, narrow slots would count as cracks; with a much
+/// higher limit, cracks in finely meshed files with six digits would be missed.
 constexpr double clear_gap = 8;
 
 /// Largest crack width as a share of the bounding box diagonal. Files with four digits have cracks
@@ -86,8 +87,9 @@ std::size_t count_up_to(const std::vector<double>& sorted, double length) {
   return static_cast<std::size_t>(std::ranges::upper_bound(sorted, length) - sorted.begin());
 }
 
-/// Returns the largest border distance that is clearly shorter than the next larger distance and
-/// than almost all edges. Distances below `least` count as `least`.
+/// Returns the largest distance of border vertices from borders that can be a crack width: it is
+/// clearly shorter than the next larger distance and than almost all edges. Distances below `least`
+/// count as `least`.
 Cracks widest_clear(const Lengths& lengths, double least, double diagonal) {
   Cracks found;
   const auto& borders = lengths.borders;
@@ -114,8 +116,8 @@ Vec3 direction_into(const Mesh& mesh, Index halfedge) {
   return (c - a - along * along.dot(c - a)).stableNormalized();
 }
 
-/// True if the two faces do not fold back at most of the closed border edges. At the rim of a thin
-/// plate, faces fold back.
+/// True if the surface continues across at least half of the border edges that were closed. At the
+/// other edges the two faces fold back, as at the rim of a thin plate.
 bool continues(const Edges& edges_before, const Mesh& after) {
   std::vector<char> was_border(3 * after.faces.size(), 0);
   for (std::size_t e = 0; e < edges_before.size(); ++e) {

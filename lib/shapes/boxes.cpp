@@ -13,7 +13,8 @@
 namespace transformesh::shapes {
 namespace {
 
-/// Builds the surface of a lattice of cells. Points are numbered in the order of their first use.
+/// Builds the surface of a box as a grid of rectangular cells on each side. Points are numbered in
+/// the order of their first use.
 class BoxBuilder {
  public:
   BoxBuilder(Vec3 edges, const std::array<std::size_t, 3>& cells)
@@ -100,8 +101,8 @@ void append_lattice_box(Mesh& mesh, const std::array<long, 3>& low,
 }  // namespace
 
 Mesh box(const Vec3& edges, std::size_t faces) {
-  // The number of faces is a step function that decreases to 12 as cells grow. Bisection finds the
-  // closest step.
+  // The number of faces is a step function of the cell size that decreases to 12. Bisection finds
+  // the step next to the wanted number.
   const auto wanted = static_cast<double>(faces);
   double small = 0;
   double large = edges.maxCoeff();

@@ -7,8 +7,8 @@
 
 namespace transformesh::shapes {
 
-/// Returns a box centered at the origin with these edge lengths. Each side is a grid of almost
-/// square cells, divided along alternating diagonals.
+/// Returns a box with about `faces` triangles, centered at the origin, with these edge lengths.
+/// Each side is a grid of almost square cells, divided along alternating diagonals.
 Mesh box(const Vec3& edges, std::size_t faces);
 
 /// Returns `count` boxes of 12 faces with integer corners. They are so dense that sides are

@@ -17,8 +17,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Hull = CGAL::Surface_mesh<Kernel::Point_3>;
 using Place = std::array<double, 3>;
 
-/// Numbers the vertices in the order of the points, and sorts the faces: independent of CGAL's
-/// order.
+/// Numbers the vertices in the order of the points, and sorts the faces, so that the result does
+/// not depend on the order in which CGAL stores them.
 Mesh in_order_of(const std::vector<Vec3>& points, const Hull& hull) {
   std::map<Place, Index> numbers;
   for (const auto v : hull.vertices()) {

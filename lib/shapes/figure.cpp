@@ -97,9 +97,10 @@ double arms(const Vec3& point, const Arm& left, const Arm& right, double bridge)
   return smooth_minimum(upper_arms - limb, forearms, blend);
 }
 
-/// Returns the blend width that joins two tubes with this gap by a bridge of `bridge_radius`; 0 if
-/// the tubes stay separate. A point at distance s from the middle of the gap is gap / 2 + s^2 / (2
-/// limb) away from both tubes. Blending subtracts a quarter of the blend width from this distance.
+/// Returns the width of smooth blending that joins two tubes with this gap by a bridge of
+/// `bridge_radius`; 0 if the tubes stay separate. `limb` is the radius of the tubes. A point at
+/// distance s from the middle of the gap is gap / 2 + s^2 / (2 limb) away from both tubes. Blending
+/// subtracts a quarter of the width from this distance.
 double bridge_width(double gap) {
   if (gap >= reach) return 0;
   return 2 * (std::max(gap, 0.0) + bridge_radius * bridge_radius / limb);

@@ -38,9 +38,9 @@ bool has_topology(const Mesh& mesh, long genus) {
   return parts.components.size() == 1 && parts.components[0].genus() == genus;
 }
 
-/// Searches the mesh of the right topology whose number of faces is closest to the wanted one. The
-/// number is proportional to the inverse square of the spacing, except for the placement of the
-/// lattice. Each attempt places the lattice differently, which also helps if the shape is barely
+/// Searches for a mesh of the right topology whose number of faces is close to the wanted one. The
+/// number is roughly proportional to the inverse square of the lattice spacing. Each attempt places
+/// the lattice differently, which changes the number slightly and also helps if the shape is barely
 /// resolved.
 class MarchSearch {
  public:
@@ -111,7 +111,8 @@ Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress
   MarchSearch search(solid, progress);
   std::optional<Mesh> mesh = search.find(faces, march_attempts);
   if (!mesh) search.refuse(faces);
-  // One Newton step is enough while all vertices still move.
+  // One Newton step is enough here, because relaxation moves all vertices again. The last
+  // projection below takes more steps.
   const auto roughly = [&](const Vec3& point) { return projected(solid, point, 1); };
   relax(*mesh, roughly, relax_iterations, progress);
   parallel_for(mesh->positions.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {

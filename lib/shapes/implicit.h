@@ -20,8 +20,8 @@ struct ImplicitSolid {
   long genus = 0;           ///< genus of the surface
 };
 
-/// Returns the minimum, rounded where a and b differ by less than `width`. The slope is not
-/// increased.
+/// Returns a smooth minimum: the kink at a = b is rounded off where a and b differ by less than
+/// `width`. The slope is not increased.
 double smooth_minimum(double a, double b, double width);
 
 /// Returns a mesh of about `faces` triangles. Throws UsageError if these are too few for the genus,

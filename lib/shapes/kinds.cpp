@@ -57,7 +57,8 @@ Vec3 three_lengths(const ShapeOptions& options) {
 
 Mesh make_sphere_kind(const ShapeOptions& options, std::size_t faces, const Progress&) {
   if (!options.around) return make_sphere(Vec3::Zero(), options.radius.value_or(1), faces);
-  // Faces are flat and come closer to the box than the sphere, but must not touch it.
+  // The sphere surrounds the box. Its triangles are closer to the center than the sphere itself,
+  // and must not touch the box either.
   const Box& box = *options.around;
   const double inner = geodesic_inner_radius(geodesic_frequency(static_cast<double>(faces)));
   const double radius = 1.05 * diagonal_of(box) / 2 / inner;
@@ -117,8 +118,8 @@ Mesh make_genus(const ShapeOptions& options, std::size_t faces, const Progress& 
   return genus(integer_parameter(options, 0, 50), faces, progress);
 }
 
-/// Makes a knot. `share` is the tube radius as a fraction of the largest that does not touch
-/// itself.
+/// Makes a tube along a knot. `share` is the tube radius as a fraction of the largest radius at
+/// which the tube does not touch itself.
 Mesh make_knot(const ShapeOptions& options, std::size_t faces, double share) {
   const long p = integer_parameter(options, 0, 30);
   const long q = integer_parameter(options, 1, 30);

@@ -10,9 +10,9 @@ namespace transformesh::shapes {
 
 struct Kind {
   std::string name;
-  std::vector<std::string> options;     ///< names among radius, tube, gap, neck, count
-  std::vector<std::string> parameters;  ///< default parameters; the user gives all or none
-  double noise = 0;                     ///< default amplitude, as a fraction of the diagonal
+  std::vector<std::string> options;  ///< options of this kind, of radius, tube, gap, neck and count
+  std::vector<std::string> parameters;  ///< default parameters; users give all or none
+  double noise = 0;                     ///< default noise amplitude, as a fraction of the diagonal
   Mesh (*make)(const ShapeOptions&, std::size_t faces, const Progress&) = nullptr;
 };
 

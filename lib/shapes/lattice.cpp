@@ -67,7 +67,8 @@ class Marcher {
             half);
   }
 
-  // Each cube edge has four tetrahedra, of its ends and two neighboring cube centers.
+  // Each cube edge belongs to four tetrahedra. The corners of each one are the two ends of the edge
+  // and the centers of two adjacent cubes.
   void cut_tetrahedra(const Site& low) {
     for (int axis = 0; axis < 3; ++axis) {
       Site high = low;

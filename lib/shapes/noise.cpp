@@ -11,7 +11,8 @@
 namespace transformesh::shapes {
 namespace {
 
-// A choice: fewer steps follow the changing normals less closely, more take longer.
+// Number of steps in which vertices move along their current normals. A choice: fewer steps follow
+// the changing normals less closely, more take longer.
 constexpr int noise_steps = 10;
 constexpr std::size_t vertices_per_task = 2048;
 
@@ -33,7 +34,7 @@ constexpr std::array<std::array<double, 3>, 16> gradients = {{{1, 1, 0},
                                                               {0, -1, 1},
                                                               {0, -1, -1}}};
 
-// Returns the linear function of a lattice corner at an offset from the corner.
+// Evaluates the random linear function of a lattice corner at an offset from this corner.
 double corner_slope(const std::array<std::int64_t, 3>& cell, const Vec3& offset,
                     std::uint64_t seed) {
   std::uint64_t hash = seed;

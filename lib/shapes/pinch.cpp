@@ -26,8 +26,9 @@ class PinchBuilder {
   }
 
  private:
-  // The lower half is half a lemniscate rotated about the axis, with its upper end at the origin.
-  // The distance of the last ring from the origin is half the length of the intersecting faces.
+  // The lower half is a surface of revolution. Its profile is half a loop of a lemniscate, which
+  // ends at the origin. The last ring stops short of the origin: its distance is half the length of
+  // the faces that intersect there.
   void add_lower_half() {
     mesh_.positions.emplace_back(0, 0, -1.2);
     for (std::size_t ring = 1; ring <= rings_below_; ++ring) {

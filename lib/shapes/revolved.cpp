@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Vertices at one height at equal angles; a single vertex on the axis.
+/// Vertices on a circle around the axis, at equal angles; a single vertex if the radius is 0.
 struct Ring {
   double radius, height;
   std::size_t count;
@@ -29,7 +29,8 @@ void add_line(std::vector<Ring>& rings, double radius, double height, double edg
   const double across = radius - from.radius, up = height - from.height;
   const auto steps = std::max(1L, std::lround(std::sqrt(across * across + up * up) / edge));
   for (long i = 1; i <= steps; ++i) {
-    // The last ring is exact, so that flat ends are flat and the axis is met.
+    // The last ring has exactly the given radius and height. Hence flat ends stay flat, and tips
+    // lie on the axis.
     const double share = static_cast<double>(i) / static_cast<double>(steps);
     rings.push_back(i == steps
                         ? ring_of(radius, height, edge)

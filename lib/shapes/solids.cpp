@@ -64,8 +64,8 @@ Mesh ellipsoid(const Vec3& axes, std::size_t faces, const Progress& progress) {
 }
 
 Mesh genus(long holes, std::size_t faces, const Progress& progress) {
-  // The solid contains all points closer than `rounding` to the plate in the plane z = 0 that was
-  // shrunk by `rounding`.
+  // The plate is rounded. First its outline in the plane z = 0 is shrunk by `rounding`. The solid
+  // then contains all points closer than `rounding` to the shrunk plate.
   const PerforatedPlate plate(holes);
   const double rounding = 0.48 * plate.wall;
   ImplicitSolid solid;
@@ -92,7 +92,8 @@ Mesh dumbbell(double neck, std::size_t faces, const Progress& progress) {
   Mesh mesh = mesh_implicit(solid, faces, progress);
   if (neck > 0) return mesh;
 
-  // Vertices are mirrored if |z| is below this value, which covers the middle of the neck.
+  // Vertices with |z| below this value are moved in x, most of all at z = 0, where x changes its
+  // sign. The interval contains the middle of the neck.
   constexpr double mirrored_part = 0.4;
   for (Vec3& point : mesh.positions) {
     const double share = point.z() / mirrored_part;

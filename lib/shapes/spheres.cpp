@@ -77,7 +77,8 @@ class GeodesicBuilder {
                corners_[face[2]] * static_cast<double>(j));
   }
 
-  // Returns point `step` of n between two corners. Edges are stored from their lower corner.
+  // Returns the index of point `step` on an edge between two corners, which has n equal parts. The
+  // points are stored once per edge, starting at the corner with the lower index.
   Index edge_point(Index from, Index to, std::size_t step) {
     if (from > to) {
       std::swap(from, to);
@@ -174,7 +175,8 @@ Mesh dented_sphere(double radius, std::size_t faces) {
 }
 
 Mesh many_spheres(std::size_t count, std::uint64_t seed, std::size_t faces) {
-  // The sum of the spheres' volumes is about twice the volume of the ball that contains them.
+  // Radius of the ball that contains the spheres. The sum of the spheres' volumes is about twice
+  // its volume.
   constexpr double world = 1.2;
   const double typical = std::min(0.6, world * elementary::cbrt(4 / static_cast<double>(count)));
   Random random(seed);

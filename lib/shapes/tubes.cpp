@@ -106,7 +106,8 @@ std::pair<std::vector<double>, double> equal_pieces(const TorusKnot& knot, std::
 
   std::vector<double> cuts(count);
   for (std::size_t k = 0, i = 0; k < count; ++k) {
-    // The phase avoids pieces with the symmetries of the knot.
+    // Without the offset of 0.2137 steps, the division points would have the symmetries of the
+    // knot.
     const double wanted = length.back() * (static_cast<double>(k) + 0.2137) / count;
     while (length[i + 1] < wanted) ++i;
     cuts[k] = (static_cast<double>(i) + (wanted - length[i]) / (length[i + 1] - length[i])) /
@@ -185,8 +186,8 @@ Mesh torus(double ring, double tube, std::size_t faces, double phase) {
 }
 
 Mesh tori(double gap, std::size_t faces) {
-  // The center line of each ring passes through the center of the other one. The lines are
-  // therefore one ring radius apart where they are closest.
+  // Width of both tori together. The center line of each torus passes through the center of the
+  // other one. The lines are therefore one ring radius apart where they are closest.
   constexpr double world = 2.4;
   const double ring = (world + gap) / 4;
   const double tube = (ring - gap) / 2;

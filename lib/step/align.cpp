@@ -12,8 +12,8 @@
 namespace transformesh {
 namespace {
 
-/// Least number of samples. The least overlap, 20 % of the samples, is then 20 pairs, the least
-/// number of pairs.
+/// Least number of samples. The overlap of the meshes must contain at least 20 % of the samples and
+/// at least 20 pairs of points. With 100 samples both limits are the same.
 constexpr std::size_t least_samples = 100;
 
 /// Number of short registrations: from the position of the mesh, and from rotations by
@@ -49,7 +49,8 @@ RigidMotion start_motion(int start, const Vec3& center) {
   return motion;
 }
 
-/// Returns the result of the short registration with the least cost (Overlap).
+/// Runs a short registration from each start. Returns the motion with the least cost
+/// (Overlap::cost).
 RigidMotion best_start(const Mesh& mesh, const RegistrationSurface& surface,
                        const Progress& progress) {
   RigidMotion best;

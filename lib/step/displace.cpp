@@ -61,7 +61,8 @@ void check_digits(const Mesh& mesh, const HalfedgeLengths& edges,
   }
 }
 
-/// Displacements of all vertices after clamping. Each vector has one entry for each vertex.
+/// Displacements of all vertices, shortened to the largest allowed length. Each vector has one
+/// entry for each vertex.
 struct AxisDirections {
   std::vector<double> limits;  ///< largest movement of each vertex p: alpha * e_avg(p)
   std::vector<Vec3> displacements;

@@ -76,7 +76,7 @@ class Orientation {
   }
 
  private:
-  // Cost of an edge, its new point, its point in the tree.
+  // Cost of an edge, its end outside the tree, its end in the tree.
   using Candidate = std::tuple<double, Index, Index>;
 
   void settle(Index point) {

@@ -60,7 +60,7 @@ double ball_width(const Contact& contact, const Vec3& direction, double reach,
     const std::optional<Vec3> other = closest(center, (1 - depth) * radius, contact);
     if (!other) return width;
 
-    // The next ball passes through the contact and through *other.
+    // The next ball is tangent at the contact and passes through *other.
     const Vec3 way = *other - contact.point;
     radius = way.squaredNorm() / (2 * way.dot(direction));
     if (!(radius > 0)) return width;

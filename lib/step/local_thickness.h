@@ -21,14 +21,16 @@
 
 namespace transformesh {
 
-/// Returns for each vertex of the target the diameter in input units, or infinity if it is not less
-/// than `reach`. Pre: `reach` > 0. If the target is a point set, contacts are points, so that
-/// diameters are too large by an amount that depends on the sampling density.
+/// Returns the local thickness at each vertex of the target in input units, or infinity if it is
+/// not less than `reach`. Pre: `reach` > 0. If the target is a point set, the balls touch points
+/// instead of faces. The thickness is then too large by an amount that depends on the sampling
+/// density.
 std::vector<double> local_thickness(const Target& target, double reach,
                                     const Progress& progress = Progress());
 
-/// Returns the least thickness at the point of the target's faces that is closest to `place`, and
-/// at the corners of its face that are closer to `place` than `reach`. Cost: O(n).
+/// Returns the least local thickness near `place`. It is measured at the closest point on the
+/// target's faces, and at those corners of its face that are closer to `place` than `reach`. Cost:
+/// O(n).
 double local_thickness_near(const TargetQuery& target, const Vec3& place, double reach);
 
 /// Returns the target with its thickness measured up to `gap_edges` * `edge`; both must be > 0.

@@ -24,8 +24,8 @@ constexpr double far_from_target_in_edges = 4;
 /// vertices.
 constexpr double least_share = 0.05;
 
-/// Returns the distance beyond which the clamp limits the movement of every vertex, so that it need
-/// not be known exactly. Returns infinity if a mask shortens movements.
+/// Returns the distance from the target beyond which the movement of every vertex is clamped.
+/// Larger distances need not be computed exactly. Returns infinity if a mask shortens movements.
 double exact_within(const MorphStepOptions& options, const HalfedgeLengths& edges) {
   if (!options.mask.empty()) return std::numeric_limits<double>::infinity();
   const double clamped_beyond = options.displace.alpha * edges.maximum / options.displace.time_step;

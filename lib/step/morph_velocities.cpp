@@ -18,8 +18,8 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t queries_per_task = 512;  ///< affects time only
-/// Number of tangent planes that decide the sign of a far point. With fewer planes, signs are wrong
-/// beyond thin tips.
+/// Number of tangent planes that decide on which side of the target a point is if it is far away.
+/// With fewer planes, signs are wrong beyond thin tips.
 constexpr std::size_t planes_of_points = 12;
 /// Largest number of target vertices in distance_from_target(). With more vertices, the summary is
 /// more accurate and takes more time.
@@ -87,8 +87,8 @@ double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
   return is_same_side ? to_nearest : sum / weights;
 }
 
-// Searches from every vertex. Distances to tangent planes are not continuous, so estimates from
-// other vertices would be wrong.
+// Searches the target from every vertex. The distance to tangent planes is not continuous, so it
+// cannot be estimated from the distances of other vertices.
 Found search_vertices(const Mesh& mesh, const TargetQuery& query, std::size_t planes) {
   const Target& target = query.target();
   const KdTree& tree = query.vertices();

@@ -13,8 +13,9 @@ namespace {
 
 using Halfedge = std::pair<Index, Index>;
 
-/// Returns the vertices around triangles in order, from the first corner of the first triangle on.
-/// Returns nothing if the outline has several loops, or if a loop visits a vertex twice.
+/// Returns the boundary vertices of adjacent triangles in order, starting at the first corner of
+/// the first triangle. Returns nothing if the boundary has several loops, or if a loop visits a
+/// vertex twice.
 std::vector<Index> outline_of(std::span<const Face> triangles) {
   std::set<Halfedge> border;
   for (const Face& face : triangles)
@@ -38,7 +39,7 @@ std::vector<Index> outline_of(std::span<const Face> triangles) {
   return outline.size() == next.size() ? outline : std::vector<Index>();
 }
 
-/// One face that is written: the triangles that it replaces, and its outline.
+/// A face of the written file: the triangles that it replaces, and its vertices in order.
 struct Row {
   std::vector<Index> faces;
   std::vector<Index> outline;
@@ -75,7 +76,8 @@ void Merger::add_polygon(std::vector<Index> faces) {
   ++unmerged_;
 }
 
-// Lists the faces to write. A polygon takes the place of its first triangle.
+// Lists the faces to write, in the order of the triangles. A polygon takes the place of its first
+// triangle.
 void Merger::find_rows() {
   const std::vector<double>& numbers = mesh_.face_columns.find(polygon_column)->values;
   std::map<double, std::vector<Index>> polygons;
@@ -99,7 +101,8 @@ Column Merger::outlines() const {
   return column;
 }
 
-/// Returns the corner lists of the polygons, with the values of the polygon's corners.
+/// Merges a list column with values for the corners of triangles. The list of each polygon has the
+/// values of the polygon's corners.
 Column Merger::merged_list(const Column& column) const {
   Column merged{column.name, column.type, {}, column.list_count_type, {0}};
   for (const Row& row : rows_) {

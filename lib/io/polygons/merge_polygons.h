@@ -1,7 +1,7 @@
-/// Makes polygons of the triangles into which a reader cut them. A face column holds the polygon
-/// number of each triangle, so that operations that select or move faces keep polygons. All
-/// triangles with one number are merged; a polygon of which triangles were dropped consists of the
-/// remaining triangles.
+/// Merges triangles back into the polygons from which a file reader made them. A face column holds
+/// the polygon number of each triangle, so that operations that select or move faces keep polygons.
+/// All triangles with one number are merged. If some triangles of a polygon were dropped, the
+/// polygon consists of the remaining triangles.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ struct MergedPolygons {
   /// Each polygon is one face, whose corners are in `outlines`. The document has no polygon_column.
   Document document;
   Column outlines;  ///< list column: the vertices of each face in order
-  /// Polygons that stay triangles, because their outline is not a single loop.
+  /// Number of polygons that are written as triangles, because their outline is not a single loop.
   std::size_t unmerged = 0;
 };
 
@@ -32,10 +32,11 @@ struct PolygonCount {
 };
 PolygonCount count_polygons(const Columns& face_columns);
 
-/// Corners of faces for writers: of merged polygons, or of triangles.
+/// The faces that a file writer writes: merged polygons, or the triangles of the mesh.
 class FaceOutlines {
  public:
-  /// Keeps references. `outlines` are MergedPolygons::outlines, or null for a mesh of triangles.
+  /// Keeps references. `outlines` are MergedPolygons::outlines. Null: each face is a triangle of
+  /// the mesh.
   FaceOutlines(const Mesh& mesh, const Column* outlines) : mesh_(mesh), lists_(outlines) {}
   std::size_t size(std::size_t face) const {
     return lists_ == nullptr ? 3 : lists_->list_offsets[face + 1] - lists_->list_offsets[face];

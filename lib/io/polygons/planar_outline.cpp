@@ -51,7 +51,7 @@ struct Part {
 
 class OutlineTriangulation {
  public:
-  /// `next[i]` is the place in `outline` of the corner that follows the corner at place i.
+  /// `next[i]` is the index in `outline` of the corner that follows `outline[i]`.
   OutlineTriangulation(std::span<const Eigen::Vector2d> points,
                        std::span<const std::uint32_t> outline, std::span<const std::size_t> next)
       : points_(points), outline_(outline), next_(next) {}
@@ -88,8 +88,8 @@ class OutlineTriangulation {
     return true;
   }
 
-  /// Returns the places of a point that differs from the first one and of a point that is not
-  /// collinear with both. If there is no such point, the place is the number of points.
+  /// Returns two indices: of a point that differs from the first point, and of a point that is not
+  /// collinear with these two. If there is no such point, the index is the number of points.
   static std::array<std::size_t, 2> spanning_points(const std::vector<Kernel::Point_2>& points) {
     std::array<std::size_t, 2> found{1, 1};
     while (found[0] < points.size() && points[found[0]] == points[0]) ++found[0];
@@ -115,8 +115,8 @@ class OutlineTriangulation {
     if (info.visits++ == 0 || outline_[place] < info.corner) info.corner = outline_[place];
   }
 
-  /// Returns the parts of the edge that starts at a place of the outline. The search starts at the
-  /// end with fewer visits, because it circulates around that vertex.
+  /// Returns the triangulation edges that form the outline edge from `vertices_[place]`. The search
+  /// circulates around one end of the outline edge. It starts at the end with fewer visits.
   std::vector<Part> parts_of(std::size_t place) const {
     Vertex from = vertices_[place];
     Vertex to = vertices_[next_[place]];
@@ -137,14 +137,15 @@ class OutlineTriangulation {
     return parts;
   }
 
-  /// Returns true if no edges intersect and few edges pass through other corners.
+  /// Inserts the outline edges as constraints. Returns false if two edges intersect, or if edges
+  /// pass through other corners more often than the outline has corners.
   bool insert_edges() {
     std::size_t touches = 0;
     for (std::size_t place = 0; place < outline_.size(); ++place) {
       Vertex from = vertices_[place];
       Vertex to = vertices_[next_[place]];
       if (from == to) {
-        // The outline has one corner, or the edge has length 0.
+        // An outline of a single corner is a point. Otherwise the edge has length 0.
         if (next_[place] != place) result_.crossing.push_back(outline_[place]);
         continue;
       }

@@ -1,5 +1,5 @@
-/// The corners of a polygon that are not yet cut off while it is triangulated in one projection, as
-/// a circular list.
+/// The corners of a polygon that are left while triangles are cut off it, as a circular list. The
+/// polygon is triangulated in one projection to a plane.
 #pragma once
 
 #include <span>
@@ -12,7 +12,8 @@ namespace transformesh {
 
 class RemainingCorners {
  public:
-  /// Keeps references. `points` are the projected positions.
+  /// Keeps references. `positions` and `vertices` are the corners in space and their vertex
+  /// indices. `points` are the projected positions.
   RemainingCorners(std::span<const Vec3> positions, std::span<const Index> vertices,
                    std::span<const Eigen::Vector2d> points);
 
@@ -24,8 +25,8 @@ class RemainingCorners {
 
   /// Cuts off corners until no two consecutive corners, and no two neighbors of a corner, coincide.
   void remove_coincident();
-  /// Cuts off one end of the edge from `corner`, the end with the smaller triangle, and `count - 1`
-  /// more corners after it.
+  /// Cuts off one end of the edge from `corner` to the next corner: the end whose triangle is
+  /// smaller. Then cuts off the `count - 1` corners after it.
   void cut_edge(std::uint32_t corner, std::size_t count);
   /// Cuts off all corners as a triangle fan from the first corner.
   void cut_fan();
@@ -34,7 +35,7 @@ class RemainingCorners {
   void add_flat(const CornerTriangle& triangle) { add(triangle, upright); }
 
   std::vector<CornerTriangle> triangles;  ///< triangles that were cut off or added
-  /// Number of triangles with an area in space that were cut off at an edge or in a fan.
+  /// Number of triangles with an area in space that cut_edge() or cut_fan() cut off.
   std::size_t folds = 0;
   /// Number of triangles with an area in space, but not in the projection.
   std::size_t upright = 0;

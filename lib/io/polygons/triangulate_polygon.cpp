@@ -17,8 +17,8 @@ namespace {
 
 using Point = Eigen::Vector2d;
 
-/// A projection to the plane by products with two vectors. If the vectors are axes, projected
-/// coordinates equal the original doubles.
+/// Projects a point to two coordinates: its dot products with the vectors u and v. If these are
+/// axes, the coordinates are the original doubles.
 struct Projection {
   Vec3 u, v;
 
@@ -53,8 +53,8 @@ Eigen::Index axis_nearest_to(const Vec3& normal) {
   return size[1] >= size[0] ? 1 : 0;
 }
 
-/// Returns the projections along the normal, if it is not zero, and along the axes other than
-/// `nearest`.
+/// Returns alternative projections: along `normal`, if it is not zero, and along the two axes other
+/// than `nearest`.
 std::vector<Projection> other_projections(const Vec3& normal, Eigen::Index nearest) {
   std::vector<Projection> others;
   const Vec3 direction = normal.stableNormalized();
@@ -153,8 +153,8 @@ std::vector<Edge> boundary_of(std::vector<Edge> edges) {
   return boundary;
 }
 
-/// True if the triangles have the boundary of the outline. If edges coincide, corners of different
-/// vertices at one point may have been confused.
+/// True if the oriented boundary of the triangles is the outline, by vertex indices. It can differ
+/// if several corners with different vertices have the same projection.
 bool bounds(const PlanarTriangles& result, std::span<const std::uint32_t> outline,
             std::span<const Index> vertices) {
   std::vector<Edge> inside, around;
@@ -167,8 +167,8 @@ bool bounds(const PlanarTriangles& result, std::span<const std::uint32_t> outlin
   return boundary_of(std::move(inside)) == boundary_of(std::move(around));
 }
 
-/// Cuts off corners at edges that intersect other edges until the rest has no intersections. Each
-/// round cuts off a longer part of the outline at such edges.
+/// Triangulates a polygon in one projection. While edges intersect, cuts off corners at these
+/// edges. Each round cuts off more corners at each edge.
 PolygonTriangles triangulate_along(const Projection& projected, std::span<const Vec3> positions,
                                    std::span<const Index> vertices) {
   // Growth factor, from round to round, of the number of corners that are cut off at an edge. A

@@ -9,9 +9,9 @@
 ///   passes through another corner. Then the triangles do not overlap and have positive area and
 ///   equal orientation.
 /// - The triangle fan from the first corner is used if it has no fold in the first projection and
-/// no triangle without area.
-/// - Any other polygon is triangulated in the projection with the fewest folds and upright
-///   triangles.
+///   no triangle without area.
+/// - Any other polygon is triangulated in the projection with the fewest overlapping triangles and
+///   triangles whose projection has no area.
 ///
 /// Cost: O(n log n) on usual polygons. Deterministic.
 #pragma once

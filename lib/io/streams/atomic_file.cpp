@@ -54,7 +54,8 @@ std::optional<mode_t> existing_mode(const std::string& path) {
 }
 
 void write_directly(const std::string& path, std::string_view bytes) {
-  // Stdout is closed, too, because some file systems report write errors only at that time.
+  // Stdout is closed, too, because some file systems report write errors only when a file is
+  // closed.
   write_and_close(path == "-" ? STDOUT_FILENO : open_directly(path), path, bytes);
 }
 
@@ -100,7 +101,7 @@ void AtomicFile::append(std::string_view bytes) {
   if (!write_all(descriptor_, bytes)) throw_not_written(target_);
 }
 
-// Stdout is closed, too, because some file systems report write errors only at that time.
+// Stdout is closed, too, because some file systems report write errors only when a file is closed.
 void AtomicFile::finish() {
   is_finished_ = true;
   const int descriptor = std::exchange(descriptor_, -1);

@@ -18,8 +18,8 @@ class AtomicFile {
  public:
   /// Stores all bytes until commit(). Throws OutputError.
   AtomicFile(const std::string& path, std::string bytes);
-  /// Opens an empty file, for outputs larger than memory. A path that is written directly is opened
-  /// by the first append(). Throws OutputError.
+  /// Opens an empty file, for outputs larger than memory. Stdout, devices and FIFOs have no
+  /// temporary file: the first append() opens them directly. Throws OutputError.
   explicit AtomicFile(const std::string& path);
   /// Removes the temporary file unless it was committed.
   ~AtomicFile();
@@ -33,8 +33,8 @@ class AtomicFile {
   void append(std::string_view bytes);
   void finish();
 
-  /// Renames the temporary file, or writes the bytes of a path that is written directly. Throws
-  /// OutputError.
+  /// Renames the temporary file. For stdout, devices and FIFOs, which have none, writes the stored
+  /// bytes. Throws OutputError.
   void commit();
   bool is_direct() const { return is_direct_; }
   /// Returns the path of the final file, with symbolic links resolved.

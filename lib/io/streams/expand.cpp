@@ -10,9 +10,9 @@
 namespace transformesh {
 namespace {
 
-/// log2 of the window's bytes, the largest of zlib; plus 16, which selects the gzip header.
+/// log2 of zlib's largest window in bytes, plus 16, which makes zlib expect a gzip header.
 constexpr int gzip_window = 15 + 16;
-constexpr int zlib_window = 15;  ///< log2 of the window's bytes, the largest of zlib
+constexpr int zlib_window = 15;  ///< log2 of zlib's largest window in bytes
 
 /// A zlib decompressor of bytes in memory, which appends to a string.
 class Inflater {

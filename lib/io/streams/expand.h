@@ -9,17 +9,18 @@
 
 namespace transformesh {
 
-/// Returns the largest number of bytes to which `size` bytes of input may grow by decompression or
-/// by repeated parts. The limit protects against decompression bombs.
+/// Returns the largest number of bytes to which `size` bytes of input may expand, by decompression
+/// or because its parts are used repeatedly. The limit protects against decompression bombs.
 std::uint64_t expansion_limit(std::size_t size);
 
-/// Rejects inputs whose repeated parts add up to more than expansion_limit() bytes.
+/// Limits the memory into which an input expands: decompressed files, and parts that are used
+/// repeatedly, such as instances of an object.
 class ExpansionBudget {
  public:
   explicit ExpansionBudget(const Source& source)
       : source_(source), left_(expansion_limit(source.bytes.size())) {}
 
-  /// Adds bytes of a part. Throws InputError if the sum exceeds the limit.
+  /// Adds the bytes of one part. Throws InputError if the sum exceeds expansion_limit().
   void spend(std::uint64_t bytes);
 
  private:

@@ -6,7 +6,7 @@ namespace transformesh {
 
 std::optional<std::string> expand_lzf(std::string_view data, std::size_t size) {
   std::string bytes;
-  // Bytes of output for a byte of input: three bytes repeat at most 264 bytes.
+  // Largest number of output bytes for one byte of input: three bytes encode at most 264 bytes.
   constexpr std::size_t largest_ratio = 88;
   bytes.reserve(std::min(size, largest_ratio * data.size()));
   std::size_t at = 0;

@@ -5,8 +5,8 @@
 namespace transformesh {
 
 bool is_below_one(std::string_view number) {
-  // If the exponent overflows an int, its sign alone decides whether the number is below 1, because
-  // no number has that many digits.
+  // An exponent that overflows an int decides alone: the number is below 1 if the exponent is
+  // negative. No number has enough digits to compensate for it.
   const std::size_t exponent_mark = number.find_first_of("eE");
   int exponent = 0;
   if (exponent_mark != std::string_view::npos) {
@@ -15,8 +15,8 @@ bool is_below_one(std::string_view number) {
     if (parse_number(first, number.data() + number.size(), exponent) != Parsed::ok) return negative;
   }
 
-  // Otherwise the place of the first nonzero digit, shifted by the exponent, decides whether the
-  // number is below 1.
+  // Otherwise the number is below 1 if its first nonzero digit is behind the point after shifting
+  // by the exponent.
   const std::string_view digits = number.substr(0, exponent_mark);
   const std::size_t first_digit = digits.find_first_of("123456789");
   if (first_digit == std::string_view::npos) return true;

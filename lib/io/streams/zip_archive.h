@@ -23,7 +23,8 @@ class ZipReader {
   ZipReader& operator=(const ZipReader&) = delete;
 
   /// Returns the bytes of a file. Returns nothing if there is no such file. Names are
-  /// case-insensitive. Throws InputError for damaged data and beyond the budget.
+  /// case-insensitive. Throws InputError for damaged data, and if the files add up to more than the
+  /// ExpansionBudget.
   std::optional<std::string> read(const std::string& name) const;
 
  private:
