@@ -15,9 +15,8 @@ constexpr std::size_t points_per_task = 512;  ///< points per parallel task; aff
 constexpr std::size_t neighbors = 6;
 /// Two neighbors are connected if their distance is at most `reach` times the spacing at both.
 /// Large connected groups are bodies. Another point is an outlier if its spacing is at least `jump`
-/// times the spacing at the nearest point of a body.
-///
-/// outliers.h has a table of the effects of both factors.
+/// times the spacing at the nearest point of a body. The table in outliers.h shows the effects of
+/// both factors.
 constexpr double reach = 2;
 constexpr double jump = 4;
 /// Points of a connected group may be outliers if the group has less than this fraction of all
