@@ -39,7 +39,7 @@ class RegistrationSurface {
 
   const Mesh& mesh_;
   std::optional<ClosestPointQuery> surface_;
-  /// True for each halfedge, and for each vertex, on a border.
+  /// One flag per halfedge and one flag per vertex: true if it lies on a border of the surface.
   std::vector<bool> border_edges_, border_vertices_;
   std::optional<KdTree> points_;
   std::vector<Vec3> normals_;  ///< normal of each point

@@ -14,16 +14,18 @@ namespace {
 using Row = std::array<double, 6>;
 using Square = std::array<Row, 6>;
 
-/// Eigenvalues below this share of the largest count as 0. Because of rounding, rotations of a
-/// sphere have such eigenvalues instead of 0. With a larger share, motions that only features of a
-/// thousandth of the size determine would be ignored.
+/// Eigenvalues below this fraction of the largest one count as 0. In theory, an undetermined
+/// motion, such as the rotation of a sphere, has the eigenvalue 0. In practice, rounding errors
+/// make this eigenvalue slightly different from 0. A larger fraction would discard motions that are
+/// determined only by features of a thousandth of the size of the object.
 constexpr double least_eigenvalue = 1e-10;
 /// Number of sweeps. Jacobi's method for 6 x 6 matrices needs 5 to 7 for full accuracy.
 constexpr int sweeps = 12;
 constexpr double degrees = 180 / std::numbers::pi;
 
 struct Eigensystem {
-  Square matrix;   ///< after the last sweep a diagonal matrix of the eigenvalues
+  /// The symmetric matrix; after the last sweep it is diagonal and contains the eigenvalues.
+  Square matrix;
   Square vectors;  ///< eigenvectors, one per column
 };
 

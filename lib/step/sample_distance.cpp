@@ -7,15 +7,16 @@
 namespace transformesh {
 namespace {
 
-/// Number of points along the Hilbert curve whose estimates depend on each other. A fixed length
-/// makes estimates independent of the number of threads.
+/// The points, in the order of the Hilbert curve, are divided into runs of this length. An estimate
+/// depends only on earlier points of the same run. The length is fixed, so that estimates do not
+/// depend on the number of threads.
 constexpr std::size_t run_length = 512;
 
-/// A distance is estimated from the last search up to this share of the distance that the search
-/// found. Larger shares save searches and give worse estimates.
+/// The last search yields estimates for points that are at most this fraction of the found distance
+/// away from its point. A larger fraction saves searches but makes estimates less accurate.
 constexpr double reach = 0.4;
 
-/// The last search, from which distances of nearby points are estimated.
+/// The point and the result of the last search. Distances of nearby points are estimated from them.
 struct Anchor {
   Vec3 point = Vec3::Zero();
   SearchedDistance found;

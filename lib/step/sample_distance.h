@@ -1,14 +1,14 @@
-/// Samples a signed distance function at many points: exactly where the distance is small, and by
-/// estimates elsewhere. A morph clamps the movement of far vertices, so that it needs no exact
-/// distances there and most searches can be skipped.
+/// Samples a signed distance function at many points. Small distances are exact, large distances
+/// are estimates. This is enough for morphing, which limits the movement of vertices that are far
+/// from the target. Estimates save most of the searches for closest points.
 ///
 /// Points are visited along a Hilbert curve. A distance function has Lipschitz constant 1, so that
-/// the last search bounds the distance of the next point. If that distance certainly exceeds
-/// `exact_within`, there are two cases. If the point is nearer to the point of the last search than
-/// two fifths of the found distance, it gets a linear estimate. Otherwise a new search finds a
-/// distance that is at most 5 % too large, and the sign of the last search is kept. Estimates are
-/// typically right to a few percent, also on average. Signs are right if the function is
-/// continuous. Deterministic for any number of threads. Cost: O(n log n) plus the searches.
+/// the last search bounds the distance of the next point. If this distance certainly exceeds
+/// `exact_within`, there are two cases. If the point is closer to the point of the last search than
+/// two fifths of the found distance, its distance is extrapolated linearly. Otherwise a new search
+/// finds a distance that is at most 5 % too large, and the sign of the last search is kept.
+/// Estimates are typically right to a few percent, also on average. Signs are right if the function
+/// is continuous. Deterministic for any number of threads. Cost: O(n log n) plus the searches.
 #pragma once
 
 #include <functional>
@@ -25,14 +25,15 @@ struct SearchedDistance {
   Index face = no_index;         ///< closest face, as a hint for the next search
 };
 
-/// Largest relative error of a search far from the surface. Larger values save time, and move the
-/// limit beyond which points count as far.
+/// Largest relative error of a search whose exact distance is not needed. A larger value makes such
+/// searches faster, but more points then need an exact search.
 inline constexpr double far_tolerance = 0.05;
 
-/// Returns the distance of each point. `order` must be hilbert_order() of the points. `search`
-/// receives the index of a point and is called from several threads. If `sign` is 0, it must return
-/// the exact distance; otherwise `sign` is the sign of the distance, and the result may be too
-/// large by far_tolerance. `hint` is the closest face of a nearby point, or no_index.
+/// Returns the signed distance of each point. `order` must be the result of hilbert_order() for the
+/// points. `search` receives the index of a point and is called from several threads. If its
+/// argument `sign` is 0, `search` must return the exact distance. Otherwise `sign` is the sign of
+/// the distance to return, and this distance may be too large by the fraction far_tolerance. `hint`
+/// is the closest face of a nearby point, or no_index.
 std::vector<double> sample_distance(
     std::span<const Vec3> points, std::span<const Index> order, double exact_within,
     const std::function<SearchedDistance(Index point, double sign, Index hint)>& search);

@@ -21,8 +21,8 @@ std::vector<Index> add_midpoints(Mesh& mesh, double longest) {
   return midpoints;
 }
 
-/// Appends the parts of a face. m[i] is the midpoint of the edge from corner i to the next, or
-/// no_index.
+/// Appends the triangles into which the midpoints of its edges divide a face. m[i] is the midpoint
+/// of the edge from corner i to the next corner. It is no_index if this edge is not split.
 void append_parts(const Face& face, const Face& m, std::vector<Face>& faces) {
   const auto count = std::count_if(m.begin(), m.end(), [](Index v) { return v != no_index; });
   if (count == 3) {

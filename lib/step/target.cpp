@@ -33,7 +33,8 @@ std::vector<Vec3> column_normals(const Mesh& mesh, const std::array<const Column
     if (!normal.allFinite()) {
       throw InputError("the normal of point " + std::to_string(v) + " is not finite");
     }
-    // Unit normals stay unchanged, so that a target is the same after it is written and read.
+    // Do not normalize a unit normal again, because rounding could change it. Normals thus stay the
+    // same if a target is written to a file and read again.
     const bool is_unit = std::abs(normal.squaredNorm() - 1) < 1e-15;
     normals[v] = is_unit ? normal : normal.stableNormalized();
   }

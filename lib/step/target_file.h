@@ -1,4 +1,5 @@
-/// Writes targets to files that read_target() reads faster than other meshes or point sets.
+/// Writes the target of a morph, a mesh or a point set, to a file. The file contains precomputed
+/// data, so that read_target() reads it faster than other files.
 #pragma once
 
 #include <string>
@@ -10,9 +11,10 @@
 
 namespace transformesh {
 
-/// Returns a binary PLY file, from which read_target() makes the same target without preparation.
-/// Faces are in spatial order; points have normals; the thickness, if measured, is the vertex
-/// column `gap`. Comments in the header state the spatial order and the measured thickness.
+/// Returns a binary PLY file. From this file, read_target() restores the same target without
+/// recomputing anything. Faces are in spatial order, and points have normals. If the local
+/// thickness of the target was measured, it is the vertex column `gap`. Comments in the header
+/// state whether faces are in spatial order and whether the thickness was measured.
 std::string write_target(const Target& target);
 
 }  // namespace transformesh

@@ -1,7 +1,9 @@
-/// The search structures of a target. Each structure is built at the first call of its function and
-/// kept. Hold one query for all steps of an evolution. A Target converts to a query for a single
-/// call. Keeps a reference to the target, which must not change. The first call of each function
-/// must not be concurrent with others. Cost: O(n log n) for the first call, then O(1).
+/// The search structures of a target: a closest-point search, a kd-tree of vertices, and normals.
+/// Each of them is built when its function is first called, and is then kept. For all steps of an
+/// evolution, construct one query and reuse it. For a single call, pass the Target itself, which
+/// converts implicitly to a query. Keeps a reference to the target, which must not change. The
+/// first call of each function must not be concurrent with others. Cost: O(n log n) for the first
+/// call, then O(1).
 #pragma once
 
 #include <optional>

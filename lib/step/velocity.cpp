@@ -40,8 +40,8 @@ void add(const std::vector<Vec3>& more, std::vector<Vec3>& velocities) {
   for (std::size_t v = 0; v < velocities.size(); ++v) velocities[v] += more[v];
 }
 
-/// Returns the velocities that are given directly or as columns. Returns zeros if there is only a
-/// speed.
+/// Returns the velocities in `options.given` or, if it is empty, in the columns vx, vy and vz.
+/// Returns zeros if neither exists but a normal speed is specified.
 std::vector<Vec3> start_of(const Mesh& mesh, const VelocityOptions& options, bool has_speed) {
   if (options.given) {
     if (options.given->size() != mesh.positions.size())

@@ -1,4 +1,5 @@
-/// Minimum of numbers that several threads find; it does not depend on their timing.
+/// Computes the minimum of numbers that several threads find concurrently. The result does not
+/// depend on the timing of the threads.
 #pragma once
 
 #include <atomic>

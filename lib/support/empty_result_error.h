@@ -1,4 +1,5 @@
-/// Recognizes errors that loops handle specially: no face of the surface is left.
+/// Recognizes errors which mean that an operation would leave no face of the surface. Iterations of
+/// an evolution handle them differently from other errors.
 #pragma once
 
 #include "transformesh/error_kind.h"

@@ -1,4 +1,4 @@
-/// Adds a prefix to the sentence of an error or a warning. Kind and data stay.
+/// Adds a prefix to the message of an error or a warning. Its kind and its data do not change.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace transformesh {
 
-/// Returns the problem with `prefix` before its sentence.
+/// Returns the problem with `prefix` inserted at the beginning of its message.
 Problem prefixed(const std::string& prefix, Problem problem);
 
-/// Rethrows the current error with `prefix` before its sentence, as the same class. Rethrows an
-/// exception that is not an Error unchanged.
+/// Rethrows the current error as the same class, with `prefix` inserted at the beginning of its
+/// message. An exception that is not derived from Error is rethrown unchanged.
 [[noreturn]] void rethrow_with_prefix(const std::string& prefix);
 
 }  // namespace transformesh

@@ -7,7 +7,8 @@
 namespace transformesh {
 namespace {
 
-/// Names in the order of the enumerators, which tests/tools/errors.bats checks.
+/// Names of the error kinds, in the order of the enumerators of ErrorKind. The test
+/// tests/tools/errors.bats checks this order.
 constexpr std::array kind_names{"other",
                                 "not_closed",
                                 "not_joined",

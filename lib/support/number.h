@@ -8,8 +8,8 @@
 
 namespace transformesh {
 
-/// Parses the whole text as a number. Integers may have a base. Returns nothing if the text is not
-/// a number.
+/// Parses the whole text as a number. For integers, a base such as 16 may be given. Returns nothing
+/// if the text, or a part of it, is not a number.
 template <typename Number, typename... Base>
 std::optional<Number> number_in(std::string_view text, Base... base) {
   Number number{};

@@ -1,6 +1,7 @@
-/// Numbers the selected indices of a range in ascending order, in parallel. Threads mark the
-/// selected indices of blocks; a sum over the blocks gives the first number of each. Hence the
-/// numbers do not depend on the number of threads.
+/// Selects indices of a range by a predicate, and numbers the selected indices consecutively in
+/// ascending order. Works in parallel: threads count the selected indices in blocks, and a prefix
+/// sum over the blocks yields the first number in each block. The numbers therefore do not depend
+/// on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -69,8 +70,9 @@ class NumberedSelection {
     });
   }
 
-  RawVector<std::uint64_t> marks_;         ///< one bit for each index
-  std::vector<std::size_t> first_number_;  ///< number of the first selected index of each block
+  RawVector<std::uint64_t> marks_;  ///< one bit per index of the range: 1 if the index is selected
+  /// Prefix sums over blocks: number of selected indices before each block.
+  std::vector<std::size_t> first_number_;
 };
 
 }  // namespace transformesh

@@ -19,17 +19,17 @@
 namespace transformesh {
 namespace {
 
-/// A thread takes the next 1 / (ranges_per_thread * threads) of the indices that are left. Hence
-/// ranges become smaller towards the end of a loop, and threads end at nearly the same time. A
-/// choice: with more ranges, loops whose iterations take different times are balanced better; with
-/// fewer ranges, the overhead is less.
+/// A thread takes the next 1 / (ranges_per_thread * threads) of the remaining indices. Ranges thus
+/// become smaller towards the end of a loop, so that threads end at nearly the same time. Chosen by
+/// hand. A larger value balances loops with iterations of different cost better; a smaller value
+/// has less overhead.
 constexpr std::size_t ranges_per_thread = 16;
 
 std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 std::atomic<std::size_t> allowed_threads{cores()};  ///< threads that may work at the same time
 
-/// The ranges of one loop. Threads take them in order.
+/// One parallel loop. Its indices are divided into ranges, which threads take in ascending order.
 class Loop {
  public:
   Loop(std::size_t count, std::size_t grain, std::size_t threads,
@@ -54,8 +54,8 @@ class Loop {
     if (error_) std::rethrow_exception(error_);
   }
 
-  // These are guarded by the mutex of the workers.
-  std::size_t helpers = 0;  ///< workers that process ranges
+  // The next three members are guarded by Workers::mutex_.
+  std::size_t helpers = 0;  ///< number of workers that process ranges of this loop
   bool caller_waits = false;
   std::condition_variable has_no_helpers;
 
@@ -69,8 +69,8 @@ class Loop {
     return {first, last};
   }
 
-  // Keeps the error of the lowest range. All lower ranges have been taken already, so the result
-  // does not depend on the timing of threads.
+  // If several ranges throw, stores the error of the lowest one. All lower ranges have been taken
+  // already, so the result does not depend on the timing of threads.
   void keep_error(std::size_t first) {
     const std::lock_guard lock(mutex_);
     if (error_ && first > error_at_) return;
@@ -88,11 +88,11 @@ class Loop {
   std::size_t error_at_ = 0;
 };
 
-/// Threads that wait for loops. Programs run hundreds of short loops; waking a thread takes less
-/// than starting one. A loop is on offer until it ends: a worker joins it as soon as fewer threads
-/// work than are allowed. A loop does not wait for workers that have not begun when its last range
-/// is taken, which matters on a machine that is busy. Workers are never joined: they end with the
-/// process.
+/// Pool of worker threads, which are reused because waking a thread is faster than starting one,
+/// and programs run hundreds of short loops. A worker may join a loop at any time before the loop
+/// ends, if fewer threads work than are allowed. A loop that has no ranges left does not wait for
+/// workers that have not joined it, which matters on a busy machine. Workers run until the process
+/// ends.
 class Workers {
  public:
   static Workers& instance() {
@@ -108,8 +108,9 @@ class Workers {
     wake();
   }
 
-  /// Withdraws the offers that no worker has taken, and waits for the others. The waiting thread
-  /// does not count as working, so that a worker may join another loop instead.
+  /// Withdraws the offers of this loop that no worker has taken. Then waits for the workers that
+  /// have joined the loop. The waiting thread does not count as working, so that a worker may join
+  /// another loop instead.
   void finish(Loop& loop) {
     std::unique_lock lock(mutex_);
     std::erase(offers_, &loop);
@@ -120,7 +121,8 @@ class Workers {
     loop.has_no_helpers.wait(lock, [&] { return loop.helpers == 0; });
   }
 
-  /// Counts another working thread, if it is allowed.
+  /// Reserves one more working thread. Returns false if the allowed number of threads already
+  /// works.
   bool take_thread() {
     const std::lock_guard lock(mutex_);
     forget_parent_process();
@@ -133,7 +135,8 @@ class Workers {
     --working_;
     wake();
   }
-  /// Waits for a thread that take_thread() allowed. The waiting thread does not count as working.
+  /// Waits for the end of a thread for which take_thread() returned true. The waiting thread does
+  /// not count as working.
   void join(std::jthread& thread) {
     give_thread_back();
     thread.join();
@@ -144,7 +147,8 @@ class Workers {
  private:
   bool may_join() const { return !offers_.empty() && working_ < allowed_threads; }
 
-  // Wakes or starts as many workers as may join a loop.
+  // Wakes idle workers, and starts new ones if necessary: as many as offers and the limit of
+  // working threads permit.
   void wake() {
     if (!may_join()) return;
     const std::size_t count = std::min(offers_.size(), allowed_threads - working_);
@@ -153,7 +157,8 @@ class Workers {
     for (std::size_t i = 0; i < count; ++i) has_offers_.notify_one();
   }
 
-  // Starts a worker, which counts as idle at once. Returns false if the system refuses.
+  // Starts a worker and counts it as idle immediately. Returns false if the system cannot start a
+  // thread.
   bool start() {
     try {
       std::thread([this] { run(); }).detach();
@@ -177,7 +182,8 @@ class Workers {
       loop.work();
       lock.lock();
       ++idle_;
-      // The last helper passes its place among the working threads to the caller.
+      // If this was the last helper and the loop's caller waits, the caller continues in place of
+      // this worker. `working_` then stays the same.
       if (--loop.helpers == 0 && loop.caller_waits)
         loop.has_no_helpers.notify_one();
       else
@@ -185,7 +191,7 @@ class Workers {
     }
   }
 
-  // Workers do not exist in a process that was forked.
+  // fork() does not copy worker threads to the child process, so the child starts without workers.
   void forget_parent_process() {
     if (process_ == getpid()) return;
     process_ = getpid();
@@ -196,9 +202,10 @@ class Workers {
 
   std::mutex mutex_;
   std::condition_variable has_offers_;
-  std::vector<Loop*> offers_;  ///< an entry for each worker that may join a loop
-  std::size_t idle_ = 0;       ///< workers that wait for offers, or start
-  std::size_t working_ = 1;    ///< threads that work: the first caller and its helpers
+  /// Offered loops; a loop is listed once for each worker that may still join it.
+  std::vector<Loop*> offers_;
+  std::size_t idle_ = 0;     ///< number of workers that wait for offers or are being started
+  std::size_t working_ = 1;  ///< number of working threads, including the thread that called first
   pid_t process_ = getpid();
 };
 

@@ -1,4 +1,4 @@
-/// Shares in messages.
+/// Formats fractions as percentages in messages.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace transformesh {
 
-/// Formats a share as percent without the sign: "0.25", "3.4", "54", "100". Two digits, or all
-/// digits before the point.
+/// Returns a fraction as a percentage without the percent sign: "0.25", "3.4", "54" or "100".
+/// Percentages below 9.95 have two significant digits; larger ones are rounded to integers.
 inline std::string percent_text(double share) {
   const double percent = 100 * share;
   constexpr double two_digits = 9.95;  // from here on, two significant digits have no decimal

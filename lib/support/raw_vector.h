@@ -1,5 +1,6 @@
-/// A vector that does not initialize its elements when it is created or grows. Loops that write
-/// every element then touch the memory first, in parallel, and no serial pass fills it before.
+/// A vector that does not initialize its elements when it is created or grows. This avoids a serial
+/// pass over the memory before a parallel loop writes all elements. The threads of the loop are
+/// then the first to access the memory pages.
 #pragma once
 
 #include <memory>

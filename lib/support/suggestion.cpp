@@ -6,7 +6,8 @@
 namespace transformesh {
 namespace {
 
-// Returns the optimal string alignment distance; keeps three rows at a time.
+// Returns the optimal string alignment distance: the number of single-character edits and exchanges
+// of adjacent characters. Only three rows of the dynamic-programming table are stored.
 std::size_t edits(std::string_view from, std::string_view to) {
   std::vector<std::size_t> before_last;
   std::vector<std::size_t> last(to.size() + 1);

@@ -92,11 +92,13 @@ class Call {
   /// two passes, or a word.
   void set_smoothing(RemeshOptions& options) const;
 
-  /// Returns a length argument: a number in input units, or a text in the syntax of the programs,
-  /// such as "0.7x". Parses `otherwise` if the argument is None.
+  /// Returns a length argument: a number in input units, or a text such as "0.7x". The text has the
+  /// syntax of lengths on the command line; x stands for the reference edge, the mean edge length
+  /// of the initial mesh. Parses `otherwise` if the argument is None.
   Length length_as_given(const char* name, const char* otherwise) const;
-  /// Resolves a length as the programs do. If it refers to the reference edge, the document gets
-  /// the comment that states the length of the reference edge.
+  /// Converts a length to input units, as the command-line programs do. If the length refers to the
+  /// reference edge (the mean edge length of the initial mesh), `document` gets a comment that
+  /// states the reference edge.
   double resolve(const Length& length);
   double length(const char* name, double otherwise = 0);
   double reference_edge();
@@ -109,9 +111,9 @@ class Call {
   auto run(Body body) const {
     return without_lock(arguments_.contains("progress") ? (*this)["progress"] : py::none(), body);
   }
-  /// Merges equal positions of the mesh (join_places()).
+  /// Merges vertices of the mesh that have equal positions, by join_places().
   void join();
-  /// Returns the changed mesh with its report, to which these entries are added.
+  /// Returns the changed mesh with its report. Adds `entries` to the report.
   MeshPointer result(const Entries& entries = {});
 
   Document document;  ///< the mesh that is changed

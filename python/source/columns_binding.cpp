@@ -135,7 +135,7 @@ void bind_columns(py::module_& module) {
           .def("__repr__", [](const PythonColumns& self) {
             return std::string(py::str(py::cast(names(self))));
           });
-  // Adds the remaining methods of a dict.
+  // Adds the methods that make the class behave like a dict, from MutableMapping.
   const py::object mapping = py::module_::import("collections.abc").attr("MutableMapping");
   mapping.attr("register")(columns);
   for (const char* name : {"keys", "values", "items", "get", "update", "pop"})

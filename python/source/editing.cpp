@@ -61,9 +61,9 @@ Matrix4 mirroring(const py::handle& value) {
   return mirroring_in(vector_of(plane), plane[3]);
 }
 
-/// Returns the matrix of the transformation that a keyword argument requests. `before` is the
-/// product of the matrices of earlier arguments. The matrices of `center` and `unit_box` depend on
-/// it.
+/// Returns the matrix of the transformation that the argument `name` of transform() requests.
+/// `before` is the product of the matrices of earlier arguments. `center` and `unit_box` depend on
+/// `before`, because they use the bounding box of the mesh that is already transformed.
 Matrix4 step_of(const std::string& name, const py::handle& value, const Mesh& mesh,
                 const Matrix4& before) {
   const auto numbers = [&](std::size_t count) { return numbers_of(value, count, name); };

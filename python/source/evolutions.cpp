@@ -15,8 +15,9 @@
 namespace transformesh::python {
 namespace {
 
-/// Prepares the document for a loop and returns the options of an iteration. As in the programs,
-/// the format is PLY, and the document gets the comment with the reference edge.
+/// Prepares the mesh of the call for an evolution, and returns the options of one iteration. As in
+/// the command-line programs, sets the file format to PLY, and stores the reference edge (the
+/// initial mean edge length) in a comment of the mesh.
 IterationOptions iteration_of(Call& call) {
   call.document.style.format = Format::ply_little;
   IterationOptions options;
@@ -154,7 +155,8 @@ MeshPointer morph_mesh(Call& call) {
   const PythonMesh& target = call.mesh("target");
   std::vector<Problem> warnings;
   const Target read = call.run([&](const Progress& to) {
-    // Writes and reads the target, so that its faces have the same order as in the programs.
+    // Write the target to memory and read it again. Its faces then have the same order as in the
+    // command-line programs, which read it from a file.
     Target reading = read_target(write_mesh(target.document).bytes, "the target");
     warnings = check_target(reading, "the target", to);
     for (Problem& warning : check_source(call.document.mesh, reading, "the source"))

@@ -1,4 +1,5 @@
-/// Binds render, which draws pictures, and report, which makes pages of runs.
+/// Binds the functions render, which draws pictures, and report, which makes HTML pages about
+/// recorded runs of evolutions.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

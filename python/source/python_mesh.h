@@ -34,7 +34,7 @@ std::string path_text(const py::handle& path);
 /// Returns the rows of an array (n, 3). Throws InputError for other shapes.
 std::vector<Vec3> vectors_of(const py::array& array, const std::string& name);
 
-/// Binds the class Mesh, and reading and writing.
+/// Adds the class Mesh, and the functions that read and write meshes, to the Python module.
 void bind_mesh(py::module_& module);
 
 }  // namespace transformesh::python

@@ -19,8 +19,8 @@ double feature_angle(const Call& call) {
   return degrees;
 }
 
-/// Returns a limit of edge lengths in input units; if there is a size field, as a factor of the
-/// local size.
+/// Returns the argument `name`, a limit of edge lengths, in input units. If `has_sizes` is true,
+/// edge lengths vary over the mesh. The limit is then a factor of the length wanted at each vertex.
 double edge_length(Call& call, const char* name, const char* otherwise, bool has_sizes) {
   const Length asked = call.length_as_given(name, otherwise);
   if (!has_sizes) return call.resolve(asked);

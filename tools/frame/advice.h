@@ -1,4 +1,5 @@
-/// Remedies for problems of the library, which name programs and options.
+/// Remedies that the command-line programs append to error messages and warnings of the library.
+/// Remedies name programs and options, which the library does not know.
 #pragma once
 
 #include <span>
@@ -13,7 +14,8 @@ namespace transformesh::tool {
 struct Advice {
   ErrorKind kind;
   const char* option;  ///< name of the option without dashes; empty: all programs offer the remedy
-  /// Text of the remedy: {name} is replaced by ErrorData::name, {edge} by half the reference edge.
+  /// Text of the remedy. The placeholder {name} is replaced by ErrorData::name, and {edge} by half
+  /// the reference edge (the mean edge length of the initial mesh).
   const char* text;
 };
 
@@ -25,7 +27,8 @@ std::span<const Advice> advice_table();
 /// none.
 std::string advice_for(const Problem& problem, const Program& program);
 
-/// Returns "sentence; remedy" for a problem, or only the sentence if there is no remedy.
+/// Returns the message of a problem as "message; remedy", or only the message if there is no
+/// remedy.
 std::string with_advice(const Problem& problem, const Program& program);
 
 }  // namespace transformesh::tool

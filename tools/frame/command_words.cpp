@@ -9,8 +9,8 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Throws UsageError with `--name` in place of an error of Boost, whose messages name options in
-// several ways.
+// Converts an error of Boost.ProgramOptions to a UsageError that names the option uniformly, such
+// as `--name`. Boost's own messages name options in several ways.
 [[noreturn]] void rethrow_in_words(const po::error_with_option_name& error) {
   std::string name = error.get_option_name();
   name.erase(0, name.find_first_not_of('-'));

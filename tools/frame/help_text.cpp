@@ -62,8 +62,8 @@ std::string exit_code_lines(const Program& program) {
                  0, 12);
 }
 
-// Returns the lines of the help that explain lengths. A program that reads no mesh has no reference
-// edge.
+// Returns the lines of the help that explain how lengths are written. Lengths relative to the
+// reference edge (0.7x) are explained only if the program reads an input.
 std::string length_lines(const Program& program) {
   const auto is_length = [](const Option& option) { return option.placeholder == "LENGTH"; };
   if (std::none_of(program.options.begin(), program.options.end(), is_length)) return {};

@@ -77,9 +77,9 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
   }
 }
 
-/// Throws InputError for a tile, or prints a note if the program writes no mesh. The borders of a
-/// tile are cuts through a larger mesh, so only programs that are made for tiles give correct
-/// results.
+/// A tile is a part of a larger mesh, written by tm-tile, whose borders are cuts. Only programs
+/// that are made for tiles give correct results. If another program reads a tile, throws InputError
+/// if it writes a mesh, and prints a note otherwise.
 void Inputs::check_tile(const Document& document, const std::string& name) {
   if (program_.input.takes_tiles || !has_tile_comment(document.style.comments)) return;
   const std::string problem = name + " is a tile of a larger mesh, cut at its borders";

@@ -19,7 +19,8 @@ class Inputs {
  public:
   Inputs(const Program& program, Messages& messages, Phases& phases);
 
-  /// Returns the file names on the command line, with `-` for stdin; for Reads::words, the words.
+  /// Returns the file names on the command line; `-` is stdin. If the program takes words instead
+  /// of files (Reads::words), returns these words.
   const std::vector<std::string>& names() const { return program_.inputs; }
   const std::string& name() const { return names().at(0); }
 
@@ -29,7 +30,7 @@ class Inputs {
   std::vector<Document>& documents() { return documents_; }
   /// Reads the meshes that are named as inputs.
   void read_all();
-  /// Makes relative lengths refer to the first mesh.
+  /// Makes length() measure percentages and factors such as 0.7x relative to the first mesh.
   void refer_to_mesh();
   /// Replaces the first mesh by the last mesh of an earlier run that is continued. The comments of
   /// this mesh state the reference edge.
@@ -50,8 +51,8 @@ class Inputs {
   double length(const Length& length) { return basis_.resolve(length); }
   double reference_edge() { return basis_.reference_edge(); }
   void set_basis(double diagonal) { basis_.set_diagonal(diagonal); }
-  /// Must be called before the body changes the document. Later lengths do not refer to the
-  /// document.
+  /// Must be called before the program changes the mesh. Afterwards, lengths are no longer measured
+  /// relative to the mesh.
   void end_reading() { basis_.set_document(nullptr); }
   /// Returns the reference edge if a length referred to it.
   std::optional<double> used_reference_edge();
@@ -59,22 +60,24 @@ class Inputs {
   /// there is no mesh to which the length can refer.
   std::optional<double> resolved(const Option& option);
 
-  /// Return the bytes and the format of the mesh that was read last, if InputRules::keeps_bytes is
-  /// set. The bytes are empty if the reader left out or changed something.
+  /// Return the bytes and the format of the last mesh file, if InputRules::keeps_bytes is set. The
+  /// bytes are empty if the reader left out or changed data of the file.
   const std::string& bytes() const { return bytes_; }
   Format format() const { return format_; }
 
   /// Returns the numbers of vertices and faces of all inputs; empty if no mesh was read.
   const Entries& counts() const { return counts_; }
-  /// Returns the number of vertices that were merged because of Soups::joined.
+  /// Returns the number of vertices that were merged while reading, because they had equal
+  /// positions. Programs request this by the rule Soups::joined.
   std::size_t joined_vertices() const { return joined_vertices_; }
 
  private:
   Bytes read_once(const std::string& path);
   void keep_bytes(std::string_view bytes, const ReadResult& result);
-  /// check_tile() refuses a tile of a larger mesh or prints a note about it. treat_soup() joins a
-  /// soup or prints a note about it, as InputRules::soups demands. `is_noted` is true if the reader
-  /// has already noted the soup.
+  /// check_tile() refuses a tile of a larger mesh or prints a note about it. treat_soup() treats a
+  /// mesh whose faces touch without sharing vertices (a soup). Depending on InputRules::soups, it
+  /// merges equal positions or prints a note. `is_noted` is true if the reader has already noted
+  /// the soup.
   void check_tile(const Document& document, const std::string& name);
   void treat_soup(Mesh& mesh, const std::string& name, bool is_noted);
 

@@ -13,8 +13,8 @@ namespace transformesh::tool {
 
 namespace {
 
-// Returns the inputs and all options that affect the result, in one line. A run can only be
-// continued with the same settings.
+// Returns the settings of a run as one line: the inputs, and all options that affect the result. An
+// interrupted run can only be continued with the same settings.
 std::string settings_of(const Run& run) {
   std::string text;
   for (const std::string& input : run.in().names()) text += '\'' + input + "' ";
@@ -25,7 +25,8 @@ std::string settings_of(const Run& run) {
   return text;
 }
 
-// Sets the output files of --run, which have fixed names. Refuses options that name these files.
+// Implements --run FOLDER: all output files get fixed names in this folder. Throws UsageError if an
+// option also names one of these files.
 void settle_run(Program& program, LoopChoices& choices) {
   std::string& folder = choices.run;
   if (folder.empty()) return;
@@ -98,8 +99,9 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
 
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
   RecordOptions options = choices.record;
-  // A run can be continued only if its state can be stored: beside an output that is a file, or at
-  // `state`.
+  // A run can be continued only if its state can be stored in a file. The place of this file is
+  // `state` or, if `state` is empty, beside the output file. If the output is not a regular file,
+  // such as stdout, there is no place.
   const bool is_continuable =
       !is_written_directly(end_of_links(run.out().name())) || !state.empty();
   if (options.resume && !is_continuable)
@@ -109,16 +111,17 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   std::vector<std::string> files{"report", "csv"};
   if (!options.events.empty()) files.emplace_back("events");
   if (state.empty()) files.insert(files.begin(), "output");
-  // The outputs of --run are in its folder. The folder is only checked here, because it is created
-  // later, together with the state.
+  // If --run is given, all outputs are in its folder. The folder is created later, together with
+  // the state, so only check here that it can be used.
   choices.run.empty() ? run.out().check_files_of(files) : check_run_folder(choices.run);
   const std::string& name = run.program().name;
   report_interruption(name, is_continuable ? "; --resume continues" : "");
   if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);
   options.state = std::move(state);
   options.settings = settings_of(run);
-  // Only the state of a run with --events has the labels of components. Therefore a run can be
-  // continued only with the same choice of --events.
+  // The option --events is part of the settings, because only with --events does the stored state
+  // of a run contain the labels of components. A run can thus be continued only with the same
+  // choice.
   if (!options.events.empty()) options.settings += " events";
   options.every = static_cast<std::size_t>(choices.every.value_or(every));
   options.is_alone = true;

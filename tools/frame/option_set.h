@@ -19,8 +19,9 @@ namespace transformesh::tool {
 /// An option bound to a variable. Before parsing, the variable has the default value.
 struct Option {
   std::string names;  ///< long name, or long and short name: `output` or `output,o`
-  /// Name of the value in the help, such as LENGTH; empty for a flag. The provenance leaves out
-  /// options whose placeholder contains FILE, FOLDER or WHERE.
+  /// Name of the value in the help, such as LENGTH; empty for a flag. Options whose placeholder
+  /// contains FILE, FOLDER or WHERE are left out of the provenance, the comment in output files
+  /// that states the program and its options.
   std::string placeholder;
   std::string help;  ///< description: a phrase without capital and full stop
   /// Assigns a value. Throws UsageError with a phrase that continues `--name: `.
@@ -30,7 +31,8 @@ struct Option {
   std::string default_text;
   /// True: the option is required. If it is missing, the error message contains `help`.
   bool is_needed = false;
-  /// True: the provenance contains the option, and a run can be continued only with the same value.
+  /// True: the option can change the output. It is stated in the provenance comment of output
+  /// files, and a run can be continued only with the same value.
   bool affects_result = true;
   /// True: all programs have the option. The help lists it in a separate section.
   bool is_common = false;
@@ -63,7 +65,8 @@ class OptionSet {
   /// suggests the nearest word.
   Option& choice(const std::string& names, std::string* value,
                  const std::vector<std::string>& words, const std::string& help);
-  /// Adds an option whose value is one of several values, each named by a word.
+  /// Adds an option with a fixed set of values, such as the values of an enum. Each is written as a
+  /// word on the command line.
   template <typename T>
   Option& named(const std::string& names, T* value,
                 const std::vector<std::pair<std::string, std::type_identity_t<T>>>& values,

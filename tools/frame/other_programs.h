@@ -1,5 +1,5 @@
-/// Options that users try in a program that does not have them, and the programs that have them.
-/// The message about an unknown option suggests such a program.
+/// Options that users try in a program that does not have them, although another program does. The
+/// error message about an unknown option suggests the other program.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ struct OtherProgram {
   std::string_view command;  ///< program with this option, and the name of its option if it differs
 };
 
-/// Table of these options, sorted by `option`.
+/// Table of all such options, sorted by `option`.
 extern const std::array<OtherProgram, 30> other_programs;
 
 /// Returns the command (OtherProgram::command) that has this option or an equivalent option.

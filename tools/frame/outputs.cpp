@@ -169,8 +169,8 @@ void Outputs::stage_all() {
   for (auto& [path, bytes] : further_files_) stage(path, std::move(bytes));
 }
 
-// First writes the outputs that have no temporary name, such as stdout. The main output is the last
-// of them. If one of these writes fails, no file has been renamed to its final name.
+// First writes the outputs that cannot be renamed, such as stdout; the main output is the last of
+// them. If one of these writes fails, no other file has been renamed to its final name yet.
 void Outputs::commit() {
   Terminal::clear_bar();
   std::for_each(staged_.rbegin(), staged_.rend(), [](AtomicFile& file) {

@@ -19,13 +19,13 @@ class Outputs {
   Outputs(Program& program, Inputs& inputs, Messages& messages)
       : program_(program), inputs_(inputs), messages_(messages) {}
 
-  /// Returns the name after -o; `-` is stdout.
+  /// Returns the name of the main output file, which follows -o; `-` is stdout.
   const std::string& name() const { return program_.common.output; }
   bool is_terminal() const;
 
   /// Sets the bytes of the main output, for a program that writes no mesh.
   void set_bytes(std::string bytes) { bytes_ = std::move(bytes); }
-  /// Suppresses the main output.
+  /// Makes the program write no main output, only further files.
   void write_nothing() { writes_nothing_ = true; }
   bool has_main() const { return !writes_nothing_; }
   /// Adds another output file.
@@ -46,17 +46,17 @@ class Outputs {
   void check_files_of(const std::vector<std::string>& options) const;
   /// Sets a document's format and type of coordinates to those of -o.
   void set_style(Document& document);
-  /// Adds the comments of the output to a document, so that all meshes of a run have the same
-  /// comments.
+  /// Adds the reference edge and the provenance (program and options) to the comments of a mesh. A
+  /// loop calls this once at its beginning, so that all meshes of the run have the same comments.
   void stamp(Document& document);
   void set_stamped() { is_stamped_ = true; }
 
-  /// Makes write_kept() write the first document to -o after the body has failed. A second error
+  /// Called after a failure: makes write_kept() write the current mesh to -o. A second error
   /// message then states "`stopped`; 'OUT' holds `content`", or "`stopped`; 'OUT' is not written".
   void keep(const std::string& stopped, const std::string& content) { kept_ = {stopped, content}; }
   void write_kept();
-  /// Sets a function that is called after the body has ended and all outputs have their final
-  /// names.
+  /// Sets a function that is called when the program has succeeded and all output files have their
+  /// final names.
   void when_written(std::function<void()> hook) { when_written_ = std::move(hook); }
 
   /// Writes the main output and the further files under temporary names.

@@ -1,6 +1,6 @@
-/// The frame around every program. Only the frame uses argv, the standard streams, signals and exit
-/// codes. A program specifies what it reads and writes, declares its options, and passes one
-/// function, its body. man/tm.7.md specifies the behavior of the frame.
+/// The frame: code that all command-line programs share. Only the frame uses argv, the standard
+/// streams, signals and exit codes. A program declares its inputs, outputs and options, and passes
+/// one function, its body, which does the work. man/tm.7.md specifies the behavior of the frame.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@ class Run;
 /// The exit codes of all programs. A signal gives 128 plus its number. The codes 124 to 127 and 137
 /// are not used, because `timeout` and the shell use them.
 enum ExitCode {
-  exit_done = 0,  ///< success, or a predicate's positive answer
-  /// A predicate's negative answer, or an evolution that must converge did not converge.
+  exit_done = 0,  ///< success; for a program that answers a question: yes
+  /// The answer is no, or an evolution did not converge although --require-convergence is given.
   exit_no = 1,
   exit_usage = 2,
   exit_input = 3,
@@ -29,17 +29,17 @@ enum ExitCode {
 /// Kinds of arguments that are not options.
 enum class Reads {
   nothing,  ///< no arguments
-  words,    ///< any number of words; no input is read
+  words,    ///< any number of words; the frame reads no input file
   mesh,     ///< at most one mesh; stdin if no mesh is named
   meshes,   ///< any number of meshes; stdin if no mesh is named
-  file,     ///< at most one file, which the body reads; stdin if no file is named
-  files     ///< any number of files, which the body reads; stdin if no file is named
+  file,     ///< at most one file, read by the program's own code; stdin if no file is named
+  files     ///< any number of files, read by the program's own code; stdin if no file is named
 };
 
 /// Treatment of soups: meshes whose faces meet but share no vertices (touching_borders.h).
 enum class Soups {
   kept,  ///< the mesh is read as it is; a note advises tm-stitch if the file is STL
-  own,   ///< the mesh is read as it is, without advice: the program joins the soup itself
+  own,   ///< the mesh is read as it is, without a note: the program itself merges equal positions
   /// Equal positions are merged when a mesh is read; the report states how many vertices are
   /// merged.
   joined,
@@ -54,14 +54,16 @@ struct InputRules {
   /// True: the bytes of the input file stay in memory, for programs that may copy them unchanged to
   /// the output (Inputs::bytes).
   bool keeps_bytes = false;
-  bool takes_tiles = false;  ///< true: the program accepts tiles of tm-tile
+  /// True: the program accepts tiles, parts of a larger mesh that tm-tile cuts.
+  bool takes_tiles = false;
   /// True: the input file contains cameras instead of a mesh or points.
   bool are_cameras = false;
-  std::function<bool()> is_absent = {};  ///< returns true if nothing is read with the given options
+  /// Called after parsing; returns true if the given options make reading unnecessary.
+  std::function<bool()> is_absent = {};
 };
 
-/// Words that are not file names, for help and completion: the words of Reads::words, or a command
-/// before the names of meshes.
+/// Arguments that the frame does not read as input files, for help and completion. They are all
+/// arguments (Reads::words), or a command such as `union` before the names of meshes.
 struct WordRules {
   std::string placeholder = {}, help = {};
   std::vector<std::string> choices = {};  ///< commands, one of which is the first word
@@ -83,9 +85,11 @@ struct OutputRules {
   Writes writes = Writes::mesh;
   bool is_clean = false;  ///< true: the output has no self-intersection after rounding
   std::vector<std::string> picture_endings = {".png"};
-  std::function<bool()> is_mesh = {};  ///< returns true if a mesh is written with the given options
-  /// Points to the key of the only report entry to print, or to an empty text to print all; null:
-  /// use --get.
+  /// Called after parsing; returns true if the given options request a mesh.
+  std::function<bool()> is_mesh = {};
+  /// For programs with an option of their own that selects one entry of the report. Points to the
+  /// key of this entry, or to an empty text to print all entries. Null: use the common option
+  /// --get.
   const std::string* only_key = nullptr;
 };
 
@@ -102,7 +106,8 @@ struct CommonValues {
   bool help = false, version = false;
 };
 
-/// Declaration of a program. Parsing, help, settings, provenance and report use the same options.
+/// Declaration of a command-line program. Parsing, help, provenance and report all use the same
+/// option objects.
 struct Program {
   const std::string name;
   const std::string synopsis;  ///< usage without the program's name
@@ -116,12 +121,13 @@ struct Program {
   CommonValues common = CommonValues();  // explicit, because GCC 12 warns about {}
   /// Called after parsing, to derive some options from others. May throw UsageError.
   std::function<void()> settle = {};
-  std::string word = {};                  ///< the command (WordRules::choices); may be empty
-  std::vector<std::string> inputs = {};   ///< names of inputs; with Reads::words, the words
+  std::string word = {};  ///< first word of the arguments if it is a command; may be empty
+  /// Names of input files; the words if the program reads words.
+  std::vector<std::string> inputs = {};
   std::vector<std::string> command = {};  ///< the whole command line
 
-  /// Declares --reference-edge. Programs that read and write meshes have this option; an evolution
-  /// declares it among its own options.
+  /// Declares the option --reference-edge. It is called automatically for programs that read and
+  /// write meshes, except for evolutions, which declare it among their own options.
   Option& reference_edge();
 
   /// Runs the program and returns its exit code.

@@ -64,8 +64,8 @@ Json Phases::seconds() const {
 }
 
 long peak_memory_bytes() {
-  // The file is read because getrusage() would include the memory of the process before it called
-  // exec().
+  // Read the file, because the peak of getrusage() would include memory that the process used
+  // before it called exec().
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
     long kibibytes = 0;

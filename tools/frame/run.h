@@ -1,4 +1,5 @@
-/// One run of a program, as its body uses it: inputs, outputs, report and messages.
+/// One run of a command-line program. The program's main function (its body) uses this object to
+/// access inputs, outputs, report and messages.
 #pragma once
 
 #include <string>
@@ -39,19 +40,20 @@ class Run {
   void report(const std::string& key, const Value& value) { report_.add(key, value); }
   void report(const Entries& entries) { report_.add(entries); }
   bool shows_report() const { return report_.is_shown(); }
-  /// Sets the answer of a predicate. A negative answer gives exit code 1.
+  /// Sets the answer of a program that answers a question. If the answer is no, the exit code is 1.
   void answer(bool is_yes) { answer_ = is_yes; }
 
-  /// Programs that run an evolution call one of these two functions, because their body decides
-  /// whether the input is read. The function read_input() reads the input mesh. The function
-  /// continue_from() takes the mesh of the run that is continued, which already has the comments of
-  /// the output.
+  /// Programs that run an evolution call one of these two functions in their body. The function
+  /// read_input() reads the input mesh. The function continue_from() takes the mesh of an
+  /// interrupted run, which already has the comments of the output. For other programs, start()
+  /// reads the input.
   Document& read_input();
   Document& continue_from(Document document);
 
   static std::string version();
 
-  /// start() is called before the body, and finish() after it. finish() returns the exit code.
+  /// start() prepares the run before the program's body is called. finish() writes the outputs
+  /// after it and returns the exit code.
   void start();
   int finish();
 

@@ -14,12 +14,12 @@ class RunReport {
 
   void add(const std::string& key, const Value& value);
   void add(const Entries& entries) { append(result_, entries); }
-  /// Prints the settings if -v is given, at most once.
+  /// Prints the values of the program's own options if -v is given; later calls print nothing.
   void show_settings();
   /// Prints the entries if -v is given, unless they are the main output.
   void show_entries() const;
-  /// True if -v or --report is given, so that a program whose main output is a mesh shows the
-  /// entries of its report. If false, programs may skip the computation of further entries.
+  /// True if the report of a program that writes a mesh is shown, because -v or --report is given.
+  /// Otherwise programs may skip the computation of entries that only the report needs.
   bool is_shown() const { return messages_.are_detailed() || !program_.common.report.empty(); }
 
   /// Returns the report as the main output: lines, JSON with --json, or a single entry.

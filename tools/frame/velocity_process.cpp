@@ -21,7 +21,8 @@
 namespace transformesh::tool {
 namespace {
 
-// Longest wait for `ready`: interpreters start in less time, even on a busy machine.
+// Longest time to wait until the started command writes `ready`. Interpreters start in less time,
+// even on a busy machine.
 constexpr int most_milliseconds = 10'000;
 
 }  // namespace

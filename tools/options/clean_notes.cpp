@@ -7,8 +7,9 @@
 namespace transformesh::tool {
 namespace {
 
-/// A decision by a generalized winding number is reported if the number is this close to the
-/// threshold. With a larger margin, more correct decisions would be reported.
+/// For open meshes, generalized winding numbers decide which parts are inside. A decision is
+/// reported if the number differs from the threshold by less than this. With a larger margin, more
+/// correct decisions would be reported.
 constexpr double small_margin = 0.1;
 
 }  // namespace

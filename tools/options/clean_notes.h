@@ -1,4 +1,5 @@
-/// Notes that programs which cut faces print.
+/// Prints notes about the result of removing self-intersections. Used by all programs that cut
+/// faces.
 #pragma once
 
 #include "frame/run.h"

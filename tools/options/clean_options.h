@@ -9,8 +9,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line. `clean` holds the values that the library takes as
-/// they are.
+/// Values of the options on the command line. Values that need no conversion are stored in `clean`.
+/// The others are converted by clean_options().
 struct CleanChoices {
   CleanOptions clean;
   bool source_faces = false, source_points = false;

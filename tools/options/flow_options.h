@@ -9,8 +9,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line. `flow` holds the values that the library takes as
-/// they are.
+/// Values of the options on the command line. Values that need no conversion are stored in `flow`.
+/// The others are converted by flow_of().
 struct FlowChoices {
   FlowOptions flow;
   double period = 0;  ///< period of the flow; 0: default of the flow
@@ -30,8 +30,9 @@ std::string flow_list();
 /// Returns the flow of this name. Throws UsageError for options that the flow does not have.
 Flow flow_of(const std::string& name, const FlowChoices& choices);
 
-/// Adds the numbers of vertices outside of the grids and of fixed vertices to the report. Prints
-/// notes about vertices and times outside of the grids.
+/// Reports for a flow that is interpolated from grids: the numbers of vertices outside of the grids
+/// and of fixed vertices. Prints notes about vertices, and about times, that the grids do not
+/// cover.
 void note_flow(const Flow& flow, Run& run);
 
 }  // namespace transformesh::tool

@@ -15,7 +15,7 @@ struct Alias {
   std::string_view command;
 };
 
-/// Returns the alias with this word, or null.
+/// Returns the alias for this word of other software; null if there is none.
 const Alias* alias_of(std::string_view word);
 
 }  // namespace transformesh::tool

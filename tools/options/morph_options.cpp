@@ -109,8 +109,9 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
   const std::string output = run.out().name() == "-" ? "evolved.ply" : run.out().name();
   const std::string mesh = file_word(output);
   std::string target = file_word(choices.target);
-  // Without --reference-edge, the script passes 1x to tm-clean. Then tm-clean measures the
-  // reference edge of the source and stores it in the mesh, before vertices move.
+  // Without --reference-edge, the script passes the length 1x, which is one reference edge, to
+  // tm-clean. Then tm-clean measures the reference edge of the source and stores it in the mesh,
+  // before vertices move.
   std::string edge = run.program().common.reference_edge;
   if (edge.empty()) edge = "1x";
 
@@ -118,8 +119,8 @@ std::string pipeline_of(const MorphChoices& choices, const Run& run) {
       "set -euo pipefail\ntm-clean --no-provenance --outermost --format ply --reference-edge " +
       edge + " -o " + mesh + ' ' + file_word(run.in().name()) + '\n';
   if (choices.options.step.gap_edges > 0) {
-    // The thickness of the target is measured once, because the measurement takes longer than an
-    // iteration.
+    // The script measures the local thickness of the target once and stores it in a file. The
+    // measurement takes longer than an iteration.
     const std::string measured = file_word(output + ".target.ply");
     text += step_words(choices, target, run) + " --write-target " + measured + " -o /dev/null " +
             mesh + '\n';

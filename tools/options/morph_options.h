@@ -9,8 +9,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line. `options` holds the values that the library takes as
-/// they are.
+/// Values of the options on the command line. Values that need no conversion are stored in
+/// `options`. The others are converted by morphing_of().
 struct MorphChoices {
   std::string target;
   bool sequence = false;
@@ -28,7 +28,8 @@ void check_morph(const MorphChoices& choices, const Run& run);
 /// Returns the options of morph(), with lengths resolved for the mesh of the run.
 MorphOptions morphing_of(const MorphChoices& choices, Run& run);
 
-/// Returns a shell script that makes the same meshes by a loop that runs a program for each step.
+/// Returns a shell script that makes the same meshes as tm-morph. The script is a loop that calls a
+/// separate program for each step.
 std::string pipeline_of(const MorphChoices& choices, const Run& run);
 
 }  // namespace transformesh::tool

@@ -21,7 +21,8 @@ inline std::string how(MorphStop stop) {
   return stop == MorphStop::stalled ? "no longer improving" : "iteration limit reached";
 }
 
-/// Returns the fault of a morph with its remedy. Returns an empty text if there is no fault.
+/// Returns a message on what is wrong with the result of a morph, and how to remedy it. Returns an
+/// empty text if nothing is wrong.
 inline std::string fault_of(const MorphResult& result, const Program& program) {
   const std::string& fault = result.fault;
   if (fault.empty()) return fault;

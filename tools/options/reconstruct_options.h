@@ -16,8 +16,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line. `options` holds the values that the library takes as
-/// they are.
+/// Values of the options on the command line. Values that need no conversion are stored in
+/// `options`. The others are converted by reconstruction_of().
 struct ReconstructChoices {
   ViewSources sources;
   ReconstructionOptions options;

@@ -40,8 +40,8 @@ double feature_angle(const std::string& text, double otherwise) {
   return *angle;
 }
 
-// Throws UsageError if options are given that `mode` does not use. `mode` is an option that
-// replaces remeshing by another operation, such as --faces.
+// Throws UsageError if the command line combines `mode` with options of remeshing. `mode` is an
+// option that replaces remeshing by another operation, such as --faces.
 void refuse_others(const Program& program, const std::string& mode, const std::string& does,
                    const std::vector<std::string>& allowed) {
   for (const Option& option : program.options) {

@@ -13,8 +13,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line. `remesh` holds the values that the library takes as
-/// they are.
+/// Values of the options on the command line. Values that need no conversion are stored in
+/// `remesh`. The others are converted by the functions below.
 struct RemeshChoices {
   /// Number of faces to which the mesh is decimated instead of remeshed.
   std::optional<std::size_t> faces;

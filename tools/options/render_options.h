@@ -9,8 +9,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line. `picture` holds the values that the library takes as
-/// they are.
+/// Values of the options on the command line. Values that need no conversion are stored in
+/// `picture`. The others are converted by picture_of().
 struct RenderOptions {
   std::string size = "800x600";
   std::string orbit = "30,20";
@@ -28,11 +28,12 @@ struct RenderOptions {
 
 void declare_picture(Program& program, RenderOptions& options);
 
-/// Returns the options of a picture, except `around` and segments, which are read from files.
-/// Throws UsageError for values that cannot be parsed.
+/// Returns the options of a picture. Does not set `around` and `segments`, which are read from
+/// files. Throws UsageError for values that cannot be parsed.
 PictureOptions picture_of(const RenderOptions& options);
 
-/// Throws UsageError if options are given that a movie of --film does not have.
+/// Throws UsageError if --film, a movie of several meshes, is combined with options that it does
+/// not support.
 void check_film(const RenderOptions& options, const Program& program);
 /// Makes all pictures of a movie of --film have the same camera, floor and colors. `corners` has
 /// the corners of the box around all meshes. The pictures frame this box unless `picture.around`

@@ -1,4 +1,5 @@
-/// Draws a picture of a repair. Its option exists only if the part `show` of the library is built.
+/// Draws a picture of a repair. The option that requests it exists only if the library was built
+/// with its rendering part (`show`).
 #pragma once
 
 #include <string>

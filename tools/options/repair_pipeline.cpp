@@ -9,7 +9,8 @@
 namespace transformesh::tool {
 namespace {
 
-/// A loss of at least this share of area or volume is a warning. The value 1 % is a wish of users.
+/// A note is printed if a step loses more than this fraction of the area or volume. Users asked for
+/// 1 %.
 constexpr double large_share = 0.01;
 
 std::string command_of(const StitchOptions& options) {

@@ -8,9 +8,9 @@
 
 namespace transformesh::tool {
 
-/// Prints for each step its command, its findings, the place, and the changes of area and volume.
-/// Also prints a note, with the place, for each step that lost more than 1 % of the area or of the
-/// volume.
+/// Prints for each step of a repair its command, the defects found, a position, and the changes of
+/// area and volume. Also prints a note, with the position, for each step that lost more than 1 % of
+/// the area or of the volume.
 void note_steps(const RepairResult& result, const Run& run);
 
 /// Returns a pipeline of commands that writes the same bytes as the output. `passes_bytes` is true

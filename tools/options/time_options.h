@@ -11,8 +11,8 @@
 
 namespace transformesh::tool {
 
-/// Values of the options on the command line. `options` holds the values that the library takes as
-/// they are.
+/// Values of the options on the command line. Values that need no conversion are stored in
+/// `options`. The others are converted by time_options_of().
 struct TimeChoices {
   double end = 0;  ///< end time; 0: the evolution is not in physical time
   std::string velocity, flow;
@@ -40,8 +40,9 @@ double time_factor(const TimeChoices& choices);
 /// UsageError if --time-step is neither `auto` nor a positive number.
 TimeOptions time_options_of(const TimeChoices& choices, Run& run);
 
-/// Returns the motion that the options name. Flow::counts is set only for flows. `iteration`
-/// returns the number of the iteration, which is passed to commands as TM_ITERATION.
+/// Returns the motion that the options name: a flow or a command. Flow::counts is set only for
+/// flows. `iteration` returns the number of the iteration, which is passed to commands in the
+/// environment variable TM_ITERATION.
 Flow motion_of(const TimeChoices& choices, const std::function<std::size_t()>& iteration);
 
 /// Throws UsageError if --integrator or --tolerance is given for a flow that has implicit steps of

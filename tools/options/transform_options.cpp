@@ -16,8 +16,9 @@ Matrix4 matrix_of(const std::vector<double>& numbers) {
   return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
 }
 
-/// Makes an option add a transformation to `choices.steps` each time the option is given. The
-/// matrix is the result of `make` after the value is assigned.
+/// Makes an option append a transformation to `choices.steps` each time it occurs on the command
+/// line. `make` is called after the option's value is assigned, and returns the matrix of the
+/// transformation.
 void in_order(Option& option, TransformChoices& choices, const std::function<Matrix4()>& make) {
   option.affects_result = false;
   option.assign = [&choices, make, assign = option.assign](const std::string& text) {

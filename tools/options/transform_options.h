@@ -12,7 +12,8 @@ namespace transformesh::tool {
 
 struct TransformChoices {
   std::vector<double> translate, rotate, scale, scales, mirror, matrix;
-  std::string from, to;  ///< units; empty: `from` is the unit of the mesh, and `to` is not used
+  /// Unit of the input, default: as the mesh states; unit of the output, default: no conversion.
+  std::string from, to;
   bool center = false, unit_box = false;
   /// Transformations in the order of the command line. Each function returns the matrix of its
   /// transformation. Its second parameter is the product of the matrices of earlier

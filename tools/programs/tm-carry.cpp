@@ -1,4 +1,5 @@
-/// tm-carry: transfers properties of vertices and faces from the first mesh of a chain to the last.
+/// tm-carry: transfers properties of vertices and faces through a chain of meshes, each made from
+/// the previous one, from the first mesh to the last.
 #include <sstream>
 
 #include "frame/run.h"

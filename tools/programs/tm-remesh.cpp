@@ -14,7 +14,8 @@ namespace {
 
 using namespace transformesh;
 
-// Largest ratio of reference edge to mean edge, or the inverse, without a note.
+// A note is printed if the reference edge and the current mean edge length differ by more than this
+// factor.
 constexpr double most_apart = 2;
 
 StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices, tool::Run& run) {

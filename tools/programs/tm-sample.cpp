@@ -24,7 +24,8 @@ void sample(Document& document, const Choices& choices, tool::Run& run) {
   document.mesh = sample_surface(document.mesh, options, run.progress());
   run.report("points", document.mesh.positions.size());
 
-  // The output is points with normals. OFF is used only if it is requested.
+  // The output is a point cloud with normals. The default format is that of the input, but PLY
+  // instead of OFF. OFF is written only if an option or the file name requests it.
   document.other_elements.clear();
   document.style.element_order = {"vertex"};
   if (document.style.format == Format::off) document.style.format = Format::ply_little;

@@ -17,7 +17,8 @@ void transform_document(Document& document, tool::TransformChoices& choices, too
   scale_lengths(document.style.comments, result.scale);
   if (!choices.to.empty()) set_unit(document, *find_unit(choices.to));
 
-  // The provenance states the product of the matrices of all steps.
+  // In the output file, the comment on the program and its options states a single --matrix: the
+  // product of all transformations.
   const Matrix4 rows = product.transpose();
   choices.matrix.assign(rows.data(), rows.data() + rows.size());
   tool::Option& matrix = *program.options.find("matrix");

@@ -92,7 +92,8 @@ std::string header_of(const std::string& request, const std::string& name) {
   return request.substr(begin, request.find('\r', begin) - begin);
 }
 
-/// True if the value of a Host header names this machine. The port may be that of a tunnel.
+/// True if the value of a Host header names this machine. The port is ignored, because it is
+/// different if the browser connects through an SSH tunnel.
 bool is_loopback(const std::string& host) {
   const std::string name = lower(host.substr(0, host.rfind(':')));
   return name == "127.0.0.1" || name == "localhost";

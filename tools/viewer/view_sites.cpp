@@ -11,8 +11,8 @@ constexpr const char* html = "text/html; charset=utf-8";
 constexpr const char* json = "application/json";
 constexpr const char* bytes = "application/octet-stream";
 
-// Longest time for packing meshes in one request. A longer time delays answers; with a shorter
-// time, a long run needs more requests.
+// Longest time, in seconds, that one request may spend on preparing new meshes of an active run for
+// the browser. A longer time delays answers; with a shorter time, a long run needs more requests.
 constexpr double seconds_of_packing = 0.5;
 
 constexpr const char* waiting_page =

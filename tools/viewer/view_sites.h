@@ -1,5 +1,5 @@
-/// Contents that tm-view shows: meshes, or a run that may be active, as a page and as a served
-/// site.
+/// Provides the contents that tm-view shows: meshes, or a run that may still be active. They are
+/// available as a single page, or as a site: a function that answers the browser's requests.
 #pragma once
 
 #include <string>
@@ -18,10 +18,11 @@ std::vector<PageRun> runs_of(const std::vector<Document>& documents,
                              const std::vector<std::string>& names, bool is_beside);
 std::string title_of(const std::vector<std::string>& names);
 
-/// Returns the site of a page that does not change.
+/// Returns a function that answers requests for a page whose contents do not change.
 PageServer::Site site_of(const Page& page, const std::string& viewer);
 
-/// Returns the site of an active run. `page` contains everything except the run.
+/// Returns a function that answers requests for a page about an active run; each answer contains
+/// the current state of the run. `page` contains everything except the run.
 PageServer::Site live_site(LiveRun& live, const Page& page, const std::string& viewer);
 
 }  // namespace transformesh::tool

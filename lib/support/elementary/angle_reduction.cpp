@@ -9,7 +9,8 @@
 namespace transformesh::elementary {
 namespace {
 
-// For angles below this magnitude, products of the parts of pi/2 with the quotient are exact.
+// Limit between the two reduction methods. For smaller angles, the rounded quotient of angle and
+// pi/2 is less than 2^20. Its products with `parts`, except for the last part, are then exact.
 constexpr double least_large = 0x1p20;
 
 /// The sum of these parts is pi/2. All parts except the last have 33 bits, so their products with

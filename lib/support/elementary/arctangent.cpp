@@ -42,9 +42,9 @@ DoubleDouble angle_by_series(double low, double high) {
   return fast_sum(quotient, rest + quotient * z * series);
 }
 
-// Returns the arctangent of low / high: the nearest angle of the table plus the difference. The
-// terms of the numerator are exact: the tangents of the table have 7 bits, and `first` has 45 bits
-// of `high`.
+// Returns the arctangent of low / high: the nearest angle of the table plus a difference. The
+// numerator of the difference is computed without rounding its terms. For this, `high` is split:
+// `first` consists of its leading 45 bits, and tangents in the table have only 7 bits.
 DoubleDouble angle_by_table(double low, double high) {
   const double step = nearest_integer(low / high * steps);
   const double tangent = step / steps;

@@ -39,8 +39,8 @@ constexpr DoubleDouble ratio_to_derivative(double x) {
   return sum;
 }
 
-/// Entry j is for x = j/8. The derivative at j/8 is exp(-j^2/64) times the derivative at 0, and is
-/// computed from the previous entry.
+/// Entry j contains erf(x) and its derivative at x = j/8. The derivative is exp(-j^2/64) times the
+/// derivative at 0. It is computed from the derivative in the previous entry.
 constexpr auto table = [] {
   std::array<Entry, last_step + 1> entries;
   entries[0].derivative = two_over_root_of_pi;

@@ -60,12 +60,14 @@ double exp_of(const DoubleDouble& x) {
   return scaled_exp(static_cast<int>(n), first + (x.low - n * 0x1.cf79abc9e3b3ap-46));
 }
 
-constexpr int pieces = 128;      ///< intervals of the numbers from 1 to 2
+/// Number of table intervals between 1 and 2; interval i is centered at i / 128.
+constexpr int pieces = 128;
 constexpr int first_piece = 90;  ///< index of the interval that contains the square root of 1/2
-constexpr int last_piece = 182;  ///< just above the interval of the square root of 2
+/// Index of the last table interval, just above the square root of 2.
+constexpr int last_piece = 182;
 
-/// A number with few bits near the inverse of an interval's center, and minus the logarithm of this
-/// number.
+/// Table entry for one interval of arguments. `factor` is approximately the inverse of the
+/// interval's center, rounded to a multiple of 1/1024. `log` is minus the logarithm of `factor`.
 struct Inverse {
   double factor = 1;
   DoubleDouble log;

@@ -3,8 +3,9 @@
 ///
 /// All readers throw InputError, with the file and the line or entry, if a camera is not a pinhole
 /// camera with radial and tangential distortion (raster/lens_distortion.h). They also throw it if a
-/// number is missing, malformed, not finite or beyond 1e100. The same applies if numbers of cameras
-/// in a file disagree, or if a focal length is negligible compared with the principal point.
+/// number is missing, malformed, not finite or beyond 1e100. The same applies if a file contains
+/// more or fewer cameras than it states, or if a focal length is negligible compared with the
+/// principal point.
 #pragma once
 
 #include <string>

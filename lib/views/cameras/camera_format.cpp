@@ -33,7 +33,7 @@ std::optional<CameraFormat> format_of_signature(std::string_view bytes) {
   return {};
 }
 
-/// Recognizes a JSON file by keys that only one program writes.
+/// Recognizes the format of a JSON file by keys. Each key is written by only one program.
 std::optional<CameraFormat> format_of_json(std::string_view beginning) {
   const auto has = [&](const char* key) { return beginning.find(key) != std::string_view::npos; };
   const std::size_t first = beginning.find_first_not_of(" \t\r\n");
@@ -47,7 +47,7 @@ std::optional<CameraFormat> format_of_json(std::string_view beginning) {
   return {};
 }
 
-/// Recognizes a text by words that only one program writes.
+/// Recognizes the format of a text file by words. Each word is written by only one program.
 std::optional<CameraFormat> format_of_program(std::string_view beginning) {
   const auto has = [&](const char* word) { return beginning.find(word) != std::string_view::npos; };
   if (beginning.starts_with("%YAML") || has("<opencv_storage")) return CameraFormat::opencv;
@@ -59,8 +59,8 @@ std::optional<CameraFormat> format_of_program(std::string_view beginning) {
   return format_of_json(beginning);
 }
 
-/// Recognizes a format by the current row, the first one that is no comment. The row contains words
-/// that are not numbers.
+/// Recognizes a format by the current row, which is the first row that is not a comment. At least
+/// one word of the row is not a number.
 std::optional<CameraFormat> format_of_words(TextRows rows) {
   if (colmap_section(rows) != ColmapSection::none) return CameraFormat::colmap;
   if (rows.peek() == "CONTOUR") return CameraFormat::matrices;
@@ -84,8 +84,8 @@ std::optional<CameraFormat> camera_format(std::string_view bytes) {
   const bool has_row = first_row(rows);
   const std::size_t words = has_row ? rows.words_left() : 0;
   const bool has_numbers = has_row && are_numbers(rows);
-  // A comment may be the name of a matrix, with any text. Hence numbers are examined before the
-  // comment "# Bundle file".
+  // In a file of matrices, a comment may contain any text, even "# Bundle file", because comments
+  // are names of matrices. Hence this test precedes the test for Bundler's format.
   if (has_numbers && (words == 4 || words == 12)) return CameraFormat::matrices;
   if (bytes.starts_with("# Bundle file")) return CameraFormat::bundler;
   if (has_numbers && words == 1) return CameraFormat::middlebury;

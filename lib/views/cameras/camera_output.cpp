@@ -47,8 +47,8 @@ void check_undistorted(const CameraList& list, CameraFormat format) {
   }
 }
 
-/// A format that can be written as one text. `name` is the name of the file in a folder, or empty
-/// if the format has several files there.
+/// A camera format that can be written as one text. `name` is the file name that is used if an
+/// output folder is given. It is empty if the format then has several files.
 struct TextFormat {
   CameraFormat format;
   const char* name;
@@ -72,8 +72,8 @@ std::string write_only_opencv(const CameraList& list) {
   return write_opencv(list.cameras.front());
 }
 
-/// All formats that can be written as one text. In a folder, formats without a name are written to
-/// several files.
+/// All formats that can be written as one text. If an output folder is given, formats with an empty
+/// name are written as several files.
 constexpr std::array text_formats{
     TextFormat{CameraFormat::middlebury, "cameras_par.txt", write_middlebury},
     TextFormat{CameraFormat::transforms, "transforms.json", write_transforms},

@@ -29,10 +29,10 @@ struct CameraText {
 /// known.
 std::string write_cameras(const CameraList& list, CameraFormat format);
 
-/// Returns the files that programs which use this format expect in a folder. These are COLMAP's
+/// Returns the files that other programs expect in a folder of this format. These are COLMAP's
 /// three files, one file such as `cameras_par.txt` or `transforms.json`, or for each camera a
-/// matrix `NAME.txt` or OpenCV's `NAME.yml`. Throws as write_cameras() does, except for formats
-/// that need several files.
+/// matrix `NAME.txt` or OpenCV's `NAME.yml`. Throws as write_cameras() does, except that formats
+/// with several files are allowed.
 std::vector<CameraText> write_camera_files(const CameraList& list, CameraFormat format);
 
 }  // namespace transformesh

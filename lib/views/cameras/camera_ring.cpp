@@ -13,7 +13,8 @@
 namespace transformesh {
 namespace {
 
-/// Fraction of the image's shorter side that the ball in distance_for() fills.
+/// Fraction of the image's shorter side that the bounding ball of the object fills; documented for
+/// distance_for().
 constexpr double filled_share = 0.88;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }

@@ -9,9 +9,9 @@
 namespace transformesh {
 
 struct CameraRing {
-  int count = 16;  ///< >= 1
+  int count = 16;  ///< number of cameras, >= 1
   std::vector<double> elevations_deg = {
-      18, -12};                ///< above the horizon, in (-90, 90); cameras use them in turn
+      18, -12};  ///< degrees above the horizon, in (-90, 90); assigned to cameras in turn
   Vec3 center = Vec3::Zero();  ///< the point at which all cameras look
   double distance = 1;         ///< distance of the cameras from the center, > 0
   int width = 320;             ///< width of the images in pixels, >= 1

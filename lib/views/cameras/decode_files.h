@@ -31,10 +31,11 @@ void decode_all(const std::vector<std::string>& paths, const Decode& decode) {
   }
 }
 
-/// Packs the image (packable_image.h) if `count` images of its size have more than `most_pixels`
-/// pixels together. Unpacked images are faster to read.
+/// Compresses the image in memory (packable_image.h) if `count` images of its size would have more
+/// than `most_pixels` pixels in total. Otherwise the image stays uncompressed, which is faster to
+/// read.
 inline void pack_one_of(std::size_t count, PackableImage& image) {
-  constexpr double most_pixels = 8e6;  ///< number of pixels that may stay unpacked: 32 MB of floats
+  constexpr double most_pixels = 8e6;  ///< largest total of uncompressed pixels: 32 MB of floats
   if (static_cast<double>(count) * image.width * image.height > most_pixels) image.pack();
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the existing folders below `where` that are in names of cameras, such as `left` of the
-/// name `left/0001`.
+/// Returns the subfolders of `where` that occur in names of cameras and exist. For example, the
+/// name `left/0001` of a camera yields the subfolder `left`.
 std::vector<std::string> image_folders(const CameraList& cameras, const std::string& where) {
   std::set<std::string> folders;
   for (const CameraRecord& record : cameras.cameras) {

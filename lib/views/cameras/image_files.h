@@ -21,8 +21,8 @@ NamedFiles image_files(const std::string& kind, const std::string& where,
 NamedFiles names_of(const CameraList& cameras, const std::string& where);
 
 struct PairedFiles {
-  std::vector<std::string> paths;  ///< for each name that is kept, the path of its file
-  std::vector<std::size_t> kept;   ///< indices of the names that are kept, ascending
+  std::vector<std::string> paths;  ///< path of the file with which each kept name is paired
+  std::vector<std::size_t> kept;  ///< indices of the names that have a file and are kept, ascending
 };
 
 /// Pairs names of cameras or images with files (name_pairs.h). Calls `sources.on_note` if names or

@@ -16,7 +16,8 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-/// Throws InputError if width and height of the camera's image are those of the turned picture.
+/// Throws InputError if the camera's image size equals the size of the picture after rotation by
+/// its Exif orientation. In this case, the camera was not calibrated for the stored pixels.
 void check_camera(const std::string& path, const std::string& bytes, int orientation,
                   const CameraRecord& camera) {
   if (orientation < first_exchanging_sides || camera.width == camera.height) return;

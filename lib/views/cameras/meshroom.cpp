@@ -11,8 +11,8 @@
 namespace transformesh {
 namespace {
 
-/// Revisions (the third number of version 1.2.x) from which on the meaning of intrinsics is
-/// different.
+/// Each constant is the first revision of a changed intrinsic parameter in cameras.sfm. A revision
+/// is the third number x of version 1.2.x.
 constexpr int relative_principal_point = 1;
 constexpr int focal_length_in_mm = 2;
 constexpr int ratio_of_pixels = 5;  ///< older revisions store the inverse of `pixelRatio`

@@ -70,8 +70,8 @@ Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
   return sensor;
 }
 
-/// Converts the transform of a camera, which maps camera coordinates to chunk coordinates, to a
-/// pose.
+/// Converts the transform of a camera to a pose. The transform maps camera coordinates to the
+/// coordinates of a chunk, which is one reconstruction in a Metashape file.
 PinholeCamera pose_of(const std::vector<double>& numbers, const std::string& who,
                       const Source& source) {
   if (numbers.size() != 16) source.fail("the transform of " + who + " does not have 16 numbers");

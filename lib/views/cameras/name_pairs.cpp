@@ -113,7 +113,8 @@ std::optional<std::vector<std::size_t>> pair_equal(const Stems& stems, const Ste
   return partners;
 }
 
-/// Returns the stems of both lists, with their folders if each of the lists contains equal stems.
+/// Returns the stems (file names without extension) of both lists. If each list contains the same
+/// stem several times, all stems include their folders.
 std::pair<Stems, Stems> comparable_stems(const NamedFiles& first, const NamedFiles& second) {
   const bool have_folders = has_repeats(plain_stems(first)) && has_repeats(plain_stems(second));
   return have_folders ? std::pair(stems_with_folders(first), stems_with_folders(second))

@@ -24,8 +24,8 @@ void add_counted(const std::vector<std::string>& items, LittleEndianWriter& byte
   for (const std::string& item : items) bytes.add(std::string_view(item));
 }
 
-/// Returns the bytes of a platform with one camera, whose coordinate system is that of the
-/// platform.
+/// Returns the bytes of a platform, OpenMVS's name for a camera rig. The rig has a single camera,
+/// whose coordinate system equals that of the rig.
 std::string platform_bytes(const CameraRecord& record) {
   LittleEndianWriter bytes;
   add_text("", bytes);
@@ -66,7 +66,7 @@ std::string write_openmvs(const CameraList& list) {
   bytes.add(std::uint32_t{0});
   add_counted(platforms, bytes);
   add_counted(images, bytes);
-  // Number of further lists of the format, which stay empty.
+  // The format has this number of further lists, for points and lines. They are written as empty.
   constexpr int lists_of_points_and_lines = 6;
   for (int i = 0; i < lists_of_points_and_lines; ++i) bytes.add(std::uint64_t{0});
   add_matrix(Eigen::Matrix4d::Identity(), bytes);

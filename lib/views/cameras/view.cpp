@@ -12,21 +12,24 @@
 namespace transformesh {
 namespace {
 
-// Standard deviations of the blur in at_scale(). More blur removes more aliasing and noise, but
-// also detail.
+// Standard deviations of the Gaussian blur in at_scale(), in pixels of the original image: this
+// factor times the scale, or the second constant at scale 1. More blur removes more aliasing and
+// noise, but also detail.
 constexpr double blur_per_scale = 0.45;
 constexpr double blur_at_scale_one = 0.6;
 constexpr double deviations_kept = 3;  ///< a Gaussian is truncated at this many standard deviations
 
-/// Weights with which consecutive pixels of the larger image form a pixel of the smaller image.
+/// Describes one column or row of the shrunk image as a weighted sum of consecutive columns or rows
+/// of the original image, beginning at index `first`.
 struct Blend {
   int first = 0;
   std::vector<float> weights;
 };
 
-/// The weight of a pixel as a function of its distance: a Gaussian. If `scale` > 1, it is convolved
-/// with the area of a pixel of the smaller image. The Gaussian is wider than half a pixel, so that
-/// sums over pixel centers approximate integrals well.
+/// Resampling filter: the weight of a pixel as a function of its distance from the filter's center.
+/// It is a Gaussian. If `scale` > 1, the Gaussian is convolved with a box as wide as a pixel of the
+/// smaller image. The Gaussian is wider than half a pixel, so that sums over pixel centers
+/// approximate integrals well.
 class Kernel {
  public:
   explicit Kernel(double scale, double deviation)
@@ -103,8 +106,8 @@ GrayImage resampled(const GrayImage& image, double scale, double deviation) {
   return result;
 }
 
-/// Returns the blur of at_scale() at scale 1. Its Gaussian is truncated to one pixel on both sides,
-/// so that it has three weights (taps).
+/// Returns the weights of the noise-reducing blur that at_scale() applies at scale 1. The Gaussian
+/// is truncated to one pixel on both sides, so that it has three weights (taps).
 ThreeTapBlur taps_at_scale_one() {
   const Kernel kernel(1, blur_at_scale_one);
   constexpr int size = 3;  // the pixel and its two neighbors
@@ -119,7 +122,8 @@ ThreeTapBlur taps_at_scale_one() {
   return taps;
 }
 
-/// Returns at_scale() of the image, packed if `image` is packed.
+/// Returns the image, blurred and shrunk as by at_scale(). The result is packed (packable_image.h)
+/// if `image` is packed.
 PackableImage held_at_scale(const PackableImage& image, double scale) {
   PackableImage result = scale == 1 ? image : PackableImage();
   if (scale == 1 && result.blur_when_read(taps_at_scale_one())) return result;

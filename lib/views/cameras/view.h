@@ -19,13 +19,13 @@ struct View {
 
 std::vector<PinholeCamera> cameras_of(std::span<const View> views);
 
-/// Shrinks an image for evolutions from coarse to fine (paper 5.3.1). Each pixel of the result is
-/// the mean over its area in `image` after a Gaussian blur. The blur removes detail that is finer
-/// than the pixels of the result. Its standard deviation is 0.45 `scale`, in pixels of `image`. At
-/// scale 1 it is 0.6, which only reduces noise. Outside of the image, border pixels are repeated.
-/// Pixels on the right and at the bottom of `image` that do not fill a whole pixel of the result
-/// are dropped. Throws UsageError if `scale` is below 1 or no pixel would be left. O(pixels);
-/// deterministic.
+/// Shrinks an image by the factor `scale`, for coarse-to-fine reconstruction. Each pixel of the
+/// result is the mean over its area in `image` after a Gaussian blur. The blur removes detail that
+/// is finer than the pixels of the result. Its standard deviation is 0.45 `scale`, in pixels of
+/// `image`. At scale 1 it is 0.6, which only reduces noise. Outside of the image, border pixels are
+/// repeated. Pixels on the right and at the bottom of `image` that do not fill a whole pixel of the
+/// result are dropped. Throws UsageError if `scale` is below 1 or no pixel would be left.
+/// O(pixels); deterministic.
 GrayImage at_scale(const GrayImage& image, double scale);
 
 /// Shrinks image, silhouette and camera. The camera becomes PinholeCamera::shrunk(), so that rays

@@ -57,8 +57,8 @@ void set_sizes(const std::vector<std::string>& paths, CameraList& cameras) {
   check_sizes(sized);
 }
 
-/// Returns the image file of each camera. Removes cameras from the list that have no image and are
-/// left out.
+/// Pairs cameras with image files and returns the file of each camera. If pair_files() leaves out
+/// cameras without an image, removes these cameras from `cameras`.
 std::vector<std::string> pair_cameras(CameraList& cameras, const NamedFiles& names,
                                       const NamedFiles& files, const ViewSources& sources) {
   PairedFiles pairs = pair_files(names, files, cameras.names_images, sources);

@@ -19,15 +19,15 @@ inline constexpr double preview_reduction = 4;
 /// its silhouette; without both, after its camera.
 ///
 /// If the camera file names images (Middlebury, COLMAP), images and silhouettes belong to the
-/// camera of the same name. Otherwise see name_pairs.h. Names of cameras may begin with folders,
-/// such as COLMAP's `left/0001.jpg`. Images are then searched in these subfolders. Images and
-/// cameras without a partner may be left out (image_files.h).
+/// camera of the same name. Otherwise they are paired by the rules in name_pairs.h. Names of
+/// cameras may begin with folders, such as COLMAP's `left/0001.jpg`. Images are then searched in
+/// these subfolders. Images and cameras without a partner may be left out (image_files.h).
 ///
 /// Throws InputError, with the name of the file, if a file cannot be read or paired, or if a
-/// silhouette has no pixel inside. Also throws it if the size of an image differs from that in the
-/// camera file, or its aspect ratio from that of its silhouette. Images of different sizes with the
-/// same intrinsics are an error, too. Files are decoded in parallel; result and error do not depend
-/// on the number of threads.
+/// silhouette is empty. Also throws it if the size of an image differs from that in the camera
+/// file, or its aspect ratio from that of its silhouette. Images of different sizes with the same
+/// intrinsics are an error, too. Files are decoded in parallel; result and error do not depend on
+/// the number of threads.
 std::vector<View> views_from(const ViewSources& sources);
 
 /// A color photograph, which is decoded on request.

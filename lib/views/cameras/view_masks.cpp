@@ -17,8 +17,9 @@ std::string and_others(const std::string& path, std::size_t count) {
   return count == 1 ? path : path + " and " + counted(count - 1, "further mask");
 }
 
-/// Calls `sources.on_note` with the first path whose element of `properties` equals `property`,
-/// with the number of such paths, and with `text`.
+/// Reports masks that have a certain property, such as being scaled. `properties` has one value per
+/// mask. If any value equals `property`, calls `sources.on_note` once. The message contains the
+/// path of the first such mask, the number of further masks, and `text`.
 template <class Property>
 void note_masks(const std::vector<std::string>& paths, const std::vector<Property>& properties,
                 Property property, const std::string& text, const ViewSources& sources) {
@@ -29,8 +30,8 @@ void note_masks(const std::vector<std::string>& paths, const std::vector<Propert
       and_others(paths[static_cast<std::size_t>(first)], static_cast<std::size_t>(count)) + text);
 }
 
-/// Least ratio of the sizes of a photograph and its mask at which the mask is scaled. At smaller
-/// ratios, the mask was probably cropped.
+/// A mask is scaled to the size of its photograph only if the widths differ by at least this
+/// factor. If they differ by less, the mask was probably cropped, and scaling would misalign it.
 constexpr double least_scale = 1.25;
 
 /// True if mask and photograph differ in size but not in aspect ratio. Tolerates sides that were

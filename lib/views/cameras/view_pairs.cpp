@@ -12,7 +12,8 @@ namespace {
 // Best angle of a pair of views. At smaller angles, windows of the photographs are more similar; at
 // larger angles, they determine depth better.
 constexpr double best_angle_deg = 15;
-/// Pairs up to this angle are admitted, even if they exceed the limit by PairOptions::spread.
+/// A pair of views whose angle is at most this is accepted, even if its angle exceeds
+/// PairOptions::spread times the best angle.
 constexpr double near_deg = 30;
 
 double badness(const ViewPair& pair) {

@@ -7,11 +7,12 @@
 namespace transformesh {
 namespace {
 
-/// A view of a point counts as good if its quality is at least this fraction of the best quality
-/// (count_good()).
+/// A view counts as good for a surface point if its quality is at least this fraction of the
+/// point's best quality. Good views determine the median color of the point.
 constexpr float voting_share = 0.6F;
-/// Usual difference of intensities between views of the same surface point, in 0 to 255. If it is
-/// larger, fewer highlights are suppressed; if it is smaller, correct views are suppressed as well.
+/// Typical difference between the intensities of a surface point in two views, from 0 to 255.
+/// Colors that differ much more from the median lose their weight. If the value is larger, fewer
+/// highlights are suppressed; if it is smaller, correct views are suppressed as well.
 constexpr float usual_difference = 24;
 
 /// Qualities are stored in 16 bits: the leading bits of floats from 2^-16 to 2^16, with eleven bits
@@ -33,7 +34,8 @@ float quality_of(std::uint16_t code) {
   return std::bit_cast<float>(above + std::bit_cast<std::uint32_t>(least_quality));
 }
 
-// Returns the median of the first `count` values. All other values must be larger than these.
+// Returns the median of the first `count` values. The caller must set the remaining values to
+// larger numbers, so that they are sorted to the end.
 float median_of(std::array<float, 4> values, std::size_t count) {
   std::sort(values.begin(), values.end());
   return (values[(count - 1) / 2] + values[count / 2]) / 2;

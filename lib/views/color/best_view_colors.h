@@ -12,8 +12,8 @@ namespace transformesh {
 
 /// Color and quality of a surface point in one view.
 struct ViewColor {
-  /// Resolution at the point, including foreshortening, relative to usual_pixel(); 0 if the point
-  /// is not visible in the view.
+  /// Resolution of the view at the point, including foreshortening and a reduction near contours.
+  /// The value 1 is a view of typical pixel size along the normal. 0 if the point is not visible.
   float quality = 0;
   std::array<std::uint8_t, 3> color{};
 };
@@ -31,8 +31,8 @@ class BestViewColors {
   /// Ties are broken by insertion order. Indices of views above 65535 are stored as 65535.
   void add(const ViewColor& color, std::size_t view);
   bool is_seen() const { return best_[0].quality > 0; }
-  /// Returns the number of good views, whose quality is at least 0.6 times the best one. They have
-  /// the lowest indices `i`.
+  /// Returns the number of good views, whose quality is at least 0.6 times the best quality. Views
+  /// are sorted by decreasing quality, so good views have the indices 0 to count_good() - 1.
   std::size_t count_good() const;
   std::size_t view(std::size_t i) const { return best_[i].view; }
   Eigen::Array3f intensities(std::size_t i) const;

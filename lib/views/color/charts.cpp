@@ -17,8 +17,9 @@ namespace transformesh {
 namespace {
 
 /// Least cosine of the angle between the normal of a face and the mean normal of its chart.
-/// `least_cosine` applies to faces that would otherwise be in a chart of at most `few_faces` faces.
-/// Larger values of the cosines distort less but make more charts.
+/// `least_cosine` applies when faces of charts with at most `few_faces` faces are moved to larger
+/// charts; `usual_cosine` applies otherwise. Larger values of the cosines distort less but make
+/// more charts.
 constexpr double usual_cosine = 0.5;
 constexpr double least_cosine = 0.2;
 constexpr std::size_t few_faces = 12;
@@ -37,8 +38,7 @@ class ChartGrower {
       normal_[f] = face_normal(mesh, static_cast<Index>(f));
   }
 
-  /// Returns charts that consist of `faces` only. The faces of a chart have the order in which it
-  /// grew.
+  /// Divides `faces` into charts. A chart lists its faces in the order in which they were added.
   std::vector<std::vector<Index>> grow(const std::vector<Index>& faces) {
     charts_.clear();
     axis_.clear();
@@ -175,8 +175,8 @@ Chart flattened(const Mesh& mesh, std::vector<Index> faces, const Vec3& axis) {
   return chart;
 }
 
-/// Removes the faces from the chart that cover a texel which an earlier face of the chart covers.
-/// Returns these faces.
+/// Finds faces of the chart that overlap earlier faces in the plane: both cover the same texel.
+/// Removes the later faces from the chart and returns them.
 std::vector<Index> take_overlaps(Chart& chart, double texel) {
   std::vector<char> is_over(chart.faces.size(), 0);
   const auto width = static_cast<int>(chart.size.x() / texel) + 1;

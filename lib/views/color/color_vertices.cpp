@@ -16,7 +16,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t places_per_task = 1024;  ///< affects time only
+/// Surface points per parallel task; affects time only.
+constexpr std::size_t places_per_task = 1024;
 const Eigen::Array3f middle_gray = Eigen::Array3f::Constant(128);
 
 /// Returns the two vertices of each edge, in the order of Edges.
@@ -30,8 +31,8 @@ std::vector<std::array<Index, 2>> neighbors(const Mesh& mesh) {
   return pairs;
 }
 
-/// Assigns colors to vertices that are visible in no view: in each round, to those that are
-/// adjacent to vertices with a color.
+/// Assigns colors to vertices that are not visible in any view, by propagation along edges. In each
+/// round, a vertex without a color gets the mean color of its neighbors that already have one.
 void fill_unseen(const Mesh& mesh, std::vector<char>& is_known,
                  std::vector<Eigen::Array3f>& colors) {
   std::vector<std::array<Index, 2>> pairs = neighbors(mesh);

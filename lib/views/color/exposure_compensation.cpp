@@ -52,8 +52,8 @@ Overlaps overlaps_of(std::span<const BestViewColors> seen, int channel) {
 /// The normal equations that determine the gains of all views for one color channel.
 class Equations {
  public:
-  /// Adds the equation gain = 1 for each view, with the weight of one surface point. It determines
-  /// the gain of views that have no common points with others.
+  /// Begins with the equation gain = 1 for each view, weighted like one common surface point. This
+  /// equation alone determines the gain of a view that has no points in common with other views.
   explicit Equations(std::size_t views)
       : matrix_(static_cast<Eigen::Index>(views), static_cast<Eigen::Index>(views)),
         right_(Eigen::VectorXd::Ones(matrix_.rows())) {

@@ -10,14 +10,15 @@
 namespace transformesh {
 namespace {
 
-constexpr int rows_per_band = 16;  ///< affects time only
+constexpr int rows_per_band = 16;  ///< rows of pixels per parallel task; affects time only
 /// Limits of differences of depth, in units of a pixel's side at that depth. Neighboring pixels
 /// whose depths differ by more than `contour_step` show different parts of the surface. A point is
 /// hidden if its depth differs from that of its pixel by more than `hidden_step`.
 constexpr float contour_step = 8;
 constexpr double hidden_step = 6;
-constexpr double least_facing = 0.1;  ///< least cosine between the normal and the viewing direction
-/// Distance from a contour, in pixels, from which on the contour does not reduce the quality.
+/// Least cosine between normal and viewing direction of a usable point.
+constexpr double least_facing = 0.1;
+/// At this distance from a contour and beyond, in pixels, the contour does not reduce the quality.
 constexpr int full_margin = 8;
 constexpr std::uint8_t most_margin = 64;  ///< largest stored distance from a contour, in pixels
 
@@ -48,8 +49,9 @@ bool is_contour(const Raster<float>& depth, int x, int y, float focal) {
          std::abs(depth.at(x, y + 1) - here) > step;
 }
 
-/// Returns the distance of each pixel from the nearest contour, as the number of steps to one of
-/// the eight neighbors. Makes one pass down and one pass up through the image.
+/// Returns the chessboard distance of each pixel from the nearest contour: the number of steps
+/// between pixels that share a side or a corner. Makes one pass down and one pass up through the
+/// image.
 Raster<std::uint8_t> margins(const Raster<float>& depth, float focal) {
   Raster<std::uint8_t> margin(depth.width, depth.height, 0);
   parallel_for(static_cast<std::size_t>(depth.height), 16, [&](std::size_t first, std::size_t end) {
@@ -131,9 +133,9 @@ PhotographSampler::PhotographSampler(const Mesh& mesh, const PinholeCamera& came
   }
 }
 
-/// Returns the color at (x, y). Interpolates between the two pictures of `pyramid_` whose pixel
-/// sizes are closest to `spacing`, but not above `margin`. Larger pixels would include colors from
-/// the other side of a contour.
+/// Returns the color at (x, y), interpolated between two levels of the image pyramid `pyramid_`.
+/// The sides of their pixels are closest to `spacing`, but at most `margin`, the distance from the
+/// nearest contour. Larger pixels would include colors from the other side of the contour.
 Eigen::Array3f PhotographSampler::color_at(double x, double y, double spacing, int margin) const {
   const double size = std::min(spacing, static_cast<double>(margin));
   std::size_t octave = 0;
@@ -162,8 +164,8 @@ ViewColor PhotographSampler::at(const Place& place) const {
   const double facing = place.normal.dot((center_ - place.point).normalized());
   if (!(facing > least_facing)) return {};
 
-  // Blends use the 16th power of the quality as weight. Due to the eighth root, the weight is
-  // proportional to the squared margin.
+  // The quality is multiplied by the eighth root of `share`. Blending weights are the 16th power of
+  // the quality, and thus proportional to the square of the distance from the contour.
   const double share = std::min(1.0, static_cast<double>(margin) / full_margin);
   const double quality = facing * pixel_ / side * std::sqrt(std::sqrt(std::sqrt(share)));
   const Eigen::Array3f color = color_at(x, y, place.spacing / side, margin) + 0.5F;

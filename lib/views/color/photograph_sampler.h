@@ -24,8 +24,9 @@ struct Place {
 
 class PhotographSampler {
  public:
-  /// The quality is 1 if a pixel's side at the surface has the length `pixel`, at perpendicular
-  /// view. Takes 11 bytes per pixel of `picture`.
+  /// Renders the depths of the mesh in the camera. `pixel` is the length on the surface that
+  /// corresponds to quality 1: the side of a pixel, projected onto a surface perpendicular to the
+  /// viewing direction. Takes 11 bytes per pixel of `picture`.
   PhotographSampler(const Mesh& mesh, const PinholeCamera& camera, Image picture, double pixel);
 
   /// Returns the color of the point and the quality. The quality is 0 if the surface occludes the

@@ -22,15 +22,16 @@ struct ColorSamples {
   std::vector<BestViewColors> seen;
 };
 
-/// Returns the usual length of a pixel's side at the center of the mesh, over all views. Throws
-/// InputError unless the mesh is in front of at least one camera.
+/// Returns the side of a typical pixel, projected to the center of the mesh: the median over all
+/// views, in input units. Throws InputError unless the mesh is in front of at least one camera.
 double usual_pixel(const Mesh& mesh, std::span<const PictureView> views);
 
 /// Returns the list of all vertices, with half the mean edge length as Place::spacing. Keeps a
 /// reference to `mesh` and `normals`.
 ColorSamples vertex_color_samples(const Mesh& mesh, std::span<const Vec3> normals);
 
-/// Sets ColorSamples::seen of all `samples`.
+/// Finds the best colors of all surface points, and stores them in ColorSamples::seen. Decodes one
+/// photograph at a time. `pixel` is the result of usual_pixel().
 void sample_colors(const Mesh& mesh, std::span<const PictureView> views, double pixel,
                    std::span<ColorSamples* const> samples, const Progress& progress);
 

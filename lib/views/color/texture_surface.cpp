@@ -16,8 +16,8 @@
 namespace transformesh {
 namespace {
 
-/// Largest number of times that texels are enlarged by a tenth until the charts fit into the
-/// texture.
+/// Texels are enlarged by 10 % at a time until all charts fit into the largest texture. The search
+/// is given up after this number of attempts.
 constexpr int most_shrinkings = 60;
 
 /// The point on the surface to which a texel belongs.
@@ -67,8 +67,9 @@ bool could_fit(const std::vector<Chart>& charts, double texel, int most_size) {
 }
 
 Layout lay_out(const Mesh& mesh, double texel, const AtlasOptions& options) {
-  // A texture that is `most_size` texels wide hardly resolves lengths below `least`. Overlaps are
-  // not searched at a much finer resolution, which limits memory.
+  // `least` is approximately the smallest detail that a texture of the largest size can show. A
+  // resolution of `least` / 4 suffices to find overlaps in charts. Finer grids would need more
+  // memory.
   const double least = diagonal_of(bounding_box(mesh)) / options.most_size;
   Layout layout{make_charts(mesh, std::max(texel, least / 4)), {}, texel};
   for (int i = 0; i < most_shrinkings; ++i, layout.texel *= 1.1) {

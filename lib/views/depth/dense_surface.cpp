@@ -12,12 +12,13 @@
 namespace transformesh {
 namespace {
 
-/// Fringes at the border of the surface are removed if they are narrower than twice this number of
-/// edges. An edge is about half a cell long. For photographs of objects on a table, fringes as wide
-/// as a pixel fell apart when the surface was refined.
+/// Strips at the border of the surface are removed if they are narrower than twice this number of
+/// edges. An edge is about half a grid cell long. In tests with objects on a table, strips one
+/// pixel wide broke into pieces when the surface was refined later.
 constexpr int fringe_rings = 6;
 
-/// Scale of the photographs and side of a grid cell.
+/// Resolution of the reconstruction: the factor by which photographs are shrunk, and the side of a
+/// grid cell in input units.
 struct Sizes {
   double scale = 1;
   double cell = 0;

@@ -21,7 +21,8 @@ namespace transformesh {
 struct DenseOptions {
   /// Box in which the surface is searched; default: that of viewed_region().
   std::optional<Box> box = std::nullopt;
-  std::optional<double> cell = std::nullopt;  ///< side of a grid cell; default: `cell_px` pixels
+  /// Side of a grid cell, in input units; default: from `cell_px`.
+  std::optional<double> cell = std::nullopt;
   double cell_px = 1.5;  ///< side of a grid cell, in pixels of the shrunk photographs
   double size_px = 640;  ///< photographs are shrunk so that the longer side has at most this length
   /// Components with less than this fraction of the largest component's area are dropped; [0, 1].
@@ -43,10 +44,10 @@ struct DenseSurface {
   std::size_t dropped_components = 0;
 };
 
-/// Returns the surface. All views must have photographs; silhouettes are ignored. Throws InputError
-/// if there are fewer than two views, and GoalError if the views confirm no depths. Memory and
-/// time: see sweep_planes() and fuse_distances(). Parallel; the result does not depend on the
-/// number of threads.
+/// Reconstructs the surface. All views must have photographs; silhouettes are ignored. Throws
+/// InputError if there are fewer than two views, and GoalError if the views confirm no depths.
+/// Memory and time: see sweep_planes() and fuse_distances(). Parallel; the result does not depend
+/// on the number of threads.
 DenseSurface dense_surface(std::span<const View> views, const DenseOptions& options = {},
                            const Progress& progress = {});
 

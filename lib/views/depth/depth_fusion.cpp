@@ -11,19 +11,21 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t nodes_per_task = 1 << 14;  ///< affects time only
-/// A node counts as unobserved if, on average, at most this number of views has a distance for the
-/// nodes around it. Its value is then found by diffusion. Larger values replace more values of
-/// regions with few depths.
+/// Grid nodes per parallel task; affects time only.
+constexpr std::size_t nodes_per_task = 1 << 14;
+/// A grid node counts as unobserved if, averaged over neighboring nodes, at most this number of
+/// views has a distance for it. Values of unobserved nodes are found by diffusion. With a larger
+/// limit, diffusion replaces more measured values in regions with few depths.
 constexpr float unheard = 0.5F;
 
-/// A view's depth map with its projection. It decides whether points in space are free or solid.
+/// One view's depth map with its projection. It shows whether a point in space is in front of the
+/// visible surface (free) or behind it (solid).
 struct Witness {
   Projection projection;
   const GrayImage* depths;
 
-  /// Returns the distance of a point from the visible surface, positive in front of it. Returns
-  /// nothing if the depth is not known at the pixel of the point.
+  /// Returns the depth of the surface at the pixel of the point, minus the depth of the point. The
+  /// result is positive in front of the surface. Returns nothing if that pixel has no known depth.
   std::optional<double> free_way(const Vec3& point) const {
     const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
     if (!(q.z() > 0)) return std::nullopt;
@@ -91,8 +93,8 @@ class Fusion {
   Votes votes_;
 };
 
-// Returns the mean of the distances of each node inside the hull, including those of the prior,
-// which are -1 (solid). Returns -1 for all other nodes.
+// Returns the mean distance at each node inside the hull, in units of the truncation. The mean
+// includes `prior` additional distances of -1, which mean solid. Nodes outside the hull get -1.
 std::vector<float> Fusion::means_of_votes() const {
   const auto prior = static_cast<float>(options_.prior);
   std::vector<float> means(hull_.values.size(), -1.0F);

@@ -1,14 +1,14 @@
-/// Removes fillings of hollows from a visual hull where depth maps show hollows. Signed distances
-/// from the surfaces in the depth maps are fused on the grid of the hull.
-/// Reference: Curless & Levoy, "A volumetric method for building complex models from range images",
-/// SIGGRAPH 1996.
+/// Opens hollows of an object that its visual hull fills, if depth maps show these hollows. Signed
+/// distances from the surfaces in the depth maps are fused on the grid of the hull. Reference:
+/// Curless & Levoy, "A volumetric method for building complex models from range images", SIGGRAPH
+/// 1996.
 ///
 /// For each view, a grid node in front of the surface in its depth map has a positive distance
 /// (free). A node closely behind the surface has a negative distance (solid). Nodes farther behind
 /// get no distance from the view. Distances are truncated at a few cells and averaged over views
-/// and neighboring nodes. The average includes `prior` views that count every node as solid. Hence
-/// a few wrong depths among many nodes open nothing, and no thin sheets remain between viewing
-/// rays.
+/// and neighboring nodes. The average is biased towards solid: as if `prior` further views observed
+/// every node behind their surfaces. Hence a few wrong depths among many nodes open nothing, and no
+/// thin sheets remain between viewing rays.
 ///
 /// Nodes that too few views observe get values by diffusion from the nodes around them (Davis,
 /// Marschner, Garr & Levoy, "Filling holes in complex surfaces using volumetric diffusion", 3DPVT

@@ -14,7 +14,8 @@ namespace {
 /// Number of views whose depth maps are computed before progress is reported again.
 constexpr std::size_t views_at_once = 8;
 
-/// True if the depth map `map` of another view has about the depth of the point at its pixel.
+/// True if another view confirms `point`: its depth map `map` has approximately the depth of the
+/// point at the pixel to which the point projects.
 bool is_found(const Vec3& point, const Projection& projection, const DepthMap& map,
               double tolerance) {
   const Vec3 q = projection.leftCols<3>() * point + projection.col(3);
@@ -51,7 +52,7 @@ GrayImage agreed(std::size_t view, std::span<const View> views, std::span<const 
 }
 
 /// Finds patches of a depth map: sets of connected pixels. Adjacent pixels are connected if their
-/// inverse depths differ by less than `tolerance` planes.
+/// inverse depths differ by less than `tolerance` times the spacing of the plane sweep's planes.
 class Islands {
  public:
   Islands(DepthMap& map, double tolerance)

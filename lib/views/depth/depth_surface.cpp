@@ -8,10 +8,12 @@
 namespace transformesh {
 namespace {
 
-/// Least cosine between viewing ray and normal; smaller ones are replaced by it. Slopes of steeper
-/// surfaces are too inaccurate. Without a limit, distances from steep surfaces would become 0.
+/// Lower bound of the cosine between viewing ray and normal. Smaller cosines are replaced by this
+/// value, because slopes of steeper surfaces are inaccurate. Without a bound, distances from
+/// surfaces nearly parallel to the ray would become 0.
 constexpr double least_cosine = 0.2;
-/// Cosine that is assumed at pixels without neighbors on the same surface.
+/// Cosine between viewing ray and normal that is assumed if no neighboring pixel shows the same
+/// surface.
 constexpr double unknown_cosine = 0.5;
 
 }  // namespace

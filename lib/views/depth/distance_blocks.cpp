@@ -126,8 +126,9 @@ Site first_node(const DistanceBlocks& blocks, std::size_t block) {
 /// Number of nodes along the side of a block that is extended by one node at both ends.
 constexpr std::size_t side_around = side + 2;
 
-/// Returns the index of a node in the result of values_around(). `site` is relative to the first
-/// node of the block. An element may be -1, because unsigned numbers wrap around.
+/// Returns the index of a node in the result of values_around(). `site` holds the indices of the
+/// node along x, y and z, relative to the first node of the block. An index of -1 is allowed:
+/// unsigned addition wraps around.
 std::size_t number_around(const Site& site) {
   return number_of({site[0] + 1, site[1] + 1, site[2] + 1},
                    {side_around, side_around, side_around});

@@ -24,7 +24,8 @@ std::vector<View> shrunk(std::span<const View> views, double scale) {
   return result;
 }
 
-/// A visual hull, and the same hull after fuse_depths() with depth maps of photographs at `scale`.
+/// `hull`: a visual hull as values on a grid. `opened`: the same hull after depth maps of
+/// photographs, shrunk by `scale`, have opened its hollows by fuse_depths().
 struct Opening {
   ValueGrid hull, opened;
   double scale;
@@ -32,9 +33,10 @@ struct Opening {
   double deep_share() const;
 };
 
-/// Returns the number of free nodes deep inside the hull, as a fraction of all nodes inside the
-/// hull. A node is free if it is outside of the opened hull. It is deep if its value is the least
-/// one: values are clamped at four cells.
+/// Returns the fraction of the hull's volume that is removed deep inside: grid nodes outside of the
+/// opened hull, divided by all nodes inside the hull. A removed node counts if its value in the
+/// hull is the minimum of all values. Values are clamped at four cells, so many nodes share this
+/// minimum.
 double Opening::deep_share() const {
   const float deepest = *std::min_element(hull.values.begin(), hull.values.end());
   std::size_t inside = 0;

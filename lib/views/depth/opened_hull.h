@@ -1,6 +1,6 @@
-/// Removes fillings of hollows from a visual hull, by depth maps. No silhouette shows these
-/// hollows, and they are too deep for steps of the hull's surface towards the photographs
-/// (photo_step.h).
+/// Opens deep hollows of an object that its visual hull fills. Silhouettes do not show such
+/// hollows, but depth maps do. Evolving the hull towards the photographs (photo_step.h) would not
+/// reach the bottom of these hollows.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,21 @@
 namespace transformesh {
 
 struct OpenedHullOptions {
-  /// Photographs are shrunk so that the longest side of the object has a certain length in pixels.
-  /// It is `trial_px` for a first search for hollows, and then `size_px` if there are any. Larger
-  /// sizes find smaller hollows but take longer.
+  /// Length of the longest side of the object in the shrunk photographs, in pixels. A first search
+  /// for hollows uses `trial_px`. If there are hollows, a second one uses `size_px`. Larger sizes
+  /// find smaller hollows but take longer.
   double trial_px = 140, size_px = 250;
   double cell_px = 1.5;  ///< size of a grid cell, in pixels of the shrunk photographs
   /// Least fraction of the hull's volume that depth maps must show to be free, more than four cells
   /// below its surface; [0, 1].
   double least_share = 0.005;
-  /// Largest accepted decrease of the mean silhouette_agreement(), in [0, 1]. It decreases by more
-  /// if depth maps are wrong, for example if photographs do not belong to the cameras.
+  /// Largest accepted decrease of the mean intersection over union of silhouettes that opening the
+  /// hull causes; in [0, 1]. A larger decrease indicates wrong depth maps, for example if
+  /// photographs do not belong to the cameras.
   double most_agreement_lost = 0.05;
-  std::optional<double> keep = std::nullopt;  ///< InitialMeshOptions::keep
+  /// Components with less than this fraction of the largest volume are dropped; [0, 1]. Default:
+  /// components are chosen by the silhouettes.
+  std::optional<double> keep = std::nullopt;
   PairOptions pairs;
   /// Options of the depth maps. The noise variance refers to full size; it is divided by the
   /// squared scale.

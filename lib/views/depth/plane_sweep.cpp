@@ -45,9 +45,9 @@ Extent extent_of(const ValueGrid& hull, const Projection& projection) {
   return extent;
 }
 
-/// A neighboring view of the reference view, whose depths are computed. The point at `depth` on the
-/// ray of pixel (x, y) of the reference view is at the homogeneous pixel depth * turn * (x, y, 1) +
-/// shift of the neighbor.
+/// A view that is compared with the reference view, the view whose depths are computed. Let X be
+/// the point with depth d on the ray of pixel (x, y) of the reference view. X projects to the
+/// homogeneous pixel d * turn * (x, y, 1) + shift of this view.
 struct Neighbor {
   GrayImage image;
   Eigen::Matrix3d turn;
@@ -124,8 +124,9 @@ class Sweep {
   MatchingCosts sums_;   ///< `costs_` summed along paths (semiglobal_matching.h)
 };
 
-// Sets the rectangle and the planes. The number of planes follows from the neighbor in which the
-// center of the rectangle moves most between the least and the largest depth.
+// Sets the image rectangle that contains the hull, and the depths of the planes. From one plane to
+// the next, the rectangle's center moves by at most `options_.step` pixels in each neighboring
+// image, unless this requires too many planes. Returns false if the hull is not visible.
 bool Sweep::find_planes() {
   const Extent extent = extent_of(hull_, view_.camera.projection());
   if (!extent.is_before_camera()) return false;

@@ -73,8 +73,9 @@ class Paths {
   SemiglobalOptions options_;
   MatchingCosts sums_;
   std::vector<bool> shows_;
-  /// Path costs of the previous and of this pixel, with a plane of infinite cost added on both
-  /// sides.
+  /// Costs of the cheapest paths to each plane, at the previous and at the current pixel. An entry
+  /// with infinite cost is added at both ends, so that the first and last plane need no special
+  /// case.
   std::vector<float> before_, now_;
   float least_ = 0;  ///< minimum of `before_`
 };

@@ -46,7 +46,8 @@ void drop_fringes(Mesh& mesh, int rings) {
   mesh = select_faces(mesh, keeps);
 }
 
-/// Returns true for faces that belong to the largest umbrella of each of their three vertices.
+/// Returns true for faces that belong to the largest umbrella of each of their three vertices. An
+/// umbrella is a set of faces at a vertex that are connected across edges.
 std::vector<bool> in_largest_umbrellas(const Mesh& mesh) {
   const Umbrellas umbrellas = find_umbrellas(mesh, Edges(mesh));
   std::vector<Index> sizes(umbrellas.vertex_of.size(), 0);
@@ -68,7 +69,8 @@ std::vector<bool> in_largest_umbrellas(const Mesh& mesh) {
 
 void trim_border(Mesh& mesh, int rings) {
   drop_fringes(mesh, rings);
-  // Repeat until no face is dropped, because dropping faces can divide umbrellas of other vertices.
+  // Repeat until no face is dropped. Dropping a face can disconnect the faces around its other
+  // vertices.
   for (;;) {
     const std::vector<bool> keeps = in_largest_umbrellas(mesh);
     if (std::find(keeps.begin(), keeps.end(), false) == keeps.end()) return;

@@ -1,5 +1,5 @@
-/// Removes fringes at the border of an open surface, which was extracted from a grid, and makes the
-/// surface a manifold.
+/// Removes narrow strips at the border of an open surface that was extracted from a grid. Also
+/// makes the surface a manifold.
 #pragma once
 
 #include "transformesh/mesh.h"

@@ -95,7 +95,8 @@ ValueGrid viewed_region(std::span<const View> views, const std::optional<Box>& b
 std::optional<Box> box_of_points(std::vector<Vec3> points) {
   // Least number of points, because boxes of fewer points are unreliable.
   constexpr std::size_t least_points = 100;
-  // One of this number of points is left out at each end, as an outlier.
+  // The smallest and the largest 1 / `outliers` of the coordinates along each axis are ignored as
+  // outliers.
   constexpr std::size_t outliers = 50;
   // Margin as a fraction of the size, because parts of objects lack points.
   constexpr double margin = 0.1;

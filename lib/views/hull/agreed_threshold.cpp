@@ -20,8 +20,8 @@ namespace {
 // of the image side and the cube of the hull resolution.
 constexpr double largest_side_px = 320;  ///< largest side of shrunk photographs
 constexpr int hull_resolution = 48;      ///< cells along the longest side of the box
-/// HullOptions::keep: smaller components of a hull are dropped, because they are hardly parts of
-/// the object.
+/// Components of the hull with less than this fraction of the largest volume are dropped, because
+/// they are hardly parts of the object.
 constexpr double share_to_keep = 0.1;
 /// Number of candidates below dividing_threshold(). Each candidate is the previous one divided by
 /// 2^(1/4).

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// Marks pixels without a known nearest segment; not an index.
+/// Value of `nearest_` for pixels whose nearest contour segment is not known; not a valid index.
 constexpr std::int32_t no_segment = -1;
 
 using Point = Eigen::Vector2f;

@@ -23,8 +23,9 @@ constexpr std::array<Tetrahedron, 6> kuhn = {{{{0, 1, 3, 7}},
                                               {{0, 6, 4, 7}},
                                               {{0, 5, 1, 7}}}};
 
-/// Even permutations of the corners of a tetrahedron. `one_first` moves each corner to the front,
-/// `two_first` each pair of corners.
+/// Even permutations of the corners of a tetrahedron, which preserve its orientation. `one_first`
+/// has one permutation for each choice of the first corner; `two_first` has one for each choice of
+/// the first two corners.
 constexpr std::array<std::array<unsigned, 4>, 4> one_first = {
     {{{0, 1, 2, 3}}, {{1, 0, 3, 2}}, {{2, 3, 0, 1}}, {{3, 2, 1, 0}}}};
 constexpr std::array<std::array<unsigned, 4>, 6> two_first = {{{{0, 1, 2, 3}},

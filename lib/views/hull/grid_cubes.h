@@ -1,6 +1,7 @@
-/// Parts of marching tetrahedra (marching_tetrahedra.h) that do not depend on how the values at
-/// grid nodes are stored. These are the faces in one cube of the grid, and the vertices of faces.
-/// The surface has holes at nodes whose value is unknown.
+/// Building blocks of marching tetrahedra: computes the faces in one cube of the grid, and the
+/// vertices of faces. They do not depend on how the values at grid nodes are stored, and are shared
+/// by marching_tetrahedra.h and distance_blocks.h. The surface has holes at nodes whose value is
+/// unknown.
 #pragma once
 
 #include <array>
@@ -45,7 +46,7 @@ struct GridCube {
 /// corner of unknown value.
 void cut_cube(const GridCube& cube, std::vector<EdgeKeyFace>& faces);
 
-/// Returns the mesh of these faces. Its vertices have the order of their edge keys. `value` returns
+/// Returns the mesh of all `faces`. Its vertices have the order of their edge keys. `value` returns
 /// the value at a node. Parallel; the result does not depend on the number of threads.
 Mesh mesh_of_cut_edges(const NodeGrid& grid, const std::vector<EdgeKeyFace>& faces,
                        const std::function<float(std::size_t node)>& value);

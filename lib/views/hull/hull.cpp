@@ -1,5 +1,5 @@
-/// Samples the function of hull.h on a regular grid and extracts its zero set by marching
-/// tetrahedra.
+/// Samples the implicit function of the visual hull, which hull.h defines, on a regular grid.
+/// Extracts its zero set by marching tetrahedra.
 ///
 /// The grid is processed in blocks of nodes. If a block is entirely outside of one silhouette, or
 /// inside all silhouettes, one distance lookup per view suffices for all of its nodes. At the nodes
@@ -33,7 +33,8 @@ constexpr std::size_t block_nodes = 8;
 /// Upper bound of the error of interpolated distances from a contour, in pixels.
 constexpr double distance_slack_px = 1;
 
-/// Evaluates the distance from the contour of one silhouette at points in space.
+/// One view with its silhouette. Projects points in space to the view, and looks up their distance
+/// from the contour of the silhouette.
 struct Carver {
   Projection projection;
   double focal_length = 1;
@@ -137,7 +138,8 @@ Verdict verdict_of(const std::vector<Carver>& carvers, const Box& box) {
   return verdict;
 }
 
-/// Computes the function F of hull.h at the nodes of a grid, block by block.
+/// Computes the implicit function of the visual hull (F in hull.h) at the nodes of a grid, block by
+/// block.
 class Sampler {
  public:
   Sampler(const std::vector<Carver>& carvers, ValueGrid& grid)
@@ -167,8 +169,9 @@ class Sampler {
       low[axis] = block[axis] * block_nodes;
       high[axis] = std::min(low[axis] + block_nodes, grid_.nodes[axis]);
     }
-    // The box begins one cell before the block. Grid edges that enter a carved or kept block from
-    // lower indices are then in the box, and do not meet the surface.
+    // The tested box also contains the layer of cells below the block along each axis. If the
+    // verdict is carved or kept, the surface thus meets no grid edge that ends in the block from
+    // below.
     const Vec3 cell = Vec3::Constant(grid_.spacing);
     const Verdict verdict = verdict_of(carvers_, Box{place(low) - cell, place(high)});
     if (verdict == Verdict::carved) return;  // run() has already set all nodes to outside

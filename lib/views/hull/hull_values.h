@@ -19,13 +19,14 @@ namespace transformesh {
 /// if the silhouettes do not bound the object on all sides.
 Box silhouette_box(std::span<const View> views);
 
-/// Does the same as visual_hull() of hull.h, for View objects instead of Views.
+/// Overload of the public visual_hull() for the internal type View instead of the public type
+/// Views.
 HullResult visual_hull(std::span<const View> views, const HullOptions& options = {},
                        const Progress& progress = {});
 
-/// Returns the function F of hull.h on a grid. Values are clamped to plus and minus four cell
-/// sides. Ignores `options.keep`: the zero set contains all components. Throws as visual_hull()
-/// does, and takes about as long.
+/// Returns the implicit function of the visual hull (F in hull.h) at the nodes of a grid. Values
+/// are clamped to plus and minus four cell sides. Ignores `options.keep`: the zero set contains all
+/// components. Throws as visual_hull() does, and takes about as long.
 ValueGrid hull_values(std::span<const View> views, const HullOptions& options = {},
                       const Progress& progress = {});
 

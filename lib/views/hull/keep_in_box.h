@@ -1,5 +1,5 @@
-/// Blackens photographs and silhouettes outside of a box in space, for photographs with other
-/// things around the object.
+/// Blackens the parts of photographs and silhouettes outside of the image of a given box in space.
+/// Useful for photographs that show other things besides the object.
 #pragma once
 
 #include <vector>

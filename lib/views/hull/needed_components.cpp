@@ -15,10 +15,10 @@ namespace {
 /// limits the time. Chosen by hand; not measured.
 constexpr double most_side_px = 320;
 /// A component is needed if more than this fraction of its pixels is not covered by larger needed
-/// components. Hulls of coarse cells leave a rim of the silhouettes uncovered, and phantoms (see
-/// the header) may cover parts of this rim. Parts of the object that are visible in half of the
-/// views have more than half of their pixels uncovered there. Lower values keep phantoms; higher
-/// values drop parts of the object that others often hide.
+/// components. Hulls of coarse cells leave a rim of the silhouettes uncovered. Phantoms, components
+/// that are no part of the object, may cover parts of this rim. Parts of the object that are
+/// visible in half of the views have more than half of their pixels uncovered there. Lower values
+/// keep phantoms; higher values drop parts of the object that others often hide.
 constexpr double least_uncovered = 0.1;
 /// Components with less than this fraction of the largest volume are dropped. Reconstructions drop
 /// such components at their end in any case (ReconstructionOptions::crumbs).

@@ -28,7 +28,7 @@ constexpr Fineness coarse;
 constexpr Fineness fine{320, 128};
 /// At least this number of views stay if views are left out.
 constexpr std::size_t least_views = 3;
-/// Number of grid points along each side of the box in suspicions().
+/// Number of grid points along each side of the box in which suspicions() compares the views.
 constexpr int vote_points = 48;
 
 /// Returns an image of the means of blocks of `side` x `side` pixels. It belongs to the camera that
@@ -79,7 +79,7 @@ std::vector<View> shrunk(std::span<const View> views, int side_px) {
 /// Comparison of the silhouettes of some views with those of their visual hull.
 struct Agreement {
   std::vector<double> of_view;  ///< silhouette_agreement() of each view
-  bool has_hull = false;        ///< if false, all agreements are 0
+  bool has_hull = false;        ///< false: the views have no common hull, and `of_view` is 0
 
   double least() const { return *std::min_element(of_view.begin(), of_view.end()); }
   double sum() const { return std::accumulate(of_view.begin(), of_view.end(), 0.0); }
@@ -147,10 +147,10 @@ Sight seen_at(const View& view, const Projection& projection, const Vec3& point)
   return is_inside ? Sight::object : Sight::background;
 }
 
-/// Returns for each view a number of grid points at which it probably is wrong. At such a point,
-/// the view shows background although more than half of the views show the object. If k views show
-/// background at a point, it counts 1 / k^2 for each of them. If these are more than a third of the
-/// views, the point is probably background and usually does not count.
+/// Returns for each view a score of how likely its mask or camera is wrong. The score sums over
+/// grid points at which the view shows background although more than half of all views show the
+/// object. If k views show background at such a point, each of them gets 1 / k^2. If these are more
+/// than a third of the views, the point is probably background and usually does not count.
 std::vector<double> suspicions(const std::vector<View>& views) {
   const Box box = viewed_box(views);
   std::vector<Projection> projections;
@@ -288,8 +288,8 @@ void Diagnosis::try_inverted() const {
                    "all views agree");
 }
 
-// Omits the last pair of silhouette and camera, because shifted lists of equal length have one pair
-// less.
+// Tests whether silhouettes are shifted by one against the cameras. Shifting leaves one silhouette
+// and one camera without a partner; both are omitted.
 void Diagnosis::try_shifts() const {
   if (views_.size() <= least_views) return;
   for (const std::size_t forward : {1U, 0U}) {
@@ -314,8 +314,8 @@ std::vector<View> Diagnosis::rest() const {
   return views;
 }
 
-/// Adds the views with the largest suspicions() to `bad_`, one after the other, until all other
-/// views agree. Clears `bad_` if they never agree.
+/// Adds views to `bad_`, the most suspicious view first, until all other views agree. Clears `bad_`
+/// if they do not agree after a third of the views was added.
 void Diagnosis::find_bad() {
   if (views_.size() <= least_views) return;
   const std::vector<double> suspicion = suspicions(views_);
@@ -332,8 +332,8 @@ void Diagnosis::find_bad() {
   bad_.clear();
 }
 
-/// Removes each view from `bad_` that agrees with the good views, because other bad views caused
-/// its suspicion. Then computes `agreement_of_bad_`.
+/// Removes a view from `bad_` if it agrees with the good views. Such a view was suspected only
+/// because of other bad views. Then computes `agreement_of_bad_`.
 void Diagnosis::keep_only_bad() {
   const std::vector<std::size_t> suspects = bad_;
   for (const std::size_t suspect : suspects) {

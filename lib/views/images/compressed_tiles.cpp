@@ -6,7 +6,8 @@
 namespace transformesh {
 namespace {
 
-/// Side of a tile in pixels. Larger tiles need fewer planes but more bits per residual.
+/// Side of a tile in pixels. The numbers in a tile are stored as a plane fitted to them and
+/// residuals. Larger tiles need fewer planes but more bits per residual.
 constexpr int side = 8;
 constexpr std::size_t area = std::size_t{side} * side;
 

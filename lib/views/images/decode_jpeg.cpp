@@ -84,8 +84,8 @@ class Reader {
                    source_.bytes.size());
       jpeg_read_header(&jpeg_, TRUE);
     });
-    // Every block of 64 pixels takes at least one bit. Subsampled components have one block per 128
-    // pixels.
+    // JPEG codes blocks of 8 x 8 samples, and each block takes at least one bit. With chroma
+    // subsampling, a block of one component may cover 128 pixels.
     check_size(source_, jpeg_.image_width, jpeg_.image_height, std::uint64_t{8} * 128);
     if (jpeg_.num_components == 4)
       jpeg_.out_color_space = JCS_CMYK;

@@ -79,8 +79,8 @@ Tiff open(Input& input) {
                                 nullptr, nullptr, options.get()));
 }
 
-/// Returns uninitialized memory for samples, so that only the part that libtiff decodes is really
-/// used.
+/// Returns uninitialized memory for `count` samples. The system then provides physical memory only
+/// for the part that libtiff decodes.
 template <class Sample>  // NOLINTNEXTLINE(*-avoid-c-arrays)
 std::unique_ptr<Sample[]> samples(std::uint64_t count) {
   // NOLINTNEXTLINE(*-avoid-c-arrays)

@@ -8,10 +8,12 @@
 namespace transformesh {
 namespace {
 
-constexpr float intensities_per_unit = 256;  ///< 16-bit codes per unit of intensity
-constexpr float distances_per_unit = 64;     ///< 16-bit codes per pixel of distance
-constexpr float no_distance = 32768;         ///< 16-bit code of distance 0
-constexpr std::uint16_t last_word = 65535;   ///< largest 16-bit number
+/// Intensities are stored in 16 bits in steps of 1 / 256.
+constexpr float intensities_per_unit = 256;
+/// Distances are stored in 16 bits in steps of 1 / 64 pixel.
+constexpr float distances_per_unit = 64;
+constexpr float no_distance = 32768;        ///< 16-bit code of distance 0
+constexpr std::uint16_t last_word = 65535;  ///< largest 16-bit number
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 std::uint16_t word_of(float value) {
@@ -104,8 +106,8 @@ bool PackableImage::blur_when_read(const ThreeTapBlur& taps) {
   return true;
 }
 
-// Rounds blurred intensities to 1/256 as pack() does, so that they equal those of a packed blurred
-// image.
+// Blurs a rectangle of the image and writes it to `out`. Rounds intensities to 1/256 as pack()
+// does, so that they equal those of a blurred image that was packed.
 void PackableImage::read_blurred(int x, int y, int columns, int rows, float* out) const {
   blur_rectangle(bytes_, width, height, *blur_, {x, y}, columns, rows, out);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(columns) * rows;

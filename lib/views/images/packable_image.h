@@ -59,8 +59,9 @@ class PackableImage {
   }
   /// Requires that the image is not packed.
   float& at(int x, int y) { return floats_.at(x, y); }
-  /// Returns an equal image with fast access to single pixels: this image or, if it is packed in
-  /// tiles, `room` with its 16-bit codes.
+  /// Returns an image with the same values and fast access to single pixels. This is usually the
+  /// image itself. If it is compressed in tiles (compressed_tiles.h), decompresses the 16-bit codes
+  /// to `room` and returns `room`.
   const PackableImage& opened(PackableImage& room) const;
   /// Returns the largest depth of the four pixels from (x, y) to (x + 1, y + 1). The image must be
   /// the result of opened().
@@ -95,7 +96,7 @@ class PackableImage {
   std::vector<std::uint16_t> words_;
   std::optional<ThreeTapBlur> blur_;
   CompressedTiles tiles_;  ///< 16-bit codes of distances and depths
-  float offset_ = 0;       ///< smallest positive depth; 0 if there is none
+  float offset_ = 0;       ///< depth of the code 1: the smallest positive depth; 0 if there is none
   float step_ = 0;
 };
 

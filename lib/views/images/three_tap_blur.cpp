@@ -62,8 +62,8 @@ void blur_rectangle(const std::vector<std::uint8_t>& bytes, int width, int heigh
     } else {
       blend(source.row(y - 1), source.row(y), source.row(y + 1), taps.inside, count, sums);
     }
-    // `at` is the element of `sums` at the first pixel of the result. Pixels from `inner_begin` to
-    // before `inner_end` have neighbors on both sides.
+    // `at` points to the element of `sums` that belongs to the first pixel of the result. Pixels
+    // from `inner_begin` to before `inner_end` have neighbors on both sides.
     const float* const at = sums + (column - first);
     const int inner_begin = column == 0 ? 1 : 0;
     const int inner_end = column + columns == width ? columns - 1 : columns;

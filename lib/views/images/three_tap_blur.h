@@ -1,5 +1,6 @@
-/// A separable blur with three weights, which at_scale() uses at scale 1. It is computed when
-/// pixels of an image of bytes are read, so that the blurred image need not be stored.
+/// A separable blur with three weights per axis, which at_scale() applies to images at full
+/// resolution. It is computed while pixels of an 8-bit image are read, so that the blurred image
+/// need not be stored.
 #pragma once
 
 #include <array>

@@ -12,10 +12,11 @@
 namespace transformesh {
 namespace {
 
-/// A vertex next to the background is on the rim if the visible surface around it is nearer by at
-/// most this depth, in pixel sides. Near its contour, a surface curves away from the camera by
-/// less. A larger value also accepts vertices behind another part of the surface; a smaller one
-/// rejects rims of flat surfaces.
+/// A vertex that projects next to the background is on the rim unless it is hidden. It counts as
+/// hidden if the visible surface around it is nearer to the camera by more than this, in units of a
+/// pixel's side. Near a contour, the depth of a surface changes by less. A larger value also
+/// accepts vertices behind another part of the surface; a smaller one rejects rims of flat
+/// surfaces.
 constexpr double pixels_of_curvature = 20;
 
 /// Vertices with larger pixel coordinates are ignored: no image has such pixels, and their
@@ -39,7 +40,7 @@ std::vector<char> facings(const Mesh& mesh, const Vec3& eye, const std::vector<c
   return result;
 }
 
-/// The pixels that show the surface and whose eight neighbors show it, too.
+/// The pixels that show the surface and whose eight neighbors all show the surface.
 class InnerPixels {
  public:
   explicit InnerPixels(const VisibleDepths& depths) : box_(depths.box()) {
@@ -95,8 +96,8 @@ struct RimVertex {
   double gap;  ///< signed distance from the contour in input units, < 0
 };
 
-/// True if all distances from the contour in the square at pixel (x, y) are negative, even without
-/// interpolating them.
+/// True if a point at pixel (x, y) is so far inside the contour that every interpolated distance
+/// around this pixel is negative. Interpolation is then not necessary.
 template <class Distances>
 bool is_deep_inside(const Distances& distances, int x, int y) {
   // The limit exceeds the sum of four terms. Distances at neighboring pixels differ by up to

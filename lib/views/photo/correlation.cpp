@@ -128,7 +128,8 @@ class Correlation {
     sum_windows([&](std::size_t k, int x) { return a[k][x] * b[k][x]; }, sums_[sum12]);
   }
 
-  /// Sets `weight_` to rho for each window, and to 0 for windows of which at most half is visible.
+  /// Sets `weight_` to the weight of each window (rho in correlation.h), and to 0 for windows of
+  /// which at most half is visible.
   void find_weights(int y) {
     constexpr float half = 0.5F * rows * rows;  // number of pixels of half a window
     const float* __restrict seen = compared_.row(is_seen, y);
@@ -139,8 +140,8 @@ class Correlation {
     weight_ *= least_ / (least_ + static_cast<float>(options_.contrast));
   }
 
-  /// Computes energy and loss of each window, and `pull_`, the derivative of the loss with respect
-  /// to 1 - cc.
+  /// Computes energy and loss of each window. Also computes `pull_`, the derivative of the loss
+  /// with respect to the dissimilarity: 1 minus the correlation.
   void find_loss() {
     energy_ = weight_ * (1 - correlation_);
     loss_ = energy_;
@@ -172,8 +173,9 @@ class Correlation {
     totals_.pixels += static_cast<std::size_t>((weight_ > 0).count());
   }
 
-  /// Stores factors of the windows around row `y`. The derivative of a window with respect to a
-  /// pixel's intensity is a linear function of both intensities of the pixel, with these factors.
+  /// Stores factors for differentiating the losses of the windows around row `y`. The derivative of
+  /// a window's loss with respect to the second intensity at a pixel is a linear function of both
+  /// intensities at this pixel. The factors are its coefficients.
   void keep_factors(int y) {
     by_deviations_ = pull_ * inverse_ / deviations_;
     by_variance_ = pull_ * inverse_ / variance2_;

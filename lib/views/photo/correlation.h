@@ -27,7 +27,8 @@
 
 namespace transformesh {
 
-/// One row of both images, which the caller fills. Values are 0 at pixels that are not visible.
+/// One row of both images, which the caller of correlate() fills. Values are 0 at pixels that are
+/// not visible.
 struct ComparedRow {
   float* is_seen = nullptr;
   float* first = nullptr;
@@ -48,23 +49,26 @@ struct CorrelationRow {
 
 /// Values of the windows around the pixels of one row.
 struct WindowRow {
-  const float* weight = nullptr;  ///< weight rho of the window; 0 for windows that are not compared
-  const float* energy = nullptr;  ///< rho (1 - cc) of the window
-  const float* deviations = nullptr;  ///< sqrt(v1 v2): the product of both standard deviations
+  /// Weight of the window (rho in the file comment); 0 for windows that are not compared.
+  const float* weight = nullptr;
+  const float* energy = nullptr;  ///< weight times (1 - correlation) of the window
+  /// Product of the standard deviations of both images in the window.
+  const float* deviations = nullptr;
 };
 
 struct CorrelationSums {
-  double energy = 0;  ///< sum of rho (1 - cc), also if a robust loss is differentiated
+  /// Sum over windows of weight times (1 - correlation), also if a robust loss is differentiated.
+  double energy = 0;
   /// The sum that is differentiated; equals `energy` if CorrelationOptions::robust is 0.
   double loss = 0;
   double weight = 0;       ///< sum of the weights rho of all windows
   std::size_t pixels = 0;  ///< number of compared windows
 };
 
-/// Compares the rows from `first_row` to `end_row` - 1. Calls `fill` for each row, in this order,
-/// to get its pixels. Calls `look` with the windows of each row, and later `take` with the
-/// derivatives of each row, in the same order. `take` and `look` may be empty. Throws UsageError if
-/// options are out of range.
+/// Compares both images in the rows from `first_row` to `end_row` - 1. Three callbacks are called
+/// for each row, in ascending order. `fill` provides the pixels of a row. `look` later receives the
+/// correlation windows around them, and `take` receives the derivatives. `take` and `look` may be
+/// empty. Throws UsageError if options are out of range.
 CorrelationSums correlate(int width, int first_row, int end_row, const CorrelationOptions& options,
                           const std::function<void(int y, const ComparedRow&)>& fill,
                           const std::function<void(int y, const CorrelationRow&)>& take,

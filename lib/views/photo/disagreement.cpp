@@ -19,9 +19,9 @@ namespace {
 /// of its mixed second differences. The median magnitude of a standard normal variable is 0.6745.
 constexpr double variance_by_squared_median = 0.1523 / (0.6745 * 0.6745);
 
-/// Largest floor (dissimilarity that noise explains) that WindowSums::excess() uses. If it is
-/// larger, photographs have hardly anything in common, and the excess would be the quotient of two
-/// small numbers.
+/// Upper limit of the dissimilarity that noise explains (the floor) in WindowSums::excess(). If
+/// noise explains more, the photographs hardly have a common signal, and the excess would be the
+/// quotient of two small numbers.
 constexpr double largest_floor = 0.9;
 
 struct Window {
@@ -92,7 +92,8 @@ void add_pair(const Warp& warp, const VisibleSurface& seen, double noise,
       });
 }
 
-/// Result of comparing one reference view with the other views of its pairs, and memory for that.
+/// Result of comparing one reference view with its partner views. Also holds buffers that are
+/// reused for the next reference view.
 struct Compared {
   VisibleSurface room;
   WarpRoom warp_room;

@@ -26,9 +26,9 @@ namespace transformesh {
 
 /// Sums over compared windows, for example those around a vertex.
 struct WindowSums {
-  double weight = 0;  ///< sum of the weights rho of windows; 0 if nothing is compared
-  double energy = 0;  ///< sum of rho (1 - cc)
-  double floor = 0;   ///< sum of rho times the floor of each window
+  double weight = 0;  ///< sum of the weights of windows; 0 if nothing is compared
+  double energy = 0;  ///< sum of weight times (1 - correlation)
+  double floor = 0;   ///< sum of weight times floor, the dissimilarity that noise explains
 
   double dissimilarity() const { return weight > 0 ? energy / weight : 0; }
   double mean_floor() const { return weight > 0 ? floor / weight : 0; }
@@ -43,20 +43,20 @@ struct Disagreement {
   std::vector<WindowSums> of_vertex;
 };
 
-/// Compares the photographs of a scene on a surface. The variance of noise assumes the blur of
-/// scale 1 (at_scale()); at other scales it is up to a tenth too large. `least_cosine` is that of
-/// PhotoStepOptions. Takes a little longer than photoconsistency(), and throws as
+/// Compares the photographs of a scene on a surface, for all pairs of views in the scene. The noise
+/// estimate assumes photographs at full resolution, as at_scale() returns them for scale 1. If they
+/// were shrunk, the estimated variance is up to a tenth too large. `least_cosine` has the same
+/// meaning as in PhotoStepOptions. Takes a little longer than photoconsistency(), and throws as
 /// photoconsistency() does. The result does not depend on the number of threads.
 Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                           const PhotoconsistencyOptions& options = {},
                           const Progress& progress = {});
 
-/// Returns the variance of the noise in a photograph of any scale (at_scale), in squared
-/// intensities. Uses pixels at which `depth` is above 0; returns 0 if there are none. The variance
-/// is estimated from mixed second differences, which texture hardly affects unless it is as fine as
-/// the pixels.
-/// Reference: Immerkaer, "Fast noise variance estimation", CVIU 64(2), 1996. Unlike in this
-/// reference, the median of the differences is used, not their mean. O(pixels).
+/// Returns the variance of the noise in a photograph that at_scale() returned for any scale, in
+/// squared intensities. Uses pixels at which `depth` is above 0; returns 0 if there are none. The
+/// variance is estimated from mixed second differences, which texture hardly affects unless it is
+/// as fine as the pixels. Reference: Immerkaer, "Fast noise variance estimation", CVIU 64(2), 1996.
+/// Unlike in this reference, the median of the differences is used, not their mean. O(pixels).
 double noise_variance(const GrayImage& image, const GrayImage& depth);
 
 }  // namespace transformesh

@@ -1,5 +1,6 @@
-/// Calibrated photographs, reduced to one scale and prepared for steps of a surface towards their
-/// agreement (paper 5.3.1).
+/// Calibrated photographs for photometric refinement of a surface, as in Zaharescu, Boyer & Horaud
+/// (TPAMI 33(4), 2011, section 5.3.1). They are shrunk by a common factor. The scene also lists the
+/// pairs of views to compare.
 #pragma once
 
 #include <span>

@@ -37,16 +37,17 @@ std::vector<ViewPair> compared_pairs(const std::vector<ViewPair>& pairs, PairOrd
   return result;
 }
 
-/// Returns the curvature of the energy at each vertex plus damping. The sum is positive at all
-/// compared vertices if `damping` > 0.
+/// Returns the second derivative (curvature) of the photometric energy at each vertex, plus a
+/// damping term. If `damping` > 0, the sum is positive at all vertices that at least one pair of
+/// views compares.
 std::vector<double> damped_curvature(const Photoconsistency& measured, double damping) {
   std::vector<double> result(measured.curvature);
   for (std::size_t v = 0; v < result.size(); ++v) result[v] += damping * measured.coverage[v];
   return result;
 }
 
-/// Returns the median curvature of the energy over all compared vertices. There must be at least
-/// one compared vertex.
+/// Returns the median of `curvature` over the vertices that at least one pair of views compares.
+/// There must be at least one such vertex.
 double usual_curvature(const Photoconsistency& measured, std::span<const double> curvature) {
   std::vector<double> seen;
   for (std::size_t v = 0; v < curvature.size(); ++v) {

@@ -11,8 +11,8 @@
 namespace transformesh {
 namespace {
 
-// Limits of PhotoStepsResult::lost_coverage: ratios of last to first step, for the compared
-// fraction and for the number of compared pixels.
+// Lower limits of two ratios of last to first step: of the compared fraction of pixels, and of the
+// number of compared pixels. Coverage counts as lost if one ratio is below its limit.
 constexpr double least_share_kept = 0.9;
 constexpr double least_pixels_kept = 0.5;
 

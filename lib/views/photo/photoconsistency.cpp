@@ -20,7 +20,7 @@ struct ReferenceSums {
   VisibleSurface room;
   WarpRoom warp_room;
   const VisibleSurface* seen = nullptr;  ///< null if the view is the reference of no pair
-  GrayImage gradient;  ///< derivative of the loss with respect to the depth of the pixel
+  GrayImage gradient;  ///< derivative of the photometric loss with respect to the pixel's depth
   GrayImage curvature;
   GrayImage count;  ///< number of pairs in which the pixel is visible
   CorrelationSums sums;

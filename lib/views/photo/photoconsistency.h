@@ -1,5 +1,6 @@
 /// Computes the photoconsistency of a surface, and its exact derivative with respect to every
-/// vertex (paper 5.3.1; Pons, Keriven & Faugeras, IJCV 72(2), 2007).
+/// vertex. References: Zaharescu, Boyer & Horaud, TPAMI 33(4), 2011, section 5.3.1; Pons, Keriven &
+/// Faugeras, IJCV 72(2), 2007.
 ///
 /// Every pixel of the reference view of a pair is projected onto the surface and from there into
 /// the other view (warp.h). Windows of both images are compared by their correlation cc, with the
@@ -34,7 +35,7 @@ struct Photoconsistency {
   double energy = 0;
   /// The sum that is differentiated; equals `energy` if CorrelationOptions::robust is 0.
   double loss = 0;
-  double weight = 0;       ///< sum of the weights rho of all windows
+  double weight = 0;       ///< sum of the weights of all correlation windows
   std::size_t pixels = 0;  ///< number of compared pixels, over all pairs
   /// Number of pixels that show the surface, over all pairs, whether compared or not.
   std::size_t visible = 0;

@@ -1,16 +1,17 @@
-/// One step of a surface towards agreement of photographs that were reduced to one scale
-/// (photo_scene.h). Vertices move along their normals.
+/// One step that moves a surface so that calibrated photographs agree better on it. All photographs
+/// have been shrunk by a common factor (photo_scene.h). Vertices move along their normals.
 ///
 /// PhotoStepRule::gauss_newton minimizes a quadratic model with three terms: the energy of the
 /// photographs, the bending energy of a thin plate (thin_plate.h) and the squared distances from
-/// silhouettes. `damping` is added to the curvature of the first term, in compared pixels per
-/// squared pixel. The step is independent of units, contrast and scale.
+/// silhouettes. `damping` is added to the second derivative of the first term at a vertex: once per
+/// compared pixel, and divided by the squared side of a pixel. The step is independent of units,
+/// contrast and scale.
 ///
-/// PhotoStepRule::gradient is the paper's step: vertices move by -`time_step` times the gradient of
-/// the energy per unit of area. That gradient is in length^-3. Hence `time_step` is in length^4 and
-/// depends on the units of the mesh. In addition, vertices move by the fraction `silhouettes` of
-/// their distance from silhouettes (contour_gaps.h). They also move by the fraction `smoothing` of
-/// the way to the mean of their neighbors.
+/// PhotoStepRule::gradient is the step of the TransforMesh paper: vertices move by -`time_step`
+/// times the gradient of the energy per unit of area. That gradient is in length^-3. Hence
+/// `time_step` is in length^4 and depends on the units of the mesh. In addition, vertices move by
+/// the fraction `silhouettes` of their distance from silhouettes (contour_gaps.h). They also move
+/// by the fraction `smoothing` of the way to the mean of their neighbors.
 #pragma once
 
 #include "transformesh/photo_step.h"

@@ -8,9 +8,9 @@
 namespace transformesh {
 namespace {
 
-// Largest number of iterations of the conjugate gradients, and ratio of residuals at which they
-// end. This low precision suffices, because the next step of an evolution continues from the
-// result.
+// Stopping rule of the conjugate gradient method: the largest number of iterations, and the ratio
+// of final to initial residual. Low precision suffices, because the next step of an evolution
+// continues from the result.
 constexpr int most_iterations = 20;
 constexpr double residual_share = 0.05;
 /// Diagonal entry of L^T L if every vertex has six neighbors. L is the uniform Laplacian; the

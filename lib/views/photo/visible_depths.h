@@ -21,8 +21,9 @@ class VisibleDepths {
     const bool is_in = column >= 0 && row >= 0 && column < depths_.width && row < depths_.height;
     return is_in ? depths_.at(column, row) : 0;
   }
-  /// Returns equal depths with fast access to single pixels: this object or, if its depths are
-  /// packed in tiles, `room` with the decompressed depths.
+  /// Returns an object with the same depths and fast access to single pixels. This is usually the
+  /// object itself. If its depths are compressed in tiles, decompresses them to `room` and returns
+  /// `room`.
   const VisibleDepths& opened(VisibleDepths& room) const {
     if (&depths_.opened(room.depths_) == &depths_) return *this;
     room.left_ = left_;

@@ -14,7 +14,7 @@ namespace {
 
 using Vec3f = Eigen::Vector3f;
 
-constexpr int rows_per_band = 16;  ///< affects time only
+constexpr int rows_per_band = 16;  ///< rows of pixels per parallel task; affects time only
 
 /// Returns 1 / dot(ray, normal) if the camera observes the front of the face and the cosine between
 /// ray and normal is above `least_cosine`; else 0.
@@ -25,8 +25,8 @@ float inverse_facing(const Vec3f& ray, const Vec3f& normal, float least_cosine) 
   return is_seen ? 1 / facing : 0;
 }
 
-/// Extends the box so that it contains pixel (x, y). An empty box must have ends before its first
-/// column and row.
+/// Extends the box so that it contains pixel (x, y). For an empty box, the caller must have set the
+/// first column and row to large values, and the ends to small ones.
 void grow(PixelBox& box, int x, int y) {
   box.first_column = std::min(box.first_column, x);
   box.end_column = std::max(box.end_column, x + 1);
@@ -56,8 +56,8 @@ Camera camera_of(const View& view) {
   return {view.camera.projection(), view.image.width, view.image.height};
 }
 
-/// Rasterizes bands of rows in parallel. Calls `take` for each row of the box of `bands`, with the
-/// pixels of the row from the first column of the box on.
+/// Rasterizes the mesh in parallel, in bands of rows. Calls `take` for each row inside the box of
+/// `bands`. `row` points to the pixel in the first column of the box.
 void draw_rows(const BandRasterizer& bands, int width,
                const std::function<void(int y, const FacePixel* row)>& take) {
   const PixelBox& box = bands.box();

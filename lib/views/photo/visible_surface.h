@@ -19,7 +19,7 @@ struct VisibleSurface {
   /// 1 / dot(r, n) of the compared pixels, < 0. Here r is the pixel's PinholeCamera::ray(), and n
   /// the unit normal of the face.
   GrayImage inverse_facing;
-  GrayImage intensity;  ///< this part of the photograph if the photograph is packed; else empty
+  GrayImage intensity;  ///< copy of the photograph in `box` if the photograph is packed; else empty
   /// Bounding box of the compared pixels; inside `box`.
   PixelBox compared;
 };

@@ -10,9 +10,9 @@
 namespace transformesh {
 namespace {
 
-/// Pixel and depth in the other view of a point on the reference view's ray. `along_x` and
-/// `along_y` are derivatives of the pixel with respect to the depth of the point in the reference
-/// view.
+/// Projection of a surface point to the other view: pixel and depth. The point lies on a viewing
+/// ray of the reference view. `along_x` and `along_y` are derivatives of the pixel with respect to
+/// the point's depth in the reference view.
 struct Landing {
   double x, y, depth;
   double along_x, along_y;
@@ -31,7 +31,7 @@ Landing land(double a, double b, double c, double depth, const Vec3& shift) {
 /// Returns the rectangle of pixels that interpolation at points in `seen` reads. Returns the whole
 /// image if it is not packed.
 PixelBox part_of(const PackableImage& image, const PixelBox& seen) {
-  /// Number of pixels that cubic interpolation reads beyond the rectangle.
+  /// Cubic interpolation at a point in `seen` reads up to this number of pixels outside of `seen`.
   constexpr int around = 2;
   if (!image.is_packed()) return {0, image.width, 0, image.height};
   return {std::max(seen.first_column - around, 0), std::min(seen.end_column + around, image.width),

@@ -24,7 +24,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 512;  ///< affects time only
+constexpr std::size_t points_per_task = 512;  ///< points per parallel task; affects time only
 /// The default of AlphaWrapOptions::offset is the smaller of two lengths: these fractions of the
 /// bounding box's diagonal and of the point spacing (point_spacing()). For 50,000 points on a
 /// sphere with noise of .5 %, an eighth of the spacing gives a wrap with a Hausdorff distance of
@@ -49,14 +49,15 @@ constexpr double most_faces = 2e6;
 /// Alpha of the coarse wrap that bounds the area, as a fraction of the wrap's diagonal.
 constexpr double coarse_alpha_by_size = 1.0 / 50;
 
-/// A wrap counts as hollow at a face if its thickness there is less than `hollow_by_offset`
-/// offsets. If the offset is the default, the limit is `hollow_by_diagonal` times the diagonal. If
-/// a ball of radius alpha passes between the points, the wrap follows both sides of the sampled
-/// surface. Its thickness is then hardly more than two offsets plus the noise of the points.
+/// A wrap is hollow at a face if it is so thin there that it probably follows both sides of the
+/// sampled surface. This happens if a ball of radius alpha passes between the points. The thickness
+/// is then hardly more than two offsets plus the noise of the points. The limit of the thickness is
+/// `hollow_by_offset` times the offset, or `hollow_by_diagonal` times the bounding box's diagonal
+/// if the offset is the default.
 constexpr double hollow_by_offset = 4;
 constexpr double hollow_by_diagonal = hollow_by_offset * offset_by_diagonal;
-/// Largest accepted fraction of a wrap's area at which the wrap is hollow: thinner than the limit
-/// above.
+/// Largest accepted fraction of a wrap's area that is hollow: thin enough to follow both sides of
+/// the sampled surface.
 constexpr double most_hollow = 0.05;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -95,7 +95,8 @@ std::optional<Mesh> read_colmap_points(const Source& source) {
     const std::vector<Row> points = read_rows(source, bytes);
     if (bytes.is_at_end()) return mesh_of(points);
   } catch (const InputError&) {
-    // The file has another format. The reader of that format throws a better message.
+    // Not an error: the file is not one of COLMAP's, and another reader will read it or report a
+    // better message.
   }
   return {};
 }

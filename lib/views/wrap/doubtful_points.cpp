@@ -6,11 +6,14 @@
 namespace transformesh {
 namespace {
 
-/// Largest ratio of an accepted error to the median; see with_large_error().
+/// A point is accepted if its reprojection error is at most this multiple of the median error; the
+/// reason is given at with_large_error().
 constexpr double most_error_by_median = 3;
-/// Least number of photographs of an accepted point; see with_short_track().
+/// A point is accepted if at least this number of photographs observe it; the reason is given at
+/// with_short_track().
 constexpr double least_track = 3;
-/// Least fraction of points that must be left; see with_short_track().
+/// No points are rejected for their number of photographs if less than this fraction of the points
+/// would be left.
 constexpr double least_left = 0.5;
 
 /// Returns the values of a column, or the lengths of its lists if it is a list column.

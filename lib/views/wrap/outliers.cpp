@@ -10,19 +10,21 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 512;  ///< affects time only
+constexpr std::size_t points_per_task = 512;  ///< points per parallel task; affects time only
 /// The spacing at a point is the distance to its sixth neighbor.
 constexpr std::size_t neighbors = 6;
-/// Neighbors are connected up to `reach` times the spacing. The spacing at an outlier is at least
-/// `jump` times that at the nearest body. outliers.h has a table of the effects of both factors.
+/// Two neighbors are connected if their distance is at most `reach` times the spacing at both.
+/// Large connected groups are bodies. Another point is an outlier if its spacing is at least `jump`
+/// times the spacing at the nearest point of a body. The table in outliers.h shows the effects of
+/// both factors.
 constexpr double reach = 2;
 constexpr double jump = 4;
 /// Points of a connected group may be outliers if the group has less than this fraction of all
 /// points. A few percent of the points of sparse reconstructions are outliers. With twice this
 /// fraction, a second, sparsely sampled part of the object would be lost more often.
 constexpr double least_body = 1.0 / 20;
-/// In point clouds with fewer points than this, no point counts as an outlier, because a body could
-/// have fewer than five points.
+/// In point clouds with fewer points than this, no point counts as an outlier. Otherwise, connected
+/// groups of fewer than five points would already count as parts of the object.
 constexpr std::size_t least_points = 100;
 
 struct Neighborhoods {
@@ -44,8 +46,8 @@ Neighborhoods neighborhoods_of(const std::vector<Vec3>& points) {
   return result;
 }
 
-/// Connects neighbors whose distance is at most `reach` times the spacing at both. Returns the
-/// connected groups.
+/// Connects two neighboring points if their distance is at most `reach` times the spacing at both.
+/// Returns the connected groups.
 DisjointSets groups_of(const std::vector<Vec3>& points, const Neighborhoods& around) {
   DisjointSets groups(points.size());
   for (Index i = 0; i < points.size(); ++i) {

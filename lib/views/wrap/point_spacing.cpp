@@ -12,7 +12,8 @@ double point_spacing(std::span<const Vec3> points) {
   // Number of neighbors, chosen by hand: few, so that the spacing is local.
   constexpr std::size_t neighbors = 6;
   constexpr std::size_t points_per_task = 512;  // affects time only
-  /// Side of a square / radius of a disk with the area of six such squares: sqrt(pi / 6).
+  /// Ratio of two lengths: the side of a square, and the radius of a disk with the area of six such
+  /// squares. The ratio is sqrt(pi / 6).
   constexpr double side_by_radius = 0.7236;
   if (points.size() <= neighbors) return 0;
   const std::vector<Vec3> places(points.begin(), points.end());

@@ -100,8 +100,8 @@ float value_at(const Function& function, const ValueGrid& grid,
   return std::isfinite(value) ? static_cast<float>(value) : outside;
 }
 
-/// True if the function increases along the normal at half of the points or more. It does if
-/// normals point outwards.
+/// True if the Poisson function increases along the normal at half of the points or more, as it
+/// should if normals point outwards.
 bool rises_outwards(const Function& function, const std::vector<Oriented>& cloud, double step) {
   const auto rises = [&](const Oriented& oriented) {
     const auto& [point, normal] = oriented;

@@ -34,8 +34,9 @@ double diagonal_of(std::span<const Vec3> points);
 /// with these indices, because CGAL's search trees are too slow for many equal points. O(n log n).
 std::vector<std::size_t> first_equals(std::span<const Vec3> points);
 
-/// Throws InputError if rounding could hide details of length `detail`. This is the case if
-/// `detail` is less than 1e-12 times the largest coordinate or `largest`.
+/// Throws InputError if rounding errors could hide details of length `detail`. This is the case if
+/// `detail` is less than 1e-12 times the largest coordinate of `points`, or less than 1e-12 times
+/// `largest`.
 void check_detail(std::span<const Vec3> points, double detail, double largest);
 
 /// Reverses the orientation of the mesh if its volume is negative. Throws GoalError unless the mesh
