@@ -1,5 +1,5 @@
-/// Entries of reports: what a program reports and what the Python module returns, by name and in
-/// order. Names are lower case with underscores. Points are three numbers, lengths are in input
+/// Entries of reports: names and values, in order, that a program prints and that the Python module
+/// returns. Names are lower case with underscores. Points are three numbers, lengths are in input
 /// units.
 #pragma once
 

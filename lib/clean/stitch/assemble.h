@@ -15,12 +15,12 @@ namespace transformesh {
 
 struct Assembly {
   Mesh mesh;
-  /// For each vertex the input vertex at its position, or no_index.
+  /// For each vertex, the input vertex at the same position, or no_index.
   std::vector<Index> input_vertex;
   /// 1 for each vertex that is neither an input vertex nor a duplicate of one.
   std::vector<char> vertex_is_new;
   std::vector<char> face_is_new;  ///< 1 for each face that is not a whole input face
-  /// For each face the input face that it is, or that it is cut from.
+  /// For each face: the input face that is equal to it, or from which it is cut.
   std::vector<Index> source_face;
   /// Number of vertices added as duplicates at singular vertices and edges.
   std::size_t copies = 0;

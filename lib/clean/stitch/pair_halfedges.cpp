@@ -29,9 +29,9 @@ void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& s
   }
 }
 
-// Pairs the halfedges of an edge that belong to the closed part, and those of each open component
-// that has exactly two pieces at the edge. The caller pairs the remaining halfedges, regardless of
-// their components.
+// Pairs two sets of halfedges of one edge. The first set are the halfedges of the closed part
+// (faces without an open component). The second set are those of each open component with exactly
+// two pieces at the edge. The caller pairs the remaining halfedges, regardless of their components.
 void pair_components(std::span<const Face> faces, const std::vector<Index>& sorted,
                      std::span<const Index> component_of, std::vector<Index>& opposite) {
   std::map<Index, std::vector<Index>> of_component;

@@ -22,7 +22,7 @@ struct SplitResult {
   std::size_t tile_faces = 0;    ///< number of faces of all tiles together
   std::size_t largest_tile = 0;  ///< number of faces of the largest tile
   std::size_t empty_tiles = 0;   ///< number of tiles without own faces
-  /// Files that are written completely, but do not have their final names yet.
+  /// Tile files whose contents are written completely, but that do not have their final names yet.
   std::vector<AtomicFile> files;
 };
 

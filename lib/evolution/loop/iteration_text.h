@@ -1,4 +1,4 @@
-/// Describes iterations in words and as columns of a CSV file.
+/// Describes iterations of an evolution in words and as columns of a CSV file.
 #pragma once
 
 #include <string>
@@ -8,13 +8,14 @@
 
 namespace transformesh {
 
-/// Returns "812 faces, 1 part, genus 0".
+/// Returns a text such as "812 faces, 1 part, genus 0".
 std::string in_words(std::size_t faces, const Topology& topology);
 
-/// Returns "812 faces, components 1, genus 0".
+/// Returns a text such as "812 faces, components 1, genus 0".
 std::string in_short(std::size_t faces, const Topology& topology);
 
-/// Return the fractions of the vertices that moved, and that were clamped.
+/// Return a fraction of the vertices in [0, 1]: of those that moved, and of those whose movement
+/// was clamped.
 double moved_share(const IterationResult& result);
 double clamped_share(const IterationResult& result);
 
