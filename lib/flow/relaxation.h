@@ -13,9 +13,10 @@
 
 namespace transformesh {
 
-/// The unknowns of a system among the vertices of a mesh. All others are fixed.
+/// The vertices of a mesh that are unknowns of a system of equations. All other vertices are fixed.
 struct Unknowns {
-  std::vector<Index> row_of;     ///< row of each vertex; no_index if the vertex is fixed
+  /// For each vertex, its row in the equations; no_index if the vertex is fixed.
+  std::vector<Index> row_of;
   std::vector<Index> vertex_of;  ///< vertex of each row
 };
 

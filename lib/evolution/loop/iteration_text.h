@@ -19,8 +19,8 @@ std::string in_short(std::size_t faces, const Topology& topology);
 double moved_share(const IterationResult& result);
 double clamped_share(const IterationResult& result);
 
-/// Add the columns that all loops have. measure_mesh() adds measures of the mesh after the
-/// iteration; measure_times() adds the mean edge before it and the times of its stages.
+/// Add the CSV columns that all loops have: measure_mesh() those of the mesh after the iteration,
+/// measure_times() the mean edge before the iteration and the times of its stages.
 void measure_mesh(const IterationResult& result, CsvRow& row);
 void measure_times(const IterationResult& result, CsvRow& row);
 
