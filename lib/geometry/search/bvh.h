@@ -55,7 +55,7 @@ class Bvh {
   void add_links(const SimplexLinks& links, std::span<const Index> faces);
   Index add_common_links(std::span<const Index> rows);
   /// Returns the link boxes that all faces in box `place` of a layer have in common, or null. Link
-  /// boxes bound what a face covers around a corner (simplex_links.h).
+  /// boxes bound the directions from a corner or edge into faces (simplex_links.h).
   const LinkBoxes* links_of(std::size_t layer, std::size_t place) const;
 
   std::vector<Index> order_;  ///< indices of the boxes in tree order: four for each quad of layer 0

@@ -237,7 +237,8 @@ class HilbertSort {
     }
   }
 
-  // Sorts keys by the two digits after the bits of their part, with stable counting sorts.
+  // Sorts keys by the next 2 * digit_bits bits after the bits of their part, with two stable
+  // counting sorts.
   static void sort_by_digits(std::span<Key> keys) {
     constexpr std::size_t digits = std::size_t{1} << digit_bits;  // values of a digit
     thread_local std::vector<Key> sorted;

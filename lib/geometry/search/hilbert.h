@@ -14,7 +14,7 @@
 
 namespace transformesh {
 
-inline constexpr int hilbert_bits = 20;  ///< bits per axis
+inline constexpr int hilbert_bits = 20;  ///< number of bits of each cell coordinate
 
 /// Returns the position along the curve of a cell with coordinates below 2^hilbert_bits.
 std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell);
@@ -23,7 +23,7 @@ std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell);
 /// index. Infinite bounds are replaced by the largest float. Cost: O(n) for boxes in distinct
 /// cells, O(n log n) in the worst case; deterministic.
 std::vector<Index> hilbert_order(std::span<const FloatBox> boxes);
-/// Returns the indices of the points in order along the curve.
+/// Returns the indices of the points in order along the Hilbert curve.
 std::vector<Index> hilbert_order(std::span<const Vec3> points);
 
 }  // namespace transformesh
