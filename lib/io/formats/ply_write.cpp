@@ -188,7 +188,7 @@ void add_text_rows(const OutElement& element, TextBuffer& text) {
 
 constexpr std::size_t rows_per_task = 8192;  ///< affects time only
 
-/// Stores one value for each row, `stride` bytes apart.
+/// Stores one value of type T for each row, `stride` bytes apart.
 template <class T, class ValueOfRow>
 void store_rows(char* to, std::size_t stride, std::size_t rows, bool swapped,
                 const ValueOfRow& value_of_row) {
@@ -228,14 +228,14 @@ void store_faces(const OutProperty& property, char* to, std::size_t stride, std:
   });
 }
 
-/// Returns the bytes of a row, unless it has a list of another length.
+/// Returns the size of a row in bytes; only an estimate if a list is not that of three corners.
 std::size_t row_size(const OutElement& element) {
   std::size_t size = 0;
   for (const OutProperty& property : element.properties) size += fixed_size(property);
   return size;
 }
 
-/// Writes rows of equal size, by one loop for each property.
+/// Writes the rows of an element whose rows have equal sizes, by one loop for each property.
 void add_fixed_rows(const OutElement& element, bool swapped, std::string& bytes) {
   const std::size_t stride = row_size(element);
   const std::size_t start = bytes.size();

@@ -15,7 +15,7 @@ struct VtkXml {
   bool is_appended_text = false;
 
   pugi::xml_node root() const { return document.child("VTKFile"); }
-  /// Returns how the file stores numbers. Throws InputError for an unknown compression.
+  /// Returns how the file encodes numbers. Throws InputError for an unknown compression.
   VtpEncoding encoding(const Source& source) const;
 };
 
