@@ -71,7 +71,7 @@ Entries entries_of(const Certificate& result);
 /// components, genus, and then the number of intersections and the certificate if present.
 Entries entries_of(const MeshCheck& result);
 
-/// Appends `more` to `entries`.
+/// Appends the entries of `more` (names and values of a report) to `entries`.
 void append(Entries& entries, const Entries& more);
 
 }  // namespace transformesh

@@ -31,7 +31,7 @@ bool separates(const Event& event) {
   return event.kind == EventKind::split || event.kind == EventKind::cavity_closed;
 }
 
-/// Returns the diameter of the largest ball around `center` that does not meet the mesh.
+/// Returns the diameter of the largest ball around `center` that no face of the mesh enters.
 double free_diameter(const Mesh& mesh, const Vec3& center) {
   return 2 * ClosestPointQuery(mesh)(center).distance;
 }

@@ -102,7 +102,8 @@ void append_other_side(Mesh& mesh, const std::vector<Vec3>& directions, double d
   mesh.face_columns = mesh.face_columns.select(rows);
 }
 
-/// Removes components that are closer to the source everywhere than `least_distance` * distance.
+/// Removes components whose faces are all closer to the source surface than `least_distance` *
+/// distance.
 void drop_remains(Mesh& mesh, const Mesh& source, double distance) {
   const ClosestPointQuery closest(source);
   const Components parts = connected_components(mesh);

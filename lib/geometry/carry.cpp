@@ -59,9 +59,9 @@ class Composition {
   /// distance.
   static constexpr double same_distance = 1e-4;
 
-  /// Returns the mean of the corners' source points, projected onto a face of the first mesh. This
-  /// is the face from which the intermediate face comes, if the mean is on that face. Otherwise it
-  /// is the nearest face with a similar normal.
+  /// Returns the mean position of the corners' source points, projected onto a face of the first
+  /// mesh. This is the face from which the intermediate face comes, if the mean is on that face.
+  /// Otherwise it is the nearest face with a similar normal.
   SourcePoint mean_on_surface(const SourcePoint& place, const std::array<SourcePoint, 3>& corners,
                               const Vec3& normal) const {
     const Index own = on_first_.of_faces[place.face].face;
@@ -91,7 +91,7 @@ class Composition {
     return most;
   }
 
-  /// True if all places with nonzero weight are on the face.
+  /// True if all source points in `places` with nonzero weight are on the face.
   static bool are_on(Index face, const std::array<SourcePoint, 3>& places,
                      const std::array<double, 3>& weights) {
     for (std::size_t i = 0; i < 3; ++i)

@@ -196,7 +196,7 @@ Vec3 unit_normal(const Triangle& corners) {
   return (u / size).cross(v / size).stableNormalized();
 }
 
-/// Copies the columns of faces to the points on them.
+/// Copies the columns of faces to the sample points on these faces.
 void take_face_columns(const Mesh& mesh, const std::vector<SurfacePoint>& points, Mesh& result) {
   std::vector<Index> faces;
   for (const SurfacePoint& point : points) faces.push_back(point.face);

@@ -37,9 +37,9 @@ SourcePoints source_points_of_pieces(const Mesh& source, const Mesh& mesh,
 SourcePoints read_source_points(const Mesh& mesh, std::size_t source_faces,
                                 const std::string& source_name);
 
-/// Converts source points on `middle` to source points on `first`. `middle_on_first` contains the
-/// source points of `middle`. Exact at vertices of `middle`; elsewhere the error is about edge^2 /
-/// radius of curvature.
+/// Converts source points (faces with barycentric coordinates) on `middle` to source points on
+/// `first`. `middle_on_first` has the source points of the vertices and faces of `middle`. Exact at
+/// vertices of `middle`; elsewhere the error is about edge^2 / radius of curvature.
 SourcePoints compose_source_points(const Mesh& first, const SourcePoints& middle_on_first,
                                    const Mesh& middle, const SourcePoints& on_middle);
 

@@ -29,7 +29,7 @@ double planarity_of(const std::vector<std::string>& comments);
 /// Replaces all `tm:planarity` comments by one comment: their largest length plus `movement`.
 void add_planarity(std::vector<std::string>& comments, double movement);
 
-/// Scales the lengths in `tm:reference-edge` and `tm:planarity` comments.
+/// Multiplies the lengths in `tm:reference-edge` and `tm:planarity` comments by `factor`.
 void scale_lengths(std::vector<std::string>& comments, double factor);
 
 }  // namespace transformesh

@@ -46,13 +46,15 @@ struct SnapRoundingOptions {
   /// True if the mesh has borders. Then thin cells of space are not removed, and repair does not
   /// restart, because it is not known which cells are inside.
   bool is_open = false;
-  Scalar coordinate = Scalar::float64;    ///< type in which positions will be written
-  const PieceChooser* chooser = nullptr;  ///< the chooser with which the clean pass selected pieces
+  Scalar coordinate = Scalar::float64;  ///< type in which positions will be written
+  /// Selects the pieces (triangles of the arrangement) that the clean pass kept.
+  const PieceChooser* chooser = nullptr;
 };
 
 struct SnapRoundingResult {
   Mesh mesh;
-  std::vector<char> face_is_new;  ///< 1 for each face that is not a whole input face
+  /// 1 for each face that is new or was cut; 0 for each face that equals an input face.
+  std::vector<char> face_is_new;
   /// For each face: the input face that is equal to it, or from which it is cut.
   std::vector<Index> source_face;
   std::size_t new_vertices = 0;

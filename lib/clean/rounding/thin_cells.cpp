@@ -45,7 +45,7 @@ class LabeledCells {
   const Thinness& thinness_;
   Patches patches_;
   std::vector<Index> cell_of_;             ///< for each side of each patch, the cell that it bounds
-  std::vector<std::vector<Index>> sides_;  ///< patch sides on the boundary of each cell
+  std::vector<std::vector<Index>> sides_;  ///< for each cell, the sides of patches on its boundary
   std::vector<char> is_inside_;            ///< label of each cell: 0, 1 or `unknown`
   std::vector<Vec3> positions_;            ///< position of each point
   std::vector<double> areas_;   ///< area of each patch, relative to the squared size of the mesh
@@ -157,8 +157,8 @@ bool LabeledCells::is_thin(Index cell, Displacement& thickness) const {
   return is_thin;
 }
 
-// True if less surface remains after the label of the cell changes from inside to outside, or from
-// outside to inside.
+// True if the surface becomes smaller when the label of the cell changes from inside to outside, or
+// from outside to inside.
 bool LabeledCells::wants_change(Index cell) const {
   double alike = 0, unlike = 0;
   for (const Index side : sides_[cell]) {

@@ -39,8 +39,8 @@ class Layers {
 
   const Mesh& mesh_;
   const Edges& edges_;
-  /// Bundle (set of faces with the same three corners) of each face; no_index if no edge of the
-  /// face has more than two faces.
+  /// For each face, its bundle (set of faces with the same three corners). no_index if no edge of
+  /// the face has more than two faces.
   std::vector<Index> bundle_of_;
   /// Faces of each bundle (set of faces with the same corners). If `is_ordered_` is set for the
   /// bundle, its face `i` is in layer `i`, which is one of several copies of a surface.

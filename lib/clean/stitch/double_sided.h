@@ -10,7 +10,8 @@
 
 namespace transformesh {
 
-/// Returns the number of faces that have a reverse.
+/// Returns the number of faces that have a reverse: a face with the same corners and opposite
+/// orientation.
 std::size_t count_double_sided(const Mesh& mesh);
 
 /// True if the mesh is double-sided: it encloses its volume only after one of two coincident faces
@@ -26,9 +27,10 @@ bool needs_one_side(const Mesh& mesh);
 /// the mesh.
 bool one_side_is_open(const Mesh& mesh);
 
-/// Removes the reverses of faces. If a set of coincident faces has both orientations, only its
-/// first face stays. Faces coincide if they have the same vertex indices. Face columns are updated;
-/// vertices stay. Returns the number of dropped faces.
+/// Removes the reverses of faces, which have the same corners and opposite orientation. If a set of
+/// coincident faces has both orientations, only its first face stays. Faces coincide if they have
+/// the same vertex indices. Face columns are updated; vertices stay. Returns the number of dropped
+/// faces.
 std::size_t drop_reverses(Mesh& mesh);
 
 /// Keeps only the first of coincident faces with the same orientation, and drops the others. Faces

@@ -26,7 +26,7 @@ struct Sheet {
   /// True if the faces of the sheet are consistently oriented in the input, and also agree with
   /// other sheets at edges of more than two faces.
   bool agreed = true;
-  bool has_border = false;  ///< true if the sheet has an edge of one face
+  bool has_border = false;  ///< true if the sheet has a border edge (an edge of one face)
   /// True if `agreed` is true for this sheet and for all sheets that coincide with it. Stored only
   /// for one sheet of each set of coincident sheets: copies_.find(sheet).
   bool copies_agreed = true;
@@ -57,10 +57,12 @@ class Orienter {
   const Mesh& mesh_;
   const bool keeps_most_;
   const Edges edges_;
-  /// For each halfedge the halfedge of the neighboring face in the same sheet, or no_index.
+  /// For each halfedge, the opposite halfedge in the neighboring face of the same sheet, or
+  /// no_index.
   std::vector<Index> across_;
-  std::vector<Index> sheet_of_;  ///< sheet of each face
-  /// 1 for each face that has to be reversed to agree with the first face of its sheet.
+  std::vector<Index> sheet_of_;  ///< for each face, the index of its sheet (connected faces)
+  /// 1 for each face whose orientation disagrees with the first face of its sheet, so that it must
+  /// be reversed.
   std::vector<char> is_reversed_;
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;

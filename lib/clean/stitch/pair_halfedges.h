@@ -1,6 +1,7 @@
-/// Pairs the halfedges of pieces that become neighbors across an edge (paper 3.3). The corners of
-/// pieces are indices of points. Afterwards each umbrella (connected pieces around a point) becomes
-/// one vertex of the result. A singular edge has more than two pieces (paper 3.3.2).
+/// Pairs the halfedges of pieces (triangles of an arrangement) that become neighbors across an edge
+/// (paper 3.3). The corners of pieces are indices of points. Afterwards each umbrella (connected
+/// pieces around a point) becomes one vertex of the result. A singular edge has more than two
+/// pieces (paper 3.3.2).
 #pragma once
 
 #include <functional>

@@ -26,8 +26,8 @@ class Seams {
   /// remaining border edges.
   std::size_t join();
 
-  /// Returns for each vertex of the given mesh its index in the joined mesh. Vertices that became
-  /// one vertex have the index of the first of them. Otherwise vertices keep their order.
+  /// Returns for each vertex of mesh number `mesh` its index in the joined mesh. Vertices that
+  /// became one vertex have the index of the first of them. Otherwise vertices keep their order.
   std::vector<Index> numbers_of(std::size_t mesh) const;
   /// Returns for each vertex of mesh number `mesh` whether it was merged into an earlier vertex.
   std::vector<bool> is_repeated(std::size_t mesh) const;

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t most_samples = 1000000;
 /// Size of the output buffer, in bytes. A choice without influence on the result.
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
-/// Number of rings of neighboring faces around its own faces that a tile contains.
+/// Number of rings of neighboring faces that a tile contains around the faces that belong to it.
 constexpr Index rings = rings_of_complete + rings_around_complete;
 /// Width of a cell of `coarse_grid_`, in cells of `grid_`. With 4 or 16, a folded surface of a
 /// million faces gives the same tiles, and the time differs by less than a tenth.
@@ -69,7 +69,7 @@ class Splitter {
   std::vector<Index> found_, owners_;
   std::vector<Box> own_, held_;   ///< for each tile, the boxes Tile::own and Tile::held
   std::vector<char> has_faces_;   ///< 1 for each tile with own faces, which only this tile cleans
-  std::optional<BoxGrid> boxes_;  ///< search structure of the boxes Tile::own
+  std::optional<BoxGrid> boxes_;  ///< search structure for the boxes Tile::own of all tiles
   std::vector<ReferencePoint> references_;
   FaceSums sums_;
   SplitResult result_;
@@ -121,9 +121,9 @@ void Splitter::mark(Index tile, Index ring) {
   }
 }
 
-// True if a face is inside the box Tile::own of one tile, and far from all marked cells. Then no
-// other tile needs the face. This holds for most faces, so that their grid cells need not be
-// computed.
+// True if no tile needs the face except the one in whose box Tile::own it is. The reason is that
+// the face is far from the boxes of other tiles and from all marked cells. This holds for most
+// faces, so that their grid cells need not be computed.
 bool Splitter::is_inside(const Triangle& t) {
   const Vec3 reach = Vec3::Constant(1.02 * grid_.size() + margin_);
   const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);

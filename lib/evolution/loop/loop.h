@@ -1,6 +1,6 @@
-/// The loop of every evolution. It iterates until the evolution ends or the limit of iterations is
-/// reached. Each iteration is recorded on disk (record.h), so that an interrupted run can be
-/// continued and gives the same bytes.
+/// The loop of every evolution. It makes iterations until the evolution ends or the limit of
+/// iterations is reached. Each iteration is recorded on disk (record.h), so that an interrupted run
+/// can be continued and gives the same bytes.
 #pragma once
 
 #include <functional>

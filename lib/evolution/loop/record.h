@@ -26,7 +26,8 @@ namespace transformesh {
 
 struct SavedState {
   Document document;
-  std::string settings;  ///< one line of text that identifies the options of the run
+  /// One line of text with the options of the run, to recognize a run with other options.
+  std::string settings;
   std::size_t iteration = 0;
   /// True if the run reached its limit of iterations, so that it was not interrupted.
   bool is_paused = false;

@@ -1,4 +1,5 @@
-/// Reads the views that a reconstruction has written to its run folder (run_views.h).
+/// Reads the views (cameras and photographs) that a reconstruction has written to its run folder
+/// (run_views.h).
 #pragma once
 
 #include <string>

@@ -39,9 +39,10 @@ struct RunDescription {
 using RunFiles = std::vector<std::pair<std::string, std::string>>;  ///< names and bytes of files
 using RunPaths = std::vector<std::pair<std::size_t, std::string>>;  ///< numbers and paths, in order
 
-/// Throws UsageError if the folder contains files but no run.
+/// Throws UsageError if the folder contains files, but not those of a run.
 void check_run_folder(const std::string& folder);
-/// Writes the description, removes the files of an earlier run, and writes `files`.
+/// Starts a run in a folder: writes its description, removes the files of an earlier run, and
+/// writes `files`.
 void begin_run(const std::string& folder, const RunDescription& description, const RunFiles& files);
 /// Writes additional files to the folder of a run, while its loop runs.
 void add_to_run(const std::string& folder, const RunFiles& files);
@@ -49,7 +50,8 @@ void add_to_run(const std::string& folder, const RunFiles& files);
 /// completely.
 void continue_run(const std::string& folder, const std::string& command);
 
-/// Reads the description. Throws InputError if the folder is not a run or has a later layout.
+/// Reads the description of a run. Throws InputError if the folder does not contain a run, or if
+/// its layout has a later version than this program supports.
 RunDescription read_run(const std::string& folder);
 
 /// Return the existing frames, targets and view folders, with their numbers. Targets and view

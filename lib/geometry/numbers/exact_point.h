@@ -101,7 +101,8 @@ class ExactGeometry {
   /// Compares by x, then y, then z: -1, 0 or +1. Returns 0 if and only if the points are equal.
   int compare(const ExactPoint& a, const ExactPoint& b) const;
   int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const;
-  /// Returns the position in doubles, within one unit in the last place.
+  /// Returns the position of a point, rounded to doubles. The error is within one unit in the last
+  /// place.
   Vec3 position(const ExactPoint& point) const;
   /// Returns the weighted mean of three points; the weights must be positive integers.
   ExactPoint mean(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,

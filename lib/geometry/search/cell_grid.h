@@ -26,7 +26,7 @@ class CellGrid {
   Eigen::AlignedBox3d box_around(Cell cell) const;
 
  private:
-  /// Corners of a triangle in units of cells.
+  /// Corners of a triangle, with coordinates in units of the cell size.
   using Corners = std::array<std::array<double, 3>, 3>;
   static void add(const Corners& corners, double margin, std::vector<Cell>& cells);
   static void add_halves(const Corners& corners, double margin, std::vector<Cell>& cells);

@@ -10,7 +10,7 @@
 
 namespace transformesh {
 
-/// Returns a mask whose bit i is set if box i of the quad overlaps the box.
+/// Returns a mask whose bit i is set if box i of the quad (four boxes) overlaps `box`.
 inline unsigned overlap_mask(const BoxQuad& quad, const FloatBox& box) {
 #ifdef __SSE2__
   __m128 overlap = _mm_castsi128_ps(_mm_set1_epi32(-1));

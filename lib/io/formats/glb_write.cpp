@@ -130,7 +130,7 @@ class GlbWriter {
     json["nodes"] = {{{"mesh", 0}}};
     json["meshes"] = {{{"primitives", {primitive}}}};
     if (is_manifold_) add_manifold(primitive, json);
-    // Without these settings, the default material of glTF is metallic and invisible from behind.
+    // Set these properties: the default material of glTF is metallic and invisible from behind.
     json["materials"] = {
         {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"doubleSided", true}}};
     if (!document_.texture.empty()) add_picture(json);

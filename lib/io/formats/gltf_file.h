@@ -25,10 +25,10 @@ class GltfFile {
   /// Returns the number of bytes that follow the end of the file as stated in the GLB header.
   std::size_t rest() const { return rest_; }
 
-  /// Returns the number of elements of a top-level array: nodes, meshes, and so on.
+  /// Returns the number of elements of a top-level JSON array such as "nodes" or "meshes".
   std::size_t count(const char* array) const;
-  /// Returns an element of a top-level array. Throws InputError if the element is missing or is not
-  /// an object.
+  /// Returns an element of a top-level JSON array such as "nodes". Throws InputError if the element
+  /// is missing or is not an object.
   const Json& element(const char* array, std::size_t index) const;
   /// Returns the member `key` of an object as a nonnegative integer, or `fallback` if the member is
   /// missing. Throws InputError if the member is something else, or if it is missing and there is

@@ -28,7 +28,7 @@ std::string as_obj_name(std::string_view text);
 /// True if OBJ files express the comment as a statement, such as `mtllib` or `g`.
 bool is_obj_comment(const std::string& comment);
 
-/// Collects one kind of label while a file is read.
+/// Collects the labels of one kind (such as groups) while an OBJ file is read.
 class ObjLabelReader {
  public:
   /// Sets the label of faces (rows) from `row` on.

@@ -32,7 +32,8 @@ struct VtkPiece {
   VtkArray points;  ///< array of positions, with three components
   VtkCells polygons;
   VtkCells strips;
-  std::size_t cells = 0;        ///< number of cells of all kinds
+  /// Number of cells of all kinds (polygons, strips and cells that are not read).
+  std::size_t cells = 0;
   std::size_t other_cells = 0;  ///< number of lines and volume cells, which are not read
   std::vector<VtkArray> point_arrays;
   std::vector<VtkArray> cell_arrays;

@@ -83,8 +83,8 @@ class VtkReader {
 
   // --- Cells -------------------------------------------------------------------------------------
 
-  /// Reads cells. Versions up to 4 have one list of counts and indices; from version 5 there are
-  /// two arrays.
+  /// Reads the cells of one kind. Files of versions up to 4 have one list of counts and indices;
+  /// from version 5 there are two arrays, offsets and connectivity.
   void read_cells(VtkCells& cells) {
     const std::uint64_t count = checked(stream_.count("the number of cells"));
     const std::uint64_t size = checked(stream_.count("the size of the cells"));

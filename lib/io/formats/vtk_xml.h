@@ -19,7 +19,8 @@ struct VtkXml {
   VtpEncoding encoding(const Source& source) const;
 };
 
-/// Parses a file. The result refers to the bytes of the source. Throws InputError.
+/// Parses a file of VTK's XML format. The result refers to the bytes of the source. Throws
+/// InputError.
 VtkXml parse_vtk_xml(const Source& source);
 
 /// True if the bytes are XML whose first element is `VTKFile`.
