@@ -1,4 +1,5 @@
-// Report entries of comparisons, certificates and checks of meshes.
+// Report entries (names and values for reports and Python) of comparisons, certificates and checks
+// of meshes.
 #include "entries/entries.h"
 #include "transformesh/check_mesh.h"
 #include "transformesh/compare.h"

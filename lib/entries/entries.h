@@ -1,5 +1,5 @@
-/// Entries of reports: what a program reports and what the Python module returns, by name and in
-/// order. Names are lower case with underscores. Points are three numbers, lengths are in input
+/// Entries of reports: names and values, in order, that a program prints and that the Python module
+/// returns. Names are lower case with underscores. Points are three numbers, lengths are in input
 /// units.
 #pragma once
 
@@ -71,7 +71,7 @@ Entries entries_of(const Certificate& result);
 /// components, genus, and then the number of intersections and the certificate if present.
 Entries entries_of(const MeshCheck& result);
 
-/// Appends `more` to `entries`.
+/// Appends the entries of `more` (names and values of a report) to `entries`.
 void append(Entries& entries, const Entries& more);
 
 }  // namespace transformesh

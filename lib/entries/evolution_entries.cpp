@@ -1,4 +1,5 @@
-// Report entries of single steps of an evolution, and of whole evolutions.
+// Report entries (names and values for reports and Python) of single steps of an evolution, and of
+// whole evolutions.
 #include "entries/entries.h"
 #include "evolution/loop/iteration_text.h"
 #include "evolution/recorded_loops.h"

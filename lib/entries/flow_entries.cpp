@@ -1,4 +1,4 @@
-// Report entries of flows.
+// Report entries (names and values for reports and Python) of flows.
 #include "entries/entries.h"
 #include "flow/flow_columns.h"
 #include "transformesh/flow.h"

@@ -1,5 +1,5 @@
-// Report entries of operations that change a mesh without iterations of an evolution, such as
-// cleaning, repair and remeshing.
+// Report entries (names and values for reports and Python) of operations that change a mesh without
+// iterations of an evolution, such as cleaning, repair and remeshing.
 #include <array>
 
 #include "entries/entries.h"

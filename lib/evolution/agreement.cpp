@@ -17,7 +17,8 @@
 namespace transformesh {
 namespace {
 
-/// Sample points per surface. More find smaller faults and take more time, in proportion.
+/// Number of sample points per surface. With more points, smaller disagreements are found; time is
+/// proportional to their number.
 constexpr std::size_t samples = 40000;
 
 bool is_closed_manifold(const Mesh& mesh) {

@@ -13,26 +13,28 @@
 
 namespace transformesh {
 
-/// The part of a target that a morph must reach. Cavities, and components inside of cavities, are
-/// left out: cleaning removes them from an evolving surface.
+/// The part of a target that the surface of a morph must reach. Cavities, and components inside of
+/// cavities, are left out, because cleaning removes them from the evolving surface.
 struct MorphGoal {
-  /// Topology of the part of the target. Empty if the target has no faces, is not a closed
-  /// manifold, or intersects itself.
+  /// Topology of the part of the target that must be reached. Empty if the target has no faces, is
+  /// not a closed manifold, or intersects itself.
   std::optional<Topology> topology;
-  std::size_t left_out = 0;  ///< number of components that are left out; 0 if `topology` is empty
-  /// The target without the components that are left out, if there are any.
+  /// Number of target components that are left out, since they are in cavities; 0 if `topology` is
+  /// empty.
+  std::size_t left_out = 0;
+  /// The target without the components that are left out. Empty if none are left out.
   std::optional<Target> without_those;
-  /// Returns the surface or the points from which distances to the mesh are measured.
+  /// Returns the part of the target from which distances to the mesh are measured.
   const Target& of(const Target& target) const { return without_those ? *without_those : target; }
 };
-/// Returns the goal of a morph to this target.
+/// Returns the part of the target that a morph to this target must reach.
 MorphGoal goal_of(const Target& target, const Progress& progress = Progress());
 
 struct Agreement {
-  std::string fault;  ///< why and where the mesh differs from the target; empty if they agree
-  Mismatch mismatch;  ///< details of the fault
-  /// Largest distances of sample points of one surface from the other (compare.h). Empty if the
-  /// target has no faces.
+  std::string fault;  ///< text: how and where the mesh differs from the target; empty if they agree
+  Mismatch mismatch;  ///< the numbers that `fault` reports
+  /// Largest distance of sample points of the mesh from the target, and of sample points of the
+  /// target from the mesh (compare.h). Empty if the target has no faces.
   std::optional<double> to_target, from_target;
 };
 

@@ -15,18 +15,19 @@ namespace transformesh {
 
 struct BodyContact {
   std::string column;  ///< face column that numbers the bodies
-  double gap = 0;      ///< least distance of two bodies; input units; > 0
+  double gap = 0;      ///< least allowed distance between two bodies, in input units; > 0
 };
 
-/// One body. `vertices` has, for each of its vertices, the vertex of the whole mesh.
+/// One body of a mesh. `vertices` maps each vertex of the body to the vertex of the whole mesh.
 struct Body {
   Document document;
   double number = 0;
   std::vector<Index> vertices;
 };
 
-/// Returns the bodies in ascending order of their numbers. A vertex of faces of several bodies
-/// becomes a vertex of each. Throws InputError if there is no such face column.
+/// Returns the bodies in ascending order of their numbers. A vertex that faces of several bodies
+/// share becomes a vertex of each of these bodies. Throws InputError if the mesh has no such face
+/// column.
 std::vector<Body> split_bodies(const Document& document, const std::string& column);
 
 /// Replaces the mesh of `document` by all bodies, with their numbers in the face column. Comments

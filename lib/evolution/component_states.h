@@ -19,22 +19,24 @@ struct Extent {
 Extent extent_of(std::span<const Vec3> points);
 
 struct ComponentState {
-  std::set<long> labels;  ///< labels of the faces before the last change; new faces have none
-  long label = 0;         ///< label of the component
+  /// Labels of the faces before the last change; faces that are new have none.
+  std::set<long> labels;
+  long label = 0;  ///< label of the component
   long genus = 0;
   double volume = 0;
-  bool is_cavity = false;  ///< closed, with negative volume
+  bool is_cavity = false;  ///< true if the component is closed and has negative volume
   Extent extent;
 };
 
-/// Returns the states in order of the components. `label` is the least label of the faces, or 0 if
-/// no face has one.
+/// Returns the states of the components, in the order of `components`. The label of a component is
+/// the least label of its faces, or 0 if no face has one.
 std::vector<ComponentState> component_states(const Mesh& mesh, const Components& components);
 
-/// Returns the label of each face; 0 for all if the mesh has no such column.
+/// Returns the label of each face from the column `component_label`. All labels are 0 if the mesh
+/// has no such column.
 std::vector<long> face_labels(const Mesh& mesh);
 
-/// Stores the label of its component for each face.
+/// Stores a label for each face: the label in the state of its component.
 void write_labels(Mesh& mesh, const Components& components, std::span<const ComponentState> states);
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-/// Evaluates UntilRule (evolve.h) after each iteration.
+/// Evaluates the rule that ends an evolution (UntilRule in evolve.h) after each iteration.
 #pragma once
 
 #include "evolution/loop/stop_rules.h"

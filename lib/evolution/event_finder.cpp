@@ -24,19 +24,20 @@ bool takes_part(const Event& event, long label) {
   return has(event.before) && !has(event.after);
 }
 
-/// True if a part separated. The curve along which it is cut off shrinks to a point, so its size
-/// has no meaning. These events report the free diameter instead.
+/// True if the event is the separation of a part. The curve along which the part is cut off shrinks
+/// to a point, so its size has no meaning. These events report the result of free_diameter()
+/// instead.
 bool separates(const Event& event) {
   return event.kind == EventKind::split || event.kind == EventKind::cavity_closed;
 }
 
-/// Returns the diameter of the largest ball around `center` that does not meet the mesh.
+/// Returns the diameter of the largest ball around `center` that no face of the mesh enters.
 double free_diameter(const Mesh& mesh, const Vec3& center) {
   return 2 * ClosestPointQuery(mesh)(center).distance;
 }
 
-/// Removes the parts from an event that remeshing dropped in the same step. `labels` are those of
-/// the faces before and after the step. A cavity that is filled stays in its event.
+/// Removes from an event those parts that remeshing dropped in the same step. `labels` are the
+/// labels of all faces before and after the step. An event of a closed cavity is not changed.
 void forget_dropped(Event& event, const std::set<long>& labels) {
   if (event.kind == EventKind::cavity_closed) return;
   std::erase_if(event.after,
@@ -90,9 +91,10 @@ void EventFinder::watch(IterationOptions& options) {
   least_volume_ = std::numbers::pi / 6 * shortest * shortest * shortest;
 }
 
-/// True if a part separated and was removed in the same step. Remeshing removes parts that are too
-/// small; the split of such a part is not reported. A cavity that closes and is filled is reported,
-/// unless it is smaller than the parts that remeshing removes.
+/// True if a part separated and was removed in the same step, and this is not worth a report.
+/// Remeshing removes parts that are too small; the split of such a part is not reported. A cavity
+/// that closes and is filled is reported, unless it is smaller than the parts that remeshing
+/// removes.
 bool EventFinder::is_brief(const Event& event, const std::set<long>& labels) const {
   if (!separates(event) || labels.contains(event.after.back().label)) return false;
   return event.kind == EventKind::split || std::abs(event.after.back().volume) < least_volume_;
@@ -117,7 +119,7 @@ void EventFinder::see(const Mesh& moved, Mesh& cleaned) {
     }
     cancel_handles(found_);
   }
-  // New faces have no label, also if a cut was closed again and the topology stayed.
+  // Write labels even if the topology is unchanged: faces that cleaning created have no label.
   write_labels(cleaned, components, states);
   now_ = by_label(std::move(states));
 }

@@ -19,7 +19,7 @@ class EventFinder {
   /// Labels the components of the initial mesh.
   void start(Mesh& mesh);
 
-  /// Begins a trial of a step, and discards the events of an earlier trial.
+  /// Begins a trial of a step. Discards the events of an earlier trial of the same step.
   void begin_step(const Mesh& mesh);
 
   /// Sets IterationOptions::on_cleaned, so that iterate() passes the meshes before and after
@@ -32,7 +32,7 @@ class EventFinder {
   /// Returns the CSV rows of the events of the last step.
   std::vector<std::string> last_rows() const;
 
-  /// True if the current trial has found an event. Call before end_step().
+  /// True if the current trial of a step has found an event. Call before end_step().
   bool has_found() const { return !found_.empty(); }
 
   void report(EvolveResult& result) const {
@@ -50,13 +50,15 @@ class EventFinder {
   void measure_before();
   void add_vanished(const Mesh& mesh);
 
-  double least_volume_ = 0;  ///< volume of a ball as wide as the shortest edge; 0: not set
+  /// Volume of a ball whose diameter is the shortest allowed edge; 0: not set.
+  double least_volume_ = 0;
   long next_label_ = 1, label_after_step_ = 1;
-  Mesh before_;                         ///< positions, faces and labels when the step began
-  std::optional<LabeledStates> begun_;  ///< components of `before_`; empty until needed
-  LabeledStates now_;                   ///< components after the last cleaning
-  std::vector<Event> found_;            ///< events of the current trial
-  std::vector<Event> events_;           ///< events of all accepted steps
+  Mesh before_;  ///< positions, faces and labels at the beginning of the step
+  /// States of the components of `before_`; empty until needed.
+  std::optional<LabeledStates> begun_;
+  LabeledStates now_;          ///< states of the components after the last cleaning
+  std::vector<Event> found_;   ///< events found in the current trial of a step
+  std::vector<Event> events_;  ///< events of all accepted steps
   std::size_t events_before_step_ = 0, event_count_ = 0;
 };
 

@@ -30,8 +30,9 @@
 namespace transformesh {
 namespace {
 
-/// Bound for the relative rounding error of a sum of a million spans. Without it, a remainder of
-/// that size before `event_end_` would become a step of its own, which would be too short.
+/// Bound for the relative rounding error of a sum of a million time spans. A remaining time below
+/// this fraction counts as 0. Otherwise a remainder that is only a rounding error would become a
+/// step of its own.
 constexpr double rounding = 1e-9;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -97,7 +98,7 @@ class TimeLoop : public Loop {
     if (options_.keep_volume) restore_volume(document, progress);
     accept(document.mesh, step, remaining);
     if (events_) events_->end_step(document.mesh, iteration, time_);
-    // The time of the step includes the velocities and all repeated trials.
+    // `last_.seconds` includes computing the velocities, and all repeated trials of the step.
     last_.seconds = watch.lap();
     last_.seconds_step = last_.seconds - last_.seconds_clean - last_.seconds_remesh;
   }
@@ -154,9 +155,9 @@ class TimeLoop : public Loop {
 
   bool is_near_event() const { return event_end_ - time_ > rounding * options_.end; }
 
-  /// Returns the longest span of the next step. If the topology changes before `event_end_`, the
-  /// result is half the time until `event_end_`, so that bisection locates the event. If that time
-  /// is within `event_tolerance`, the result is all of it.
+  /// Returns the upper limit of the time span of the next step. If the topology changes before
+  /// `event_end_`, the limit is half the time until `event_end_`, so that bisection locates the
+  /// event. If the time until `event_end_` is at most `event_tolerance`, the limit is all of it.
   double longest_span() const {
     if (is_near_event()) {
       const double gap = event_end_ - time_;
@@ -223,8 +224,8 @@ class TimeLoop : public Loop {
   IterationResult last_;
   Topology topology_;
   double time_ = 0, event_end_ = 0;
-  double span_ = 0;       ///< time of the last step
-  double next_span_ = 0;  ///< next_span() of the last step that was not near an event
+  double span_ = 0;       ///< time span of the last step
+  double next_span_ = 0;  ///< result of next_span() for the last step that was not near an event
   double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
   std::size_t repeated_ = 0, held_back_ = 0;
   bool is_closed_ = false, is_done_ = false;

@@ -47,7 +47,7 @@ DisplaceResult movement(const Mesh& before, const Mesh& after) {
   return result;
 }
 
-// Removes velocity columns that the filter added.
+// Removes the velocity columns (vx, vy, vz) that the filter added to the mesh.
 void drop_velocities(const Mesh& before, Mesh& after) {
   for (const char* name : velocity_names)
     if (before.vertex_columns.find(name) == nullptr) after.vertex_columns.erase(name);

@@ -17,8 +17,8 @@ struct Integrated {
   double error = 0;  ///< largest distance of a vertex from its position by the embedded method
 };
 
-/// Steps of different spans from one point in time. The first stage is evaluated once for all
-/// spans.
+/// Runge-Kutta steps of different time spans from one point in time. The first stage is evaluated
+/// once for all spans.
 class Integration {
  public:
   /// Pre: `motion` and `mesh` outlive the object, and `mesh` does not change.
@@ -29,9 +29,10 @@ class Integration {
   /// displacements itself.
   const std::vector<Vec3>& initial_velocities() const { return first_; }
 
-  /// Returns the step over this span. Throws InputError if the number of vectors of the motion is
-  /// not that of the vertices, or if a vector is not finite. `error` is 0 for Euler's method and
-  /// for motions that compute displacements, since these have no embedded method.
+  /// Returns the result of a step over this time span. Throws InputError if the number of vectors
+  /// of the motion is not that of the vertices, or if a vector is not finite. `error` is 0 for
+  /// Euler's method and for motions that compute displacements, since these have no embedded
+  /// method.
   Integrated over(double span) const;
 
  private:
@@ -48,8 +49,8 @@ class Integration {
   std::vector<Vec3> first_;
 };
 
-/// Returns k if the error estimate is proportional to span^k for short spans: 2 for midpoint, 3 for
-/// rk4.
+/// Returns the exponent k of the error estimate, which is proportional to span^k for short spans: 2
+/// for midpoint, 3 for rk4.
 int error_order(Integrator integrator);
 
 /// Moves the vertices and recomputes normals; does not round, clean or remesh. `mean_edge` is the

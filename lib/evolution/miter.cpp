@@ -17,19 +17,21 @@
 namespace transformesh {
 namespace {
 
-/// Eigenvalues below this share of the largest count as 0. Creases of less than 2 degrees then move
-/// along their mean normal, which is short by 0.0005 of the distance. At 0.1, this would affect
-/// creases of up to 35 degrees.
+/// Eigenvalues of a vertex's matrix below this fraction of the largest count as 0. Creases of less
+/// than 2 degrees then move along their mean normal, which is short by 0.0005 of the distance. With
+/// 0.1, creases of up to 35 degrees would move in this way.
 constexpr double least_eigenvalue = 1e-3;
-/// Longest movement as a multiple of the distance; reached at a corner of 30 degrees. Sharper
-/// spikes are cut off.
+/// Longest movement of a vertex, as a multiple of the distance. It is reached at a corner of 30
+/// degrees; sharper spikes are cut off.
 constexpr double miter_limit = 4;
-/// A component is removed if all of it is closer to the source than this fraction of the offset
-/// distance. Such components result from parts of the source that were turned inside out twice. An
-/// offset of a curved surface loses less than 5 % of the distance between its vertices.
+/// A component is removed if all of it is closer to the source surface than this fraction of the
+/// offset distance. Such components result from parts of the source that were turned inside out
+/// twice. Offsets of curved surfaces are correct at vertices, and less than 5 % too close between
+/// vertices.
 constexpr double least_distance = 0.95;
 
-/// Planes of smooth surfaces miss the distance by a smaller share of it. A choice.
+/// A deviation above this fraction of the distance is reported as large. On smooth surfaces,
+/// deviations of face planes are smaller. A choice.
 constexpr double large_deviation = 0.05;
 
 struct Planes {
@@ -50,7 +52,8 @@ Vec3 solved(const Planes& planes) {
   return length > miter_limit ? Vec3(way * (miter_limit / length)) : way;
 }
 
-/// Returns where a movement by distance * directions moves the plane of a face least well.
+/// Returns the largest error, and its location, of a movement by distance * directions. The error
+/// of a face is the difference between `distance` and the movement of the face's plane.
 MiterDeviation deviation_of(const Mesh& mesh, const std::vector<Vec3>& directions,
                             double distance) {
   MiterDeviation worst;
@@ -99,7 +102,8 @@ void append_other_side(Mesh& mesh, const std::vector<Vec3>& directions, double d
   mesh.face_columns = mesh.face_columns.select(rows);
 }
 
-/// Removes components that are closer to the source everywhere than `least_distance` * distance.
+/// Removes components whose faces are all closer to the source surface than `least_distance` *
+/// distance.
 void drop_remains(Mesh& mesh, const Mesh& source, double distance) {
   const ClosestPointQuery closest(source);
   const Components parts = connected_components(mesh);
@@ -143,7 +147,8 @@ std::vector<Vec3> miter_directions(const Mesh& mesh) {
       const Vec3 u = (mesh.positions[face[(i + 1) % 3]] - corner).stableNormalized();
       const Vec3 v = (mesh.positions[face[(i + 2) % 3]] - corner).stableNormalized();
       const Vec3 cross = u.cross(v);
-      // The sine replaces the angle: weights matter only if more than three planes meet.
+      // Weight by the sine of the corner angle instead of the angle. Weights matter only if more
+      // than three planes meet.
       const double weight = cross.norm();
       if (!(weight > 0)) continue;
       const Vec3 normal = cross / weight;

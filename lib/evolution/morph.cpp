@@ -77,7 +77,8 @@ class MorphingLoop : public Loop {
   [[noreturn]] void vanish(const Mesh& mesh) const;
 
   const Target& target_;
-  const std::optional<Target> measured_;  ///< target with thickness, if needed and not yet measured
+  /// The target with local thickness, if the options need it and `target` does not have it.
+  const std::optional<Target> measured_;
   const TargetQuery query_;
   const MorphOptions& options_;
   MorphRule rule_;
@@ -88,12 +89,13 @@ class MorphingLoop : public Loop {
   int scale_ = 0;
   MorphStepResult step_;
   IterationResult last_;
-  std::optional<Agreement> agreement_;  ///< comparison with the target, if there was one
+  /// Comparison of the mesh with the target, if the last iteration made one.
+  std::optional<Agreement> agreement_;
 };
 
-// Makes an iteration at the current scale. If `remeshes_first`, the mesh is first remeshed to the
-// edges of the scale, which shortens the clamped step. Returns false if the iteration fails and
-// another attempt is possible.
+// Makes an iteration at the current scale (edge length times a power of two). If `remeshes_first`,
+// the mesh is first remeshed to the edges of this scale, which makes steps shorter. Returns false
+// if the iteration fails and another attempt is possible.
 bool MorphingLoop::takes_iteration(Document& document, bool remeshes_first,
                                    const Progress& progress) {
   scale_ = rule_.scale();
@@ -124,8 +126,9 @@ void MorphingLoop::vanish(const Mesh& mesh) const {
                   cause.data);
 }
 
-// Makes an iteration. If it fails, tries finer scales, and shorter steps after remeshing. At a
-// coarse scale, edges may be longer than the surface is wide, or steps may turn it inside out.
+// Makes an iteration. If it fails, tries finer scales (shorter edges), and shorter steps after
+// remeshing. At a coarse scale, edges may be longer than the surface is wide, or steps may turn the
+// surface inside out.
 void MorphingLoop::take_iteration(Document& document, const Progress& progress) {
   const Document before = options_.scales > 1 ? document : Document();
   bool is_first_try = true;
@@ -171,8 +174,8 @@ std::string MorphingLoop::message() const {
          significant(std::max(step_.to_target.rms, step_.from_target.rms), 3);
 }
 
-// Aligns edges with the sharp edges of the target. Called after the last iteration, so that no
-// smoothing rounds them off.
+// Aligns edges of the mesh with the sharp edges of the target. Called after the last iteration, so
+// that smoothing does not round off these edges.
 void MorphingLoop::align(Document& document, const Progress& progress) {
   const bool may_align = target_.is_mesh() && options_.features != Features::off;
   if (!may_align || (options_.features == Features::automatic && !has_features(target_.mesh)))
@@ -203,8 +206,8 @@ void MorphingLoop::finish(Document& document, const Progress& progress) {
   conclude(document, progress);
 }
 
-// Cleans the last mesh and compares it with the target. The comparison of the last iteration is
-// used if cleaning changed nothing.
+// Cleans the final mesh and compares it with the target. If cleaning changed nothing, uses the
+// comparison that the last iteration made.
 void MorphingLoop::conclude(Document& document, const Progress& progress) {
   CleanedTopology cleaned;
   try {

@@ -12,11 +12,12 @@
 namespace transformesh {
 namespace {
 
-/// A target farther away from the mesh than this many longest edges counts as apart from the
-/// source. At smaller distances, shorter edges may let the mesh reach the target.
+/// If the target is farther away from the mesh than this many longest edges, the cause is that
+/// source and target are apart. At smaller distances, shorter edges may let the mesh reach the
+/// target.
 constexpr double few_edges = 3;
 
-/// Edges resolve a gap if they are shorter than its width divided by this number.
+/// A gap is resolved by edges that are shorter than the width of the gap divided by this number.
 constexpr double edges_across = 2;
 
 Target measured(const Target& target, double edge) {
@@ -30,8 +31,8 @@ Problem narrow_at(const Vec3& place, double width, double edge, bool has_uniform
           {.position = position_data(place), .lengths = {width, edge}}};
 }
 
-/// Returns a problem that names the vertex at which the target is thinnest. Returns nothing if the
-/// target is thick enough for the edges.
+/// Returns a problem with the location and width of the thinnest place of the target. Returns
+/// nothing if the target is thick enough for edges of length `edge`.
 std::optional<Problem> narrowest(const Target& target, double edge, bool has_uniform_edges) {
   const std::vector<double>& widths = target.thickness;
   const auto least = std::min_element(widths.begin(), widths.end());
@@ -40,8 +41,9 @@ std::optional<Problem> narrowest(const Target& target, double edge, bool has_uni
   return narrow_at(target.mesh.positions[v], *least, edge, has_uniform_edges);
 }
 
-// Names the narrowest place if the topology differs: the cause may be far from the place where mesh
-// and target are farthest apart.
+// Returns a problem with a narrow place of the target, if there is one. If the topology of mesh and
+// target differs, returns the narrowest place. The cause of a difference in topology may be far
+// from the place where mesh and target are farthest apart.
 std::optional<Problem> narrow_place(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
   if (found.is_of_topology)

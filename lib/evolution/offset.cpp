@@ -24,40 +24,43 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t points_per_task = 512;  ///< affects time only
-/// Sample points per surface for measuring the deviation. More find smaller deviations and take
-/// more time, in proportion.
+/// Number of sample points per surface for measuring the deviation. With more points, smaller
+/// deviations are found; time is proportional to their number.
 constexpr std::size_t samples = 40000;
 
-/// The iteration ends if the root mean square distance of the vertices from the offset surface is
-/// at most this share of an edge.
+/// Iterations end if the root mean square distance of the vertices from the offset surface is at
+/// most this fraction of an edge.
 constexpr double close_enough = 0.01;
 
-/// Shortest and longest default edge, as shares of the bounding box diagonal. They bound the number
-/// of faces from above and the error on coarse meshes.
+/// Shortest and longest default edge, as fractions of the bounding box diagonal. The shortest
+/// limits the number of faces; the longest limits the error on coarse meshes.
 constexpr double least_edge = 1.0 / 400;
 constexpr double most_edge = 1.0 / 60;
 
-/// Longest default edge as a share of the distance, so that rounded edges have several faces.
+/// Longest default edge as a fraction of the offset distance, so that a rounded edge has several
+/// faces across.
 constexpr double most_share = 0.5;
 
 /// A component is removed if its root mean square distance from the offset surface exceeds this
-/// share of an edge. Inward offsets leave such components in parts that are too thin.
+/// fraction of an edge. Inward offsets leave such components in parts of the source that are too
+/// thin.
 constexpr double shard_deviation = 0.5;
 
-/// The iteration also ends if the distance has not improved for this many iterations.
+/// Iterations also end if the root mean square distance has not improved for this many iterations.
 constexpr std::size_t patience = 8;
 
-/// A vertex closer to the source than this share of the distance moves along its own normal, since
-/// the direction from the closest point would be rounding error.
+/// A vertex closer to the source than this fraction of the offset distance moves along its own
+/// normal. The reason: the direction from the closest point would be rounding error.
 constexpr double at_source = 1e-6;
 
-/// The result counts as incomplete if a point of the true offset is farther away than this many
-/// edges. Corners of boxes are cut off by up to 0.52 edges. At half this value, every box gives a
-/// warning. At twice this value, a plate as thick as 2/3 of an edge loses 1/20 of its volume
-/// without a warning.
+/// The result counts as incomplete if a point of the true offset is farther from it than this many
+/// edge lengths. Corners of boxes are cut off by up to 0.52 edge lengths. At half this value, every
+/// box gives a warning. At twice this value, a plate as thick as 2/3 of an edge loses 1/20 of its
+/// volume without a warning.
 constexpr double most_missed = 0.75;
 
-/// A point counts as on the true offset if its distance from the source is right up to this share.
+/// A point counts as on the true offset if its distance from the source differs from the offset
+/// distance by at most this fraction.
 constexpr double on_offset = 1e-6;
 
 void check(const Mesh& mesh, double distance) {
@@ -77,13 +80,14 @@ class Offset {
   Offset(const Mesh& source, double distance)
       : source_(source), distance_(distance), query_(source) {}
 
-  /// Returns the vector from each vertex to the offset surface, along the gradient of the distance.
+  /// Returns for each vertex the vector from it to the offset surface, along the gradient of the
+  /// distance from the source.
   std::vector<Vec3> ways(const Mesh& mesh);
   OffsetDeviation deviation(const Mesh& mesh, const Progress& progress) const;
-  /// Returns the root mean square length of the last result of ways().
+  /// Returns the root mean square length of the vectors that ways() returned last.
   double rms() const { return rms_; }
   /// Removes components that are far from the offset surface (`shard_deviation`). Returns the
-  /// topology of the remaining mesh.
+  /// topology of the remaining mesh, which is `known` if nothing is removed.
   Topology drop_shards(Mesh& mesh, double edge, const Topology& known) const;
 
  private:
@@ -97,7 +101,8 @@ class Offset {
   const Mesh& source_;
   double distance_;
   ClosestPointQuery query_;
-  double rms_ = std::numeric_limits<double>::infinity();  ///< see rms()
+  /// Result of rms(); infinite before ways() is called.
+  double rms_ = std::numeric_limits<double>::infinity();
 };
 
 std::vector<Vec3> Offset::ways(const Mesh& mesh) {
@@ -127,8 +132,9 @@ OffsetDeviation Offset::deviation(const Mesh& mesh, const Progress& progress) co
   return result;
 }
 
-// Measures the deviation at sample points of the faces as well as at vertices. Vertices were moved
-// onto the offset surface, so that deviations are larger between them.
+// Measures the deviation from the offset surface at sample points of the faces as well as at
+// vertices. Vertices were moved onto the offset surface, so that deviations are larger between
+// them.
 void Offset::measure_excess(const Mesh& mesh, OffsetDeviation& result) const {
   const std::vector<Vec3> points = surface_samples(mesh, samples, 1);
   std::vector<double> off(points.size() + mesh.positions.size());
@@ -142,8 +148,9 @@ void Offset::measure_excess(const Mesh& mesh, OffsetDeviation& result) const {
   for (const double length : off) result.most = std::max(result.most, length);
 }
 
-// Measures how far the result is from points of the true offset. These are sample points of the
-// source moved along their normals, if no other part of the source is closer.
+// Measures how far points of the true offset surface are from the result. These points are sample
+// points of the source, moved along their normals. Points that are closer to another part of the
+// source are left out.
 void Offset::measure_missed(const Mesh& mesh, OffsetDeviation& result) const {
   const ClosestPointQuery to_result(mesh);
   std::vector<Vec3> goals = surface_samples(source_, samples, 2);
@@ -195,8 +202,8 @@ double edge_of(const Mesh& mesh, const OffsetOptions& options) {
   return options.edge > 0 ? options.edge : offset_edge(mesh, options.distance);
 }
 
-/// Removes slivers. Their normals are mostly rounding error, and vertices would follow these. Zero
-/// iterations of remeshing do only this (remesh.h).
+/// Removes slivers. Their normals are mostly rounding error and would misdirect vertices. Remeshing
+/// with zero iterations removes slivers only (remesh.h).
 void remove_slivers(Document& document, const OffsetOptions& options, const Progress& progress) {
   const double edge = edge_of(document.mesh, options);
   RemeshOptions removal;
@@ -230,7 +237,8 @@ OffsetResult offset_mesh(Document& document, const OffsetOptions& options,
     result.has_arrived = is_close || stalled.add(offset.rms());
   }
 
-  // Remeshing moved vertices off the offset surface; one more step follows without remeshing.
+  // The last remeshing moved vertices off the offset surface. Therefore make one more step without
+  // remeshing.
   step(document.mesh, progress);
   round_as_written(document);
   result.topology = clean_in_place(document, progress, false).topology;
@@ -251,8 +259,8 @@ OffsetResult offset(Document& document, const OffsetOptions& options, const Prog
   try {
     return offset_mesh(document, options, progress);
   } catch (const GoalError&) {
-    // If an inward offset removes the whole surface, the message would describe only the part that
-    // vanished last.
+    // If an inward offset removes the whole surface, the original message would describe only the
+    // part that vanished last.
     if (options.distance > 0) throw;
     throw GoalError(
         "no part of the surface is left, or its walls are too thin for its edges: probably no "

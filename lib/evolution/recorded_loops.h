@@ -1,5 +1,5 @@
-/// Variants of the functions in evolve.h, evolve_in_time.h, morph.h and track.h for a Record that
-/// the caller has opened. LoopOptions::record is ignored.
+/// Variants of the functions in evolve.h, evolve_in_time.h, morph.h and track.h that record the run
+/// in a Record that the caller has opened. LoopOptions::record is ignored.
 #pragma once
 
 #include <functional>
@@ -27,8 +27,9 @@ TrackResult track(Document& document, const std::vector<std::string>& names,
                   const MorphOptions& options, const LoopOptions& loop, Record& record,
                   const Progress& progress = Progress());
 
-/// Returns "vertices moved less far than their velocities prescribe in 30 of 30 iterations, at most
-/// 87 % of them: clamped to 0.2 of the mean edge". Pre: vertices were clamped in an iteration.
+/// Returns a text such as "vertices moved less far than their velocities prescribe in 30 of 30
+/// iterations, at most 87 % of them: clamped to 0.2 of the mean edge". Pre: vertices were clamped
+/// in an iteration.
 std::string clamps_in_words(const EvolveResult& result, double alpha);
 
 /// Returns "converged", "stalled" or "iteration_limit".

@@ -22,8 +22,9 @@ std::vector<char> find_new_vertices(const Mesh& before, const Mesh& cleaned) {
   return is_new;
 }
 
-/// Marks vertices at which faces with different labels meet. Surfaces that touch exactly at
-/// vertices are joined at these vertices without new ones.
+/// Marks vertices at which faces with different component labels meet. If surfaces touch exactly at
+/// vertices, cleaning joins them there without creating vertices that find_new_vertices() could
+/// find.
 void mark_where_labels_meet(const Mesh& mesh, const std::vector<long>& labels,
                             std::vector<char>& is_marked) {
   std::vector<long> first(mesh.positions.size(), 0);
@@ -34,7 +35,7 @@ void mark_where_labels_meet(const Mesh& mesh, const std::vector<long>& labels,
     }
 }
 
-/// Returns the connected sets of marked vertices, connected by edges.
+/// Returns the sets of marked vertices that are connected by edges.
 DisjointSets connected(const Mesh& mesh, const std::vector<char>& is_marked) {
   DisjointSets sets(mesh.positions.size());
   for (const Face& face : mesh.faces)

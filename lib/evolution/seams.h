@@ -1,6 +1,6 @@
 /// Finds seams: the curves along which cleaning joined or cut surfaces. A seam is a connected set
-/// of vertices that are new after cleaning or at which faces with different labels meet. Cost: O(n
-/// log n).
+/// of vertices. They are new after cleaning, or faces with different component labels meet there.
+/// Cost: O(n log n).
 #pragma once
 
 #include <set>
@@ -12,11 +12,12 @@ namespace transformesh {
 
 struct Seam {
   Extent extent;
-  std::set<long> labels;       ///< labels of the faces at its vertices
-  std::set<Index> components;  ///< components of the cleaned mesh at its vertices
+  std::set<long> labels;       ///< component labels of the faces at the seam's vertices
+  std::set<Index> components;  ///< components of the cleaned mesh that contain the seam's vertices
 };
 
-/// Returns the seams, the largest first. Faces of `cleaned` have the labels from before cleaning.
+/// Returns the seams, the largest first. Faces of `cleaned` must have the component labels from
+/// before cleaning.
 std::vector<Seam> find_seams(const Mesh& before, const Mesh& cleaned, const Components& components);
 
 }  // namespace transformesh

@@ -11,21 +11,21 @@
 namespace transformesh {
 namespace {
 
-/// Shortest span as a fraction of the end time. A million steps of this span would change the time
-/// by only 1e-6 of the end time: the evolution would not end.
+/// Shortest time span of a step, as a fraction of the end time. A million steps of this span would
+/// change the time by only 1e-6 of the end time: the evolution would not end.
 constexpr double shortest_span = 1e-12;
 
-/// Safety factor for the span of the next trial after one that moved too far or had too large an
-/// error. Hairer, Norsett & Wanner, "Solving ordinary differential equations I", section II.4,
-/// recommend 0.8 to 0.9.
+/// Safety factor by which a span is multiplied after a trial that moved vertices too far or had too
+/// large an error. Hairer, Norsett & Wanner, "Solving ordinary differential equations I", section
+/// II.4, recommend 0.8 to 0.9.
 constexpr double safety = 0.9;
 
-/// Largest growth factor of the span from one step to the next. If the longer span fails, one
-/// evaluation is lost. Smaller factors take more steps after a fast motion ends.
+/// Largest growth factor of the time span from one step to the next. If the longer span fails, one
+/// evaluation is lost. With smaller factors, more steps are needed after a fast motion ends.
 constexpr double span_growth = 1.5;
 
-/// Returns the longest span of at most `span` that divides `remaining` into equal steps, so that
-/// the last step is not much shorter.
+/// Returns the longest span of at most `span` that divides `remaining` into equal steps. Hence the
+/// last step is not much shorter than the others.
 double divided(double remaining, double span) {
   constexpr double tiny = 1e-9;  // relative rounding error of the division
   if (!(span < remaining)) return remaining;
@@ -37,8 +37,8 @@ bool is_accepted(const TrialStep& trial, const TimeOptions& options) {
          (options.tolerance <= 0 || trial.integrated.error <= options.tolerance);
 }
 
-/// Returns the factor of the span for which movement and error are a little below their limits.
-/// Both are assumed to grow with the span as they do for short spans.
+/// Returns the factor by which the span must be multiplied to bring movement and error a little
+/// below their limits. Both are assumed to grow with the span as they do for short spans.
 double allowed_factor(const TrialStep& trial, const TimeOptions& options) {
   double factor = std::numeric_limits<double>::infinity();
   if (trial.max_move > 0) factor = safety * options.max_move / trial.max_move;
@@ -75,8 +75,8 @@ TrialStep chosen_step(const Integration& integration, const TimeOptions& options
     return step_over(integration, std::min(span, longest), edge_means);
   }
   const double speed = largest_share(integration.initial_velocities(), edge_means);
-  // The first trial moves vertices a little less than allowed, because later stages may move them
-  // farther. A second trial would cost as much as the first.
+  // Choose a first span over which vertices move a little less than allowed, because later stages
+  // may move them farther. A second trial would cost as much as the first.
   const double limit = safety * options.max_move;
   double span = speed > 0 ? std::min(longest, limit / speed) : longest;
   for (;;) {
@@ -87,7 +87,7 @@ TrialStep chosen_step(const Integration& integration, const TimeOptions& options
     }
     TrialStep trial = step_over(integration, span, edge_means);
     if (is_accepted(trial, options)) return trial;
-    // The span shrinks at most to a tenth at once, since estimates are unreliable for long spans.
+    // Shrink the span at most to a tenth at once, since estimates are unreliable for long spans.
     span *= std::clamp(allowed_factor(trial, options), 0.1, safety);
   }
 }

@@ -15,8 +15,8 @@ struct TrialStep {
   double max_move = 0;  ///< largest movement of a vertex / mean length of its edges
 };
 
-/// Returns the maximum over the vertices of the length of the vector, divided by the scale.
-/// Vertices with scale 0, which have no edges, are skipped.
+/// Returns the largest ratio of vector length to scale over all vertices. Vertices with scale 0,
+/// which have no edges, are skipped.
 double largest_share(std::span<const Vec3> vectors, std::span<const double> scales);
 
 /// Returns the next step, whose span is at most `remaining` and `longest`. If `options.span` > 0,
@@ -26,12 +26,12 @@ double largest_share(std::span<const Vec3> vectors, std::span<const double> scal
 TrialStep chosen_step(const Integration& integration, const TimeOptions& options, double remaining,
                       double longest, std::span<const double> edge_means);
 
-/// Returns the longest span to try after this step, if the error or an implicit integrator limits
-/// spans. At this span the movement and the error are expected a little below their limits. The
-/// span grows by at most half.
+/// Returns the longest span to try for the next step, if the error or an implicit integrator limits
+/// spans. At this span the movement and the error are expected to be a little below their limits.
+/// The span is at most 1.5 times that of `step`.
 double next_span(const TrialStep& step, const TimeOptions& options);
 
-/// Returns the step over a given span.
+/// Returns the step over the given time span, with its largest movement relative to `edge_means`.
 TrialStep step_over(const Integration& integration, double span,
                     std::span<const double> edge_means);
 

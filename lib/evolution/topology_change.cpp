@@ -36,8 +36,9 @@ class Search {
   }
 
  private:
-  /// Finds the components whose label disappears because they were joined to the component that
-  /// kept its label. Two solids merge. A solid and a cavity become a solid with an opened cavity.
+  /// Finds the components that were joined to component `i`, so that their labels disappear. If two
+  /// solids are joined, the event is a merge. If a solid and a cavity are joined, it is an opened
+  /// cavity.
   void find_joined(Index i) {
     const ComponentState& now = after_[i];
     for (const long label : now.labels) {
@@ -52,12 +53,13 @@ class Search {
     }
   }
 
-  /// True if a component after the change has the label.
+  /// True if one of the components after the change has this label.
   bool persists(long label) const {
     return std::ranges::any_of(after_, [&](const auto& state) { return state.label == label; });
   }
 
-  /// Finds parts with new labels, which separated from the part that kept the label.
+  /// Finds the parts that separated from a component. One part keeps `label`; the others have new
+  /// labels.
   void find_separated(long label, const std::vector<Index>& parts) {
     const ComponentState& whole = before_.at(label);
     for (const Index i : parts) {
@@ -74,7 +76,8 @@ class Search {
     }
   }
 
-  /// Returns the label of the largest earlier component that faces of the part come from.
+  /// Returns a label from before the change: that of the largest component to which faces of the
+  /// part belonged.
   std::optional<long> source_of(const ComponentState& part) const {
     std::optional<long> source;
     for (const long label : part.labels) {
@@ -122,8 +125,8 @@ class Search {
           after_[largest].extent);
   }
 
-  /// Returns the largest seam that satisfies the condition and marks it as used. Prefers seams not
-  /// used by another event.
+  /// Returns the extent of the largest seam that satisfies the condition, and marks this seam as
+  /// used. Prefers seams that no other event has used.
   std::optional<Extent> seam_where(const auto& condition) {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < seams_.size(); ++i) {
@@ -142,7 +145,8 @@ class Search {
     });
   }
 
-  /// Returns the midpoint of the closest pair of seams, one of the part and one of another part.
+  /// Returns the place where a part separated: the midpoint between a seam of the part and a seam
+  /// of another part, for the closest two such seams.
   std::optional<Extent> separating_seam(Index part, const std::vector<Index>& parts) {
     std::optional<Extent> best;
     double least = 0;
@@ -166,8 +170,8 @@ class Search {
         parts, [&](Index other) { return other != part && seam.components.contains(other); });
   }
 
-  /// Adds an event. `otherwise` gives the place if there is no seam, for example if a part
-  /// separated at a single vertex.
+  /// Adds an event. If there is no seam, for example because a part separated at a single vertex,
+  /// `otherwise` gives the place.
   void add(EventKind kind, std::vector<LabeledVolume> was, std::vector<LabeledVolume> now,
            const std::optional<Extent>& seam, const Extent& otherwise) {
     const Extent& extent = seam ? *seam : otherwise;
@@ -184,11 +188,13 @@ class Search {
   std::span<const ComponentState> after_;
   std::span<const Seam> seams_;
   std::vector<char> is_used_;
-  std::map<long, std::vector<Index>> parts_;  ///< per label: later components with faces of it
+  /// For each label before the change, the components after it that have faces with this label.
+  std::map<long, std::vector<Index>> parts_;
   std::vector<Event> events_;
 };
 
-/// Returns the label that a component takes from its faces; empty if all are taken.
+/// Returns the label that a component inherits: among the labels of its faces that are not in
+/// `taken`, that of the largest component before. Empty if there is none.
 std::optional<long> label_for(const ComponentState& state, const LabeledStates& before,
                               const std::set<long>& taken) {
   std::optional<long> best;

@@ -14,8 +14,9 @@
 namespace transformesh {
 namespace {
 
-/// MorphStepOptions::gap_edges of the second attempt, if a morph with edges of one length did not
-/// converge. More edges across narrow places resolve more and take more time.
+/// Value of MorphStepOptions::gap_edges in the second attempt, if a morph with edges of uniform
+/// length did not converge. With more edges across narrow places, thinner places are resolved, and
+/// a morph takes more time.
 constexpr double gap_edges_again = 1.5;
 
 std::string quoted(const std::string& text) {
@@ -67,8 +68,8 @@ class TrackingLoop : public Loop {
   double seconds_ = 0;
 };
 
-// Morphs again with shorter edges at narrow places. The first result stays unless this one
-// converges.
+// Repeats the morph with shorter edges at narrow places, starting from `again`. Keeps the first
+// result unless the second morph converges.
 void TrackingLoop::follow_again(Document again, Document& document, const Target& target,
                                 const Progress& progress) {
   MorphOptions options = options_;

@@ -14,9 +14,9 @@ namespace {
 
 const std::string column_name = "tm_movement";
 
-/// Largest movement as a fraction of the mean edge. Remeshing and cleaning need less in one step.
-/// A change of topology needs more; a movement along normals would spread its volume over the
-/// surface.
+/// Largest movement by which the volume is restored, as a fraction of the mean edge. Less is enough
+/// after remeshing and cleaning in one step. A change of topology needs more; then a movement along
+/// normals would spread its volume over the surface.
 constexpr double largest_motion = 0.1;
 
 /// Returns three times the gradient of the volume with respect to each position: the sum of the
@@ -30,8 +30,8 @@ std::vector<Vec3> volume_gradients(const Mesh& mesh) {
   return gradients;
 }
 
-/// Removes the column of movements, and returns it divided by its maximum. Returns 1 for all
-/// vertices if the maximum is 0.
+/// Removes the column with the lengths of movements, and returns it divided by its maximum. Returns
+/// 1 for all vertices if the maximum is 0.
 std::vector<double> taken_weights(Mesh& mesh) {
   std::vector<double> weights;
   if (const Column* column = mesh.vertex_columns.find(column_name)) {
@@ -55,8 +55,8 @@ bool move_to_volume(Mesh& mesh, double volume, const std::vector<double>& weight
   }
   const std::vector<Vec3> start = mesh.positions;
   double distance = 0;
-  // Newton's method for a cubic polynomial that is nearly linear. Two steps suffice for small
-  // distances; the third removes rounding errors.
+  // Apply Newton's method to the volume, a cubic polynomial of `distance` that is nearly linear.
+  // Two steps suffice for small distances; the third removes rounding errors.
   for (int round = 0; round < 3; ++round) {
     const std::vector<Vec3> gradients = volume_gradients(mesh);
     double slope = 0;

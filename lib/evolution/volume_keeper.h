@@ -1,6 +1,6 @@
 /// Restores the volume after cleaning and remeshing have changed it (TimeOptions::keep_volume).
-/// Vertices move along the gradient of the volume, in proportion to their movement in the step, so
-/// that parts at rest stay in place.
+/// Vertices move along the gradient of the volume. Their movement is in proportion to their
+/// movement in the step, so that parts at rest stay in place.
 #pragma once
 
 #include <vector>
@@ -16,12 +16,12 @@ class VolumeKeeper {
   void begin(Mesh& mesh, const std::vector<Vec3>& displacements);
 
   /// Call after remeshing. Removes the column and restores the volume, up to the rounding of the
-  /// document's coordinates. Returns true if vertices moved: call clean_all() then. Leaves the mesh
-  /// unchanged if vertices would have to move farther than a tenth of the mean edge, for example
-  /// after a component has vanished.
+  /// document's coordinates. Returns true if vertices moved; the mesh must then be cleaned again.
+  /// Leaves the mesh unchanged if vertices would have to move farther than a tenth of the mean
+  /// edge, for example after a component has vanished.
   bool restore(Document& document) const;
 
-  /// The volume that begin() found.
+  /// Returns the volume that begin() measured.
   double volume() const { return volume_; }
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Sine and cosine of pi times a coordinate.
+/// The values sin(pi x) and cos(pi x) of a coordinate x.
 struct HalfWave {
   double sine;
   double cosine;
@@ -21,8 +21,8 @@ struct HalfWave {
   double cosine_of_twice() const { return 1 - 2 * sine * sine; }
 };
 
-/// Returns the factor of a velocity field that brings every particle back to its start after
-/// `period`.
+/// Returns cos(pi time / period). A velocity field multiplied by this factor brings every particle
+/// back to its start after `period`.
 double reversal(double time, double period) { return elementary::cos(pi * time / period); }
 
 Vec3 vortex_at(const Vec3& p) {
@@ -47,7 +47,8 @@ Vec3 abc_at(const Vec3& p) {
           c * y.sine_of_twice() + b * x.cosine_of_twice()};
 }
 
-/// Returns the field multiplied by reversal().
+/// Returns the velocity field `at` multiplied by reversal(), so that particles return to their
+/// starts.
 AnalyticField reversing(Vec3 (*at)(const Vec3&), double period) {
   return [=](double time) -> VectorAt {
     const double factor = reversal(time, period);

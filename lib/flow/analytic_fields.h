@@ -31,12 +31,12 @@
 
 namespace transformesh {
 
-/// Returns the velocity at a point.
+/// Function that returns the velocity at a point.
 using VectorAt = std::function<Vec3(const Vec3& point)>;
-/// Returns the velocity field at a time.
+/// Function that returns the velocity field at a point in time.
 using AnalyticField = std::function<VectorAt(double time)>;
 
-/// Returns the field of this name; null if there is none. Ignores `options.speed`.
+/// Returns the velocity field of this name, or null if there is none. Ignores `options.speed`.
 AnalyticField analytic_field(std::string_view name, const FlowOptions& options);
 
 }  // namespace transformesh

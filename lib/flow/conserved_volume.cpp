@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Volume of each component, and its derivative under a motion of the vertices.
+/// Volume of each component, and its rate of change under a motion of the vertices.
 struct Volumes {
   std::vector<double> value;
   std::vector<double> rate;
@@ -43,7 +43,8 @@ class ComponentVolumes {
     return sums;
   }
 
-  /// Adds factors[part] * normal to the vectors of the vertices of each component `part`.
+  /// Adds a multiple of its normal to the vector of each vertex. `factors` has the multiple for
+  /// each component.
   void add(const std::vector<double>& factors, const std::vector<Vec3>& normals,
            std::vector<Vec3>& vectors) const {
     std::vector<char> is_done(vectors.size(), 0);
@@ -86,11 +87,12 @@ void remove_volume_rates(const Mesh& mesh, std::vector<Vec3>& velocities) {
   volumes.add(factors, normals, velocities);
 }
 
-/// Finds one factor per component by Newton's method. The volume of a component is a cubic
-/// polynomial of its factor.
+/// Finds for each component the multiple of `directions` that restores its volume, by Newton's
+/// method. The volume of a component is a cubic polynomial of this factor.
 void restore_volumes(const Mesh& mesh, const std::vector<Vec3>& directions,
                      std::vector<Vec3>& displacements) {
-  // If the volume is off by a tenth, four steps converge to rounding; long spans may need more.
+  // If the volume is off by a tenth, four steps converge up to rounding. Long time spans may need
+  // more.
   constexpr int most_steps = 8;
   const ComponentVolumes volumes(mesh);
   const std::vector<double> wanted = volumes.at(mesh.positions, directions).value;

@@ -1,4 +1,5 @@
-/// Corrections that keep the volume of each component of a closed mesh.
+/// Corrections of velocities and displacements that keep the volume of each component of a closed
+/// mesh.
 #pragma once
 
 #include <vector>
@@ -7,11 +8,11 @@
 
 namespace transformesh {
 
-/// Throws InputError (not_closed) unless every edge has two faces.
+/// Throws InputError (not_closed) if an edge has only one face.
 void require_volume(const Mesh& mesh);
 
-/// Adds a motion along the normals to `velocities`, with one speed per component. With the sum, the
-/// derivative of the volume of each component is zero.
+/// Changes `velocities` so that the volume of each component has derivative zero. For this purpose,
+/// adds a motion along the normals, with one speed per component.
 void remove_volume_rates(const Mesh& mesh, std::vector<Vec3>& velocities);
 
 /// Adds `directions` times one factor per component to `displacements`, so that each component has

@@ -27,12 +27,13 @@
 
 namespace transformesh {
 
-/// Receives the number of border vertices, which stay fixed.
+/// Function that is called with the number of border vertices, which do not move.
 using FixedCounter = std::function<void(std::size_t)>;
 
-/// Returns the flow of this name, multiplied by `speed`; a Motion without functions if there is
-/// none. Its functions throw InputError for coincident borders, and for open meshes if the flow
-/// keeps the volume. They throw GoalError if the equations have no solution in double precision.
+/// Returns the flow of this name, multiplied by `speed`. If there is no such flow, the result is a
+/// Motion without functions. Its functions throw InputError for coincident borders, and for open
+/// meshes if the flow keeps the volume. They throw GoalError if the equations have no solution in
+/// double precision.
 Motion curvature_flow(std::string_view name, double speed, const FixedCounter& fixed);
 
 }  // namespace transformesh

@@ -1,5 +1,6 @@
-/// Equations of diffusion on a surface: mean-curvature flow and surface diffusion, linear in the
-/// movement of the vertices while the cotangents, areas and normals of one mesh are kept.
+/// Equations of diffusion on a surface: mean-curvature flow and surface diffusion. Cotangents,
+/// areas and normals are those of one mesh. Therefore the equations are linear in the movement of
+/// the vertices.
 #pragma once
 
 #include <Eigen/Sparse>
@@ -10,9 +11,9 @@
 
 namespace transformesh {
 
-/// The equations of one mesh. Vertices on borders, or without area around them, are fixed; all
-/// others are unknowns. In the formulas M is the diagonal matrix of vertex areas, and L the
-/// cotangent matrix without areas.
+/// The equations of diffusion on one mesh. Vertices on borders, or without area around them, are
+/// fixed; all others are unknowns. In the formulas, M is the diagonal matrix of vertex areas, and L
+/// the cotangent matrix without areas.
 class DiffusionStep {
  public:
   explicit DiffusionStep(const Mesh& mesh);
@@ -26,9 +27,10 @@ class DiffusionStep {
   /// vectors at the start of the span. Pre: the object outlives the result.
   Relaxation second_order(double span) const;
 
-  /// Returns the speeds of surface diffusion along the normals, inverse(M) L h, for the surface
-  /// from which this mesh is at `offsets` along its normals. The sum of the principal curvatures
-  /// there is h = h0 + inverse(M) L offsets, where h0 is that of the mesh. Zero at fixed vertices.
+  /// Returns the speeds of surface diffusion along the normals, inverse(M) L h. The mesh must be at
+  /// `offsets` along its normals from the surface whose speeds are wanted. The sum of the principal
+  /// curvatures of that surface is h = h0 + inverse(M) L offsets, where h0 is that of the mesh.
+  /// Zero at fixed vertices.
   std::vector<double> diffusion_speeds(const std::vector<double>& offsets) const;
   /// Returns the equations M y' = M b - L inverse(M) L y of surface diffusion, where b are the
   /// speeds at the start of the span. Pre: the object outlives the result.

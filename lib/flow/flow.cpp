@@ -48,7 +48,7 @@ void check(const FlowKind& kind, const FlowOptions& options) {
     throw UsageError("the direction must be a finite vector other than 0");
 }
 
-/// Calls body(first, last) on ranges of the vertices.
+/// Calls body(first, last) in parallel for ranges of vertex indices.
 template <class Body>
 void for_vertices(const Mesh& mesh, const Body& body) {
   parallel_for(mesh.positions.size(), vertices_per_task, body);
@@ -65,7 +65,8 @@ Motion analytic_motion(const AnalyticField& field, double speed) {
   }};
 }
 
-/// Returns the values of grids at the vertices, and counts vertices outside of the grids.
+/// Returns the values of the grids at the vertices. Stores in `counts` how many vertices are
+/// outside of the grids.
 std::vector<Vec3> sampled(const GridSeries& grids, const Mesh& mesh, double time,
                           FlowCounts& counts) {
   const GridSeries::Interval interval = grids.around(time);

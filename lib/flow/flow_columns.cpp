@@ -15,7 +15,7 @@ FlowSpeeds speeds_of(const std::vector<Vec3>& velocities) {
   for (const Vec3& velocity : velocities)
     speeds.maximum = std::max(speeds.maximum, velocity.stableNorm());
   if (speeds.maximum == 0) return speeds;
-  // Speeds are divided by the largest one, so that no square overflows.
+  // Divide speeds by the largest one, so that no square overflows.
   double squares = 0;
   for (const Vec3& velocity : velocities) squares += (velocity / speeds.maximum).squaredNorm();
   speeds.rms = speeds.maximum * std::sqrt(squares / static_cast<double>(velocities.size()));

@@ -1,4 +1,4 @@
-/// Files of grids: VTK ImageData and NRRD.
+/// Readers of grid files: VTK ImageData and NRRD.
 #pragma once
 
 #include "io/streams/source.h"
@@ -23,7 +23,7 @@ FlowGrid read_nrrd_grid(const Source& source, std::size_t components);
 std::vector<FlowGrid> read_flow_grids(const std::string& flow, const std::string& where,
                                       double step);
 
-/// True if the bytes start as NRRD does.
+/// True if the bytes start with the signature of NRRD.
 bool is_nrrd(std::string_view bytes);
 
 }  // namespace transformesh

@@ -1,9 +1,9 @@
-/// Motion along the normals at a given speed: growth where the speed is positive, erosion where it
-/// is negative (Huygens' principle).
+/// Motion along the normals at a given speed: growth if the speed is positive, erosion if it is
+/// negative (Huygens' principle).
 ///
 /// A vertex moves so that the planes of its faces move at the speed, which keeps edges sharp. The
-/// exceptions are convex vertices that grow and concave vertices that recede. The exact surface is
-/// round there, and the vertex moves along its normal at the speed. Cost: O(n).
+/// exceptions are convex vertices that grow and concave vertices that recede. There the exact
+/// surface becomes round, and the vertex moves along its normal at the speed. Cost: O(n).
 /// Reference: Jiao, "Face offsetting: a unified approach for explicit moving interfaces", Journal
 /// of Computational Physics 220, 2007.
 /// For round and sharp places: Sethian, "Level Set Methods and Fast Marching Methods", Cambridge
@@ -16,7 +16,8 @@
 
 namespace transformesh {
 
-/// Returns the velocities for one speed per vertex. Throws InputError for coincident borders.
+/// Returns the velocity of each vertex, given one speed per vertex. Throws InputError for
+/// coincident borders.
 std::vector<Vec3> huygens_velocities(const Mesh& mesh, std::span<const double> speeds);
 
 }  // namespace transformesh

@@ -40,7 +40,8 @@ class NrrdReader {
   }
 
  private:
-  /// Reads lines up to an empty one: `name: value`, `key:=value`, or a comment.
+  /// Reads the lines of the header up to an empty line. A line is `name: value`, `key:=value`, or a
+  /// comment.
   void read_header() {
     std::string_view rest = source_.bytes;
     for (bool is_first = true;; is_first = false) {
@@ -110,7 +111,8 @@ class NrrdReader {
           "the NRRD header does not state the byte order: write 'endian: little' or 'endian: big'");
   }
 
-  /// Returns the number of axes. Components, if there are several, are the first axis.
+  /// Stores the sizes of the axes in `grid`, and returns the number of axes. If values have several
+  /// components, these are the first axis.
   std::size_t set_sizes(FlowGrid& grid) const {
     const std::size_t axes = components_ == 1 ? 3 : 4;
     if (numbers("dimension", 1)[0] != static_cast<double>(axes))
@@ -167,7 +169,7 @@ class NrrdReader {
 
   const Source& source_;
   std::size_t components_;
-  /// Fields by name; names of `key:=value` have '=' in front.
+  /// Fields of the header by name. Names of `key:=value` lines have '=' in front.
   std::map<std::string, std::string_view, std::less<>> fields_;
   std::string_view data_;
 };

@@ -30,8 +30,8 @@ Relaxation::Relaxation(const Unknowns& unknowns, Eigen::VectorXd masses, const M
   if (factors_.info() != Eigen::Success) refuse();
 }
 
-/// The stages k1 and k2 solve (M + g span K) k1 = M b and (M + g span K) k2 = M b - (1 - g) span K
-/// k1 with the coefficient g. The first equation gives K k1.
+/// Solve (M + g span K) k1 = M b and (M + g span K) k2 = M b - (1 - g) span K k1 for the stages k1
+/// and k2, where g is `diagonal`. The first equation gives K k1.
 Relaxation::Rows Relaxation::solved(const Rows& rates) const {
   const Rows right = masses_.asDiagonal() * rates;
   const Rows first = factors_.solve(right);

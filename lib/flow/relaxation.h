@@ -13,10 +13,11 @@
 
 namespace transformesh {
 
-/// The unknowns of a system among the vertices of a mesh. All others are fixed.
+/// The vertices of a mesh that are unknowns of a system of equations. All other vertices are fixed.
 struct Unknowns {
-  std::vector<Index> row_of;     ///< row of each vertex; no_index if the vertex is fixed
-  std::vector<Index> vertex_of;  ///< vertex of each row
+  /// For each vertex, its row in the equations; no_index if the vertex is fixed.
+  std::vector<Index> row_of;
+  std::vector<Index> vertex_of;  ///< for each row of the equations, its vertex
 };
 
 class Relaxation {
@@ -24,13 +25,13 @@ class Relaxation {
   using Matrix = Eigen::SparseMatrix<double>;
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// Factorizes the equations. Pre: `unknowns` outlives the object. Throws GoalError if they have
-  /// no solution in double precision.
+  /// Factorizes the equations. Pre: `unknowns` outlives the object. Throws GoalError if the
+  /// equations have no solution in double precision.
   Relaxation(const Unknowns& unknowns, Eigen::VectorXd masses, const Matrix& stiffness,
              double span);
 
-  /// Return y after the span for the rates b, both per vertex; zero at fixed vertices. Throw
-  /// GoalError if the result is not finite.
+  /// Return the solution y at the end of the span for the rates b. Both have one entry per vertex;
+  /// y is zero at fixed vertices. Throw GoalError if the result is not finite.
   std::vector<Vec3> after(const std::vector<Vec3>& rates) const;
   std::vector<double> after(const std::vector<double>& rates) const;
 

@@ -8,14 +8,15 @@
 namespace transformesh {
 namespace {
 
-/// A point counts as outside of a grid if its distance exceeds this fraction of the spacing. At 0,
-/// points on the boundary could count as outside because of rounding.
+/// A point counts as outside of a grid if its distance from the grid exceeds this fraction of the
+/// spacing of grid nodes. With 0, points on the boundary could count as outside because of
+/// rounding.
 constexpr double tolerance = 1e-6;
 
-/// Position between two neighboring nodes of an axis.
+/// Position along an axis, between two neighboring grid nodes.
 struct Place {
   std::size_t low = 0, high = 0;
-  double weight = 0;  ///< weight of the high node
+  double weight = 0;  ///< weight of the node with the higher index, in [0, 1]
   bool is_outside = false;
 };
 

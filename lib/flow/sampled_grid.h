@@ -1,4 +1,4 @@
-/// Values between the nodes of grids: trilinear in space, linear in time.
+/// Interpolates values between the nodes of grids: trilinear in space, linear in time.
 #pragma once
 
 #include <vector>
@@ -7,22 +7,23 @@
 
 namespace transformesh {
 
-/// Grids of one quantity at one or more times.
+/// Grids of one quantity, such as velocity, at one or more points in time.
 class GridSeries {
  public:
-  /// Sorts the grids by time. Throws UsageError if there is none, or if the numbers of values,
+  /// Sorts the grids by time. Throws UsageError if there is no grid, or if the numbers of values,
   /// nodes and components do not agree. Throws InputError if one of several grids has no time, or
-  /// if two have the same.
+  /// if two grids have the same time.
   GridSeries(std::vector<FlowGrid> grids, std::size_t components);
 
-  /// Two grids and the weight of the second one.
+  /// Two grids with consecutive times, and the weight of the second one.
   struct Interval {
     const FlowGrid* first = nullptr;
     const FlowGrid* second = nullptr;
     double weight = 0;
-    bool is_outside = false;  ///< the time is before the first grid or after the last one
+    bool is_outside = false;  ///< true if the time is before the first grid or after the last one
   };
-  /// Returns the grids before and after a time; the nearest grid twice if the time is outside.
+  /// Returns the last grid before a time and the first grid after it. If the time is outside of the
+  /// series, returns the nearest grid twice.
   Interval around(double time) const;
 
  private:
@@ -32,7 +33,8 @@ class GridSeries {
 /// The value of a grid at a point. If the grid has one component, only value.x() is used.
 struct GridValue {
   Vec3 value = Vec3::Zero();
-  bool is_outside = false;  ///< the point was clamped to the box of the nodes
+  /// True if the point was outside and was clamped to the box of the grid nodes.
+  bool is_outside = false;
 };
 
 GridValue value_at(const GridSeries::Interval& interval, const Vec3& point);

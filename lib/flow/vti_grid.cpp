@@ -66,7 +66,8 @@ class VtiReader {
     return result;
   }
 
-  /// Returns a grid without values. Extents are ranges of node indices; node 0 is at the origin.
+  /// Returns a grid without values, with origin, spacing and size from the XML. Extents are ranges
+  /// of node indices; node 0 is at the origin.
   FlowGrid frame_of(const Node& image, const Node& piece) const {
     const auto whole = numbers<6>(image, "WholeExtent", {});
     const auto extent = numbers<6>(piece, "Extent", whole);
@@ -90,9 +91,10 @@ class VtiReader {
     return grid;
   }
 
-  /// Returns the active array with `components_` components. If the file names none, returns the
-  /// only array with that many components, and fails if there are several. If there is no array of
-  /// the active one's name, returns the last one with that many components.
+  /// Returns the data array to read, which must have `components_` components. This is the active
+  /// array if `data` names one and the array exists. If the named array does not exist, returns the
+  /// last array with this number of components. If `data` names none, returns the only one, and
+  /// fails if there are several.
   Node array_in(const Node& data) const {
     const std::string active = data.attribute(components_ == 3 ? "Vectors" : "Scalars").value();
     Node found;

@@ -44,8 +44,8 @@ void AxisPath::cross(const Triangle& t, const Vec3& start, int axis) {
     is_certain_ = is_certain_ && collinear(t[0], t[1], t[2]);
     return;
   }
-  // `up` is the sign of the normal along the axis. The sign determines the side of an end at
-  // infinity.
+  // The sign of the face's normal along the axis. It determines on which side of the face an end of
+  // the path at infinity is.
   const int up = left ? 1 : -1;
   Vec3 end = start;
   end[axis] = to_[axis];
@@ -57,7 +57,7 @@ void AxisPath::cross(const Triangle& t, const Vec3& start, int axis) {
 }
 
 Vec3 spread_point(const Eigen::AlignedBox3d& box, int i) {
-  // The inverse powers of the positive root of x^4 = x + 1.
+  // Powers 1 / g, 1 / g^2 and 1 / g^3, where g is the positive root of x^4 = x + 1.
   constexpr std::array<double, 3> step{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
   Vec3 point;
   for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 /// Change of the winding number of a closed oriented mesh along a path parallel to the axes. Faces
 /// are added one by one, in any order, so that they can come from a stream. Exact predicates decide
-/// on each crossing. Deterministic; O(1) per face.
+/// whether the path crosses a face. Deterministic; O(1) per face.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
-// Composes source points along a chain of meshes, and carries columns to source points. Corner
-// lists such as texture coordinates are carried without crossing seams. Cost: O(n log n) for
-// closest points, and O(1) per source point otherwise. Floating point; deterministic.
+// Composes source points (faces with barycentric coordinates) along a chain of meshes, and carries
+// columns to them, texture coordinates without crossing seams. Cost: O(n log n) for closest points,
+// and O(1) per source point otherwise. Floating point; deterministic.
 #include "transformesh/carry.h"
 
 #include <algorithm>
@@ -20,22 +20,21 @@ namespace {
 
 constexpr std::size_t places_per_task = 1024;  ///< affects time only
 
-/// Maps source points on an intermediate mesh to source points on the first mesh.
+/// Maps points of an intermediate mesh (face, barycentric coordinates) to points of the first mesh.
 class Composition {
  public:
   Composition(const Mesh& first, const SourcePoints& middle_on_first, const Mesh& middle)
       : first_(first), on_first_(middle_on_first), middle_(middle), closest_(first) {}
 
-  /// Returns the source point of a vertex at `place`. The result is exact if the vertex is at a
-  /// corner, or if all corners with nonzero weight come from one face.
+  /// Returns the source point on the first mesh of a vertex that is at `place` on the intermediate
+  /// mesh. Exact if `place` is a corner, or if all corners with nonzero weight come from one face.
   SourcePoint of_vertex(const SourcePoint& place) const {
     const std::array<SourcePoint, 3> corners = corners_of(place.face);
     const auto weights = place.weights();
     const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
     const SourcePoint& main = corners[static_cast<std::size_t>(heaviest)];
     if (weights[static_cast<std::size_t>(heaviest)] == 1) return main;
-    // The corners may come from faces that meet at an angle; the vertex then gets their mean
-    // normal.
+    // If the corners come from faces that meet at an angle, use the weighted mean of their normals.
     Vec3 normal = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i)
       normal += weights[i] * face_normal(first_, corners[i].face).stableNormalized();
@@ -43,7 +42,8 @@ class Composition {
                                                : mean_on_surface(place, corners, normal);
   }
 
-  /// Returns the source point of a face. Exact if the face and its corners come from one face.
+  /// Returns the source point on the first mesh of a face whose centroid is at `place` on the
+  /// intermediate mesh. Exact if the face at `place` and its corners come from one face.
   SourcePoint of_face(const SourcePoint& place) const {
     const std::array<SourcePoint, 3> corners = corners_of(place.face);
     const Index own = on_first_.of_faces[place.face].face;
@@ -59,9 +59,9 @@ class Composition {
   /// distance.
   static constexpr double same_distance = 1e-4;
 
-  /// Returns the mean of the corners' source points, projected onto a face of the first mesh. This
-  /// is the face from which the intermediate face comes, if the mean is on that face. Otherwise it
-  /// is the nearest face with a similar normal.
+  /// Returns the mean position of the corners' source points, projected onto a face of the first
+  /// mesh. This is the face from which the intermediate face comes, if the mean is on that face.
+  /// Otherwise it is the nearest face with a similar normal.
   SourcePoint mean_on_surface(const SourcePoint& place, const std::array<SourcePoint, 3>& corners,
                               const Vec3& normal) const {
     const Index own = on_first_.of_faces[place.face].face;
@@ -91,7 +91,7 @@ class Composition {
     return most;
   }
 
-  /// True if all places with nonzero weight are on the face.
+  /// True if all source points in `places` with nonzero weight are on the face.
   static bool are_on(Index face, const std::array<SourcePoint, 3>& places,
                      const std::array<double, 3>& weights) {
     for (std::size_t i = 0; i < 3; ++i)
@@ -118,8 +118,8 @@ class Composition {
   ClosestPointQuery closest_;
 };
 
-/// Texture coordinates of the first mesh. Two neighbors with equal values at their common edge are
-/// continuous; otherwise the edge is a seam.
+/// Texture coordinates of the first mesh. If two neighboring faces have different values at their
+/// common edge, the edge is a seam.
 class Texture {
  public:
   Texture(const Mesh& mesh, const Column& column)
@@ -128,7 +128,7 @@ class Texture {
         across_(neighbors_across(Edges(mesh), mesh.faces.size())),
         is_reached_(mesh.faces.size(), 0) {}
 
-  /// Appends the values of a face, given the source points of its corners and its centroid.
+  /// Appends the texture coordinates of a face, given the source points of corners and centroid.
   void append_face(const std::array<SourcePoint, 3>& corners, const SourcePoint& middle,
                    Column& to) {
     gather_around(middle, corners);
@@ -147,8 +147,8 @@ class Texture {
                           weights[2] * values[2 * width + i]);
   }
 
-  /// Collects in `gathered_` the faces around the centroid that are reached without crossing a
-  /// seam, up to the distance of the corners. Nearer faces come first.
+  /// Collects in `gathered_` the faces within the corners' distance from the centroid, to which a
+  /// breadth-first search leads without crossing a seam.
   void gather_around(const SourcePoint& middle, const std::array<SourcePoint, 3>& corners) {
     const Vec3 center = position_of(mesh_, middle);
     reach_ = 0;
@@ -167,7 +167,7 @@ class Texture {
       }
   }
 
-  /// Returns the nearest point on the gathered faces; ties are broken by the order of gathering.
+  /// Returns the point on faces in `gathered_` nearest to `place`; of equals, on the first face.
   SourcePoint nearest_gathered(const SourcePoint& place) const {
     const Vec3 point = position_of(mesh_, place);
     Index nearest = gathered_[0];
@@ -212,7 +212,7 @@ class Texture {
                           values.size() / 3);
   }
 
-  static constexpr double slack = 1e-9;  ///< for rounding; relative to `reach_`
+  static constexpr double slack = 1e-9;  ///< margin for rounding errors, relative to `reach_`
 
   const Mesh& mesh_;
   const Column& column_;

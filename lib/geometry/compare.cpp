@@ -1,6 +1,6 @@
-// Compares two surfaces by the distances of samples and vertices of each surface from the other.
-// Cost: O((n + samples) log n) on usual meshes. Floating point; deterministic for any number of
-// threads.
+// Compares two surfaces: measures the distances of sample points and vertices of each surface from
+// the other surface. Cost: O((n + samples) log n) on usual meshes. Floating point; deterministic
+// for any number of threads.
 #include "transformesh/compare.h"
 
 #include <algorithm>
@@ -20,18 +20,23 @@
 namespace transformesh {
 namespace {
 
-/// Fraction of the samples within the distance that is reported as accuracy.
+/// The reported accuracy is the distance below which this fraction of the samples is.
 constexpr double accuracy_share = 0.9;
-constexpr double default_distance_share = 0.01;  ///< fraction of the diagonal of the reference
+/// Default of CompareOptions::distance, as a fraction of the bounding box diagonal of the
+/// reference.
+constexpr double default_distance_share = 0.01;
 constexpr double largest_extent = 1e75;
-constexpr std::size_t points_per_task = 256;      ///< affects time only
-constexpr std::size_t points_per_report = 16384;  ///< interval of progress reports
-/// Every 61st point is tested before the other points. A choice that affects only the time.
+constexpr std::size_t points_per_task = 256;  ///< affects time only
+/// Number of points between two reports of progress.
+constexpr std::size_t points_per_report = 16384;
+/// Every 61st point is tested before the other points, to find a large distance early. A choice
+/// that affects only the time.
 constexpr std::size_t vanguard = 61;
-/// Factor that is less than 1 by more than the relative rounding error of a distance.
+/// A factor slightly below 1. The difference from 1 exceeds the relative rounding error of a
+/// distance.
 constexpr double certainly = 1 - 1e-12;
 
-/// Distance to the faces of a mesh, or to its vertices if it has no faces.
+/// Distance of a point to the faces of a mesh, or to its vertices if it has no faces.
 class Distance {
  public:
   explicit Distance(const Mesh& mesh) : mesh_(mesh) {
@@ -70,8 +75,8 @@ std::vector<Vec3> used_vertices(const Mesh& mesh) {
   return mesh.faces.empty() ? mesh.positions : used_positions(mesh);
 }
 
-/// Distances in one direction. Distances of vertices replace those of samples if there are no
-/// samples.
+/// Distances from one mesh to the other. `by_area` has the distances of samples, or of vertices if
+/// there are no samples.
 struct OneWay {
   std::vector<double> by_area;
   double largest = 0;
@@ -119,7 +124,7 @@ void check_comparable(const Mesh& mesh, const Mesh& reference) {
   check_extent(mesh, reference);
 }
 
-/// Returns the smallest value that is not below the fraction `share` of the values.
+/// Returns the smallest value v such that at least the fraction `share` of the values is at most v.
 double quantile(std::vector<double> values, double share) {
   const double rank = std::ceil(share * static_cast<double>(values.size()));
   const auto nth = values.begin() + (static_cast<std::ptrdiff_t>(rank) - 1);
@@ -143,8 +148,8 @@ std::vector<std::size_t> vanguard_first(std::size_t count) {
   return order;
 }
 
-/// Returns the distances of the points, or 0 for points that are certainly closer than `least`. The
-/// face that proves this for one point is the hint for the next point.
+/// Returns the distances of the points from the mesh, or 0 for points that are certainly closer
+/// than `least`. The search for a point starts at the face that was found for the previous point.
 std::vector<double> distances_beyond(std::span<const Vec3> points,
                                      std::span<const std::size_t> numbers,
                                      const ClosestPointQuery& closest, double least) {
@@ -164,8 +169,9 @@ std::vector<double> distances_beyond(std::span<const Vec3> points,
       hint = found.face;
     }
   };
-  // A run is a sequence of points in which the closest face of one point is the hint for the next.
-  // Its length does not depend on the number of threads, and neither do the hints.
+  // Points are processed in runs of consecutive points. The search for a point starts at the face
+  // found for the previous point of its run. The length of runs does not depend on the number of
+  // threads, and neither do the results.
   const std::size_t runs = (numbers.size() + points_per_task - 1) / points_per_task;
   parallel_for(runs, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t run = first; run < last; ++run) take_run(run);
@@ -174,8 +180,8 @@ std::vector<double> distances_beyond(std::span<const Vec3> points,
 }
 
 // Updates the farthest point. Points are processed in blocks of growing size, so that most points
-// are compared with a large distance. The points of a block are compared with the same distance, so
-// the result does not depend on their order. Ties are broken by the lowest index.
+// need only be compared with a large distance. All points of a block are compared with the same
+// distance, so the result does not depend on their order. Ties are broken by the lowest index.
 void take_farthest(std::span<const Vec3> points, const ClosestPointQuery& closest,
                    Farthest& farthest) {
   const std::vector<std::size_t> order = vanguard_first(points.size());

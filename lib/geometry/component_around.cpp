@@ -14,7 +14,7 @@
 namespace transformesh {
 namespace {
 
-/// Returns a power of two such that fourth powers of scaled coordinates do not overflow.
+/// Returns a power of two for scaling coordinates, such that their fourth powers do not overflow.
 double safe_scale(const Mesh& mesh, const Vec3& point) {
   const Box box = bounding_box(mesh);
   const double largest =
@@ -30,7 +30,7 @@ double distance_to(const Mesh& mesh, const Face& face, const Vec3& point, double
 }
 
 bool contains(const Mesh& mesh, const std::vector<Index>& faces, const Vec3& point) {
-  // Winding numbers depend on the surface only, not on shared vertices.
+  // Copy the faces with separate vertices: winding numbers do not depend on shared vertices.
   Mesh soup;
   for (const Index f : faces) {
     const auto first = static_cast<Index>(soup.positions.size());
@@ -57,7 +57,8 @@ ComponentAround component_around(const Mesh& mesh, const Vec3& point) {
     faces[all.of_face[f]].push_back(f);
   }
 
-  // Choose the closest component that contains the point, or the closest one if none does.
+  // Find the closest component that contains the point, or the closest component if none contains
+  // it.
   std::vector<std::size_t> order(faces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

@@ -19,12 +19,13 @@
 namespace transformesh {
 
 struct ComponentAround {
-  std::vector<bool> faces;  ///< membership of each face in the component, for select_faces()
+  /// For each face, whether it belongs to the component; for select_faces().
+  std::vector<bool> faces;
   bool contains_point = false;
   double distance = 0;  ///< distance of the point from the surface, in input units
 };
 
-/// Throws InputError if the mesh has no faces.
+/// Selects the component around the point. Throws InputError if the mesh has no faces.
 ComponentAround component_around(const Mesh& mesh, const Vec3& point);
 
 }  // namespace transformesh

@@ -10,8 +10,8 @@
 
 namespace transformesh {
 
-/// An edge of several faces. It counts as often as faces traverse it from `low` to `high`, less the
-/// faces that traverse it in the other direction.
+/// An edge of one or more faces. Its count is the number of faces that traverse it from `low` to
+/// `high`, minus the number that traverse it in the other direction.
 struct CountedEdge {
   Index low, high;
   int count;

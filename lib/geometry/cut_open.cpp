@@ -40,8 +40,8 @@ class OpenCut {
       is_behind = is_behind && distances_[v] <= 0;
       is_in_plane = is_in_plane && distances_[v] == 0;
     }
-    // A face in the plane is kept if its normal is opposite to the normal of the plane. Such a face
-    // bounds the part in front of the plane.
+    // Drop a face in the plane unless its normal is opposite to the normal of the plane. Only such
+    // a face bounds the part in front of the plane.
     if (is_in_plane ? face_normal(mesh_, f).dot(distances_.normal()) >= 0 : is_behind) return;
     add_polygon(part_in_front(face), f);
   }

@@ -16,8 +16,10 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 256;  ///< affects time only
-constexpr double undecided = 0.25;  ///< winding numbers below this, including their error, are 0
-constexpr double rounding = 1e-14;  ///< bound of the rounding error, relative to coordinates
+/// Winding numbers closer to 0 than this, including their error, count as 0.
+constexpr double undecided = 0.25;
+/// Bound of the rounding error of distances, relative to coordinates.
+constexpr double rounding = 1e-14;
 
 void extend(Box& box, std::span<const Triangle> triangles) {
   for (const Triangle& triangle : triangles)
@@ -28,7 +30,8 @@ FloatBox widened(const Box& box, double by) {
   return float_box(box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by));
 }
 
-/// True if the segment intersects the triangle; exact. False if both are coplanar.
+/// True if the segment intersects the triangle; exact. False if the segment is in the plane of the
+/// triangle.
 bool pierces(const Vec3& from, const Vec3& to, const Triangle& triangle) {
   const auto& [a, b, c] = triangle;
   const int side_from = orient3d(a, b, c, from);
@@ -40,7 +43,8 @@ bool pierces(const Vec3& from, const Vec3& to, const Triangle& triangle) {
   return first * second >= 0 && second * third >= 0 && third * first >= 0;
 }
 
-/// True if the triangle is certainly on one side of the plane, at least at the given distance.
+/// True if the triangle is on one side of a plane, at least at the given distance from it. The
+/// plane contains `point` and has the unit normal `normal`.
 bool is_beyond(const Triangle& triangle, const Vec3& point, const Vec3& normal, double distance) {
   const double a = normal.dot(triangle[0] - point);
   const double b = normal.dot(triangle[1] - point);
@@ -52,9 +56,9 @@ Vec3 unit_normal(const Triangle& triangle) {
   return normal_of(triangle[0], triangle[1], triangle[2]).stableNormalized();
 }
 
-/// Returns the squared distance of two segments. The result may be too large for nearly parallel
-/// segments; then a distance from an end is equally small. Reference: Ericson, "Real-time collision
-/// detection", 2005, 5.1.9.
+/// Returns the squared distance of two segments. For nearly parallel segments the result may be too
+/// large. In this case the distance of an end of one segment from the other segment is the least
+/// distance. Reference: Ericson, "Real-time collision detection", 2005, 5.1.9.
 double squared_segment_distance(const Vec3& p, const Vec3& p_end, const Vec3& q,
                                 const Vec3& q_end) {
   const Vec3 d = p_end - p;
@@ -167,8 +171,8 @@ bool KeepOut::meets(Triangles sides, const std::vector<Index>& faces) const {
   return !sides.empty() && !(least_distance(sides, faces, gap_) > 0);
 }
 
-/// True if a face is inside the volume that the triangles enclose. The face must not intersect
-/// them.
+/// True if a face of the surface is inside the volume between the triangles `made` and `replaced`,
+/// which `sides` close. The face must not intersect them.
 bool KeepOut::is_between(Triangles made, Triangles replaced, Triangles sides, Index face) const {
   Mesh around;
   add_to(around, made, false);
@@ -187,7 +191,7 @@ bool KeepOut::allows(Triangles made, Triangles replaced, Triangles sides) const 
     return false;
   if (meets(sides, faces)) return false;
 
-  // Enclosed faces have all corners in this box.
+  // Bounding box of the volume. Faces inside the volume have all corners in it.
   Box box;
   for (const Triangles part : {made, replaced, sides}) extend(box, part);
   return std::ranges::none_of(faces, [&](Index face) {

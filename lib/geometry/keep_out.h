@@ -31,20 +31,21 @@ class KeepOut {
   /// Returns the distance of the triangle from the surface, or `bound` if that is smaller.
   double distance(const Triangle& triangle, double bound) const;
 
-  /// True if the triangles `made` may replace those in `replaced`. Both must have the same
-  /// boundary, or `sides` must close the space between their boundaries, oriented like `made`.
-  /// `sides` may be closer to the surface than the gap, but may not intersect it.
+  /// True if the triangles `made` may replace those in `replaced`. Both regions must have the same
+  /// boundary, or the triangles `sides` must close the space between their boundaries, oriented
+  /// like `made`. `sides` may be closer to the surface than the gap, but may not intersect it.
   bool allows(std::span<const Triangle> made, std::span<const Triangle> replaced,
               std::span<const Triangle> sides = {}) const;
 
-  /// Returns the number of faces of the mesh that are closer than the gap. Throws InputError with
-  /// the place if a face intersects the surface. Parallel.
+  /// Returns the number of faces of the mesh that are closer to the surface than the gap. Throws
+  /// InputError, with the location, if a face intersects the surface. Parallel.
   std::size_t count_near(const Mesh& mesh) const;
 
  private:
   using Triangles = std::span<const Triangle>;
   std::vector<Index> faces_near(Triangles made, Triangles replaced, Triangles sides) const;
-  /// Returns the least distance of the triangles from the faces, or `enough` if that is smaller.
+  /// Returns the least distance of the triangles from the given faces of the surface, or `enough`
+  /// if that is smaller.
   double least_distance(Triangles triangles, const std::vector<Index>& faces, double enough) const;
   bool is_apart(const Triangle& triangle, const Vec3& normal, Index face, double distance) const;
   bool meets(Triangles sides, const std::vector<Index>& faces) const;

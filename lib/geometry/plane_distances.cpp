@@ -22,7 +22,8 @@ PlaneDistances::Crossing PlaneDistances::crossing(Index a, Index b) const {
   const double weight = distances_[low] / (distances_[low] - distances_[high]);
   const Vec3& from = mesh_.positions[low];
   Vec3 position = from + weight * (mesh_.positions[high] - from);
-  // Project onto the plane once more. For a plane perpendicular to an axis, the result is exact.
+  // Project the point onto the plane once more, to reduce its rounding error. For a plane
+  // perpendicular to an axis, the result is exact.
   position -= (normal_.dot(position) - offset_) * normal_;
   return {low, high, weight, position};
 }

@@ -27,7 +27,7 @@ class PlaneDistances {
   };
   /// Returns the intersection of an edge with the plane; independent of the direction of the edge.
   Crossing crossing(Index a, Index b) const;
-  const Vec3& normal() const { return normal_; }  ///< unit length
+  const Vec3& normal() const { return normal_; }  ///< normal of the plane, of unit length
 
  private:
   const Mesh& mesh_;

@@ -42,9 +42,9 @@ std::optional<int> RayCastWinding::cast(const Vec3& point, int axis, bool toward
   int winding = 0;
   bvh_.visit_overlaps(ray, [&](Index face) {
     const Triangle t = triangle_of(*mesh_, face);
-    // Orientation of the projected face around the line through the point, in axis direction. It
-    // is +1 if the line leaves the face at its front, -1 at its back, and 0 at the boundary. There
-    // is none if the line misses the face.
+    // Orientation of the projected face around the line through the point in axis direction. It is
+    // +1 if the line leaves the face at its front, -1 at its back, and 0 if the line meets the
+    // boundary of the face. Nothing if the line misses the face.
     const std::optional<int> turn =
         common_sign(orient2d(t[0], t[1], point, view), orient2d(t[1], t[2], point, view),
                     orient2d(t[2], t[0], point, view));

@@ -1,6 +1,6 @@
 /// Winding numbers of a closed oriented mesh at points, by counting the faces that a ray along an
-/// axis crosses. Exact predicates decide on each crossing, so the number is exact. A ray that meets
-/// an edge, a corner or a face parallel to it is replaced by one in another direction.
+/// axis crosses. Exact predicates decide on each crossing, so the number is exact. If a ray meets
+/// an edge, a corner or a face parallel to it, a ray in another direction is used instead.
 /// (SolidAngleWinding sums solid angles instead: for any mesh, in floating point, in O(faces) per
 /// point.)
 ///

@@ -1,6 +1,6 @@
-// Samples points on a surface, either a number of points by area or as a Poisson disk. Reference:
-// Cline, Jeschke, White, Razdan & Wonka, "Dart throwing on surfaces", Computer Graphics Forum
-// 28(4), 2009. Cost: O(n + points) on usual meshes.
+// Samples points on a surface: a given number of points uniformly by area, or a Poisson disk
+// sampling with a given distance. Reference: Cline, Jeschke, White, Razdan & Wonka, "Dart throwing
+// on surfaces", Computer Graphics Forum 28(4), 2009. Cost: O(n + points) on usual meshes.
 #include "transformesh/sample.h"
 
 #include <Eigen/Geometry>
@@ -21,15 +21,18 @@
 namespace transformesh {
 namespace {
 
-constexpr double most_points = 1e8;   ///< limit of memory and time
-constexpr double darts_per_disk = 2;  ///< initial number of darts per area of distance^2
-/// Parts of faces below this size, as a fraction of the distance, are not split further.
+constexpr double most_points = 1e8;  ///< largest number of points; limits memory and time
+/// Number of darts (random sample points) per area distance^2 that are thrown first.
+constexpr double darts_per_disk = 2;
+/// Parts of faces smaller than this fraction of the sampling distance are not split further.
 constexpr double tolerance = 1e-9;
-/// Parts of faces below this size, in spacings of coordinates, are not split further.
+/// Parts of faces smaller than this many spacings of floating-point coordinates are not split
+/// further.
 constexpr double roundings = 16;
-constexpr std::size_t darts_per_report = 16384;  ///< interval of progress reports
+/// Number of darts between two reports of progress.
+constexpr std::size_t darts_per_report = 16384;
 
-/// A part of a face, given by barycentric coordinates of its corners.
+/// A triangle inside a face, given by the barycentric coordinates of its corners.
 struct Part {
   Index face = 0;
   std::array<Vec3, 3> corners{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -46,7 +49,8 @@ class PoissonDisk {
 
   std::vector<SurfacePoint> sample(std::size_t darts, std::uint64_t seed,
                                    const Progress& progress) {
-    // Throw darts uniformly by area, in random order, and keep those that are free.
+    // Throw darts (random points) uniformly by area, in random order. Keep a dart if no kept dart
+    // is closer than the sampling distance.
     std::vector<SurfacePoint> thrown = surface_points(mesh_, darts, seed);
     for (std::size_t i = thrown.size(); i > 1; --i)
       std::swap(thrown[i - 1],
@@ -57,7 +61,7 @@ class PoissonDisk {
       add_if_free(thrown[i]);
     }
 
-    // Fill the remaining gaps.
+    // Add points where the surface is not covered yet by disks around the kept points.
     const auto faces = static_cast<Index>(mesh_.faces.size());
     for (Index face = 0; face < faces; ++face) {
       if (face % darts_per_report == 0)
@@ -86,7 +90,7 @@ class PoissonDisk {
     return true;
   }
 
-  /// True if one disk covers the whole triangle.
+  /// True if the disk around one kept point covers the whole triangle.
   bool is_covered(const Triangle& corners) const {
     return grid_.find_around(corners[0], [&](Index point) {
       const Vec3& center = points_[point].position;
@@ -95,7 +99,8 @@ class PoissonDisk {
     });
   }
 
-  /// Throws darts into the uncovered parts of a face. Parts are split until they are covered.
+  /// Throws darts (random points) into the uncovered parts of a face. Parts are split until they
+  /// are covered.
   void fill(Index face) {
     std::vector<Part> parts{{face}};
     while (!parts.empty()) {
@@ -155,7 +160,7 @@ class PoissonDisk {
 
   const Mesh& mesh_;
   double distance_;
-  double smallest_;  ///< size below which parts are not split
+  double smallest_;  ///< longest edge below which parts of faces are not split
   Random random_;
   HashedGrid grid_;
   std::vector<SurfacePoint> points_;
@@ -182,7 +187,7 @@ std::vector<SurfacePoint> poisson_disk(const Mesh& mesh, const SampleOptions& op
   return PoissonDisk(mesh, options.distance, options.seed).sample(darts, options.seed, progress);
 }
 
-/// Returns the unit normal, for faces of any size, or zero if all corners are equal.
+/// Returns the unit normal of a face of any size, or zero if all corners are equal.
 Vec3 unit_normal(const Triangle& corners) {
   const Vec3 u = corners[1] - corners[0];
   const Vec3 v = corners[2] - corners[0];
@@ -191,7 +196,7 @@ Vec3 unit_normal(const Triangle& corners) {
   return (u / size).cross(v / size).stableNormalized();
 }
 
-/// Copies the columns of faces to the points on them.
+/// Copies the columns of faces to the sample points on these faces.
 void take_face_columns(const Mesh& mesh, const std::vector<SurfacePoint>& points, Mesh& result) {
   std::vector<Index> faces;
   for (const SurfacePoint& point : points) faces.push_back(point.face);

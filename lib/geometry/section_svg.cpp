@@ -10,10 +10,11 @@ namespace transformesh {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
-constexpr double margin = 0.02;  ///< around the drawing, as a fraction of its larger side
+/// Width of the margin around the drawing, as a fraction of its larger side.
+constexpr double margin = 0.02;
 
-/// Axes of the drawing: x to the right and y upwards. If the normal is z, these are the coordinate
-/// axes.
+/// Axes of a drawing in a plane: x points to the right and y upwards. If the normal of the plane is
+/// the z axis, these are the coordinate axes.
 struct DrawingPlane {
   Vec3 right, up;
 
@@ -25,7 +26,7 @@ struct DrawingPlane {
     right = (right - n.dot(right) * n).normalized();
     up = n.cross(right);
   }
-  /// The y axis of SVG points downwards.
+  /// Returns the position of a point in the drawing. The y axis of SVG points downwards.
   Vec2 operator()(const Vec3& point) const { return {right.dot(point), -up.dot(point)}; }
 };
 
@@ -33,7 +34,7 @@ std::string text_of(const Vec2& point) {
   return shortest_text(point.x()) + ' ' + shortest_text(point.y());
 }
 
-/// Joins segments to chains of points. A segment continues the chain that ends at its start.
+/// Joins segments to polylines. A segment is appended to the polyline that ends at its start.
 std::vector<std::vector<Vec3>> chains_of(const std::vector<std::pair<Vec3, Vec3>>& segments) {
   const auto less = [](const Vec3& a, const Vec3& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);

@@ -15,18 +15,19 @@
 namespace transformesh {
 
 struct BoundedWindingNumber {
-  double number = 0;  ///< an integer up to rounding if the mesh is closed
-  double error = 0;   ///< bound of the distance from the exact sum; 1 or more on the surface
+  double number = 0;  ///< winding number; an integer up to rounding if the mesh is closed
+  double error = 0;   ///< bound of the error of `number`; 1 or more if the point is on the surface
 
-  /// True if rounded() is certainly the exact number. Never true on the surface, and rarely for a
-  /// mesh that is not closed.
+  /// True if rounded() is certainly the exact winding number. Never true on the surface, and rarely
+  /// for a mesh that is not closed.
   bool is_decided() const { return error < 0.25 && std::abs(number - std::round(number)) <= error; }
   int rounded() const { return static_cast<int>(std::lround(number)); }
 };
 
 class SolidAngleSum {
  public:
-  /// The sum at `point`. Coordinates are at most `largest` in size, and no product overflows.
+  /// Starts a sum at `point`. All coordinates, also those of triangles added later, must be at most
+  /// `largest` in absolute value. Then no product overflows.
   SolidAngleSum(const Vec3& point, double largest)
       : scale_(safe_scale(std::max(largest, point.cwiseAbs().maxCoeff()))),
         origin_(point * scale_) {}
@@ -37,13 +38,14 @@ class SolidAngleSum {
     return offset / offset.norm();
   }
 
-  /// Adds the triangle whose corners are in these directions. Half of its solid angle is the
-  /// argument of a complex number.
+  /// Adds the triangle whose corners are in these directions from the point. Half of its solid
+  /// angle is the argument of the complex number (real, imaginary).
   void add(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double imaginary = a.dot(b.cross(c));
     const double real = 1 + a.dot(b) + b.dot(c) + c.dot(a);
     const double size = std::max(std::abs(real), std::abs(imaginary));
-    // At an edge or vertex the angle is undefined; on a face its sign is uncertain.
+    // If the point is on an edge or vertex, the angle is undefined; if it is on the face, the sign
+    // is uncertain. Add 1 to the error bound.
     if (!(size > part_error) || (real < 0 && std::abs(imaginary) <= part_error)) {
       error_ += 1;
       return;
@@ -59,18 +61,18 @@ class SolidAngleSum {
   }
 
  private:
-  /// Bound of the rounding error of the real or imaginary part of a face's complex number. Unit
-  /// vectors produce it in fewer than 60 roundings of numbers up to 1.
+  /// Bound of the rounding error of the real and imaginary part of the complex number of a face.
+  /// They result from unit vectors in fewer than 60 roundings of numbers up to 1.
   static constexpr double part_error = 1e-14;
 
-  /// Returns a power of two such that numbers up to `largest` can be squared and added without
-  /// overflow.
+  /// Returns a power of two as factor, such that numbers up to `largest` can be squared and added
+  /// without overflow.
   static double safe_scale(double largest) {
     return largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1;
   }
 
-  /// Multiplies by a complex number; counts a turn where the angle leaves (-pi, pi]. Angles in
-  /// [0, pi] have an imaginary part of at least 0.
+  /// Multiplies the product by a complex number, and counts a turn if the sum of the angles leaves
+  /// (-pi, pi]. An angle is in [0, pi] if the imaginary part is at least 0.
   void turn(double other_real, double other_imaginary) {
     const bool was_up = imaginary_ >= 0;
     const bool adds_up = other_imaginary >= 0;

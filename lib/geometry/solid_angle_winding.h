@@ -20,7 +20,7 @@ class SolidAngleWinding {
   explicit SolidAngleWinding(const Mesh& mesh);
 
   BoundedWindingNumber operator()(const Vec3& point) const;
-  /// Evaluates many points in parallel.
+  /// Returns the winding numbers at many points, computed in parallel.
   std::vector<BoundedWindingNumber> operator()(std::span<const Vec3> points) const;
 
  private:

@@ -24,7 +24,8 @@ double share(double part, double whole) {
   return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0;
 }
 
-// Returns the place on the edge from corner `edge` to the next. Coordinates of corners are exact.
+// Returns the source point on the edge from corner `edge` to the next corner of the face. Exact if
+// the point is a corner.
 SourcePoint on_edge(Index face, int edge, double along) {
   std::array<double, 3> weights{};
   weights[static_cast<std::size_t>(edge)] = 1 - along;
@@ -47,8 +48,8 @@ SourcePoint nearest_on_edge(Index face, const std::array<Vec3, 3>& corners, int 
   return on_edge(face, edge, share(direction.dot(point - from), direction.squaredNorm()));
 }
 
-// Returns the nearest place on the faces from which the faces at the vertex come. Ties are broken
-// by the lowest face.
+// Returns the place nearest to the point on the source faces of the faces at a vertex. Ties are
+// broken by the lowest face index.
 SourcePoint nearest_of(const Mesh& source, const Vec3& point, std::span<const Index> faces,
                        std::span<const double> face_sources) {
   double least = HUGE_VAL;
@@ -64,8 +65,8 @@ SourcePoint nearest_of(const Mesh& source, const Vec3& point, std::span<const In
   return nearest;
 }
 
-// Returns the area-weighted normal of each vertex. Slivers, whose normals are unreliable, have
-// hardly any weight.
+// Returns the area-weighted normal of each vertex, not normalized. Slivers, whose normals are
+// unreliable, have hardly any weight.
 std::vector<Vec3> sums_of_normals(const Mesh& mesh) {
   std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
   for (Index f = 0; f < mesh.faces.size(); ++f)
@@ -107,7 +108,7 @@ void write(Columns& columns, std::span<const SourcePoint> places) {
   put(v_name, Scalar::float64, [](const SourcePoint& place) { return place.v; });
 }
 
-/// Computes `place_of` for all indices, on all allowed threads.
+/// Returns place_of(i) for all indices i below `count`. Uses all allowed threads.
 template <typename PlaceOf>
 std::vector<SourcePoint> places_of_all(std::size_t count, const PlaceOf& place_of) {
   std::vector<SourcePoint> places(count);
@@ -126,8 +127,8 @@ SourcePoint source_point_on(const Mesh& source, Index face, const Vec3& point) {
   const TrianglePoint nearest =
       closest_point_of_triangle(point, corners[0], corners[1], corners[2]);
   if (nearest.part == TriangleSimplex::inside) {
-    // In a sliver, barycentric coordinates suffer from rounding, and a place on an edge may be
-    // nearer.
+    // For a sliver, barycentric coordinates of a point inside suffer from rounding. A point on an
+    // edge may be nearer.
     SourcePoint place = inside(face, nearest.point, corners[0], corners[1], corners[2]);
     const auto distance_of = [&](const SourcePoint& of) {
       return (position_of(source, of) - point).squaredNorm();

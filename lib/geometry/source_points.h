@@ -16,32 +16,35 @@
 
 namespace transformesh {
 
-/// Returns the place on a face that is nearest to the point.
+/// Returns the point of a source face that is nearest to the given point, with its barycentric
+/// coordinates.
 SourcePoint source_point_on(const Mesh& source, Index face, const Vec3& point);
 
 Vec3 position_of(const Mesh& source, const SourcePoint& place);
 
-/// True if both vertices and faces have the columns.
+/// True if both vertices and faces have the columns source_face, source_u and source_v.
 bool has_source_points(const Mesh& mesh);
 
-/// Returns source points of a mesh whose faces are pieces of faces of the source. `face_sources[f]`
-/// is the face from which face f is cut. Exact up to rounding if no vertex was moved.
+/// Returns the source points of a mesh whose faces are cut from faces of the source.
+/// `face_sources[f]` is the source face from which face f is cut. Exact up to rounding if no vertex
+/// was moved.
 SourcePoints source_points_of_pieces(const Mesh& source, const Mesh& mesh,
                                      std::span<const double> face_sources);
 
-/// Reads the columns source_face, source_u and source_v of vertices and faces. Throws InputError
-/// with `source_name` if these are missing or refer to a face beyond `source_faces`.
+/// Reads the columns source_face, source_u and source_v of vertices and faces. Throws InputError,
+/// which names `source_name`, if columns are missing or if a face index is not below
+/// `source_faces`.
 SourcePoints read_source_points(const Mesh& mesh, std::size_t source_faces,
                                 const std::string& source_name);
 
-/// Converts source points on `middle` to source points on `first`. `middle_on_first` contains the
-/// source points of `middle`. Exact at vertices of `middle`; elsewhere the error is about edge^2 /
-/// radius of curvature.
+/// Converts source points (faces with barycentric coordinates) on `middle` to source points on
+/// `first`. `middle_on_first` has the source points of the vertices and faces of `middle`. Exact at
+/// vertices of `middle`; elsewhere the error is about edge^2 / radius of curvature.
 SourcePoints compose_source_points(const Mesh& first, const SourcePoints& middle_on_first,
                                    const Mesh& middle, const SourcePoints& on_middle);
 
-/// Calls `change(mesh)`. If `is_wanted` is set, then writes source points: the closest places on
-/// the mesh before the change.
+/// Calls `change(mesh)`. If `is_wanted` is set, also stores the source point of each vertex and
+/// face: the closest point on the mesh before the change.
 template <typename Change>
 auto change_with_source_points(bool is_wanted, Mesh& mesh, const Change& change) {
   Mesh before;

@@ -7,8 +7,8 @@
 namespace transformesh {
 namespace {
 
-/// Returns a number in [0, 1) that depends on the arguments only. Reference: the finalizer of
-/// Steele, Lea & Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+/// Returns a pseudorandom number in [0, 1) that depends only on the arguments. Reference: the
+/// finalizer of Steele, Lea & Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
 double uniform(std::uint64_t seed, std::uint64_t sample, std::uint64_t draw) {
   std::uint64_t bits = seed * 0xd1342543de82ef95U + (3 * sample + draw + 1) * 0x9e3779b97f4a7c15U;
   bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9U;
@@ -33,8 +33,8 @@ std::vector<SurfacePoint> surface_points(const Mesh& mesh, std::size_t count, st
   const double total = surface_area(mesh);
   if (!(total > 0) || count == 0) return {};
 
-  // Sample k is at the point of the surface where the cumulative area reaches (k + random) / count
-  // of the total.
+  // Sample k is a random point on the face at which the sum of face areas, in face order, reaches
+  // the fraction (k + random) / count of the total area.
   std::vector<SurfacePoint> points;
   points.reserve(count);
   const double piece = total / static_cast<double>(count);

@@ -1,4 +1,4 @@
-/// Samples points uniformly on a surface.
+/// Samples points on a surface, uniformly by area.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ struct SurfacePoint {
   Vec3 position = Vec3::Zero();
 };
 
-/// Returns `count` points, uniform by area (stratified sampling). The surface is divided into
-/// `count` pieces of equal area in face order, and each piece gets one random point. Returns no
-/// points if the surface has no area. Cost: O(faces + count). The result is the same on every
-/// machine for the same mesh and seed.
+/// Returns `count` points, uniform by area (stratified by faces). The total area, summed in face
+/// order, is divided into `count` equal intervals. A random value in each interval selects a face,
+/// and the sample is a random point on this face. Returns no points if the surface has no area.
+/// Cost: O(faces + count). The result is the same on every machine for the same mesh and seed.
 std::vector<Vec3> surface_samples(const Mesh& mesh, std::size_t count, std::uint64_t seed);
 
 /// Returns the points of surface_samples() with their faces and barycentric coordinates.

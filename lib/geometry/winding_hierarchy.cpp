@@ -10,11 +10,13 @@
 namespace transformesh {
 namespace {
 
-/// Largest number of faces that are summed one by one near a point. Affects time only.
+/// Largest number of faces in a leaf of the tree. If a point is in the box of a leaf, its faces are
+/// summed one by one. Affects time only.
 constexpr std::size_t faces_per_leaf = 16;
 
-/// Share of the largest coordinate by which boxes are enlarged. Points that rounding has moved off
-/// a face are then in the boxes of this face. Far above rounding, and far below usual edges.
+/// Margin of boxes, as a fraction of the largest coordinate. Points that rounding has moved off a
+/// face are then still in the boxes of this face. Far above rounding errors, and far below usual
+/// edge lengths.
 constexpr double box_margin = 1e-9;
 
 }  // namespace
@@ -30,7 +32,8 @@ class WindingHierarchy::Builder {
     std::iota(tree_.order_.begin(), tree_.order_.end(), Index{0});
   }
 
-  /// Builds the nodes of a range of the order; returns the boundary of its faces.
+  /// Builds the tree of the faces in a range of `order_`. Returns the boundary edges of these
+  /// faces.
   CountedEdges build(Range faces) {
     const std::size_t number = tree_.nodes_.size();
     tree_.nodes_.emplace_back();
@@ -77,7 +80,8 @@ class WindingHierarchy::Builder {
     return boundary;
   }
 
-  // Halves the faces at the median along the longest side of their box.
+  // Divides the faces into two halves, at the median of their centers along the longest side of the
+  // box of centers. Returns the start of the second half.
   Index split(Range faces) {
     const auto at = [&](Index place) { return tree_.order_.begin() + place; };
     Box box;
@@ -125,8 +129,9 @@ class WindingHierarchy::Builder {
   WindingHierarchy& tree_;
   const Mesh& mesh_;
   std::vector<Vec3> centers_;
-  std::vector<Index> local_;  ///< for each vertex its number in the current node, or no_index
-  std::vector<Index> used_;   ///< vertices of the current node
+  /// For each vertex its index in the fan of the current node, or no_index.
+  std::vector<Index> local_;
+  std::vector<Index> used_;  ///< vertices in the fan of the current node, for resetting `local_`
 };
 
 struct WindingHierarchy::Query {

@@ -1,8 +1,8 @@
-/// Generalized winding numbers of a mesh at many points. A mesh with borders has any real number.
-/// Faces are in a tree of boxes. For a point outside a box, the faces in it are replaced by a fan
-/// of triangles over their common boundary. The faces and the reversed fan enclose a volume in the
-/// box, so faces and fan have the same solid angle at the point. This is no approximation; results
-/// differ from those of SolidAngleWinding by rounding only.
+/// Generalized winding numbers of a mesh at many points. For a mesh with borders, the winding
+/// number is any real number. Faces are in a tree of boxes. For a point outside a box, the faces in
+/// it are replaced by a fan of triangles over their common boundary. The faces and the reversed fan
+/// enclose a volume in the box, so faces and fan have the same solid angle at the point. This is no
+/// approximation; results differ from those of SolidAngleWinding by rounding only.
 ///
 /// Reference: Jacobson, Kavan & Sorkine-Hornung, "Robust inside-outside segmentation using
 /// generalized winding numbers", ACM TOG 32(4), 2013, section 4.
@@ -26,22 +26,22 @@ class WindingHierarchy {
   /// Keeps a reference to the mesh.
   explicit WindingHierarchy(const Mesh& mesh);
 
-  /// Returns the winding number of all faces except `left_out`. The point may be on a face that is
-  /// left out; on another face the number is undefined.
+  /// Returns the winding number of all faces except those in `left_out`. The point may be on a face
+  /// in `left_out`. On any other face the winding number is undefined.
   double operator()(const Vec3& point, std::span<const Index> left_out = {}) const;
 
  private:
-  /// Corners of a triangle, counted from the first vertex of its node.
+  /// Corners of a fan triangle, as indices relative to the first fan vertex of its node.
   using Corners = std::array<Index, 3>;
-  /// A range of a list, from `first` to before `last`.
+  /// A range of indices [first, last) of a list.
   struct Range {
     Index first = 0, last = 0;
   };
   struct Node {
     Box box{};
-    Range faces;  ///< range of `order_`
+    Range faces;  ///< faces of the node, as a range of `order_`
     bool has_fan = false;
-    Range vertices, triangles;  ///< vertices and triangles of the fan
+    Range vertices, triangles;  ///< fan of the node, as ranges of `vertices_` and `triangles_`
     Index left = no_index, right = no_index;
   };
   class Builder;
@@ -53,10 +53,10 @@ class WindingHierarchy {
 
   const Mesh* mesh_;
   double largest_coordinate_ = 0;
-  std::vector<Index> order_;        ///< faces, those of each node in one range
-  std::vector<Vec3> vertices_;      ///< positions of the vertices of fans
-  std::vector<Corners> triangles_;  ///< triangles of fans
-  std::vector<Node> nodes_;         ///< the first is the root
+  std::vector<Index> order_;        ///< face indices in tree order: those of a node are consecutive
+  std::vector<Vec3> vertices_;      ///< positions of the vertices of all fans
+  std::vector<Corners> triangles_;  ///< triangles of all fans
+  std::vector<Node> nodes_;         ///< nodes of the tree; the root is first
 };
 
 }  // namespace transformesh

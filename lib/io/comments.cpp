@@ -11,14 +11,15 @@
 namespace transformesh {
 namespace {
 
-/// Number of lines that add_provenance() keeps, so that the header of a loop's mesh does not grow.
+/// Number of lines that add_provenance() keeps. Without a limit, the header of a mesh would grow in
+/// a loop of programs.
 constexpr std::size_t provenance_lines_kept = 20;
 constexpr std::string_view reference_edge_key = "tm:reference-edge";
 constexpr std::string_view planarity_key = "tm:planarity";
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
-// Matches `tm-name 1.2.3`, optionally followed by a space and more text.
+// True for lines such as `tm-name 1.2.3`, optionally followed by a space and more text.
 bool is_provenance(const std::string& comment) {
   if (!comment.starts_with("tm-")) return false;
   const std::size_t name_end = comment.find(' ');

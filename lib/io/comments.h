@@ -1,5 +1,5 @@
-/// Comments that accompany a mesh through an evolution: the programs that made it, the reference
-/// edge, and a bound on how far merging of flat faces moved its surface.
+/// Comments in mesh files that describe the mesh: the programs that made it, the reference edge,
+/// and a bound on how far merging of flat faces moved its surface.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace transformesh {
 
-/// Appends a line such as `tm-remesh 0.1.0 --min-edge 0.7x`. Keeps only the last 20 such lines, so
-/// that headers do not grow in a loop of programs.
+/// Appends a comment with a command line, such as `tm-remesh 0.1.0 --min-edge 0.7x`. Keeps only the
+/// last 20 such lines, so that headers do not grow in a loop of programs.
 void add_provenance(std::vector<std::string>& comments, const std::string& line);
 
-/// Returns the length in the last `tm:reference-edge` comment. Throws InputError if it is not a
-/// length.
+/// Returns the length in the last `tm:reference-edge` comment, or nothing if there is no such
+/// comment. Throws InputError if the comment does not contain a length.
 std::optional<double> reference_edge_of(const std::vector<std::string>& comments);
 
 /// Drops `tm:reference-edge` comments that do not hold a length, and returns their number.
@@ -29,7 +29,7 @@ double planarity_of(const std::vector<std::string>& comments);
 /// Replaces all `tm:planarity` comments by one comment: their largest length plus `movement`.
 void add_planarity(std::vector<std::string>& comments, double movement);
 
-/// Scales the lengths in `tm:reference-edge` and `tm:planarity` comments.
+/// Multiplies the lengths in `tm:reference-edge` and `tm:planarity` comments by `factor`.
 void scale_lengths(std::vector<std::string>& comments, double factor);
 
 }  // namespace transformesh

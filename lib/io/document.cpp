@@ -49,8 +49,8 @@ void append_elements(std::vector<OtherElement>& all, const std::vector<OtherElem
   }
 }
 
-// Appends the lines that are not present yet. A reference edge and a unit describe one mesh, so the
-// reference edge and the unit of the first document stay.
+// Appends those lines of `other` that `all` does not contain. A reference edge and a unit describe
+// one mesh, so those of the first document stay.
 void append_lines(std::vector<std::string>& all, const std::vector<std::string>& other) {
   std::unordered_set<std::string> present(all.begin(), all.end());
   const bool has_unit = std::any_of(all.begin(), all.end(), is_unit_comment);

@@ -1,5 +1,5 @@
-/// The bases of relative lengths: the bounding-box diagonal for lengths like 1%, the reference edge
-/// for lengths like 0.7x.
+/// The reference lengths of relative lengths: the bounding-box diagonal for a length such as 1%,
+/// and the reference edge for a length such as 0.7x.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,30 @@
 
 namespace transformesh {
 
-/// Returns the mean edge. Throws InputError if it is not positive and finite.
+/// Returns the mean edge length of the mesh. Throws InputError if it is not positive and finite.
 double measured_reference_edge(const Mesh& mesh);
 
 class LengthBasis {
  public:
-  /// `choice` is the text of an option: empty, `auto` or a length.
+  /// Sets how the reference edge is chosen. `choice` is the text of an option: empty, `auto` or a
+  /// length.
   explicit LengthBasis(std::string choice) : choice_(std::move(choice)) {}
 
-  /// Sets the input document. The bases are computed from the document at first use, so it must not
-  /// change before.
+  /// Sets the input document, from which diagonal and reference edge are computed when they are
+  /// used first. The document must not change before.
   void set_document(const Document* document) { document_ = document; }
   void set_diagonal(double diagonal) { diagonal_ = diagonal; }
 
-  /// Return a basis, which is computed at first use. Throw UsageError without a document, and
-  /// InputError if the mesh has no size.
+  /// Return the bounding-box diagonal or the reference edge, computed at first use. Throw
+  /// UsageError without a document, and InputError if the mesh has no size.
   double diagonal();
   double reference_edge();
-  /// Returns the length in input units. Computes only the basis that the length uses.
+  /// Returns a relative length in input units. Computes the diagonal or the reference edge only if
+  /// the length is relative to it.
   double resolve(const Length& length);
 
-  /// True if the reference edge was used, so that the output needs its comment.
+  /// True if the reference edge was computed, so that it has to be stored as a comment of the
+  /// output.
   bool has_reference_edge() const { return reference_edge_.has_value(); }
   bool is_reference_edge_chosen() const { return !choice_.empty(); }
 

@@ -46,38 +46,45 @@ struct SnapRoundingOptions {
   /// True if the mesh has borders. Then thin cells of space are not removed, and repair does not
   /// restart, because it is not known which cells are inside.
   bool is_open = false;
-  Scalar coordinate = Scalar::float64;    ///< type in which positions will be written
-  const PieceChooser* chooser = nullptr;  ///< the chooser with which the clean pass selected pieces
+  Scalar coordinate = Scalar::float64;  ///< type in which positions will be written
+  /// Selects the pieces (triangles of the arrangement) that the clean pass kept.
+  const PieceChooser* chooser = nullptr;
 };
 
 struct SnapRoundingResult {
   Mesh mesh;
-  std::vector<char> face_is_new;  ///< 1 for each face that is not a whole input face
-  /// For each face the input face that it is, or that it is cut from.
+  /// 1 for each face that is new or was cut; 0 for each face that equals an input face.
+  std::vector<char> face_is_new;
+  /// For each face: the input face that is equal to it, or from which it is cut.
   std::vector<Index> source_face;
   std::size_t new_vertices = 0;
   std::size_t copied_vertices = 0;
-  std::size_t cut_faces = 0;      ///< number of input faces that only rounding and repair cut
-  std::size_t removed_faces = 0;  ///< number of input faces that only rounding and repair removed
-  std::size_t repairs = 0;        ///< number of repair rounds
-  std::size_t places = 0;  ///< number of connected sets of faces that the first rounding broke
-  std::size_t faces = 0;   ///< number of broken faces, summed over all repair rounds
-  std::size_t pairs = 0;   ///< number of intersecting pairs, summed over all repair rounds
-  unsigned level = 0;      ///< largest number of times that the grid step of a vertex was doubled
+  /// Number of input faces that rounding or repair cut, but the clean pass did not.
+  std::size_t cut_faces = 0;
+  /// Number of input faces that rounding or repair removed, but the clean pass did not.
+  std::size_t removed_faces = 0;
+  std::size_t repairs = 0;  ///< number of repair rounds
+  /// Number of connected sets of faces that were broken after the first rounding.
+  std::size_t places = 0;
+  std::size_t faces = 0;  ///< number of broken faces, summed over all repair rounds
+  std::size_t pairs = 0;  ///< number of intersecting pairs, summed over all repair rounds
+  unsigned level = 0;     ///< largest number of times that the grid step of a vertex was doubled
   Displacement displacement;
 };
 
-/// Result of rounding the new vertices of a mesh once, without repair. If `places` is 0, the mesh
-/// is the result of snap_round(). This also holds if only a part of the mesh is rounded.
+/// Result of round_once(), which rounds the new vertices of a mesh without repair. `places` is the
+/// number of connected sets of broken faces. If it is 0, snap_round() would return the rounded
+/// mesh. This also holds if the assembly contains only a part of a mesh.
 struct FirstRound {
   std::size_t places = 0;
   Displacement displacement;
 };
 FirstRound round_once(Assembly& assembly, Scalar type);
 
-/// Rounds the result of `pass`, a clean pass of `mesh` that changed something. Throws GoalError if
-/// repair does not succeed; the error names the place. Also throws GoalError if everything that the
-/// mesh encloses is thinner than the displacement by rounding.
+/// Rounds the new vertices of the result of `pass`, which is a clean pass of `mesh` that changed
+/// something. Throws GoalError if repair does not succeed; the error gives the location of a broken
+/// face. Also throws GoalError if everything that the mesh encloses is thinner than the
+/// displacement by rounding.
 SnapRoundingResult snap_round(const Mesh& mesh, const CleanPass& pass,
                               const SnapRoundingOptions& options, const Progress& progress);
 

@@ -10,7 +10,8 @@
 namespace transformesh {
 namespace {
 
-constexpr char unknown = 2;  ///< a label other than 0 (outside) and 1 (inside)
+/// Label of a cell that is not known to be outside (label 0) or inside (label 1).
+constexpr char unknown = 2;
 
 /// Error of the computed distance of a point from the plane of a triangle, relative to the distance
 /// of the point from a corner of the triangle.
@@ -43,12 +44,12 @@ class LabeledCells {
   Arrangement& arrangement_;
   const Thinness& thinness_;
   Patches patches_;
-  std::vector<Index> cell_of_;             ///< cell at each side of a patch
-  std::vector<std::vector<Index>> sides_;  ///< patch sides on the boundary of each cell
+  std::vector<Index> cell_of_;             ///< for each side of each patch, the cell that it bounds
+  std::vector<std::vector<Index>> sides_;  ///< for each cell, the sides of patches on its boundary
   std::vector<char> is_inside_;            ///< label of each cell: 0, 1 or `unknown`
   std::vector<Vec3> positions_;            ///< position of each point
-  std::vector<double> areas_;              ///< area of each patch, in arbitrary units
-  std::vector<Index> largest_;             ///< largest piece of each patch
+  std::vector<double> areas_;   ///< area of each patch, relative to the squared size of the mesh
+  std::vector<Index> largest_;  ///< index of the largest triangle in each patch
 };
 
 LabeledCells::LabeledCells(Arrangement& arrangement, const std::vector<char>& kept,
@@ -67,8 +68,8 @@ LabeledCells::LabeledCells(Arrangement& arrangement, const std::vector<char>& ke
   measure_patches();
 }
 
-// Labels all cells. A kept patch has an outside cell in front and an inside cell behind. The cells
-// on both sides of any other patch have the same label.
+// Labels all cells. A patch in `kept` has an outside cell in front and an inside cell behind. The
+// two cells at any other patch have the same label.
 void LabeledCells::spread_labels(const std::vector<char>& kept) {
   is_inside_.assign(cell_of_.size(), unknown);
   std::vector<Index> queue;
@@ -103,7 +104,7 @@ void LabeledCells::measure_patches() {
   }
 }
 
-// Returns the plane of the largest piece of the largest patch on the boundary of the cell.
+// Returns the plane of the largest triangle in the largest patch on the boundary of the cell.
 LabeledCells::Plane LabeledCells::largest_plane(Index cell) const {
   Index largest = sides_[cell].front() / 2;
   for (const Index side : sides_[cell])
@@ -112,7 +113,8 @@ LabeledCells::Plane LabeledCells::largest_plane(Index cell) const {
   return {t, unit_normal(t)};
 }
 
-// Calls visit(position) for the corners of the pieces around the cell, until `visit` returns false.
+// Calls visit(position) for all corners of triangles on the boundary of the cell, until `visit`
+// returns false.
 template <class Visit>
 void LabeledCells::visit_corners(Index cell, const Visit& visit) const {
   for (const Index side : sides_[cell])
@@ -121,8 +123,8 @@ void LabeledCells::visit_corners(Index cell, const Visit& visit) const {
         if (!visit(positions_[corner])) return;
 }
 
-// Returns the largest distance, in spacings, that the two planes around a thin cell may have. The
-// face on the boundary of the cell with the coarsest grid determines this limit.
+// Returns the largest thickness of a thin cell, in spacings of floating-point numbers. The coarsest
+// grid among the faces on the boundary of the cell determines this limit.
 double LabeledCells::most_spacings(Index cell) const {
   int level = 0;
   for (const Index side : sides_[cell])
@@ -132,8 +134,8 @@ double LabeledCells::most_spacings(Index cell) const {
   return std::ldexp(thinness_.steps, level - 1);
 }
 
-// True if the cell is thin: all its corners are between two parallel planes, and their distance is
-// below the limit at each corner.
+// True if the cell is thin: all its corners are between two parallel planes, and the distance of
+// the planes is below most_spacings() at each corner.
 bool LabeledCells::is_thin(Index cell, Displacement& thickness) const {
   const Plane plane = largest_plane(cell);
   if (plane.normal.isZero(0)) return false;
@@ -155,8 +157,8 @@ bool LabeledCells::is_thin(Index cell, Displacement& thickness) const {
   return is_thin;
 }
 
-// True if less surface remains after the label of the cell changes from inside to outside, or from
-// outside to inside.
+// True if the surface becomes smaller when the label of the cell changes from inside to outside, or
+// from outside to inside.
 bool LabeledCells::wants_change(Index cell) const {
   double alike = 0, unlike = 0;
   for (const Index side : sides_[cell]) {

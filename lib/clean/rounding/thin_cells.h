@@ -15,8 +15,9 @@
 namespace transformesh {
 
 /// Definition of a thin cell: it is between two parallel planes whose distance is at most `steps`
-/// grid steps at each corner of the cell. The grid step (vertex_grids.h) depends on the corner; its
-/// number of doublings is the largest one of the faces around the cell.
+/// grid steps at each corner of the cell. The grid step is half the spacing of floating-point
+/// numbers at the corner, doubled several times (vertex_grids.h). The face around the cell with
+/// most doublings determines how many times.
 struct Thinness {
   double steps = 0;
   /// Number of times that the grid step was doubled, for each face of the arranged mesh.
@@ -24,9 +25,10 @@ struct Thinness {
   Scalar type = Scalar::float64;
 };
 
-/// Counts thin cells as inside or outside such that less surface remains. Updates `kept`, and
-/// reverses pieces whose inside is now on the other side. Returns true if a cell changed; then adds
-/// the thickness of the thickest thin cell to `moved`.
+/// Assigns each thin cell to the inside or to the outside, whichever leaves less surface. Then
+/// `kept` selects the pieces between inside and outside, and pieces whose inside is on the other
+/// side now are reversed. Returns true if a cell changed; then adds the thickness of the thickest
+/// thin cell to `moved`.
 bool give_thin_cells_away(Arrangement& arrangement, std::vector<char>& kept,
                           const Thinness& thinness, Displacement& moved);
 

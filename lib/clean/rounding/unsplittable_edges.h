@@ -12,10 +12,11 @@
 
 namespace transformesh {
 
-/// Contracts the edges. Equal positions must have equal indices. If one end is a new vertex and the
-/// other end is an input vertex, the new vertex moves. An edge between two input vertices is
-/// contracted only if `moves_input` is set. Faces that vanish stay in the list, with two corners at
-/// the same position. Returns true if a vertex moved; adds the displacement to `moved`.
+/// Contracts edges of more than two faces that are too short to be split. Equal positions must have
+/// equal indices. If one end is a new vertex and the other end is an input vertex, the new vertex
+/// moves. An edge between two input vertices is contracted only if `moves_input` is set. Faces that
+/// vanish stay in the list, with two corners at the same position. Returns true if a vertex moved;
+/// adds the displacement to `moved`.
 bool contract_unsplittable_edges(Assembly& assembly, bool moves_input, Scalar type,
                                  Displacement& moved);
 

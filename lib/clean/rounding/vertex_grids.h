@@ -21,26 +21,27 @@ class VertexGrids {
 
   Scalar type() const { return type_; }
   double step(const Mesh& mesh, Index vertex) const;
-  /// Returns for each face the largest number of times that the grid step of one of its corners was
-  /// doubled.
+  /// Returns for each face the largest level of its corners. The level of a vertex is the number of
+  /// times that its grid step was doubled.
   std::vector<std::uint8_t> levels_of_faces(const Mesh& mesh) const;
   std::uint8_t largest_level() const { return largest_level_; }
 
   /// Doubles the grid steps at the corners of the faces.
   void coarsen(const Mesh& mesh, const std::vector<Index>& faces);
-  /// Moves vertices of the faces to their grids. Vertices whose grid step was never doubled stay.
-  /// Moves vertices of the input only if `moves_input` is set. Returns true if a vertex moved; adds
-  /// the displacement to `moved`.
+  /// Moves vertices of the faces to the nearest points of their grids. Vertices whose grid step was
+  /// not doubled stay. Moves vertices of the input only if `moves_input` is set. Returns true if a
+  /// vertex moved; adds the displacement to `moved`.
   bool snap(Assembly& assembly, const std::vector<Index>& faces, bool moves_input,
             Displacement& moved) const;
   /// Transfers the grids of the vertices of `before`, the input of a clean pass, to its result
-  /// `after`. A new vertex gets the coarsest grid of the input faces from which the faces at the
-  /// vertex are cut.
+  /// `after`. A vertex that the clean pass created gets the coarsest grid of the input faces from
+  /// which its faces are cut.
   void inherit(const Mesh& before, const Assembly& after);
 
  private:
   Scalar type_;
-  std::vector<std::uint8_t> levels_;  ///< number of doublings of each vertex's step
+  /// For each vertex, the number of times that its grid step was doubled.
+  std::vector<std::uint8_t> levels_;
   std::uint8_t largest_level_ = 0;
 };
 

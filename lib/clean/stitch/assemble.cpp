@@ -32,13 +32,15 @@ class Assembler {
   const std::vector<char>& kept_;
   PiecePairs pairs_;
   Umbrellas umbrellas_;
-  /// For each umbrella (connected pieces around a point, which get one vertex) the input vertex
-  /// that becomes its vertex, or no_index.
+  /// For each umbrella, the input vertex that becomes its vertex, or no_index. An umbrella is a set
+  /// of connected pieces around a point; it gets one vertex.
   std::vector<Index> old_vertex_;
-  /// Umbrella whose vertex each input vertex becomes, or no_index.
+  /// For each input vertex, the umbrella (connected pieces around a point) whose vertex it becomes,
+  /// or no_index.
   std::vector<Index> umbrella_of_;
-  RawVector<Index> vertex_of_;  ///< output vertex of each umbrella
-  bool has_vertex_rows_;        ///< false if vertices have no columns
+  /// For each umbrella (connected pieces around a point), its vertex in the result.
+  RawVector<Index> vertex_of_;
+  bool has_vertex_rows_;  ///< false if vertices have no attribute columns
   std::vector<RowBlend> vertex_rows_;
   Assembly result_;
 };
@@ -55,8 +57,8 @@ Assembler::Assembler(const Mesh& input, const Arrangement& arrangement,
   umbrellas_ = find_oriented_umbrellas(faces, pairs_.opposite, kept);
 }
 
-// Returns the input face that a piece is cut from, preferably one with the orientation of the
-// piece.
+// Returns the input face from which a piece is cut. If coincident faces contain the piece, prefers
+// one with the orientation of the piece.
 Index Assembler::piece_face(const Piece& piece) const {
   for (const PieceSource& source : arrangement_.sources_of(piece)) {
     if (!source.reversed) return arrangement_.welded->face_of[source.face];
@@ -64,8 +66,9 @@ Index Assembler::piece_face(const Piece& piece) const {
   return arrangement_.welded->face_of[arrangement_.sources_of(piece).front().face];
 }
 
-// Assigns to each umbrella an input vertex: the smallest one at the corners of its input faces. If
-// several umbrellas would get the same vertex, only the first of them gets it.
+// Assigns an input vertex to each umbrella (connected pieces around a point): the smallest one at
+// this point in the input faces of its pieces. If several umbrellas would get the same vertex, only
+// the first of them gets it.
 void Assembler::choose_old_vertices() {
   const WeldedMesh& welded = *arrangement_.welded;
   old_vertex_.assign(umbrellas_.vertex_of.size(), no_index);
@@ -138,7 +141,7 @@ void Assembler::add_faces() {
   });
 }
 
-// Splits edges that still have more than two faces after their ends are duplicated.
+// Splits edges that have more than two faces even after their ends are duplicated.
 void Assembler::split_edges() {
   if (!pairs_.has_singular_edges) return;
   std::vector<Index> opposite =

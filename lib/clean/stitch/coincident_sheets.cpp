@@ -10,11 +10,11 @@
 namespace transformesh {
 namespace {
 
-/// An edge of exactly two bundles (sets of faces with the same three corners) of equally many
-/// faces.
+/// An edge at which exactly two bundles meet, with equally many faces each. A bundle is a set of
+/// faces with the same three corners.
 struct Joint {
   Index edge;
-  Index first, second;  ///< indices of the two bundles
+  Index first, second;  ///< indices of the two bundles, sets of faces with the same corners
 };
 
 /// Groups faces with the same three corners to bundles, and assigns the faces of each bundle to
@@ -39,22 +39,25 @@ class Layers {
 
   const Mesh& mesh_;
   const Edges& edges_;
-  /// Bundle (set of faces with the same three corners) of each face; no_index if no edge of the
-  /// face has more than two faces.
+  /// For each face, its bundle (set of faces with the same three corners). no_index if no edge of
+  /// the face has more than two faces.
   std::vector<Index> bundle_of_;
-  /// Faces of each bundle. Face `i` is in layer `i` if `is_ordered_` is set for the bundle.
+  /// Faces of each bundle (set of faces with the same corners). If `is_ordered_` is set for the
+  /// bundle, its face `i` is in layer `i`, which is one of several copies of a surface.
   std::vector<std::vector<Index>> bundles_;
   std::vector<Joint> joints_;
-  /// Indices in `joints_` of the joints of each bundle.
+  /// For each bundle (set of faces with the same corners), its entries in `joints_`, as indices.
   std::vector<std::vector<Index>> joints_at_;
-  /// 1 for each bundle whose faces are in the order of their layers.
+  /// For each bundle (set of faces with the same corners): 1 if its faces are in layer order.
   std::vector<char> is_ordered_;
-  /// 1 for each bundle whose lowest face has to be reversed to be oriented consistently with the
-  /// lowest face of the first connected bundle.
+  /// For each bundle (set of faces with the same corners): 1 if its lowest face must be reversed.
+  /// Then this face agrees in orientation with the lowest face of bundle `part_of_`.
   std::vector<char> is_turned_;
-  /// First of the bundles that are connected with each bundle by joints.
+  /// For each bundle (set of faces with the same corners), the first bundle that is connected with
+  /// it by joints.
   std::vector<Index> part_of_;
-  /// 1 for each first bundle of a connected set of bundles that is one-sided.
+  /// 1 for the first bundle of a connected set of bundles if the surface of this set is one-sided,
+  /// like a Moebius strip.
   std::vector<char> has_one_side_;
 };
 
@@ -113,8 +116,8 @@ bool Layers::points_forward(Index face, Index edge) const {
   return is_forward(mesh_.faces, halfedge_of(face, edge));
 }
 
-// True if the faces with the lowest indices of both bundles traverse the edge in the same
-// direction.
+// True if the lowest faces of the two bundles traverse the edge in the same direction. The lowest
+// face is the one with the smallest index.
 bool Layers::is_turned(const Joint& joint) const {
   const auto lowest = [&](Index bundle) { return *std::ranges::min_element(bundles_[bundle]); };
   return points_forward(lowest(joint.first), joint.edge) ==
@@ -123,7 +126,7 @@ bool Layers::is_turned(const Joint& joint) const {
 
 void Layers::order_layers(const Joint& joint, Index from, Index to) {
   // The faces of bundle `to` that have no layer yet: first those that traverse the edge backward,
-  // then those that traverse it forward. The lowest face of each list is last.
+  // then those that traverse it forward. In each list the face with the lowest index is last.
   std::array<std::vector<Index>, 2> left;
   for (auto face = bundles_[to].rbegin(); face != bundles_[to].rend(); ++face)
     left[points_forward(*face, joint.edge) ? 1 : 0].push_back(*face);

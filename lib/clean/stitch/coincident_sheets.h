@@ -15,8 +15,8 @@
 
 namespace transformesh {
 
-/// Returns the neighbor of each halfedge across its edge, or no_index. At an edge of two faces this
-/// is the result of neighbors_across(). At an edge of two bundles of n coincident faces it is the
+/// Returns the opposite of each halfedge, or no_index. At an edge of two faces this is the result
+/// of neighbors_across(). At an edge where two sets of n coincident faces meet, a halfedge gets the
 /// halfedge of the face in the same layer. `edges` must not contain faces that refer to a vertex
 /// twice.
 std::vector<Index> neighbors_in_layers(const Mesh& mesh, const Edges& edges);

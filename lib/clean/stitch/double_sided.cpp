@@ -32,8 +32,8 @@ SortedFace sorted_face(const Face& v, Index face) {
   return sorted;
 }
 
-// Calls visit(first, last) for each set of faces with the same three corners, as a range of
-// SortedFace.
+// Calls visit(first, last) for each set of faces with the same three corners. The arguments are a
+// range of SortedFace.
 template <class Visit>
 void visit_coincident(const std::vector<Face>& faces, const Visit& visit) {
   std::vector<SortedFace> sorted;
@@ -77,8 +77,8 @@ std::size_t count_odd(const Edges& edges) {
   return count;
 }
 
-// True if all faces of a connected part coincide with other faces, at least two of them with
-// opposite orientations.
+// True if there is a connected set of faces without single faces: each face coincides with another
+// face, and at least two coincident faces have opposite orientations.
 bool has_double_part(const std::vector<Face>& faces, const Edges& edges) {
   DisjointSets parts(faces.size());
   for (std::size_t e = 0; e < edges.size(); ++e)

@@ -10,23 +10,27 @@
 
 namespace transformesh {
 
-/// Returns the number of faces that have a reverse.
+/// Returns the number of faces that have a reverse: a face with the same corners and opposite
+/// orientation.
 std::size_t count_double_sided(const Mesh& mesh);
 
-/// True if one side of the faces that have a reverse must be removed before the mesh encloses its
-/// volume, after vertices at equal positions are merged. Otherwise such faces are walls between
-/// bodies that touch, and winding numbers do not count them. One side must be removed in two cases.
-/// Either all faces of a connected part coincide with others, some with opposite orientations. Or
-/// fewer edges have an odd number of faces if only one of coincident faces stays.
+/// True if the mesh is double-sided: it encloses its volume only after one of two coincident faces
+/// with opposite orientations (reverses) is removed. Vertices at equal positions count as merged.
+/// Otherwise such faces are walls between bodies that touch, and winding numbers do not count them.
+/// One side must be removed in two cases. Either all faces of a connected part coincide with
+/// others, some with opposite orientations. Or fewer edges have an odd number of faces if only one
+/// of coincident faces stays.
 bool needs_one_side(const Mesh& mesh);
 
-/// True if the mesh has a border after its vertices at equal positions are merged, and
-/// drop_reverses() removes one face of each coincident pair. Does not change the mesh.
+/// True if the mesh would have a border after two steps: vertices at equal positions are merged,
+/// and drop_reverses() keeps one of coincident faces with opposite orientations. Does not change
+/// the mesh.
 bool one_side_is_open(const Mesh& mesh);
 
-/// Removes the reverses of faces. If a set of coincident faces has both orientations, only its
-/// first face stays. Faces coincide if they have the same vertex indices. Face columns are updated;
-/// vertices stay. Returns the number of dropped faces.
+/// Removes the reverses of faces, which have the same corners and opposite orientation. If a set of
+/// coincident faces has both orientations, only its first face stays. Faces coincide if they have
+/// the same vertex indices. Face columns are updated; vertices stay. Returns the number of dropped
+/// faces.
 std::size_t drop_reverses(Mesh& mesh);
 
 /// Keeps only the first of coincident faces with the same orientation, and drops the others. Faces
@@ -34,7 +38,8 @@ std::size_t drop_reverses(Mesh& mesh);
 /// the number of dropped faces.
 std::size_t drop_copies(Mesh& mesh);
 
-/// Reverses the closed components with negative volume. Returns the number of reversed faces.
+/// Reverses the faces of closed components with negative volume. Returns the number of reversed
+/// faces.
 std::size_t turn_outwards(Mesh& mesh);
 
 }  // namespace transformesh

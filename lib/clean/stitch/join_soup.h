@@ -9,7 +9,7 @@ namespace transformesh {
 
 /// Returns the result of stitch(); `joined_vertices` is 0 if the mesh is unchanged. Throws
 /// InputError if two neighboring faces would traverse their common edge in the same direction; the
-/// error names the place. O(n), or O(n log n) if vertices are joined.
+/// error names the edge. O(n), or O(n log n) if vertices are joined.
 StitchResult join_soup(Mesh& mesh);
 
 }  // namespace transformesh

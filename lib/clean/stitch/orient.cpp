@@ -19,16 +19,19 @@
 namespace transformesh {
 namespace {
 
-/// Faces connected across edges of two faces, or of copies of two faces (coincident_sheets.h).
+/// Faces connected across edges of two faces. Of several coincident copies of a surface, each copy
+/// is a sheet (coincident_sheets.h).
 struct Sheet {
   std::vector<Index> faces;
-  /// True if the input orients the sheet consistently, in itself and with the sheets at its ends.
+  /// True if the faces of the sheet are consistently oriented in the input, and also agree with
+  /// other sheets at edges of more than two faces.
   bool agreed = true;
-  bool has_border = false;  ///< true if the sheet has an edge of one face
-  /// True if `agreed` is true for all sheets that coincide with this sheet. Valid only in the sheet
-  /// that represents the set of coincident sheets in `copies_`.
+  bool has_border = false;  ///< true if the sheet has a border edge (an edge of one face)
+  /// True if `agreed` is true for this sheet and for all sheets that coincide with it. Stored only
+  /// for one sheet of each set of coincident sheets: copies_.find(sheet).
   bool copies_agreed = true;
-  /// Six times the signed volume between the sheet and the mean position of the group's corners.
+  /// Six times the signed volume of the tetrahedra from one point to the faces of the sheet. The
+  /// point is the mean corner of the sheet's group (sheets linked by edges of more than two faces).
   double volume = 0;
 };
 
@@ -54,16 +57,18 @@ class Orienter {
   const Mesh& mesh_;
   const bool keeps_most_;
   const Edges edges_;
-  /// For each halfedge the halfedge of the neighboring face in the same sheet, or no_index.
+  /// For each halfedge, the opposite halfedge in the neighboring face of the same sheet, or
+  /// no_index.
   std::vector<Index> across_;
-  std::vector<Index> sheet_of_;  ///< sheet of each face
-  /// 1 for each face that has to be reversed to agree with the first face of its sheet.
+  std::vector<Index> sheet_of_;  ///< for each face, the index of its sheet (connected faces)
+  /// 1 for each face whose orientation disagrees with the first face of its sheet, so that it must
+  /// be reversed.
   std::vector<char> is_reversed_;
   std::vector<Sheet> sheets_;
   std::vector<char> sheet_is_reversed_;
   SheetAlignment links_{0};
-  /// Sets of coincident sheets. If one sheet of a set is inconsistent in the input, the groups of
-  /// all sheets of the set are oriented.
+  /// Sets of coincident sheets. If one sheet of a set is inconsistently oriented in the input, the
+  /// groups (linked sheets) of all sheets of the set are oriented.
   DisjointSets copies_{0};
 };
 
@@ -123,8 +128,9 @@ void Orienter::refuse(Index halfedge, Index across) const {
                    std::move(data));
 }
 
-// Links the sheets that end at the same edges of more than two faces (sheet_alignment.h). Also
-// finds the sheets that have borders, that coincide, and that are inconsistent with other sheets.
+// Links the sheets that end at the same edges of more than two faces (sheet_alignment.h). Marks
+// sheets that have borders, joins sheets that coincide, and marks sheets whose orientation
+// disagrees with other sheets.
 void Orienter::link_sheets() {
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto halfedges = edges_.halfedges(e);
@@ -171,9 +177,10 @@ double Orienter::volume(Index sheet) const {
 }
 
 // Reverses sheets of a group, the sheets with the smallest volume first, until no reversal is an
-// improvement. A reversal is an improvement if it increases the agreement of the sheets
-// (sheet_alignment.h). It is also an improvement if the agreement stays the same, the group has no
-// border, and the volume of the group grows. Each reversal is an improvement, so the loop ends.
+// improvement. A reversal is an improvement if it increases the agreement of the sheets. The
+// agreement counts pairs of faces that traverse a common edge in opposite directions
+// (sheet_alignment.h). If the agreement stays the same and the group has no border, a larger volume
+// is an improvement, too. Each reversal is an improvement, so the loop ends.
 void Orienter::improve(std::vector<Index> group, bool has_border) {
   std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
     return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);
@@ -192,9 +199,9 @@ void Orienter::improve(std::vector<Index> group, bool has_border) {
   }
 }
 
-// Repeats improve() with another start, in which each sheet is oriented outwards. Uses the new
-// result if it is at least as good as the previous one: first by the agreement of the sheets, then
-// by the volume.
+// Repeats improve() from another start, in which each sheet has a positive volume. Keeps the new
+// result if it is at least as good as the previous one. The agreement of the sheets
+// (sheet_alignment.h) is compared first, then the volume.
 void Orienter::try_outwards(const std::vector<Index>& group) {
   const auto score = [&] {
     links_.sum_up(group, sheet_is_reversed_);

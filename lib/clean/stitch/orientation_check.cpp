@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-/// Number of faces that a message lists, so that it stays short.
+/// Largest number of faces that an error message lists, so that it stays short.
 constexpr std::size_t most_named = 5;
 
 std::string list_text(const std::vector<Index>& faces) {
@@ -25,8 +25,8 @@ std::string list_text(const std::vector<Index>& faces) {
   return text;
 }
 
-// Returns the problem of a misoriented edge, which names its faces of one direction. `forward` is
-// the direction in which most faces traverse the edge.
+// Returns the problem of a misoriented edge. Its message lists the faces that traverse the edge in
+// the direction `forward`, in which most faces traverse it.
 Problem edge_problem(const Mesh& mesh, std::span<const Index> halfedges, bool forward) {
   const auto points_alike = [&](Index h) { return is_forward(mesh.faces, h) == forward; };
   std::vector<Index> alike;

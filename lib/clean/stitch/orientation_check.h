@@ -20,8 +20,8 @@ namespace transformesh {
 int sum_along(std::span<const Face> faces, std::span<const Index> halfedges);
 
 /// Describes the first misoriented edge: the faces that traverse it in the same direction, its
-/// place, and the number of all misoriented edges. The sentence is empty if no edge is misoriented.
-/// Ignores faces that refer to a vertex twice. Cost: O(n log n).
+/// coordinates, and the number of all misoriented edges. The sentence is empty if no edge is
+/// misoriented. Ignores faces that refer to a vertex twice. Cost: O(n log n).
 Problem find_misorientation(const Mesh& mesh);
 
 std::string describe_misorientation(const Mesh& mesh);

@@ -26,10 +26,11 @@ constexpr std::size_t voters = 9;
 class Bodies {
  public:
   explicit Bodies(const Mesh& mesh);
-  /// Returns 1 for each component of a body that is inside out.
+  /// Returns for each component whether it belongs to a body that is inside out: 1 if so, otherwise
+  /// 0.
   std::vector<char> inward() const;
-  /// Returns 1 for each closed component that is oriented outwards although an odd number of closed
-  /// components contains it, or inwards although the number is even.
+  /// Returns 1 for each closed component with the wrong orientation: outwards although an odd
+  /// number of closed components contains it, or inwards although the number is even.
   std::vector<char> against_nesting() const;
   bool any_negative() const;
   Index of_face(std::size_t face) const { return parts_.of_face[face]; }
@@ -48,7 +49,7 @@ class Bodies {
   Components parts_;
   std::vector<Box> boxes_;
   BoxFrame frame_;
-  Bvh tree_;  ///< boxes of the components
+  Bvh tree_;  ///< search tree of the bounding boxes of the components
   std::vector<std::vector<Index>> faces_;
 };
 
@@ -88,8 +89,8 @@ Mesh Bodies::mesh_of(Index part) const {
   return result;
 }
 
-// Calls `vote` for some vertices of component `inner`. True if `vote` returns true more often than
-// false.
+// Calls `vote` for about `voters` vertices of component `inner`. True if `vote` returns true more
+// often than false.
 bool Bodies::most_vote(Index inner,
                        const std::function<std::optional<bool>(const Vec3&)>& vote) const {
   std::size_t yes = 0, no = 0;
@@ -101,7 +102,8 @@ bool Bodies::most_vote(Index inner,
   return yes > no;
 }
 
-// Calls visit(inner) for each other component whose bounding box lies in that of `outer`.
+// Calls visit(inner) for each other component whose bounding box is inside the bounding box of
+// `outer`.
 template <class Visit>
 void Bodies::for_each_within(Index outer, const Visit& visit) const {
   const Box& box = boxes_[outer];
@@ -133,8 +135,8 @@ std::vector<std::vector<Index>> Bodies::containers() const {
   return around;
 }
 
-// Removes from `inners` the components that are inside a component with borders, by its generalized
-// winding number.
+// Removes from `inners` each component that is inside a component with borders. The generalized
+// winding number of the component with borders decides.
 void Bodies::erase_enclosed(std::vector<Index>& inners) const {
   for (Index outer = 0; outer < faces_.size(); ++outer) {
     if (is_closed(outer)) continue;
@@ -153,9 +155,9 @@ void Bodies::erase_enclosed(std::vector<Index>& inners) const {
   }
 }
 
-// Returns 1 for each component of a body that is inside out. An outermost component is a component
-// that no other component contains; it defines a body. A component inside several outermost
-// components belongs to the smallest of these bodies.
+// Returns 1 for each component of a body that is inside out. An outermost component, which no other
+// component contains, defines a body. A component inside several outermost components belongs to
+// the smallest of these bodies.
 std::vector<char> Bodies::inward() const {
   const std::vector<std::vector<Index>> around = containers();
   std::vector<char> is_inward(around.size(), 0);

@@ -14,8 +14,9 @@ namespace transformesh {
 
 bool has_inward_bodies(const Mesh& mesh);
 
-/// Reverses all components of bodies that are inside out, so that cavities remain cavities. Returns
-/// the number of reversed faces.
+/// Reverses all components of each body that is inside out, so that cavities remain cavities. A
+/// body is an outermost closed component with all components in it. Returns the number of reversed
+/// faces.
 std::size_t turn_bodies_outwards(Mesh& mesh);
 
 /// Orients each closed component by the number of closed components that contain it: outwards if

@@ -10,9 +10,10 @@ namespace {
 
 constexpr std::size_t edges_per_task = 4096;  ///< affects time only
 
-// Pairs the halfedges of an edge of more than two pieces. In angular order, the inside is between a
-// backward piece and the next forward piece. Hence backward and forward halfedges are matched like
-// opening and closing brackets on a circle.
+// Pairs the halfedges of an edge of more than two pieces (triangles). In angular order around the
+// edge, the inside is between a piece that traverses the edge backward and the next piece that
+// traverses it forward. Hence backward and forward halfedges are matched like opening and closing
+// brackets on a circle.
 void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& sorted,
                         std::vector<Index>& opposite) {
   std::vector<Index> open;
@@ -29,9 +30,9 @@ void pair_singular_edge(std::span<const Face> faces, const std::vector<Index>& s
   }
 }
 
-// Pairs the halfedges of an edge that belong to the closed part, and those of each open component
-// that has exactly two pieces at the edge. The caller pairs the remaining halfedges, regardless of
-// their components.
+// Pairs two sets of halfedges of one edge. The first set are the halfedges of the closed part
+// (faces without an open component). The second set are those of each open component with exactly
+// two pieces at the edge. The caller pairs the remaining halfedges, regardless of their components.
 void pair_components(std::span<const Face> faces, const std::vector<Index>& sorted,
                      std::span<const Index> component_of, std::vector<Index>& opposite) {
   std::map<Index, std::vector<Index>> of_component;

@@ -27,14 +27,14 @@ class PiecePairing {
   const Arrangement& arrangement_;
   const WeldedMesh& welded_;
   const std::vector<char>& kept_;
-  /// The piece of each welded face that is kept without being cut or reversed; no_index for other
-  /// faces.
+  /// For each face of the welded mesh that is kept as it is, neither cut nor reversed: its piece.
+  /// no_index for all other faces.
   std::vector<Index> piece_of_;
   PiecePairs result_;
 };
 
-// Fills `piece_of_`. A face that is kept with reversed orientation gets no_index, because its
-// corners are in a different order.
+// Fills `piece_of_`. A face that is kept with reversed orientation gets no_index, because the
+// corners of its piece are in a different order.
 void PiecePairing::find_pieces_of_faces() {
   piece_of_.assign(welded_.faces.size(), no_index);
   parallel_for_each(arrangement_.whole_pieces, [&](Index p) {
@@ -43,9 +43,10 @@ void PiecePairing::find_pieces_of_faces() {
   });
 }
 
-// Pairs the piece of a face that is kept without being cut, across its edges to other such faces.
-// Only edges of two welded faces are considered. No piece of a cut face is at such an edge, because
-// the cut face would intersect both faces. Returns false if the piece has any other edge.
+// Pairs the halfedges of an uncut piece with those of neighboring uncut pieces. Only edges of two
+// welded faces that are both kept and uncut are considered. No piece of a cut face is at such an
+// edge, because the cut face would intersect both faces. Returns false if the piece has any other
+// edge.
 bool PiecePairing::pair_as_welded(Index piece) {
   Index* const opposite = result_.opposite.data() + std::size_t{3} * piece;
   std::fill_n(opposite, 3, no_index);
@@ -62,8 +63,8 @@ bool PiecePairing::pair_as_welded(Index piece) {
   return !has_other;
 }
 
-// Pairs the pieces for which pair_as_welded() returned false. They form a smaller mesh in the same
-// order, to which pair_across_inside() is applied.
+// Pairs the remaining pieces, for which pair_as_welded() returned false. These pieces form a
+// smaller mesh in the same order, to which pair_across_inside() is applied.
 void PiecePairing::pair_others(const std::vector<char>& has_other) {
   const NumberedSelection selection(has_other.size(),
                                     [&](std::size_t p) { return has_other[p] != 0; });

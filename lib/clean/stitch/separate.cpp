@@ -13,7 +13,7 @@
 namespace transformesh {
 namespace {
 
-/// Largest number of halvings of the movement of a vertex. If the movement is still invalid at
+/// Largest number of times that a vertex's movement is halved. If the movement is still invalid at
 /// 1/1024 of its length, the vertex stays. A choice: with more halvings, more vertices move by tiny
 /// distances.
 constexpr int most_halvings = 10;
@@ -21,12 +21,12 @@ constexpr int most_halvings = 10;
 // The cone of the faces around a vertex. Its apex is the vertex, and each face is a side.
 struct Cone {
   struct Side {
-    Vec3 first, second;  ///< unit vectors along the two edges
+    Vec3 first, second;  ///< unit vectors from the vertex along both edges of the face
     Vec3 normal;         ///< unit normal of the face
   };
   std::vector<Side> sides;
-  Vec3 normal = Vec3::Zero();  ///< unit mean of the normals, weighted by angle
-  Vec3 axis = Vec3::Zero();    ///< unit mean of the directions into the faces, weighted by angle
+  Vec3 normal = Vec3::Zero();  ///< unit mean of the face normals, weighted by corner angles
+  Vec3 axis = Vec3::Zero();    ///< unit mean direction into the faces, weighted by corner angles
 };
 
 Cone cone_at(const Mesh& mesh, Index vertex, std::span<const Index> faces) {
@@ -67,7 +67,7 @@ Vec3 nearest_in_side(const Cone::Side& side, const Vec3& direction) {
 // because of rounding. A wrong sign can only have the effect that the vertex stays.
 double side_of(const Cone& cone, const Vec3& direction) {
   constexpr double same = 1e-12;  // distances with a smaller difference are equal up to rounding
-  // Distance of `direction` from the nearest point of the cone so far; initially from the apex.
+  // Least distance of `direction` from a side tested so far; initially from the apex.
   double least = 1 - same;
   Vec3 nearest = Vec3::Zero();
   Vec3 normal = cone.normal;
@@ -146,8 +146,8 @@ class Separator {
     return groups;
   }
 
-  // Moves several vertices at one position (copies) apart. All directions are chosen before any
-  // copy moves. Returns true if a copy moved.
+  // Moves vertices at the same position (copies) apart. All directions are chosen before any copy
+  // moves. Returns true if a copy moved.
   bool move_apart(const std::vector<Index>& copies) {
     std::vector<std::vector<Vec3>> directions;
     directions.reserve(copies.size());
@@ -163,12 +163,12 @@ class Separator {
   }
 
   // Returns the directions, as unit vectors, in which the vertex may move away from the other
-  // vertices at its position (copies). Empty if there are copies on both sides of its faces.
+  // vertices at its position (copies). Empty if other copies have faces on both sides of its faces.
   std::vector<Vec3> ways_out(Index vertex, const std::vector<Index>& copies) const {
     if (is_border_[vertex]) return {};
     const Cone cone = cone_at(mesh_, vertex, faces_at_[vertex]);
-    // At the edge of a thin part, the normals of both sides cancel each other, and only the axis of
-    // the cone points into the part.
+    // At the edge of a thin part, the normals of both sides cancel each other. Then only the mean
+    // direction into the faces (`axis`) points into the part.
     if (tries_all_) return {-cone.normal, cone.normal, cone.axis, -cone.axis};
     bool in_front = false;
     bool behind = false;
@@ -199,7 +199,7 @@ class Separator {
     return false;
   }
 
-  // Returns the faces that do not contain the vertex, but that its faces may meet after it moved.
+  // Returns the faces without this vertex that its own faces may touch after the vertex moved.
   std::vector<Index> faces_near(Index vertex) const {
     Vec3 low = mesh_.positions[vertex];
     Vec3 high = low;
@@ -282,9 +282,9 @@ class Separator {
   VertexFaces faces_at_;
   std::vector<char> is_border_;
   std::vector<char> was_moved_;
-  Bvh bvh_;  ///< tree of the faces, built from the initial positions
-  /// True if both directions along the normal and the axis have to be tried, because no side is
-  /// known.
+  Bvh bvh_;  ///< tree of the bounding boxes of the faces at their initial positions
+  /// True if a vertex tries four directions: both directions along the mean normal, and both along
+  /// the mean direction into its faces. Set if no vertex could move away from its copies.
   bool tries_all_ = false;
   /// Upper bound of the distance of any vertex from its position in the input, including the next
   /// movement.

@@ -15,8 +15,8 @@ void SheetAlignment::find_kinds() {
   std::map<std::vector<End>, Index> kinds;
   for (Index sheet = 0; sheet < ends_.size(); ++sheet) {
     const auto next = static_cast<Index>(kinds_.size());
-    // A sheet without ends at edges of more than two faces has no links, and gets a kind of its
-    // own.
+    // A sheet that does not end at an edge of more than two faces has no links to other sheets. It
+    // gets a kind (set of equivalent sheets) of its own.
     const Index kind =
         ends_[sheet].empty() ? next : kinds.emplace(ends_[sheet], next).first->second;
     if (kind == next) kinds_.emplace_back().ends = &ends_[sheet];
@@ -28,8 +28,9 @@ void SheetAlignment::find_kinds() {
     for (const auto& [edge, sum] : *kinds_[kind].ends) kinds_at_[edge].emplace_back(kind, sum);
 }
 
-/// Adds the best link to a kind to the queue. The link leads to the lowest sheet of the kind that
-/// align() has not returned. Does nothing if there is no such sheet.
+/// Adds the best link to kind `number` to the queue. A kind is a set of sheets with equal sums at
+/// the same edges. The link leads to the lowest sheet of the kind that align() has not returned
+/// yet. Does nothing if all sheets of the kind were returned.
 void SheetAlignment::push(Index number) {
   Kind& kind = kinds_[number];
   if (kind.aligned == kind.sheets.size()) return;
@@ -37,8 +38,9 @@ void SheetAlignment::push(Index number) {
   steps_.push(kind.best);
 }
 
-/// Follows the links from a sheet of kind `from` to all kinds with which it has a common edge.
-/// `is_reversed` is the final state of the sheet.
+/// Follows the links from a sheet of kind `from` to all kinds that have an edge in common with it.
+/// A kind is a set of sheets with equal sums at the same edges. `is_reversed` is the final state of
+/// the sheet.
 void SheetAlignment::link(Index from, bool is_reversed) {
   if (std::exchange(kinds_[from].has_links[is_reversed ? 1 : 0], true)) return;
   std::map<Index, std::int64_t> agreements;
@@ -64,8 +66,8 @@ std::vector<Index> SheetAlignment::align(Index first, std::vector<char>& is_reve
     steps_.pop();
     const Index number = kind_of_[step.sheet];
     Kind& kind = kinds_[number];
-    // Skip a link if it is no longer the best link to its kind: it was followed already, or a
-    // stronger link to the kind was found.
+    // Skip a link that was followed already, or that is weaker than another link to the same kind
+    // of sheets found later.
     if (kind.best < step || step < kind.best) continue;
     ++kind.aligned;
     is_reversed[step.sheet] = step.is_reversed ? 1 : 0;

@@ -27,11 +27,11 @@ class SheetAlignment {
  public:
   explicit SheetAlignment(std::size_t sheets) : ends_(sheets) {}
 
-  /// Adds an edge of more than two faces. `sums` maps each sheet that ends there to its sum at the
-  /// edge.
+  /// Adds an edge of more than two faces. `sums` has an entry for each sheet that ends at the edge:
+  /// the number of its faces that traverse the edge forward minus those that traverse it backward.
   void add_edge(const std::map<Index, int>& sums);
-  /// Groups sheets with equal sums at the same edges to kinds. Call this once, after all edges are
-  /// added.
+  /// Groups sheets with equal sums at the same edges. Each such group is called a kind. Call this
+  /// once, after all edges are added.
   void find_kinds();
 
   /// Returns the group of a sheet: all sheets that are connected with it by links, in the order in
@@ -41,21 +41,27 @@ class SheetAlignment {
   /// reached. Returns an empty group if a previous call already returned the sheet.
   std::vector<Index> align(Index first, std::vector<char>& is_reversed);
 
-  /// Computes for each edge the sum of all sheets of a group. agreement() uses these sums, and
-  /// reverse() updates them.
+  /// Computes a sum for each edge: the number of faces of the group that traverse the edge forward,
+  /// minus the number that traverse it backward. agreement() uses these sums.
   void sum_up(const std::vector<Index>& group, const std::vector<char>& is_reversed);
-  /// Returns the agreement of a sheet with all other sheets of its group, after sum_up().
+  /// Returns the agreement of a sheet with the rest of its group, after sum_up(). It is the number
+  /// of pairs of faces that traverse an edge in opposite directions, minus the pairs with equal
+  /// directions.
   std::int64_t agreement(Index sheet, bool is_reversed) const;
-  /// Updates the sums after a sheet is reversed. `was_reversed` is the state before.
+  /// Updates the sums of sum_up() after a sheet is reversed. `was_reversed` is the state of the
+  /// sheet before.
   void reverse(Index sheet, bool was_reversed);
 
  private:
-  using End = std::pair<Index, int>;  ///< an edge, and the nonzero sum of a sheet at this edge
-  /// A link from a sheet that has its final state (reversed or not) to the sheets of one kind
-  /// without final state. A kind is a set of sheets with equal sums at the same edges.
+  /// An edge, and the sum of a sheet there: its faces that traverse the edge forward minus those
+  /// that traverse it backward; not 0.
+  using End = std::pair<Index, int>;
+  /// A link between sheets with common edges. It leads from a sheet whose orientation is final to
+  /// sheets of one kind, whose orientation is not. A kind is a set of sheets with equal sums at the
+  /// same edges.
   struct Step {
     std::int64_t strength = -1;
-    Index sheet = no_index;  ///< the lowest sheet of the kind without final state
+    Index sheet = no_index;  ///< first sheet of the kind whose orientation is not final
     bool is_reversed = false;
     bool operator<(const Step& other) const {
       if (strength != other.strength) return strength < other.strength;
@@ -64,11 +70,11 @@ class SheetAlignment {
   };
   struct Kind {
     std::vector<Index> sheets;
-    /// Number of sheets that align() returned so far; the lowest come first.
+    /// Number of sheets at the front of `sheets` that align() has returned.
     std::size_t aligned = 0;
-    Step best{};  ///< the strongest link to this kind
-    /// Entry 0 (1) is true if the links from an unreversed (reversed) sheet of this kind to other
-    /// kinds were followed.
+    Step best{};  ///< strongest link that leads to sheets of this kind
+    /// True if the links from a sheet of this kind to other kinds were followed. Entry 0 is for
+    /// sheets that are not reversed, entry 1 for reversed sheets.
     std::array<bool, 2> has_links{};
     const std::vector<End>* ends = nullptr;
   };
@@ -76,12 +82,15 @@ class SheetAlignment {
   void push(Index kind);
   void link(Index from, bool is_reversed);
 
-  /// The edges at which each sheet ends with a nonzero sum, in ascending order.
+  /// For each sheet, the edges at which it ends with a nonzero sum (`End`), in ascending order.
   std::vector<std::vector<End>> ends_;
-  std::vector<std::int64_t> sums_;  ///< for each edge the sum of all sheets of the group
-  /// For each edge the kinds of the sheets that end there, with the sum of each sheet of the kind.
+  /// For each edge, the sum over all sheets of the group of sum_up().
+  std::vector<std::int64_t> sums_;
+  /// For each edge, the kinds of the sheets that end there. A kind is a set of equivalent sheets;
+  /// the second number is the sum of each of its sheets at the edge.
   std::vector<std::vector<std::pair<Index, int>>> kinds_at_;
-  std::vector<Index> kind_of_;  ///< kind of each sheet
+  /// For each sheet, the index of its kind (set of equivalent sheets).
+  std::vector<Index> kind_of_;
   std::vector<Kind> kinds_;
   std::priority_queue<Step> steps_;
 };

@@ -36,8 +36,8 @@ class FaceCutter {
  public:
   explicit FaceCutter(Mesh& mesh) : mesh_(mesh) {}
 
-  /// Splits the edge of the face that starts at corner `corner` (0 to 2) at the given vertices,
-  /// which are in order along the edge.
+  /// Splits an edge of the face at the given vertices, which are in order along the edge. The edge
+  /// starts at corner `corner` (0 to 2).
   void cut(Index face, Index corner, const std::vector<Index>& vertices);
   BorderSplits take() { return std::move(result_); }
 
@@ -45,7 +45,8 @@ class FaceCutter {
   Mesh& mesh_;
   BorderSplits result_;
   Index face_ = no_index;  ///< face whose edges are being cut
-  /// For each edge of the original face `face_` the face that contains it now.
+  /// For each edge of the original face `face_`, the triangle that contains this edge after the
+  /// cuts made so far.
   std::array<Index, 3> holder_{};
 };
 
@@ -53,8 +54,8 @@ void FaceCutter::cut(Index face, Index corner, const std::vector<Index>& vertice
   if (face != face_) holder_ = {face, face, face};
   face_ = face;
   const Index piece = holder_[corner];
-  // Each triangle of the fan has the corner opposite to the split edge, and two consecutive
-  // vertices on this edge.
+  // Create a fan of triangles. Each triangle has two consecutive vertices on the split edge, and
+  // the corner opposite to this edge.
   const Face whole = mesh_.faces[piece];
   Index from = whole[corner];
   for (const Index v : vertices) {

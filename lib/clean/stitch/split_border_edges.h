@@ -16,8 +16,8 @@ struct BorderSplits {
   std::vector<Index> face_source;  ///< for each new face the face that it is cut from
 };
 
-/// Splits the edges. Changes faces, but no columns. Vertices within the tolerance of each other
-/// must already be joined.
+/// Splits border edges at vertices within the tolerance. Changes faces, but no columns. Vertices
+/// within the tolerance of each other must already be joined.
 BorderSplits split_border_edges(Mesh& mesh, double tolerance);
 
 }  // namespace transformesh

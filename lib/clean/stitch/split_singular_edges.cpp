@@ -49,8 +49,8 @@ Index Splitter::split_face(Index h, Index vertex) {
   result_.face_source.push_back(source(face));
   result_.cut_faces.push_back(source(face));
 
-  // The edge after the split edge now belongs to the new face. In the old face, the new edge from
-  // `vertex` to the opposite corner takes its place.
+  // The edge that follows the split edge now belongs to the new face. In the old face, the new edge
+  // from `vertex` to the opposite corner replaces it.
   pair(3 * added + next % 3, opposite_[next]);
   moved_[next] = 3 * added + next % 3;
   pair(next, 3 * added + before % 3);
@@ -70,8 +70,8 @@ void Splitter::split_sheet(Index h) {
   pair(across, second);
 }
 
-// Returns the halfedges to split: for each edge of more than two faces one halfedge of each pair of
-// opposite halfedges, and each halfedge without opposite.
+// Returns one halfedge for each cut at an edge of more than two faces. These are one of each pair
+// of opposite halfedges, and each halfedge without opposite.
 std::vector<Index> Splitter::find_singular() {
   const Edges edges(mesh_);
   std::vector<Index> singular;
@@ -85,9 +85,9 @@ std::vector<Index> Splitter::find_singular() {
   return singular;
 }
 
-// Splits edges until no edge has more than two faces. More than one round may be needed. If one
-// sheet has two faces with the same corners, both are cut at the same edge. Then the cuts end at
-// the same corner, and may form a new singular edge.
+// Splits edges until no edge has more than two faces. More than one round may be needed. If a sheet
+// has two faces with the same corners, both are cut at the same edge. Then both cuts end at the
+// same corner, and together they may form a new edge of more than two faces.
 EdgeSplits Splitter::split() {
   for (auto singular = find_singular(); !singular.empty(); singular = find_singular()) {
     for (Index h : singular) {

@@ -12,11 +12,11 @@
 
 namespace transformesh {
 
-/// Result of the splits. Face indices are those before splitting.
+/// Result of split_singular_edges(). Face indices in it are those before splitting.
 struct EdgeSplits {
   struct Midpoint {
-    Index face;                 ///< a face with the edge
-    std::array<Index, 2> ends;  ///< ends of the edge; may be earlier midpoints
+    Index face;                 ///< a face that had the edge before it was split
+    std::array<Index, 2> ends;  ///< ends of the split edge; may be midpoints that were added before
   };
   std::size_t edges = 0;           ///< number of split edges
   std::vector<Midpoint> vertices;  ///< one entry for each new vertex
@@ -24,9 +24,9 @@ struct EdgeSplits {
   std::vector<Index> cut_faces;    ///< faces that were cut; may contain duplicates
 };
 
-/// Splits the edges. Changes positions and faces, but no columns. New vertices and faces follow the
-/// old ones. `opposite` holds for each halfedge the halfedge that continues its sheet, or no_index,
-/// and is updated.
+/// Splits all edges of more than two faces at their midpoints. Changes positions and faces, but no
+/// columns. New vertices and faces follow the old ones. `opposite` holds for each halfedge the
+/// halfedge of the next face in the same sheet, or no_index; it is updated.
 EdgeSplits split_singular_edges(Mesh& mesh, std::vector<Index>& opposite);
 
 }  // namespace transformesh

@@ -124,7 +124,8 @@ std::size_t split_borders(Mesh& mesh, double tolerance) {
 
 StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   StitchResult result;
-  // Bodies that touch are turned before their vertices are joined, because then they are separate.
+  // Orient bodies that touch before their vertices are joined, because after joining they are not
+  // separate components.
   if (options.outwards && !options.one_side) result.reversed_faces = turn_bodies_outwards(mesh);
   result.joined_vertices = join_vertices(mesh, options.tolerance);
   if (options.tolerance > 0) result.split_borders = split_borders(mesh, options.tolerance);

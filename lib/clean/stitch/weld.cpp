@@ -15,11 +15,13 @@ namespace transformesh {
 namespace {
 
 /// Limit on the average number of points whose x coordinate differs from that of a point by at most
-/// the tolerance. If it is exceeded, a grid of cells is used instead of a sweep. Affects time only.
+/// the tolerance. If it is exceeded, points are joined by a grid of cells instead of a sweep along
+/// x. Affects time only.
 constexpr std::size_t usual_window = 100;
-/// If two cells have at most this many pairs of points, all pairs are tested without a tree.
+/// If two grid cells have at most this many pairs of points, all pairs are tested without a search
+/// tree. Affects time only.
 constexpr std::size_t most_tried = 4096;
-/// Coordinates must be below this multiple of the tolerance for cells to be used, so that cell
+/// Cells are used only if all coordinates are below this multiple of the tolerance, so that cell
 /// indices are exact in doubles.
 constexpr double largest_cell = 0x1p45;
 /// Factor that exceeds 1 plus the relative rounding error of a distance.
@@ -76,12 +78,13 @@ class HeapWeld {
   using Key = std::array<double, 3>;
   struct Cell {
     std::vector<Index> points;
-    std::unique_ptr<KdTree> tree;  ///< tree of the cell's points, built on demand
+    std::unique_ptr<KdTree> tree;  ///< search tree of the points in the cell, built on demand
   };
   using Place = std::map<Key, Cell>::iterator;
 
   void join_around(Place cell, DisjointSets& sets) {
-    // Points within the tolerance are at most two cells apart. One more cell allows for rounding.
+    // Points within the tolerance are at most two cells apart, because a cell is half as wide as
+    // the tolerance. One more cell allows for rounding.
     constexpr int reach = 3;
     const Key key = cell->first;
     for (int i = 0; i <= reach; ++i) {

@@ -20,8 +20,8 @@ constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 
 std::string in_quotes(const std::string& path) { return "'" + path + "'"; }
 
-/// Returns the mesh hash and the number of tiles that the first tile found in the folder has in its
-/// comment.
+/// Returns the hash of the split mesh and the number of its tiles. They are read from the comment
+/// of the first tile file found in the folder.
 TileName find_split(const std::string& folder) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
@@ -40,7 +40,8 @@ TileName find_split(const std::string& folder) {
 bool have_same_properties(const PlyElement& a, const PlyElement& b) {
   const auto is_same = [](const PlyProperty& p, const PlyProperty& q) {
     return p.name == q.name && p.count_type == q.count_type &&
-           // The type of corner indices may differ, because the result gets its own type.
+           // Accept different types of corner indices, because the indices of the result get their
+           // own type.
            (p.count_type || p.type == q.type);
   };
   return std::equal(a.properties.begin(), a.properties.end(), b.properties.begin(),

@@ -44,8 +44,9 @@ void Seams::keep_borders() {
   vertex_of_.insert(vertex_of_.end(), border_vertices_.begin(), border_vertices_.end());
 }
 
-// Makes a mesh of one triangle per border halfedge. Each triangle has its own vertex at the third
-// corner of the face of the halfedge, so that the triangles can be sorted around edges.
+// Makes a mesh of one triangle per border halfedge, and pairs its halfedges. Each triangle has its
+// own vertex at the third corner of the original face, so that the triangles can be sorted by angle
+// around edges.
 std::size_t Seams::join() {
   const std::vector<Index> place = weld_positions(positions_, 0);
   Mesh borders;

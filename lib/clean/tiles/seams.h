@@ -11,8 +11,8 @@ namespace transformesh {
 
 class Seams {
  public:
-  /// Adds the next mesh, which may be too large to be stored, by its faces and vertex positions.
-  /// Throws InputError if an edge of the mesh has more than two faces.
+  /// Adds the next mesh by its faces and vertex positions. The mesh is not stored, so that it may
+  /// be too large for memory. Throws InputError if an edge of the mesh has more than two faces.
   template <class PositionOf>
   void add(const std::vector<Face>& faces, std::size_t vertices, const PositionOf& position_of) {
     find_borders(faces, vertices);
@@ -26,17 +26,17 @@ class Seams {
   /// remaining border edges.
   std::size_t join();
 
-  /// Returns for each vertex of the given mesh its index in the joined mesh. Vertices that became
-  /// one vertex have the index of the first of them. Otherwise vertices keep their order.
+  /// Returns for each vertex of mesh number `mesh` its index in the joined mesh. Vertices that
+  /// became one vertex have the index of the first of them. Otherwise vertices keep their order.
   std::vector<Index> numbers_of(std::size_t mesh) const;
-  /// Returns true for each vertex that was merged into an earlier vertex.
+  /// Returns for each vertex of mesh number `mesh` whether it was merged into an earlier vertex.
   std::vector<bool> is_repeated(std::size_t mesh) const;
   std::size_t vertex_count() const { return vertex_count_; }
 
  private:
   struct BorderFace {
     Index from, to;  ///< ends of the border halfedge, as vertex indices of its mesh
-    Index apex;      ///< third corner of the face, as vertex index of its mesh
+    Index apex;  ///< third corner of the face at the border halfedge, as vertex index of its mesh
   };
   struct Part {
     std::size_t vertices = 0;  ///< number of vertices of the mesh
@@ -49,13 +49,15 @@ class Seams {
   void number_vertices();
 
   std::vector<Part> parts_;
-  /// Index of each border vertex in its mesh; ascending in each mesh.
+  /// For each border vertex of all meshes, its vertex index in its own mesh. Ascending within each
+  /// mesh.
   std::vector<Index> vertex_of_;
   std::vector<Vec3> positions_;  ///< position of each border vertex
-  /// Border halfedges of all meshes: from, to, 0; indices of border vertices.
+  /// Border halfedges of all meshes, as (from, to, 0) with indices of border vertices.
   std::vector<Face> halfedges_;
-  std::vector<Vec3> apexes_;  ///< position of the third corner at each border halfedge
-  /// For each border vertex the first border vertex that is joined with it.
+  /// For each border halfedge, the position of the third corner of its face.
+  std::vector<Vec3> apexes_;
+  /// For each border vertex, the first border vertex that is merged with it.
   std::vector<Index> first_;
   std::vector<Index> number_;  ///< index of each border vertex in the joined mesh
   std::vector<Index> border_vertices_;

@@ -17,16 +17,16 @@
 namespace transformesh {
 namespace {
 
-/// Largest number of sampled positions that determine the boxes of tiles. With a tenth of this
-/// number, a million faces are divided into 16 tiles whose numbers of faces differ by 0.1 %.
+/// Largest number of positions that are sampled to determine the boxes of tiles. A tenth of this
+/// number is enough for 16 tiles: of a million faces, their numbers of faces differ by 0.1 %.
 /// Thousands of tiles need about a hundred samples per tile.
 constexpr std::size_t most_samples = 1000000;
 /// Size of the output buffer, in bytes. A choice without influence on the result.
 constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
-/// Number of rings of neighboring faces around its own faces that a tile contains.
+/// Number of rings of neighboring faces that a tile contains around the faces that belong to it.
 constexpr Index rings = rings_of_complete + rings_around_complete;
-/// Width of a cell of `coarse_grid_`, in cells of `grid_`. With 4 or 16, tiles of a million folded
-/// faces are the same, and the time differs by less than a tenth.
+/// Width of a cell of `coarse_grid_`, in cells of `grid_`. With 4 or 16, a folded surface of a
+/// million faces gives the same tiles, and the time differs by less than a tenth.
 constexpr double cells_per_coarse_cell = 8;
 /// Number of faces between two reports of progress.
 constexpr std::size_t faces_per_report = std::size_t{1} << 16;
@@ -59,16 +59,17 @@ class Splitter {
   CellSize cell_size_;
   CellGrid grid_{1}, coarse_grid_{1};
   double margin_ = 0;
-  CellMarks marks_, coarse_marks_;  ///< grid cells of the faces that each tile has so far
-  std::vector<Cell> cells_;         ///< cells of the current face
+  /// Fine grid cells with the tiles whose faces touch them; coarse cells around these fine cells.
+  CellMarks marks_, coarse_marks_;
+  std::vector<Cell> cells_;  ///< grid cells that the current face touches
   std::vector<Cell> coarse_cells_;
-  /// For each of `cells_`: the tile whose box (Tile::own) contains the cell, or no_index.
+  /// For each of `cells_`: the tile whose own box (Tile::own) contains the cell, or no_index.
   std::vector<Index> cell_owners_;
-  /// Tiles that get the current face; tiles whose boxes touch the current cell.
+  /// Tiles that get the current face (`found_`); tiles whose boxes touch the cell (`owners_`).
   std::vector<Index> found_, owners_;
-  std::vector<Box> own_, held_;   ///< Tile::own and Tile::held of each tile
-  std::vector<char> has_faces_;   ///< 1 for each tile with own faces
-  std::optional<BoxGrid> boxes_;  ///< search structure of the boxes Tile::own
+  std::vector<Box> own_, held_;   ///< for each tile, the boxes Tile::own and Tile::held
+  std::vector<char> has_faces_;   ///< 1 for each tile with own faces, which only this tile cleans
+  std::optional<BoxGrid> boxes_;  ///< search structure for the boxes Tile::own of all tiles
   std::vector<ReferencePoint> references_;
   FaceSums sums_;
   SplitResult result_;
@@ -103,8 +104,7 @@ void Splitter::choose_boxes() {
 }
 
 // Returns the tile whose box Tile::own contains a grid cell, or no_index. All cells in this box
-// count as marked for the tile, so that marks for the tile are stored only for cells outside its
-// box.
+// count as marked for the tile. Hence marks for the tile are stored only for cells outside its box.
 Index Splitter::owner_of(Cell cell) {
   const Box box = grid_.box_around(cell);
   boxes_->find(box.min(), box.max(), owners_);
@@ -121,9 +121,9 @@ void Splitter::mark(Index tile, Index ring) {
   }
 }
 
-// True if a face is inside the box Tile::own of one tile, and far from all marked cells. Then no
-// other tile needs the face. This holds for most faces, so that their grid cells need not be
-// computed.
+// True if no tile needs the face except the one in whose box Tile::own it is. The reason is that
+// the face is far from the boxes of other tiles and from all marked cells. This holds for most
+// faces, so that their grid cells need not be computed.
 bool Splitter::is_inside(const Triangle& t) {
   const Vec3 reach = Vec3::Constant(1.02 * grid_.size() + margin_);
   const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
@@ -162,8 +162,8 @@ void Splitter::mark_own() {
   has_faces_ = std::move(has_faces);
 }
 
-// Finds the tiles that already have faces in the grid cells of a triangle. They need the triangle
-// as a neighbor of these faces.
+// Finds the tiles that already have faces in the grid cells of a triangle. These tiles get the
+// triangle, too, as a neighbor of their faces.
 void Splitter::find_tiles(const Triangle& triangle, Index ring) {
   cells_.clear();
   if (is_inside(triangle)) return;

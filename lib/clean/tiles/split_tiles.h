@@ -21,8 +21,8 @@ struct SplitResult {
   std::size_t faces = 0;         ///< number of faces of the mesh
   std::size_t tile_faces = 0;    ///< number of faces of all tiles together
   std::size_t largest_tile = 0;  ///< number of faces of the largest tile
-  std::size_t empty_tiles = 0;   ///< number of tiles without own faces
-  /// Files that are written completely, but do not have their final names yet.
+  std::size_t empty_tiles = 0;   ///< number of tiles without faces of their own
+  /// Tile files whose contents are written completely, but that do not have their final names yet.
   std::vector<AtomicFile> files;
 };
 
@@ -32,8 +32,8 @@ struct SplitResult {
 SplitResult split_tiles(const PlyRows& rows, std::size_t count, const std::string& folder,
                         const Progress& progress);
 
-/// Returns "FOLDER/tile-03.ply". cleaned_tile_path() returns the file of the clean pieces,
-/// "FOLDER/clean-03.ply".
+/// Returns the path of a tile file, such as "FOLDER/tile-03.ply". cleaned_tile_path() returns the
+/// path of the file with the cleaned faces of this tile, such as "FOLDER/clean-03.ply".
 std::string tile_path(const std::string& folder, std::size_t number, std::size_t count);
 std::string cleaned_tile_path(const std::string& folder, std::size_t number, std::size_t count);
 

@@ -7,8 +7,8 @@
 namespace transformesh {
 namespace {
 
-/// Number of grid cells along each axis. With half as many cells per axis, one cell touches several
-/// of 64 tiles. With twice as many, the grid does not fit into the cache.
+/// Number of grid cells along each axis. With half as many cells per axis, a cell touches several
+/// boxes if there are 64 tiles. With twice as many, the grid does not fit into the cache.
 constexpr int cells_per_side = 32;
 
 void divide(std::span<Vec3> points, std::size_t count, const Box& box, std::vector<Box>& boxes) {

@@ -9,8 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// Number of rays per box. A ray touches an edge only by coincidence, so a second ray is rarely
-/// needed.
+/// Largest number of rays per box. A ray is of no use if it touches an edge. This happens only by
+/// coincidence, so a second ray is rarely needed.
 constexpr int rays_per_box = 4;
 
 }  // namespace
@@ -37,8 +37,8 @@ void TileWindings::add(const Triangle& t) {
   for (; ray != rays_.end() && ray->from.y() <= high; ++ray) ray->path.add(t);
 }
 
-// Returns the winding number at the start of a ray as the sum of the changes along the ray; at
-// infinity it is 0.
+// Returns the start of a ray and its winding number. The winding number at infinity is 0, so the
+// number at the start is minus the sum of the changes along the ray.
 ReferencePoint TileWindings::of_box(std::size_t box) const {
   if (is_empty_[box]) return {};
   for (const Ray& ray : rays_) {

@@ -17,13 +17,13 @@ namespace transformesh {
 namespace {
 
 /// If at least this fraction of faces coincides with a face of opposite orientation, the error
-/// message names this as the reason why the mesh encloses nothing. A choice.
+/// message gives this as the reason why the mesh encloses nothing. A choice.
 constexpr double double_sided_share = 0.5;
 
-/// Returns the problem of a mesh in which `reverses` faces coincide with a face of opposite
+/// Returns the error for a mesh of which `reverses` faces coincide with a face of opposite
 /// orientation. A solid minus itself and a double-sided solid are the same mesh, so the message
-/// names both. If the mesh is open after removing one face of each pair, the mesh is a double-sided
-/// sheet.
+/// names both causes. If the mesh is open after one face of each pair is removed, the message calls
+/// the mesh a double-sided sheet.
 Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
   const bool is_sheet = one_side_is_open(mesh);
   return {is_sheet ? ErrorKind::double_sided_sheet : ErrorKind::double_sided,

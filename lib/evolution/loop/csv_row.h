@@ -8,7 +8,8 @@
 
 namespace transformesh {
 
-/// Each call adds a column name and a value, so that header and rows agree.
+/// Builds a row of a CSV file and its header. Each call adds a column name and a value, so that
+/// header and row agree.
 class CsvRow {
  public:
   CsvRow& count(const std::string& name, std::integral auto value) {

@@ -1,5 +1,5 @@
-/// Writes events as rows of a CSV file. The first column is the iteration, as in all CSV files of a
-/// record.
+/// Writes events as rows of a CSV file. The first column is the number of the iteration, as in all
+/// CSV files that a run records.
 #pragma once
 
 #include <string>

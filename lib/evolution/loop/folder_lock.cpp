@@ -17,7 +17,7 @@
 namespace transformesh {
 namespace {
 
-// True if the opened folder still exists under its name. Another process may have removed it.
+// True if the opened folder still has the path `folder`. Another process may have removed it.
 bool is_still_named(int descriptor, const std::string& folder) {
   struct stat opened {};
   struct stat named {};
@@ -25,8 +25,8 @@ bool is_still_named(int descriptor, const std::string& folder) {
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
-// True if another process holds the lock for a second. A process that is killed during fork()
-// leaves its lock to the child until the child calls exec(), so that a short wait is needed.
+// True if another process keeps the lock for a second. The short wait is needed: a process that is
+// killed during fork() leaves its lock to the child until the child calls exec().
 bool is_locked_by_another(int descriptor) {
   for (int tries = 0; tries < 50; ++tries) {
     if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return false;

@@ -12,8 +12,8 @@ class FolderLock {
   /// for a second or the folder cannot be created. On file systems without locks, nothing is locked
   /// and no error is thrown.
   explicit FolderLock(std::string folder);
-  /// Removes the folder if it is empty, and its parent if the constructor created it and it is
-  /// empty. The folders are also removed if a signal ends the process.
+  /// Removes the folder if it is empty. Also removes its parent folder if the constructor created
+  /// it and it is empty. Both are also removed if a signal ends the process.
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -22,7 +22,8 @@ class FolderLock {
   bool lock();
 
   std::string folder_;
-  std::string made_above_;  ///< parent folder if the constructor created it; else empty
+  /// Parent folder that the constructor created; empty if it existed before.
+  std::string made_above_;
   int descriptor_ = -1;
 };
 

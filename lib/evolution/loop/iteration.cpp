@@ -44,7 +44,8 @@ RemeshOptions remesh_options(const Document& document, const IterationOptions& o
   return result;
 }
 
-/// Applies CleanOptions::outermost to a result of clean() without it.
+/// Removes enclosed components, as CleanOptions::outermost does, from a result of clean() that was
+/// computed without this option.
 void drop_enclosed(CleanResult& result) {
   if (!result.changed || drop_enclosed_components(result.mesh) == 0) return;
   result.connectivity.reset();
@@ -69,7 +70,7 @@ class EarlyRemesh {
     }
   }
   void cancel() { is_cancelled_ = true; }
-  /// Call when cleaning has ended and remeshing has not. From then on remeshing reports its
+  /// Call when cleaning has ended, but remeshing has not. Afterwards remeshing reports its
   /// progress, and the progress function can cancel it.
   void await() { is_awaited_ = true; }
   RemeshResult take(Document& document) {
@@ -87,7 +88,8 @@ class EarlyRemesh {
   std::exception_ptr error_;
 };
 
-/// Cleans and remeshes a document. Stores all members of IterationResult except those of the step.
+/// Cleans and remeshes a document. Stores all members of IterationResult, except those of the step
+/// that moved the vertices before.
 class CleanAndRemesh {
  public:
   CleanAndRemesh(Document& document, const IterationOptions& options, const Progress& progress,
@@ -118,11 +120,12 @@ class CleanAndRemesh {
     result_.was_cleaned = cleaned_.changed;
     result_.seconds_clean = watch_.lap();
   }
-  /// Returns the length of the longest loops around which thin parts are cut; 0 for no cuts. If
-  /// cleaning changed a closed surface that is remeshed with RemeshOptions::curved, the length is
-  /// at least `min_edge`. Where a flow tears a surface, cleaning leaves threads and handles much
-  /// thinner than that. No collapse removes these, as it would change the genus. They intersect
-  /// each other in later steps, and without cuts their number doubles from step to step.
+  /// Returns the largest length of the closed curves around which thin parts are cut; 0 for no
+  /// cuts. If cleaning changed a closed surface that is remeshed with RemeshOptions::curved, the
+  /// length is at least `min_edge`. The reason: if a flow tears a surface, cleaning leaves threads
+  /// and handles much thinner than `min_edge`. Edge collapses do not remove these, as this would
+  /// change the genus. The threads intersect each other in later steps, and without cuts their
+  /// number doubles from step to step.
   double pinch_length() const {
     const RemeshOptions& remeshing = options_.remesh;
     const bool has_threads = remeshing.curved && cleaned_.changed &&
@@ -130,8 +133,8 @@ class CleanAndRemesh {
     if (!has_threads || !check_manifold(document_.mesh).is_closed()) return remeshing.pinch;
     return std::max(remeshing.pinch, remesh_options(document_, options_).min_edge);
   }
-  /// Cuts thin parts. This is separate from remeshing, so that `on_cleaned` is called for the
-  /// change.
+  /// Cuts thin parts. This is done before remeshing and not as a part of it, so that `on_cleaned`
+  /// is called for this change, too.
   void pinch() {
     const double length = pinch_length();
     if (length == 0) return;
@@ -173,8 +176,9 @@ class CleanAndRemesh {
   Stopwatch watch_;
 };
 
-/// Throws an error that names the step as the cause if nothing is left of the surface after
-/// cleaning. Remeshing states by itself which edges are too long.
+/// If nothing is left of the surface after cleaning, throws an error that names the step as the
+/// cause. Does nothing for components that are too small for remeshing, because the message of
+/// remeshing names the cause.
 void throw_if_vanished(const GoalError& error) {
   if (!is_nothing_left(error.kind()) || error.kind() == ErrorKind::component_too_small) return;
   throw GoalError(ErrorKind::surface_vanished,

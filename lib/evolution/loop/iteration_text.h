@@ -1,4 +1,4 @@
-/// Describes iterations in words and as columns of a CSV file.
+/// Describes iterations of an evolution in words and as columns of a CSV file.
 #pragma once
 
 #include <string>
@@ -8,18 +8,19 @@
 
 namespace transformesh {
 
-/// Returns "812 faces, 1 part, genus 0".
+/// Returns a text such as "812 faces, 1 part, genus 0".
 std::string in_words(std::size_t faces, const Topology& topology);
 
-/// Returns "812 faces, components 1, genus 0".
+/// Returns a text such as "812 faces, components 1, genus 0".
 std::string in_short(std::size_t faces, const Topology& topology);
 
-/// Return the fractions of the vertices that moved, and that were clamped.
+/// Return a fraction of the vertices in [0, 1]: of those that moved, and of those whose movement
+/// was clamped.
 double moved_share(const IterationResult& result);
 double clamped_share(const IterationResult& result);
 
-/// Add the columns that all loops have. measure_mesh() adds measures of the mesh after the
-/// iteration; measure_times() adds the mean edge before it and the times of its stages.
+/// Add the CSV columns that all loops have: measure_mesh() those of the mesh after the iteration,
+/// measure_times() the mean edge before the iteration and the times of its stages.
 void measure_mesh(const IterationResult& result, CsvRow& row);
 void measure_times(const IterationResult& result, CsvRow& row);
 

@@ -11,14 +11,14 @@ namespace transformesh {
 
 class LoopState {
  public:
-  /// Stores the variables that are named.
+  /// Creates a state that stores variables: loop_state(name, variable) saves the variable's value.
   LoopState() = default;
-  /// Restores the variables that are named, from a result of text(). Throws InputError for any
-  /// other text.
+  /// Creates a state that restores variables from a result of text(): loop_state(name, variable)
+  /// sets the variable. Throws InputError for any other text.
   explicit LoopState(const std::string& text);
 
-  /// Stores or restores a number, a bool or an enumerator. The name must be one word. Throws
-  /// InputError if the name is not found when restoring.
+  /// Stores or restores a number, a bool or an enumerator, depending on the constructor. The name
+  /// must be one word. Throws InputError if the name is not found when restoring.
   template <typename Number>
   LoopState& operator()(const std::string& name, Number& value) {
     if (restores_) {

@@ -1,4 +1,4 @@
-/// Runs a loop for documents on a mesh.
+/// Runs a loop, which works on a document, on a mesh.
 #pragma once
 
 #include <utility>

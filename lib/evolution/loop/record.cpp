@@ -26,14 +26,14 @@ std::optional<std::string> bytes_of(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-/// Replaces control characters, which a PLY comment cannot contain.
+/// Replaces control characters, such as line ends, which a PLY comment cannot contain.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
   return text;
 }
 
-/// Removes the comment that begins with `key`, and returns its text after the key.
+/// Removes the comment that begins with `key` from `comments`, and returns the rest of its text.
 std::string taken(std::vector<std::string>& comments, std::string_view key,
                   const std::string& file) {
   const auto found = std::find_if(comments.begin(), comments.end(),
@@ -74,7 +74,8 @@ void check_may_begin(const SavedState& state, const RecordOptions& options) {
                    {.name = options.state});
 }
 
-/// Returns the lines of a CSV file: the header, and the rows of iterations up to `last`.
+/// Returns the text of a CSV file up to iteration `last`: the header and the rows of these
+/// iterations.
 std::string rows_until(const std::string& path, const std::string& header, std::size_t last) {
   std::string kept;
   if (is_written_directly(end_of_links(path))) return header + '\n';
@@ -150,8 +151,8 @@ void Record::begin(const Document& document, const std::string& csv_header,
   save(document, 0, loop_state);
 }
 
-/// Opens a CSV file. If the run is continued, the rows up to the recorded state stay. Returns null
-/// if `path` is empty.
+/// Opens a CSV file. If the run is continued, the file keeps its rows up to the recorded state.
+/// Returns null if `path` is empty.
 std::shared_ptr<const LineFile> Record::opened(const std::string& path,
                                                const std::string& header) const {
   if (path.empty()) return nullptr;

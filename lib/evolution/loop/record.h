@@ -26,46 +26,54 @@ namespace transformesh {
 
 struct SavedState {
   Document document;
-  std::string settings;  ///< one line of text that identifies the options of the run
+  /// One line of text with the options of the run, to recognize a run with other options.
+  std::string settings;
   std::size_t iteration = 0;
-  bool is_paused = false;  ///< the run reached its limit of iterations and was not interrupted
+  /// True if the run reached its limit of iterations, so that it was not interrupted.
+  bool is_paused = false;
   LoopState loop_state;
 };
 
 class Record {
  public:
-  /// Looks for a recorded state, and locks its folder if `options` say so. Throws UsageError if the
-  /// run is to be continued and the state has other settings. Throws UsageError if the state is of
-  /// an interrupted run that is to be neither continued nor discarded. Throws InputError if the
-  /// files are no state, and OutputError if another process holds the lock.
+  /// Looks for a recorded state, and locks its folder if `options` require this. Throws UsageError
+  /// if the run is to be continued, but the state has other settings. Throws UsageError if the
+  /// state is of an interrupted run and the options neither continue nor discard it. Throws
+  /// InputError if the files are not a recorded state, and OutputError if another process holds the
+  /// lock.
   explicit Record(RecordOptions options = {});
 
   bool has_state() const { return !options_.state.empty(); }
   bool has_events() const { return !options_.events.empty(); }
   /// Returns the number of completed iterations, including those before the run was continued.
   std::size_t iteration() const { return iteration_; }
-  /// Returns the state from which the run continues; empty if it begins.
+  /// Returns the recorded state from which the run continues. Empty if the run starts from the
+  /// beginning.
   const std::optional<SavedState>& resumed() const { return resumed_; }
-  /// Adds a file to the state. begin() writes it; find() returns it if the run is continued.
+  /// Adds a file to the recorded state. begin() writes the file. If the run is continued, find()
+  /// returns its bytes.
   void add(const std::string& name, std::string bytes) {
     added_.emplace_back(name, std::move(bytes));
   }
   std::optional<std::string> find(const std::string& name) const;
 
-  /// Removes the state of an earlier run unless that run is continued. Also done by begin().
+  /// Removes the recorded state of an earlier run, unless that run is continued. begin() does this,
+  /// too.
   void forget_earlier_state() const;
 
-  /// Call once, before the first iteration, with the header of the CSV file and the variables
-  /// before iteration 1. If the run is continued, `document` and `loop_state` are ignored.
+  /// Call once, before the first iteration. `csv_header` is the header of the CSV file, and
+  /// `loop_state` has the variables before iteration 1. If the run is continued, `document` and
+  /// `loop_state` are ignored.
   void begin(const Document& document, const std::string& csv_header, const LoopState& loop_state);
-  /// Records a completed iteration.
+  /// Records a completed iteration: its state, its CSV row and its event rows.
   void keep(const Document& document, std::size_t iteration, const std::string& row,
             const LoopState& loop_state, const std::vector<std::string>& event_rows = {});
-  /// Call if the limit of iterations is reached. The state stays and is marked as not interrupted.
+  /// Call if the limit of iterations is reached. The state remains on disk and is marked as not
+  /// interrupted.
   void pause(const Document& document, const LoopState& loop_state) const {
     save(document, iteration_, loop_state, true);
   }
-  /// Call if the loop has ended. Removes the state, unless the options keep it.
+  /// Call if the loop has ended. Removes the state from disk, unless the options keep it.
   void end() const {
     if (!options_.keep_state_at_end) remove_state();
   }

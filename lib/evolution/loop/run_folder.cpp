@@ -17,12 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int layout = 1;  ///< version of the folder's layout; a later one is refused
+/// Version of the folder's layout; folders with a later version are refused.
+constexpr int layout = 1;
 constexpr std::string_view frame_prefix = "frame-";
 constexpr const char* mesh_ending = ".ply";
 
-/// Returns the files of a folder whose names are prefix, number and ending, in order of the
-/// numbers.
+/// Returns the files of a folder that are named by a prefix, a number and an ending. Sorts them by
+/// number.
 RunPaths numbered(const std::string& folder, std::string_view prefix, const char* ending) {
   RunPaths found;
   std::error_code ignored;
@@ -36,7 +37,8 @@ RunPaths numbered(const std::string& folder, std::string_view prefix, const char
   return found;
 }
 
-/// Returns `of_movie`. If that is empty and `file` exists, returns `path` with the number 0.
+/// Returns `of_movie` unless it is empty. If it is empty and `file` exists, returns one entry:
+/// number 0 and `path`.
 RunPaths numbered_or(const RunPaths& of_movie, const std::string& file, const std::string& path) {
   std::error_code ignored;
   if (of_movie.empty() && fs::exists(file, ignored)) return {{0, path}};
@@ -58,11 +60,11 @@ void remove_views(const std::string& folder) {
   const std::string photographs = folder + run_file::photographs;
   for (const auto& entry : fs::directory_iterator(photographs, ignored))
     if (entry.path().extension() == ".png") fs::remove(entry.path(), ignored);
-  // The folder stays if it contains files that are not of a run.
+  // Keep the folder if it contains files that do not belong to a run.
   if (fs::is_empty(photographs, ignored)) fs::remove(photographs, ignored);
 }
 
-/// True for `.NAME.PROCESS-ATTEMPT.tmp`, as AtomicFile names temporary files.
+/// True for names of temporary files that AtomicFile creates: `.NAME.PROCESS-ATTEMPT.tmp`.
 bool is_unfinished(const fs::path& file) {
   const std::string name = file.stem().string();
   const std::string numbers = file.stem().extension().string();
@@ -104,8 +106,8 @@ void remove_files_of_run(const std::string& folder) {
     if (fs::is_empty(folder + name, ignored)) fs::remove(folder + name, ignored);
 }
 
-/// True if the path has the name of a run's state, which is derived from the name of the result. A
-/// run that was stopped before it wrote its description leaves only its state.
+/// True if the path has the name of a run's recorded state. A run that was stopped before it wrote
+/// its description leaves only this state.
 bool may_be_of_a_run(const fs::path& path) {
   return path.filename().string().starts_with(std::string(run_file::result + 1) + ".tm-");
 }
@@ -125,7 +127,7 @@ void check_run_folder(const std::string& folder) {
 void begin_run(const std::string& folder, const RunDescription& description,
                const RunFiles& files) {
   make_folder(folder);
-  // The description comes first, so that an interrupted run leaves a recognizable folder.
+  // Write the description first, so that a folder of an interrupted run is recognized as such.
   write_description(folder, description);
   remove_files_of_run(folder);
   add_to_run(folder, files);
@@ -179,7 +181,7 @@ RunPaths run_targets(const std::string& folder) {
 
 RunPaths run_views(const std::string& folder) {
   RunPaths of_movie = numbered(folder + run_file::views, "", "");
-  // Cameras are written last, so that a folder without them is incomplete.
+  // Skip folders without cameras: cameras are written last, so such a folder is incomplete.
   std::erase_if(of_movie,
                 [](const auto& one) { return !fs::exists(one.second + run_file::cameras); });
   return numbered_or(of_movie, folder + run_file::cameras, folder);

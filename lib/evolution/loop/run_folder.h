@@ -33,32 +33,35 @@ inline constexpr const char *description = "/run.json", *start = "/start.ply",
 /// the version of the folder's layout.
 struct RunDescription {
   std::string tool, version;
-  /// Command lines, quoted for a shell: of the program that began the run, then of those that
-  /// continued it.
+  /// Command lines, quoted for a shell. The first began the run, the others continued it.
   std::vector<std::string> commands;
 };
 using RunFiles = std::vector<std::pair<std::string, std::string>>;  ///< names and bytes of files
 using RunPaths = std::vector<std::pair<std::size_t, std::string>>;  ///< numbers and paths, in order
 
-/// Throws UsageError if the folder contains files but no run.
+/// Throws UsageError if the folder contains files, but not those of a run.
 void check_run_folder(const std::string& folder);
-/// Writes the description, removes the files of an earlier run, and writes `files`.
+/// Starts a run in a folder: writes its description, removes the files of an earlier run, and
+/// writes `files`.
 void begin_run(const std::string& folder, const RunDescription& description, const RunFiles& files);
-/// Writes further files while the loop runs.
+/// Writes additional files to the folder of a run, while its loop runs.
 void add_to_run(const std::string& folder, const RunFiles& files);
-/// Adds a command to the description, and removes incomplete files.
+/// Adds a command line to the description of the run, and removes files that were not written
+/// completely.
 void continue_run(const std::string& folder, const std::string& command);
 
-/// Reads the description. Throws InputError if the folder is not a run or has a later layout.
+/// Reads the description of a run. Throws InputError if the folder does not contain a run, or if
+/// its layout has a later version than this program supports.
 RunDescription read_run(const std::string& folder);
 
-/// Return the existing frames, targets and view folders. For a movie, targets and view folders have
-/// the numbers of their frames; otherwise there is at most one, with the number 0.
+/// Return the existing frames, targets and view folders, with their numbers. Targets and view
+/// folders of a movie have the numbers of their frames. Otherwise there is at most one of each,
+/// with the number 0.
 RunPaths run_frames(const std::string& folder);
 RunPaths run_targets(const std::string& folder);
 RunPaths run_views(const std::string& folder);
-/// Returns the name of a file or folder of a movie: `files`, which is run_file::targets or
-/// run_file::views, then '/', five digits of the number and the ending.
+/// Returns the name of a file or folder of a movie: `files`, then '/', the number with five digits,
+/// and the ending. `files` is run_file::targets or run_file::views.
 std::string run_name(const char* files, std::size_t number, const std::string& ending);
 
 }  // namespace transformesh

@@ -1,4 +1,5 @@
-/// The stages of an iteration (iteration.h) that loops also call separately.
+/// Stages of an iteration (iteration.h), such as cleaning and remeshing, that loops also call
+/// separately.
 #pragma once
 
 #include <functional>
@@ -8,7 +9,8 @@
 
 namespace transformesh {
 
-/// Returns the options. A reference edge of 0 is replaced by the reference edge of the mesh.
+/// Returns the options with a reference edge. If it is 0, it is replaced by the mean edge length of
+/// the mesh.
 IterationOptions completed(IterationOptions options, const Mesh& mesh);
 
 /// Runs remesh() without pinching, and then rounds all numbers to the types in which the document
@@ -21,7 +23,8 @@ struct CleanedTopology {
   Topology topology;
   bool changed = false;
   std::size_t pairs = 0;
-  std::vector<Index> opposites;  ///< opposite halfedges if they were found, for remesh_in_place()
+  /// Opposite halfedges for remesh_in_place(); empty if they were not computed.
+  std::vector<Index> opposites;
 };
 
 /// Runs clean(), and then rounds all numbers to the types in which the document will be written.

@@ -3,28 +3,28 @@
 namespace transformesh {
 namespace {
 
-/// A value counts as improved if it is below this share of the best so far. Nearer to 1, noise of
-/// remeshing counts as progress; much smaller values end slow evolutions.
+/// A value counts as improved if it is below this fraction of the best value so far. Closer to 1,
+/// noise of remeshing counts as progress. Much smaller values end slow evolutions too early.
 constexpr double improvement = 0.99;
 
-/// Number of iterations without improvement after which a morph stalls. Fewer may end a slow morph;
-/// more are wasted at the end of every stalled morph.
+/// Number of iterations without improvement after which a morph stalls. With fewer, slow morphs may
+/// end too early. With more, every stalled morph makes more useless iterations.
 constexpr std::size_t patience = 20;
 
 /// Number of iterations without improvement after which a morph stalls if no vertex moves any more.
-/// It is small, because further iterations change little.
+/// Smaller than `patience`, because further iterations change little.
 constexpr std::size_t patience_at_rest = 3;
 
-/// Number of iterations without improvement after which a coarse scale ends. It is small, because
-/// stalling at a coarse scale only means that finer edges are needed.
+/// Number of iterations without improvement after which a coarse scale (long edges) ends. Smaller
+/// than `patience`, because stalling at a coarse scale only means that shorter edges are needed.
 constexpr std::size_t coarse_patience = 5;
 
 /// Least number of iterations from one comparison with the target to the next. A comparison takes
 /// longer than an iteration.
 constexpr std::size_t iterations_between_looks = 5;
 
-/// Largest movement of a vertex at rest, as a share of its clamp (the limit of its movement in one
-/// step).
+/// A vertex counts as at rest if it moves by at most this fraction of its clamp, which is the limit
+/// of its movement in one step.
 constexpr double rest_share = 0.02;
 
 bool is_near(const MorphStepResult& step) {
@@ -57,7 +57,7 @@ bool MorphRule::has_improved(const MorphStepResult& step) {
 }
 
 MorphVerdict MorphRule::verdict(const MorphStepResult& step, std::size_t vertices) const {
-  // At the first step of a scale, the mesh still has the edge lengths of the scale before.
+  // At the first step of a scale, the mesh still has the edge lengths of the previous scale.
   const bool has_settled = age_ > 1;
   if (scale_ > 0) {
     const bool has_room = has_settled && 100 * step.displaced.clamped <= vertices;

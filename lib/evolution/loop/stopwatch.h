@@ -1,4 +1,5 @@
-/// Measures wall-clock time since its construction or the last lap, in seconds.
+/// Stopwatch: measures wall-clock time, in seconds, since its construction or the last call of
+/// lap().
 #pragma once
 
 #include <chrono>

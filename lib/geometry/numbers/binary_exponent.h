@@ -1,4 +1,5 @@
-/// Powers of two and exponents of doubles from their bits; many times faster than the C library.
+/// Powers of two, and exponents of doubles, by operations on their bits. Many times faster than the
+/// functions of the C library.
 #pragma once
 
 #include <algorithm>

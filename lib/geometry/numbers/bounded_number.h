@@ -1,6 +1,7 @@
-/// A real number with an error bound, in doubles: the first stage of predicates. Unlike interval
-/// arithmetic, it works with rounding to nearest and needs no change of the rounding mode. It
-/// decides nothing near underflow. Reference: van der Hoeven, "Ball arithmetic", 2009.
+/// A real number with an error bound, in doubles; predicates try it first. Unlike interval
+/// arithmetic, it works with rounding to nearest and needs no change of the rounding mode. It does
+/// not decide a sign if products come close to underflow. Reference: van der Hoeven, "Ball
+/// arithmetic", 2009.
 #pragma once
 
 #include <cmath>
@@ -35,7 +36,8 @@ struct BoundedNumber {
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  static constexpr double underflow = 1e-280;  ///< exceeds the error of products by underflow
+  /// Value that exceeds the error of a product that underflows.
+  static constexpr double underflow = 1e-280;
 };
 
 }  // namespace transformesh

@@ -1,7 +1,7 @@
-/// A real number with an error bound and twice the precision of a double. Decides a sign if doubles
-/// fail, at a tenth of the cost of exact arithmetic. Requires rounding to nearest. Numbers above
-/// 2^480 are treated as unknown; products below 2^-900 are not distinguished from 0. Reference: van
-/// der Hoeven, "Ball arithmetic", 2009.
+/// A real number with an error bound and twice the precision of a double. Predicates use it if
+/// doubles do not decide a sign, at a tenth of the cost of exact arithmetic. Requires rounding to
+/// nearest. Numbers above 2^480 are treated as unknown; products below 2^-900 are not distinguished
+/// from 0. Reference: van der Hoeven, "Ball arithmetic", 2009.
 #pragma once
 
 #include <cmath>
@@ -16,14 +16,14 @@ class DoubleDoubleBall {
   DoubleDoubleBall() = default;  ///< the number 0
   explicit DoubleDoubleBall(double number) : value_{number, 0} {}
 
-  /// Returns a ball that contains all numbers.
+  /// Returns a ball (number with an error bound) that contains all real numbers.
   static DoubleDoubleBall unknown() {
     DoubleDoubleBall ball;
     ball.error_ = std::numeric_limits<double>::infinity();
     return ball;
   }
 
-  /// Returns +1 or -1 if all numbers of the ball have that sign, otherwise 0.
+  /// Returns +1 or -1 if all numbers within the error bound have that sign, otherwise 0.
   int sign() const {
     const double bound = error_ * slack;
     return value_.high > bound ? 1 : value_.high < -bound ? -1 : 0;
@@ -48,7 +48,7 @@ class DoubleDoubleBall {
     const double error = size_a * b.error_ + (size_b + b.error_) * a.error_;
     return {a.value_ * b.value_, error + epsilon * size_a * size_b + underflow};
   }
-  /// The divisor must have a certain sign.
+  /// The sign of the divisor must be certain; it must not be zero within its error bound.
   friend DoubleDoubleBall operator/(const DoubleDoubleBall& a, const DoubleDoubleBall& b) {
     const double size_b = std::abs(b.value_.high);
     if (!(std::abs(a.value_.high) < largest && size_b < largest && size_b > 1 / largest))
@@ -61,11 +61,12 @@ class DoubleDoubleBall {
   }
 
  private:
-  /// Exceeds the relative error of sums, products and quotients of double-doubles.
+  /// Relative error bound of sums, products and quotients of two double-doubles.
   static constexpr double epsilon = 0x1p-98;
   static constexpr double slack = 1 + 0x1p-40;  // factor that covers the rounding of errors
   static constexpr double largest = 0x1p480;
-  static constexpr double underflow = 0x1p-900;  ///< exceeds the error of products by underflow
+  /// Value that exceeds the error of a product that underflows.
+  static constexpr double underflow = 0x1p-900;
 
   DoubleDoubleBall(const elementary::DoubleDouble& value, double error)
       : value_(value), error_(error * slack) {

@@ -47,7 +47,8 @@ class DyadicNumber {
     Integer below = positive_denominator.digits_;
     const std::int64_t bits =
         static_cast<std::int64_t>(msb(above)) - static_cast<std::int64_t>(msb(below));
-    // The quotient of the shifted digits has 64 or 65 bits, which the double is cut from.
+    // The quotient of the shifted digits has 64 or 65 bits. The leading 53 of them become the
+    // double.
     const std::int64_t shift = 64 - bits;
     if (shift >= 0)
       above <<= shift;
@@ -55,7 +56,8 @@ class DyadicNumber {
       below <<= -shift;
     Integer digits = above / below;
     std::int64_t exponent = numerator.exponent_ - positive_denominator.exponent_ - shift;
-    // Denormal numbers keep fewer bits: none below the smallest double.
+    // Denormal numbers keep fewer bits than normal ones. Numbers below the smallest double keep
+    // none.
     const auto size = static_cast<std::int64_t>(msb(digits)) + 1;
     const std::int64_t lost = std::max(size - digits_of_double, least_exponent - exponent);
     digits >>= lost;

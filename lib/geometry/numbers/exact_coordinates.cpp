@@ -1,5 +1,5 @@
-// Coordinates of a point, from its definition: in double-double, in exact numbers, and in balls of
-// homogeneous coordinates.
+// Computes coordinates of a point from its definition: in double-double, in exact numbers, and as
+// homogeneous coordinates in balls (numbers with an error bound).
 #include "geometry/numbers/exact_coordinates.h"
 
 #include <algorithm>
@@ -87,7 +87,7 @@ void visit_vertices(const PointDefinition& definition, std::span<const Face> fac
   }
 }
 
-// True if the magnitudes of coordinates differ so strongly that numbers become long.
+// True if the magnitudes of coordinates differ so strongly that exact numbers become long.
 bool is_spread(const PointDefinition& definition, std::span<const Vec3> positions,
                std::span<const Face> faces) {
   // Ratio of magnitudes above which balls (numbers with an error bound) are tried before exact
@@ -144,8 +144,8 @@ auto& balls_of(Coordinates& known) {
     return known.longer;
 }
 
-// Replaces the shared cache of the point instead of changing it, because other threads may read
-// copies.
+// Stores coordinates in the point's cache. Creates a new cache instead of changing the shared one,
+// because other threads may read it through copies of the point.
 template <class Ball>
 const HomogeneousPoint<Ball>& ExactGeometry::spread(const ExactPoint& point) const {
   if (const auto& balls = balls_of<Ball>(precise(point))) return *balls;

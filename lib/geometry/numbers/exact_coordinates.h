@@ -1,4 +1,5 @@
-/// Exact and precise coordinates of an ExactPoint, computed on demand from its definition.
+/// Coordinates of an ExactPoint in exact numbers and in numbers with an error bound. Computed on
+/// demand from the definition of the point.
 #pragma once
 
 #include <limits>
@@ -13,7 +14,7 @@
 
 namespace transformesh {
 
-/// Exact coordinates; the weight is positive.
+/// Exact homogeneous coordinates of a point, with positive weight.
 struct ExactCoordinates : HomogeneousPoint<ExactNumber> {};
 
 /// Coordinates with twice the precision of a double, if these can be computed. If magnitudes in the
@@ -32,7 +33,8 @@ struct PreciseNormal {
 };
 struct ExactPlaneCoordinates : HomogeneousPlane<ExactNumber> {};
 
-/// True if the ball of the point is its exact position.
+/// True if the ball in doubles that contains the point has radius 0, so that its center is the
+/// exact point.
 inline bool is_exact(const ExactPoint& point) { return point.radius == Vec3::Zero(); }
 
 }  // namespace transformesh

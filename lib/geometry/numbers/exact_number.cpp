@@ -14,7 +14,7 @@ double quotient(const ExactNumber& numerator, const ExactNumber& positive_denomi
 
 #else
 
-// The fraction is not reduced, because this would take most of the time.
+// The fraction is not reduced first, because reducing it would take most of the time.
 double quotient(const ExactNumber& numerator, const ExactNumber& positive_denominator) {
   const CGAL::Gmpq p(numerator), q(positive_denominator);
   const CGAL::Gmpz above = p.numerator() * q.denominator();

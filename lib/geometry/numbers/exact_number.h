@@ -1,5 +1,5 @@
-/// Exact numbers, which decide a sign if faster types fail: CGAL's Mpzf, which needs GMP, or
-/// DyadicNumber in builds without GMP. Both represent every finite double, and all sums and
+/// Type of exact numbers, which decide a sign if faster types fail. It is CGAL's Mpzf, which needs
+/// GMP, or DyadicNumber in builds without GMP. Both represent every finite double, and all sums and
 /// products of finite doubles.
 #pragma once
 

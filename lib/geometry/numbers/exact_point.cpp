@@ -18,7 +18,8 @@ using Interval = CGAL::Interval_nt<false>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Sets the ball to the center of an interval, with a radius that includes the rounding errors.
+// Sets coordinate `i` of the ball that contains the point: the center of the interval [low, high],
+// and a radius that includes the rounding errors.
 void set_ball(ExactPoint& point, int i, double low, double high) {
   if (!(std::isfinite(low) && std::isfinite(high) && low <= high)) {
     point.center[i] = 0;
@@ -38,8 +39,9 @@ std::array<double, 2> ends_of(const WideExponentBall& number) {
   return {number.low(), number.high()};
 }
 
-// Sets the ball from a fraction, and restricts it to the box that is known to contain the point.
-// Returns true if the fraction gives finite bounds.
+// Sets the ball that contains the point from the point's coordinates as fractions. Restricts the
+// ball to the box that is known to contain the point. Returns true if the fraction gives finite
+// bounds.
 template <class Number>
 bool set_balls(ExactPoint& point, const PointFraction<Number>& fraction, const Vec3& low,
                const Vec3& high) {
@@ -61,12 +63,13 @@ bool set_balls(ExactPoint& point, const PointFraction<Number>& fraction, const V
   return is_finite;
 }
 
-// Products of seven differences of smaller coordinates do not overflow.
+// If coordinates are smaller than this, products of seven of their differences do not overflow.
 constexpr double large = 0x1p140;
 
-// Sets the ball by interval arithmetic. If intervals may overflow, uses WideExponentBall instead,
-// because overflow depends on the processor. `fraction_in` computes the fraction in the number type
-// of its argument. `size` is the largest absolute value of the coordinates.
+// Sets the ball that contains the point by interval arithmetic. If intervals may overflow, uses
+// WideExponentBall instead, because the result of an overflow depends on the processor.
+// `fraction_in` computes the coordinates as fractions in the number type of its argument. `size` is
+// the largest absolute value of the coordinates.
 template <class FractionIn>
 void set_balls(ExactPoint& point, const FractionIn& fraction_in, double size, const Vec3& low,
                const Vec3& high) {

@@ -34,8 +34,9 @@ struct ExactPoint {
   PointDefinition definition;
   Vec3 center = Vec3::Zero();  ///< each coordinate of the point is within `radius` of `center`
   Vec3 radius = Vec3::Zero();
-  mutable std::shared_ptr<const PreciseCoordinates> precise;  ///< computed on demand
-  mutable std::shared_ptr<const ExactCoordinates> exact;      ///< computed on demand
+  /// Coordinates with an error bound, computed on demand.
+  mutable std::shared_ptr<const PreciseCoordinates> precise;
+  mutable std::shared_ptr<const ExactCoordinates> exact;  ///< exact coordinates, computed on demand
 };
 
 /// True if both points have the same definition, and hence are equal without arithmetic.
@@ -46,35 +47,41 @@ inline bool same_definition(const ExactPoint& a, const ExactPoint& b) {
 /// The plane of a triangle that is not degenerate.
 struct ExactPlane {
   Triangle triangle;
-  mutable std::shared_ptr<const PreciseNormal> precise = nullptr;        ///< computed on demand
-  mutable std::shared_ptr<const ExactPlaneCoordinates> exact = nullptr;  ///< computed on demand
+  /// Normal with an error bound, computed on demand.
+  mutable std::shared_ptr<const PreciseNormal> precise = nullptr;
+  /// Exact coordinates of the plane, computed on demand.
+  mutable std::shared_ptr<const ExactPlaneCoordinates> exact = nullptr;
 };
 
 class ExactGeometry {
  public:
-  /// Keeps references to the vertices and faces that definitions refer to. Faces must not be
+  /// Keeps references to the vertices and faces by which points are defined. Faces must not be
   /// degenerate.
   ExactGeometry(std::span<const Vec3> positions, std::span<const Face> faces)
       : positions_(positions), faces_(faces) {}
 
-  /// Returns the point of a definition of kind `given`, `line_plane` or `line_line`.
+  /// Returns the point with this definition, whose kind must be `given`, `line_plane` or
+  /// `line_line`.
   ExactPoint point(const PointDefinition& definition) const;
-  /// Returns the intersection of the planes of three faces. The point must be inside `g` and `h`.
+  /// Returns the intersection of the planes of three faces. The point must be inside the faces `g`
+  /// and `h`.
   ExactPoint three_planes(Index f, Index g, Index h) const;
   ExactPoint given(Index vertex) const { return point(PointDefinition::given(vertex)); }
-  /// Returns a point with these coordinates that is no mesh vertex, such as a corner of a triangle
-  /// that encloses all points of a triangulation.
+  /// Returns a point that is not defined by the mesh, with the given coordinates. An example is a
+  /// corner of a triangle that encloses all points of a triangulation.
   static ExactPoint free(const Vec3& position);
 
-  /// Returns the kind and the vertices of a definition. The vertices of a face or edge are sorted,
-  /// and so are the faces. Hence the result does not depend on the order of the faces of the mesh.
+  /// Returns the kind and the vertices of a definition, in an order that does not depend on the
+  /// order of the faces of the mesh. The vertices of a face or edge are sorted, and so are the
+  /// faces.
   std::array<Index, 10> vertices_of(const PointDefinition& definition) const;
 
-  /// Returns the exact orientation, with the sign convention of predicates.h.
+  /// Returns the exact orientation of the projected triangle abc: +1 if it is counter-clockwise, -1
+  /// if it is clockwise, 0 if it is collinear.
   int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
                PlaneProjection projection) const;
-  /// Returns twice the signed area of the projected triangle abc, computed from the balls that
-  /// contain the points.
+  /// Returns twice the signed area of the projected triangle abc with an error bound. It is
+  /// computed in doubles from the balls that contain the points.
   static BoundedNumber bounded_orient2d(const ExactPoint& a, const ExactPoint& b,
                                         const ExactPoint& c, PlaneProjection projection);
   /// Returns the orientation if the balls that contain the points decide it, otherwise 0.
@@ -94,7 +101,8 @@ class ExactGeometry {
   /// Compares by x, then y, then z: -1, 0 or +1. Returns 0 if and only if the points are equal.
   int compare(const ExactPoint& a, const ExactPoint& b) const;
   int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const;
-  /// Returns the position in doubles, within one unit in the last place.
+  /// Returns the position of a point, rounded to doubles. The error is within one unit in the last
+  /// place.
   Vec3 position(const ExactPoint& point) const;
   /// Returns the weighted mean of three points; the weights must be positive integers.
   ExactPoint mean(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
@@ -106,9 +114,8 @@ class ExactGeometry {
   const PreciseCoordinates& precise(const ExactPoint& point) const;
   template <class Ball>
   const HomogeneousPoint<Ball>& spread(const ExactPoint& point) const;
-  /// Returns the sign of `compute`, applied to the homogeneous coordinates of the points. Evaluates
-  /// exact numbers. If magnitudes differ strongly, evaluates balls (numbers with an error bound)
-  /// first.
+  /// Returns the sign of `compute`, applied to the homogeneous coordinates of the points. Uses
+  /// exact numbers. If magnitudes differ strongly, tries balls (numbers with an error bound) first.
   template <class Compute, class... Point>
   int homogeneous_sign(const Compute& compute, const Point&... points) const;
   const ExactCoordinates& exact(const ExactPoint& point) const;

@@ -1,5 +1,5 @@
-// Predicates of points given by their definition: balls first, then double-double, then exact
-// numbers.
+// Predicates of points that are given by their definition. They try balls (numbers with an error
+// bound) in doubles first, then double-double, then exact numbers.
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -14,7 +14,8 @@ template <class Number>
 using Vector = NumberVector<Number>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double underflow_guard = 1e-280;  ///< exceeds the error of products by underflow
+/// Value that exceeds the error of a product that underflows.
+constexpr double underflow_guard = 1e-280;
 
 BoundedNumber bounded(const ExactPoint& point, int i) { return {point.center[i], point.radius[i]}; }
 
@@ -42,9 +43,10 @@ std::array<BoundedNumber, 2> products_of_turn(const ExactPoint& a, const ExactPo
           (bounded(b, p.v) - bounded(a, p.v)) * (bounded(c, p.u) - bounded(a, p.u))};
 }
 
-// Returns the sum of the cotangents of the angles at c and d, times both areas. Each cotangent is a
-// dot product divided by an area. Projected areas suffice because all points are in one plane. The
-// arguments are the vectors from c and d to a and b.
+// Returns the sum of the cotangents of the angles at c and d, multiplied by twice the area of each
+// of the two triangles. Each cotangent is a dot product divided by twice an area. Projected areas
+// suffice because all points are in one plane. The arguments are the vectors from c and d to a and
+// b.
 template <class Number>
 Number delaunay_turn(const Vector<Number>& ca, const Vector<Number>& cb, const Vector<Number>& da,
                      const Vector<Number>& db, PlaneProjection p) {
@@ -60,7 +62,7 @@ Vector<Number> way(const Vector<Number>& from, const Vector<Number>& to) {
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-// Returns the vector from one point to another, times the weights of both.
+// Returns the vector between two points in homogeneous coordinates, multiplied by both weights.
 template <class Number>
 Vector<Number> way(const HomogeneousPoint<Number>& from, const HomogeneousPoint<Number>& to) {
   const auto step = [&](std::size_t i) -> Number { return to.x[i] * from.w - from.x[i] * to.w; };
@@ -164,7 +166,8 @@ int ExactGeometry::orient3d(const ExactPlane& plane, const ExactPoint& point) co
   const Triangle& t = plane.triangle;
   if (is_exact(point)) return transformesh::orient3d(t[0], t[1], t[2], point.center);
 
-  // Evaluate in doubles; the bound includes the errors of the normal and of the ball.
+  // Evaluate the sign in doubles. The bound includes the errors of the normal and of the point's
+  // ball.
   const Vec3 b = t[1] - t[0];
   const Vec3 c = t[2] - t[0];
   const Vec3 n = b.cross(c);

@@ -1,6 +1,6 @@
-/// Integers of fixed length, and coordinates as such integers. Determinants of doubles have the
-/// signs of determinants of integers if the doubles are multiples of one power of two, and at most
-/// about 2^120 times larger. This holds for nearly all coordinates of a mesh along each axis.
+/// Integers of fixed length, and coordinates as such integers. If doubles are multiples of one
+/// power of two, and at most about 2^120 times larger, their determinants have the signs of
+/// determinants of integers. This holds for nearly all coordinates of a mesh along each axis.
 /// Exact, including zeros, in a tenth of the time of numbers of unlimited length.
 #pragma once
 
@@ -16,10 +16,11 @@ namespace transformesh {
 
 __extension__ using TwoWords = unsigned __int128;
 
-/// Two's complement integer. The caller must ensure that sums do not overflow; products cannot.
+/// Integer of `length` words of 64 bits in two's complement. The caller must ensure that sums do
+/// not overflow; products cannot.
 template <std::size_t length>
 struct FixedInteger {
-  std::array<std::uint64_t, length> words{};  ///< least significant first
+  std::array<std::uint64_t, length> words{};  ///< 64-bit words, the least significant first
 
   bool is_negative() const { return words[length - 1] >> 63U != 0; }
   int sign() const {
@@ -49,7 +50,7 @@ struct FixedInteger {
     return difference;
   }
 
-  /// Subtracts `other`, shifted up by `place` words.
+  /// Subtracts `other` times 2^(64 place).
   template <std::size_t most>
   void subtract_at(std::size_t place, const FixedInteger<most>& other) {
     std::uint64_t borrow = 0;
@@ -62,8 +63,8 @@ struct FixedInteger {
   }
 };
 
-// Multiplies as unsigned numbers, then subtracts the excess of negative factors in two's
-// complement.
+// Multiplies the factors as unsigned numbers. Then subtracts the excess that negative factors have
+// in two's complement.
 template <std::size_t a_length, std::size_t b_length>
 FixedInteger<a_length + b_length> operator*(const FixedInteger<a_length>& a,
                                             const FixedInteger<b_length>& b) {
@@ -102,11 +103,12 @@ class CommonScale {
     bits_ = high < low_ ? 0 : high - low_;
   }
 
-  /// Number of bits b such that all numbers, as multiples of this power of two, are less than 2^b
-  /// in absolute value.
+  /// Returns the smallest b such that all numbers are less than 2^b in absolute value, as multiples
+  /// of the common power of two.
   int bits() const { return bits_; }
 
-  /// Returns a multiple in two's complement. `Unsigned` must have at least bits() + 1 bits.
+  /// Returns number `i` as a multiple of the common power of two, in two's complement. `Unsigned`
+  /// must have at least bits() + 1 bits.
   template <class Unsigned>
   Unsigned multiple(std::size_t i) const {
     if (mantissas_[i] == 0) return 0;
@@ -125,7 +127,8 @@ class CommonScale {
   int bits_ = 0;
 };
 
-/// Largest number of bits of multiples whose differences fit into FixedInteger<2>.
+/// Largest number of bits of multiples (of a common power of two) whose differences fit into
+/// FixedInteger<2>.
 constexpr int two_word_bits = 122;
 
 template <std::size_t count>

@@ -16,7 +16,7 @@ struct HomogeneousPoint {
   Number w;
 };
 
-/// The points p with normal . p = offset.
+/// A plane: the points p with dot(normal, p) = offset.
 template <class Number>
 struct HomogeneousPlane {
   NumberVector<Number> normal;
@@ -28,7 +28,7 @@ NumberVector<Number> number_vector(const Vec3& p) {
   return {Number(p[0]), Number(p[1]), Number(p[2])};
 }
 
-/// Returns a x b + b x c + c x a; `bc` is b x c.
+/// Returns the normal a x b + b x c + c x a of the triangle abc; `bc` is b x c.
 template <class Number>
 NumberVector<Number> sum_of_crosses(const NumberVector<Number>& a, const NumberVector<Number>& b,
                                     const NumberVector<Number>& c, const NumberVector<Number>& bc) {
@@ -74,8 +74,8 @@ HomogeneousPoint<Number> homogeneous_point(const HomogeneousPlane<Number>& f,
   return {{x(0), x(1), x(2)}, dot(f.normal, gh)};
 }
 
-/// Returns the height of a point above the plane, times weights; positive on the side of the
-/// normal.
+/// Returns the signed height of a point above the plane, multiplied by the weights of both.
+/// Positive on the side of the normal.
 template <class Number>
 Number height_over(const Triangle& t, const HomogeneousPoint<Number>& point) {
   const HomogeneousPlane<Number> plane = homogeneous_plane<Number>(t);

@@ -23,19 +23,20 @@ BinaryDigits::BinaryDigits(double number) {
   is_negative = bits >> 63U != 0;
 }
 
-/// A sum as an integer of eight words times 2^bottom. The exponents of terms are at most `depth`
-/// above `bottom`, so that no sum of terms overflows.
+/// A partial sum, stored as an integer of eight words times 2^bottom. The exponents of its terms
+/// are at most `depth` above `bottom`, so that no sum of terms overflows.
 class MonomialSum::Window {
  public:
-  /// Largest exponent of a term above `bottom`. These 320 bits and the three words of a term fill
-  /// `length` words.
+  /// Largest difference between the exponent of a term and `bottom`. These 320 bits and the three
+  /// words of a term fill `length` words.
   static constexpr int depth = 320;
 
   explicit Window(int bottom) : bottom_(bottom) {}
 
   int sign() const { return sum_.sign(); }
 
-  // The two's complement of a negative number is the complement of its digits, plus one.
+  // Adds a term. A negative term is added in two's complement: the complement of its digits, plus
+  // one.
   void add(const Term& term) {
     const auto place = static_cast<unsigned>(term.exponent - bottom_);
     const unsigned shift = place % 64;
@@ -51,7 +52,7 @@ class MonomialSum::Window {
     }
   }
 
-  /// True if the sum of all terms below the window could change the sign.
+  /// True if the sum is so small that terms below the window could change its sign.
   bool is_small() const {
     const FixedInteger<length> size = magnitude();
     return std::all_of(size.words.begin() + 3, size.words.end(),
@@ -59,14 +60,14 @@ class MonomialSum::Window {
            size.words[2] <= low_bits(40);
   }
 
-  /// Returns the sum as a term; the sum must be small.
+  /// Returns the sum as a term for the next window. Pre: is_small().
   Term term() const {
     const FixedInteger<length> size = magnitude();
     return {{size.words[0], size.words[1], size.words[2]}, bottom_, sum_.is_negative()};
   }
 
  private:
-  static constexpr std::size_t length = 8;  ///< words of 64 bits
+  static constexpr std::size_t length = 8;  ///< number of 64-bit words
 
   FixedInteger<length> magnitude() const {
     return sum_.is_negative() ? FixedInteger<length>() - sum_ : sum_;
@@ -104,10 +105,10 @@ int MonomialSum::sign() const {
   return sign != 0 ? sign : exact_sign();
 }
 
-// Filter in doubles, relative to the largest term. Each product is rounded twice, and each addition
-// once.
+// Returns the sign if doubles decide it, otherwise 0. Terms are relative to the largest one. Each
+// product is rounded twice, and each addition once.
 int MonomialSum::quick_sign() const {
-  // Two roundings for each of at most `most` terms.
+  // Relative error bound: two roundings for each of at most `most` terms.
   constexpr double error = 2 * most * std::numeric_limits<double>::epsilon();
   constexpr double underflow = 0x1p-800;  // exceeds the error of terms that underflow
   int top = std::numeric_limits<int>::min();
@@ -122,9 +123,9 @@ int MonomialSum::quick_sign() const {
   return sum > bound ? 1 : sum < -bound ? -1 : 0;
 }
 
-// Adds terms in order of descending exponents, window by window. A window adds terms whose
-// exponents differ by at most `depth`. Its sum, if it is small, is the first term of the next
-// window.
+// Returns the exact sign. Adds terms in order of descending exponents, in windows of terms whose
+// exponents differ by at most `depth`. If the sum of a window is small, it is the first term of the
+// next window.
 int MonomialSum::exact_sign() const {
   std::array<std::size_t, most> order;
   for (std::size_t i = 0; i < count_; ++i) {

@@ -34,7 +34,7 @@ class MonomialSum {
   int sign() const;
 
  private:
-  /// An integer below 2^190 times 2^exponent.
+  /// A product of three doubles: an integer below 2^190, times 2^exponent.
   struct Term {
     std::array<std::uint64_t, 3> digits;  ///< least significant word first
     int exponent;
@@ -48,7 +48,8 @@ class MonomialSum {
   int exact_sign() const;
 
   std::array<Term, most> terms_;
-  std::array<double, most> sizes_;  ///< digits of each term, rounded, with sign
+  /// For each term, its digits as a rounded double, with its sign.
+  std::array<double, most> sizes_;
   std::size_t count_ = 0;
 };
 

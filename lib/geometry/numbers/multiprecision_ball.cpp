@@ -7,7 +7,8 @@ __extension__ using Twice = unsigned __int128;
 
 }  // namespace
 
-// Drops digits below the last word. The count must be at most `bits`.
+// Shifts the digits down, and increases the exponent accordingly. Digits below the last word are
+// dropped. `count` must be at most `bits`.
 void MultiprecisionBall::shift_right(std::int64_t count) {
   const auto words = static_cast<std::size_t>(count / 64);
   const auto rest = static_cast<unsigned>(count % 64);
@@ -35,7 +36,8 @@ void MultiprecisionBall::normalize() {
   exponent_ -= static_cast<std::int64_t>(64 * words + rest);
 }
 
-// Both numbers must have the same exponent. If `is_sum` is false, `other` must not be larger.
+// Adds or subtracts the digits of `other`. Both numbers must have the same exponent. If `is_sum` is
+// false, `other` is subtracted and must not be larger.
 void MultiprecisionBall::add_digits(const MultiprecisionBall& other, bool is_sum) {
   std::uint64_t carry = 0;
   for (std::size_t i = 0; i < length; ++i) {
@@ -66,7 +68,7 @@ MultiprecisionBall operator+(const MultiprecisionBall& a, const MultiprecisionBa
     sum.error_ = sum.error_ + less.size();
     return sum;
   }
-  // The dropped part is less than one unit in the last place for each shift.
+  // Add the error of shifts to the bound: each shift drops less than one unit in the last place.
   if (shift > 0 || sum.sign_ == less.sign_)
     sum.error_ = sum.error_ + WideBound::power(sum.exponent_ + 2 - MultiprecisionBall::bits);
   less.shift_right(shift);
@@ -75,9 +77,9 @@ MultiprecisionBall operator+(const MultiprecisionBall& a, const MultiprecisionBa
   return sum;
 }
 
-// Numbers made of few doubles have few nonzero words, which are skipped. Of the words below the
-// last word of the product, only those that could carry into it are computed. The remainder is less
-// than one unit in the last place.
+// Multiplies the digits word by word. Zero words are skipped, because numbers made of few doubles
+// have few nonzero words. Words below the last word of the product are computed only if they could
+// carry into it. The remainder is less than one unit in the last place.
 MultiprecisionBall operator*(const MultiprecisionBall& a, const MultiprecisionBall& b) {
   constexpr std::size_t length = MultiprecisionBall::length;
   constexpr std::size_t least_place = length - 2;  // lower words are needed only for their carry

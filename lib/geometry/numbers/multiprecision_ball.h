@@ -1,7 +1,7 @@
 /// A real number with an error bound, 512 bits, and an exponent that neither overflows nor
-/// underflows. Decides a sign if coordinates of a mesh differ by hundreds of orders of magnitude,
-/// at a fraction of the cost of exact arithmetic. Sums and products use integers and are valid in
-/// any rounding mode. Reference: van der Hoeven, "Ball arithmetic", 2009.
+/// underflows. Predicates use it if coordinates of a mesh differ by hundreds of orders of
+/// magnitude, at a fraction of the cost of exact arithmetic. Sums and products use integers and are
+/// valid in any rounding mode. Reference: van der Hoeven, "Ball arithmetic", 2009.
 #pragma once
 
 #include <algorithm>
@@ -50,12 +50,13 @@ class WideBound {
   }
 
  private:
-  // Factor that covers rounding errors, and shifts that are limited to 100.
+  // Factor of an upper bound. It covers rounding errors and the error of limiting shifts to 100
+  // bits.
   static constexpr double slack = 1 + 0x1p-50;
 
   bool is_finite() const { return number_ < 4; }
 
-  double number_ = 0;  ///< 0, infinity, or in [1, 2) times slack
+  double number_ = 0;  ///< number of the bound: 0, infinity, or in [1, 2) times `slack`
   std::int64_t exponent_ = 0;
 };
 
@@ -75,14 +76,14 @@ class MultiprecisionBall {
     sign_ = number < 0 ? -1 : 1;
   }
 
-  /// Returns a ball that contains all numbers.
+  /// Returns a ball (number with an error bound) that contains all real numbers.
   static MultiprecisionBall unknown() {
     MultiprecisionBall ball;
     ball.error_ = WideBound::infinite();
     return ball;
   }
 
-  /// Returns +1 or -1 if all numbers of the ball have that sign, otherwise 0.
+  /// Returns +1 or -1 if all numbers within the error bound have that sign, otherwise 0.
   int sign() const { return error_.is_below_power(exponent_ - 1) ? sign_ : 0; }
 
   friend MultiprecisionBall operator-(MultiprecisionBall a) {
@@ -96,16 +97,17 @@ class MultiprecisionBall {
   friend MultiprecisionBall operator*(const MultiprecisionBall& a, const MultiprecisionBall& b);
 
  private:
-  static constexpr std::size_t length = 8;           ///< words of 64 bits
-  static constexpr std::int64_t bits = 64 * length;  ///< digits of the value
-  using Digits = std::array<std::uint64_t, length>;  ///< least significant word first
+  static constexpr std::size_t length = 8;           ///< number of 64-bit words of the value
+  static constexpr std::int64_t bits = 64 * length;  ///< number of bits of the value
+  using Digits = std::array<std::uint64_t, length>;  ///< 64-bit words, the least significant first
 
   WideBound size() const { return sign_ == 0 ? WideBound() : WideBound::power(exponent_); }
   void add_digits(const MultiprecisionBall& other, bool is_sum);
   void shift_right(std::int64_t count);
   void normalize();
 
-  /// The value is sign * 0.digits * 2^exponent. The leading bit is 1 unless the sign is 0.
+  /// Digits of the value, which is sign * 0.digits * 2^exponent. The leading bit is 1 unless the
+  /// sign is 0.
   Digits digits_{};
   int sign_ = 0;
   std::int64_t exponent_ = 0;

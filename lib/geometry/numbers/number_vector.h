@@ -1,5 +1,5 @@
-/// Vectors of any number type, for predicates that are evaluated in several types: intervals,
-/// balls, exact numbers.
+/// Vectors of any number type, for predicates that are evaluated in several types: intervals, balls
+/// (numbers with an error bound) and exact numbers.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// Definitions of points by edges and faces of a mesh.
+/// Definitions of points: as vertices of a mesh, or as intersections of its edges and faces.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,9 @@ struct PointDefinition {
   enum class Kind : std::uint8_t { given, free, line_plane, line_line, three_planes, mean };
 
   Kind kind = Kind::free;
-  /// Indices for `kind`. given: vertex. line_plane: u, v, face. line_line: u, v, x, y.
-  /// three_planes: three faces.
+  /// Indices whose meaning depends on `kind`. For `given`: a vertex. For `line_plane`: ends u and v
+  /// of an edge, and a face. For `line_line`: ends u and v, and ends x and y, of two edges. For
+  /// `three_planes`: three faces.
   std::array<Index, 4> indices{};
 
   static PointDefinition given(Index vertex) { return {Kind::given, {vertex}}; }

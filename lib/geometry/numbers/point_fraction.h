@@ -1,5 +1,6 @@
-/// A point of a definition as a fraction, in any number type. Formulas use differences to the
-/// origin of the fraction, so that balls and intervals stay narrow.
+/// Computes a point from its definition as a fraction, in any number type. Formulas use differences
+/// from the origin of the fraction, so that balls (numbers with an error bound) and intervals stay
+/// narrow.
 #pragma once
 
 #include <span>
@@ -11,7 +12,7 @@
 
 namespace transformesh {
 
-/// A point as origin + numerator / denominator; the origin is a mesh vertex.
+/// A point, represented as origin + numerator / denominator. The origin is a mesh vertex.
 template <class Number>
 struct PointFraction {
   Vec3 origin;
@@ -27,8 +28,8 @@ PointFraction<Number> along_edge(const Vec3& u, const Vec3& v, const Number& fro
   return {u, step, total};
 }
 
-/// Returns the intersection of the edge uv with the plane. It divides the edge in the ratio of the
-/// heights of u and v above the plane.
+/// Returns the intersection of the edge uv with the plane. This point divides the edge in the ratio
+/// of the heights of u and v above the plane.
 template <class Number>
 PointFraction<Number> line_plane_fraction(const Vec3& u, const Vec3& v, const Triangle& plane) {
   const NumberVector<Number> n = normal<Number>(plane);
@@ -52,7 +53,8 @@ PointFraction<Number> line_line_fraction(const Vec3& u, const Vec3& v, const Vec
                     turn(difference<Number>(v, u), other));
 }
 
-/// Applies Cramer's rule relative to a corner of the first plane, so that its offset is zero.
+/// Returns the intersection of three planes by Cramer's rule. Coordinates are relative to a corner
+/// of the first plane's triangle, so that the offset of this plane is zero.
 template <class Number>
 PointFraction<Number> three_planes_fraction(const Triangle& f, const Triangle& g,
                                             const Triangle& h) {
@@ -68,8 +70,8 @@ PointFraction<Number> three_planes_fraction(const Triangle& f, const Triangle& g
   return {f[0], numerator, dot(ng, hf)};
 }
 
-/// Returns a projection in which the edges are not parallel. Two edges that intersect in one point
-/// span a plane, and any such projection is valid.
+/// Returns a projection in which the two edges are not parallel. Two edges that intersect in one
+/// point span a plane, and any projection that is not along this plane is valid.
 inline PlaneProjection projection_of_edges(const Vec3& u, const Vec3& v, const Vec3& x,
                                            const Vec3& y) {
   PlaneProjection projection = projection_of({u, v, x});
@@ -77,7 +79,7 @@ inline PlaneProjection projection_of_edges(const Vec3& u, const Vec3& v, const V
   return projection;
 }
 
-/// Returns the fraction of a definition that names edges or faces.
+/// Returns the point as a fraction. The definition must name edges or faces.
 template <class Number>
 PointFraction<Number> fraction_of(const PointDefinition& definition,
                                   std::span<const Vec3> positions, std::span<const Face> faces) {

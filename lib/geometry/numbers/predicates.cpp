@@ -21,11 +21,11 @@ namespace {
 
 using Exact = ExactNumber;
 
-// This is twice Shewchuk's machine epsilon, so the bounds hold in any rounding mode.
+// Machine epsilon of doubles: twice that of Shewchuk, so the bounds hold in any rounding mode.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double bound_3d = (7.0 + 64.0 * epsilon) * epsilon;
 constexpr double bound_2d = (3.0 + 16.0 * epsilon) * epsilon;
-// Smaller products may have lost bits to underflow, so that no filter decides.
+// If a product is smaller than this, it may have lost bits to underflow. Then no filter decides.
 constexpr double underflow_guard = 1e-280;
 
 // Returns the sign of a computed determinant, or 0 if its error bound is too large.
@@ -43,7 +43,7 @@ bool is_moderate(const Vec3& p) {
   return is_usual(p[0]) && is_usual(p[1]) && is_usual(p[2]);
 }
 
-// Returns the differences between the second and all further multiples and the first one.
+// Returns the differences of all other numbers from the first one, as multiples of `scale`.
 template <std::size_t count>
 std::array<std::int64_t, count - 1> one_word_ways(const CommonScale<count>& scale) {
   std::array<std::int64_t, count - 1> ways;
@@ -61,8 +61,8 @@ std::array<FixedInteger<2>, count - 1> two_word_ways(const CommonScale<count>& s
   return ways;
 }
 
-// Evaluates in integers, scaled per axis. Returns nothing if the magnitudes of coordinates differ
-// too much.
+// Evaluates the determinant in integers, for which coordinates are scaled per axis. Returns nothing
+// if the magnitudes of coordinates differ too much.
 std::optional<int> integer_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const CommonScale<4> x({a[0], b[0], c[0], d[0]});
   const CommonScale<4> y({a[1], b[1], c[1], d[1]});
@@ -95,7 +95,7 @@ bool share_coordinate(const Vec3& a, const Vec3& b, const Vec3& c, int i) {
   return a[i] == b[i] && b[i] == c[i];
 }
 
-// Determinants are expanded in coordinates, because differences would lose the smaller numbers.
+// Determinants are expanded in coordinates: differences of coordinates would lose small numbers.
 using DigitsOfPoint = std::array<BinaryDigits, 3>;
 
 DigitsOfPoint digits_of(const Vec3& p) {
@@ -134,7 +134,7 @@ int sum_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p)
   return sum.sign();
 }
 
-// Zeros are mostly due to planes perpendicular to an axis, so these are tested first.
+// Tests for points in a plane perpendicular to an axis first, the most frequent cause of zeros.
 int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   for (int i = 0; i < 3; ++i)
     if (share_coordinate(a, b, c, i) && c[i] == d[i]) return 0;
@@ -142,8 +142,8 @@ int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return sum_orient3d(a, b, c, d);
 }
 
-// Returns the sign of a b - c d. If both products round to the same number, the rounding errors
-// decide.
+// Returns the exact sign of a b - c d. If both products round to the same number, their rounding
+// errors decide.
 int sign_of_minor(double a, double b, double c, double d) {
   const elementary::DoubleDouble ab = elementary::exact_product(a, b);
   const elementary::DoubleDouble cd = elementary::exact_product(c, d);
@@ -151,8 +151,8 @@ int sign_of_minor(double a, double b, double c, double d) {
                             : (ab.low > cd.low ? 1 : 0) - (ab.low < cd.low ? 1 : 0);
 }
 
-// Returns the sign if all differences are exact in doubles, otherwise nothing. This is faster for
-// coordinates on a lattice.
+// Returns the sign if all differences of coordinates are exact in doubles, otherwise nothing. This
+// is faster than exact arithmetic for coordinates on a lattice.
 std::optional<int> quick_orient2d(const Vec3& a, const Vec3& b, const Vec3& c, PlaneProjection p) {
   if (!(is_moderate(a) && is_moderate(b) && is_moderate(c))) return {};
   bool is_exact = true;
@@ -241,7 +241,7 @@ PlaneProjection projection_of(const Triangle& t) {
   const double error = bound_2d * (std::abs(left[axis]) + std::abs(right[axis])) + underflow_guard;
   const int sign = filtered_sign(normal[axis], error);
   if (sign != 0) return facing(axis, sign);
-  // The estimate may select a coordinate of a sliver's normal that is zero; the exact sign decides.
+  // The largest estimated coordinate of a sliver's normal may be zero, so exact signs decide.
   for (int i = axis; i < axis + 3; ++i) {
     const int turn = orient2d(t[0], t[1], t[2], along(i % 3));
     if (turn != 0) return facing(i, turn);
@@ -255,8 +255,8 @@ bool is_moderate(const Triangle& t) {
   return is_moderate(t[0]) && is_moderate(t[1]) && is_moderate(t[2]);
 }
 
-// Returns the sign of `compute`, applied to both normals. Evaluates balls first, then exact numbers
-// if the balls do not decide.
+// Returns the sign of `compute`, applied to the normals of both triangles. Tries balls (numbers
+// with an error bound) first, and evaluates exact numbers if these do not decide.
 template <class Compute>
 int sign_by_normals(const Triangle& first, const Triangle& second, const Compute& compute) {
   const auto by_coordinates = [&]<class Ball>(const Ball&) {
@@ -277,7 +277,7 @@ int sign_by_normals(const Triangle& first, const Triangle& second, const Compute
 int normals_dot(const Triangle& first, const Triangle& second) {
   const Vec3 n = (first[1] - first[0]).cross(first[2] - first[0]);
   const Vec3 m = (second[1] - second[0]).cross(second[2] - second[0]);
-  // The error of each normal coordinate is at most 4 epsilon times the product of the edge lengths.
+  // The error of a normal's coordinate is at most 4 epsilon times the product of two edge lengths.
   const double size = (first[1] - first[0]).norm() * (first[2] - first[0]).norm() *
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
   const int sign = filtered_sign(n.dot(m), 32 * epsilon * size + underflow_guard);

@@ -24,8 +24,9 @@ struct PlaneProjection {
 /// degenerate.
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// The plane of a triangle, for testing several points. side_of() returns the result of orient3d().
-/// filtered_side_of() returns 0 if the filter does not decide. Keeps references.
+/// The plane of a triangle, for testing several points. side_of() returns the same sign as
+/// orient3d(). filtered_side_of() returns 0 if the floating-point filter does not decide. Keeps
+/// references.
 class OrientedPlane {
  public:
   OrientedPlane(const Vec3& a, const Vec3& b, const Vec3& c);
@@ -35,7 +36,9 @@ class OrientedPlane {
  private:
   const Vec3 &a_, &b_, &c_;
   Vec3 normal_;
-  Vec3 size_;  ///< sums of the absolute values of the products in `normal_`
+  /// For each coordinate of `normal_`, the sum of the absolute values of its products; for error
+  /// bounds.
+  Vec3 size_;
 };
 
 /// Returns the orientation of the projected triangle abc: +1 if it is counter-clockwise, -1 if it

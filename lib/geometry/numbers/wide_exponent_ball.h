@@ -1,5 +1,5 @@
 /// A real number with an error bound in doubles, and an exponent that neither overflows nor
-/// underflows. Decides a sign if products leave the range of doubles, at a tenth of the cost of
+/// underflows. Predicates use it if products leave the range of doubles, at a tenth of the cost of
 /// exact arithmetic. Valid in any rounding mode. Reference: van der Hoeven, "Ball arithmetic",
 /// 2009.
 #pragma once
@@ -18,12 +18,12 @@ class WideExponentBall {
   explicit WideExponentBall(double number) : WideExponentBall(number, 0, 0) {}
   WideExponentBall(double center, double radius) : WideExponentBall(center, radius, 0) {}
 
-  /// Returns a ball that contains all numbers.
+  /// Returns a ball (number with an error bound) that contains all real numbers.
   static WideExponentBall unknown() { return {0, std::numeric_limits<double>::infinity()}; }
 
-  /// Returns +1 or -1 if all numbers of the ball have that sign, otherwise 0.
+  /// Returns +1 or -1 if all numbers within the error bound have that sign, otherwise 0.
   int sign() const { return value_ > error_ ? 1 : value_ < -error_ ? -1 : 0; }
-  /// Bounds of the ball; infinite if they exceed the range of doubles.
+  /// Return the lower and upper bound of the number. Infinite if they exceed the range of doubles.
   double low() const { return to_double(value_ - error_, -1); }
   double high() const { return to_double(value_ + error_, 1); }
 
@@ -50,7 +50,7 @@ class WideExponentBall {
                 epsilon * std::abs(value),
             a.exponent_ + b.exponent_};
   }
-  /// The divisor must have a certain sign.
+  /// The sign of the divisor must be certain; it must not be zero within its error bound.
   friend WideExponentBall operator/(const WideExponentBall& a, const WideExponentBall& b) {
     const double value = a.value_ / b.value_;
     const double error =
@@ -61,10 +61,11 @@ class WideExponentBall {
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   static constexpr double slack = 1 + 32 * epsilon;  // factor that covers the rounding of errors
-  static constexpr double underflow = 0x1p-900;  ///< exceeds the error of products that underflow
+  /// Value that exceeds the error of a product that underflows.
+  static constexpr double underflow = 0x1p-900;
 
-  // Normalizes such that the larger of value and error is in [1, 2). Values that are not finite
-  // become unknown.
+  // Scales value and error such that the larger of them is in [1, 2). If one of them is not finite,
+  // the number becomes unknown.
   WideExponentBall(double value, double error, int exponent) {
     const double size = std::max(std::abs(value), error);
     if (size == 0 && error == 0) return;
@@ -89,8 +90,8 @@ class WideExponentBall {
 };
 
 /// True if sums of products of this size may have overflowed or underflowed in doubles. Then a
-/// WideExponentBall is more precise than a ball of doubles. A size of 0 means that all terms are
-/// zero.
+/// WideExponentBall is more precise than doubles with an error bound. A size of 0 means that all
+/// terms are zero.
 inline bool leaves_double_range(double size) {
   return size != 0 && !(size > 1e-260 && size < 1e300);
 }

@@ -10,7 +10,7 @@ namespace transformesh {
 
 __extension__ using SignedTwoWords = __int128;
 
-/// Largest number of bits of multiples whose differences are valid arguments of
+/// Largest number of bits of integers whose differences are valid arguments of
 /// sign_of_word_determinant().
 constexpr int one_word_bits = 60;
 
@@ -22,8 +22,9 @@ inline int sign_of_word(SignedTwoWords number) {
   return (number > 0 ? 1 : 0) - (number < 0 ? 1 : 0);
 }
 
-/// Returns the sign of the determinant of the rows. Minors are below 2^123. Products of minors and
-/// factors are summed in two parts, the low and the high words of the minors.
+/// Returns the sign of the determinant of the matrix with these rows. Its 2 x 2 minors are below
+/// 2^123. Products of minors and factors are summed in two parts, from the low and the high words
+/// of the minors.
 inline int sign_of_word_determinant(const std::array<std::array<std::int64_t, 3>, 3>& rows) {
   SignedTwoWords low = 0, high = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -26,7 +26,7 @@ struct alignas(16) BoxQuad {
   }
 };
 
-/// The group of each box of a quad, or no_index.
+/// For each of the four boxes of a BoxQuad, its group or no_index.
 struct alignas(16) GroupQuad {
   std::array<Index, 4> group;
 };

@@ -12,21 +12,22 @@ namespace {
 
 constexpr std::size_t quads_per_task = 1024;  ///< affects time only
 
-/// Exceeds the depth: each layer leaves at most three quads on the stack.
+/// Number of quads (nodes of four boxes) that fit on the stack of a traversal. The tree has at most
+/// 16 layers, and each layer leaves at most three quads on the stack.
 constexpr std::size_t stack_size = 64;
 
 FloatBox united(const BoxQuad& quad) {
   FloatBox box = quad.box(0);
   for (int axis = 0; axis < 3; ++axis)
     for (int lane = 1; lane < 4; ++lane) {
-      // In this argument order, comparison with NaN keeps the first argument.
+      // The order of arguments matters: if the second argument is NaN, std::min returns the first.
       box.min()[axis] = std::min(box.min()[axis], quad.minimum[axis][lane]);
       box.max()[axis] = std::max(box.max()[axis], quad.maximum[axis][lane]);
     }
   return box;
 }
 
-/// Packs box_of(0) to box_of(count - 1) in groups of four.
+/// Packs `count` boxes in quads of four. `box_of(i)` returns box i.
 template <class BoxOf>
 std::vector<BoxQuad> pack(std::size_t count, const BoxOf& box_of) {
   std::vector<BoxQuad> quads((count + 3) / 4);
@@ -79,7 +80,8 @@ Index Bvh::add_common_links(std::span<const Index> rows) {
   return static_cast<Index>(links_.size() - 1);
 }
 
-// Unused boxes get the group of the first box, so that they do not affect the layers above.
+// Stores the groups of boxes for all layers of the tree. Unused boxes get the group of the first
+// box of their quad, so that they do not affect the layers above.
 void Bvh::set_groups(std::span<const Index> group_of_box) {
   groups_.clear();
   std::vector<Index> groups(order_.size());

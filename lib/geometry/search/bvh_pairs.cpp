@@ -1,6 +1,6 @@
-// Finds the pairs of overlapping boxes of a hierarchy, by a descent into pairs of its boxes. Cost:
-// O(n + k) for k pairs of usual boxes. Parallel; the lists of pairs do not depend on the number of
-// threads.
+// Finds the pairs of overlapping boxes in a bounding volume hierarchy, by a simultaneous descent
+// into pairs of its boxes. Cost: O(n + k) for k pairs of usual boxes. Parallel; the lists of pairs
+// do not depend on the number of threads.
 #include <algorithm>
 #include <cstdint>
 
@@ -14,30 +14,33 @@ namespace {
 using Pair = Bvh::Pair;
 using Layer = std::vector<BoxQuad>;
 
-/// Number of tasks to aim for, independent of the number of threads. Enough to keep all threads
-/// busy until the end; more tasks cost time to prepare. A choice.
+/// Approximate number of tasks, independent of the number of threads. It is enough to keep all
+/// threads busy until the end; more tasks cost time to prepare. A choice.
 constexpr std::size_t task_count = 1024;
-/// Pairs in a buffer before they are processed; affects time only.
+/// Number of pairs in a buffer that are processed together. Affects time only.
 constexpr std::size_t pairs_at_once = 1024;
-constexpr std::size_t most_of_quads = 16;  ///< largest number of pairs of boxes of two quads
+/// Largest number of pairs of boxes between two quads (of four boxes).
+constexpr std::size_t most_of_quads = 16;
 
-/// Two quads of a layer whose pairs are searched. For pairs within a quad, both are the same.
+/// Two quads (nodes of four boxes) of a layer between which overlapping boxes are searched. Both
+/// are the same quad for pairs within a quad.
 struct Task {
   std::size_t layer;
   Index first;
   Index second;
 };
 
-/// Two places of a layer packed into one number, so that both are offset in one addition.
+/// Indices of two boxes of a layer, packed into one number, so that one addition increases both.
 using PlacePair = std::uint64_t;
-constexpr int place_bits = 32;  ///< bits of an index
+constexpr int place_bits = 32;  ///< number of bits of an index
 constexpr PlacePair place_pair(Index first, Index second) {
   return PlacePair{second} << place_bits | first;
 }
 constexpr Index first_of(PlacePair places) { return static_cast<Index>(places); }
 constexpr Index second_of(PlacePair places) { return static_cast<Index>(places >> place_bits); }
 
-/// The pairs for a mask of turned_overlap_masks(). Only the first `count` entries are valid.
+/// The pairs of boxes of two quads whose bits are set in a mask of turned_overlap_masks(). Only the
+/// first `count` entries are valid.
 struct NamedPairs {
   std::array<PlacePair, 4> places;
   std::size_t count;
@@ -55,15 +58,16 @@ constexpr auto make_named_pairs() {
 
 constexpr auto named_pairs = make_named_pairs();
 
-/// Masks of the pairs that count, one for each mask of turned_overlap_masks(). `all_pairs` is for
-/// two different quads, `pairs_inside` for a quad with itself. `different_inside` also excludes
-/// pairs of a box with itself.
+/// Masks that select the pairs of boxes to be tested, one for each mask of turned_overlap_masks().
+/// `all_pairs` is for two different quads. `pairs_inside` is for a quad with itself, where each
+/// pair is tested once. `different_inside` also excludes pairs of a box with itself.
 constexpr std::array<unsigned, 4> all_pairs{15, 15, 15, 15};
 constexpr std::array<unsigned, 4> pairs_inside{15, 15, 3, 0};
 constexpr std::array<unsigned, 4> different_inside{0, 15, 3, 0};
 
-/// Writes the overlapping pairs and returns their end. Four pairs are written per turn, of which
-/// only the valid ones are kept. The loop has no branches because the outcome is unpredictable.
+/// Writes the pairs of overlapping boxes of two quads to `to`, and returns the end of the output.
+/// Writes four pairs per mask, of which only the valid ones are kept. The inner loop has no
+/// branches, because they would be unpredictable.
 PlacePair* list_overlaps(const BoxQuad& first, const BoxQuad& second, PlacePair base,
                          const std::array<unsigned, 4>& counting, PlacePair* to) {
   const std::array<unsigned, 4> masks = turned_overlap_masks(first, second);
@@ -75,7 +79,7 @@ PlacePair* list_overlaps(const BoxQuad& first, const BoxQuad& second, PlacePair 
   return to;
 }
 
-/// Buffer of pairs of places in layer 0, which is processed when it is full.
+/// Buffer of pairs of boxes in layer 0, the lowest layer. It is processed when it is full.
 class PlacePairs {
  public:
   PlacePairs() : places_(pairs_at_once + most_of_quads), end_(places_.data()) {}
@@ -95,7 +99,7 @@ class PlacePairs {
 
 }  // namespace
 
-/// Descends from the root to pairs of boxes, layer by layer.
+/// Finds pairs of overlapping boxes by descending from the root to layer 0, layer by layer.
 class Bvh::PairSearch {
  public:
   explicit PairSearch(const Bvh& tree) : tree_(tree) {}
@@ -121,7 +125,8 @@ class Bvh::PairSearch {
   }
 
  private:
-  /// Clears the bits of pairs within one group. Returns false if no pair is left.
+  /// Clears the bits of pairs whose boxes belong to the same group. Returns false if no pair is
+  /// left.
   bool leave_out_groups(const Task& task, std::array<unsigned, 4>& counting) const {
     const std::vector<GroupQuad>& groups = tree_.groups_[task.layer];
     const auto same = turned_group_masks(groups[task.first], groups[task.second]);
@@ -129,7 +134,8 @@ class Bvh::PairSearch {
     return (counting[0] | counting[1] | counting[2] | counting[3]) != 0;
   }
 
-  /// Writes the overlaps of a task as places in its layer, and returns their end.
+  /// Writes the pairs of overlapping boxes of a task, as indices in its layer. Returns the end of
+  /// the output.
   PlacePair* list_overlaps_of(const Task& task, PlacePair* to) const {
     auto counting = task.first != task.second ? all_pairs
                     : task.layer == 0         ? different_inside
@@ -145,7 +151,7 @@ class Bvh::PairSearch {
     });
   }
 
-  /// Returns the task for two places, on the layer below.
+  /// Returns the task on the layer below `layer` for a pair of overlapping boxes of `layer`.
   static Task task_below(std::size_t layer, PlacePair places) {
     const Index i = first_of(places), j = second_of(places);
     return {layer - 1, std::min(i, j), std::max(i, j)};
@@ -162,7 +168,7 @@ class Bvh::PairSearch {
     return result;
   }
 
-  // Descends from a task to the pairs of boxes below it, and adds their places to `found`. Calls
+  // Descends from a task to the pairs of boxes of layer 0, and adds these pairs to `found`. Calls
   // `flush` whenever this buffer is full.
   template <class Flush>
   void descend(const Task& task, PlacePairs& found, const Flush& flush) const {
@@ -177,7 +183,8 @@ class Bvh::PairSearch {
       descend(task_below(task.layer, *places), found, flush);
   }
 
-  /// Converts places to box indices, of which the smaller is first.
+  /// Converts indices in layer 0 to indices of the original boxes. The smaller index of each pair
+  /// comes first.
   void name_boxes(std::span<const PlacePair> places, std::vector<Pair>& pairs) const {
     pairs.resize(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {

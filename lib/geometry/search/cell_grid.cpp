@@ -8,11 +8,12 @@
 namespace transformesh {
 namespace {
 
-/// Number of cells on each side of the origin along an axis, so that a cell index has 63 bits.
+/// Largest number of cells on each side of the origin along an axis, so that the cell index has 63
+/// bits.
 constexpr double most_cells = 1 << 20;
-/// Cells along the longest side of a mesh. With 512, the marks (CellMarks) of all tiles take two to
-/// four times the memory and time. With 128, the halos of 64 tiles (the faces around the parts that
-/// are cleaned alone) are twice as wide.
+/// Number of cells along the longest side of a mesh. With 512, the marks (CellMarks) of all tiles
+/// take two to four times the memory and time. With 128, the halos of 64 tiles (the faces around
+/// the parts that are cleaned alone) are twice as wide.
 constexpr double cells_per_side = 256;
 
 std::array<Vec3, 2> corners_of(const Triangle& t) {
@@ -25,10 +26,11 @@ double length_of(const std::array<Vec3, 2>& corners) {
 
 }  // namespace
 
-// Coordinates in units of cells, relative to the first cell, are positive. Truncation gives the
-// cell indices.
+// Shift coordinates so that, in units of cells, they are positive relative to the first cell. Then
+// truncation gives the cell indices.
 void CellGrid::find(const Triangle& triangle, double margin, std::vector<Cell>& cells) const {
-  // Exceeds the rounding error of coordinates in cells, which is below 2^-31.
+  // A margin that exceeds the rounding error of coordinates in units of cells, which is below
+  // 2^-31.
   constexpr double rounding = 0x1p-20;
   cells.clear();
   Corners corners;
@@ -54,7 +56,7 @@ void CellGrid::add(const Corners& t, double margin, std::vector<Cell>& cells) {
       for (Cell z = low[2]; z <= high[2]; ++z) cells.push_back(x << 42 | y << 21 | z);
 }
 
-// Splits the triangle at the midpoint of its longest edge.
+// Splits the triangle at the midpoint of its longest edge, and adds the cells of both halves.
 void CellGrid::add_halves(const Corners& t, double margin, std::vector<Cell>& cells) {
   std::size_t longest = 0;
   double most = -1;
@@ -80,7 +82,7 @@ Eigen::AlignedBox3d CellGrid::box_of(Cell cell) const {
 }
 
 Eigen::AlignedBox3d CellGrid::box_around(Cell cell) const {
-  // A hundredth of a cell exceeds the rounding error of the sides.
+  // Enlarge the box by a hundredth of a cell, which exceeds the rounding error of its sides.
   const Vec3 margin = Vec3::Constant(size_ / 100);
   const Eigen::AlignedBox3d box = box_of(cell);
   return {box.min() - margin, box.max() + margin};

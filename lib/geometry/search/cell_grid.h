@@ -1,6 +1,6 @@
-/// Uniform grid of cubic cells: the cells that triangles touch, and marks of cells. Two triangles
-/// that are close to each other share a cell. Long triangles are subdivided first, so that they do
-/// not share cells with distant triangles. Deterministic.
+/// Uniform grid of cubic cells: finds the cells that triangles touch, and stores marks of cells.
+/// Two triangles that are close to each other share a cell. Long triangles are subdivided first, so
+/// that they do not share cells with distant triangles. Deterministic.
 #pragma once
 
 #include <span>
@@ -20,13 +20,13 @@ class CellGrid {
   /// may contain duplicates. Cost: O(1) for a triangle smaller than a cell.
   void find(const Triangle& triangle, double margin, std::vector<Cell>& cells) const;
   double size() const { return size_; }
-  /// Returns the box of a cell, up to rounding. box_around() returns a slightly larger box that
-  /// contains it.
+  /// Returns the box of a cell, up to rounding. The function box_around() returns a slightly larger
+  /// box that certainly contains the cell.
   Eigen::AlignedBox3d box_of(Cell cell) const;
   Eigen::AlignedBox3d box_around(Cell cell) const;
 
  private:
-  /// Corners of a triangle in units of cells.
+  /// Corners of a triangle, with coordinates in units of the cell size.
   using Corners = std::array<std::array<double, 3>, 3>;
   static void add(const Corners& corners, double margin, std::vector<Cell>& cells);
   static void add_halves(const Corners& corners, double margin, std::vector<Cell>& cells);
@@ -39,10 +39,11 @@ class CellSize {
  public:
   void add(const Triangle& triangle);
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
-  /// Returns the mean length of the boxes of the triangles, but at least 1/256 of the longest side
-  /// of the mesh. Larger cells contain more faces; smaller cells take more memory.
+  /// Returns the cell size: the mean side length of the bounding boxes of the triangles, but at
+  /// least 1/256 of the longest side of the mesh. Larger cells contain more faces; smaller cells
+  /// take more memory.
   double size() const;
-  /// Returns the smallest valid cell size for these triangles.
+  /// Returns the smallest valid cell size for the added triangles.
   double least() const;
 
  private:
@@ -51,14 +52,14 @@ class CellSize {
   std::size_t count_ = 0;
 };
 
-/// Set of pairs of a cell and a number, each with the round in which it was added. Cost: O(1) to
-/// add or find a pair; 32 to 64 bytes per pair.
+/// Set of marks. A mark is a pair of a cell and a number, with the round in which the pair was
+/// added. Cost: O(1) to add or find a pair; 32 to 64 bytes per pair.
 class CellMarks {
  public:
-  /// Returns false if the pair exists already.
+  /// Adds the pair of a cell and a number. Returns false if the pair exists already.
   bool add(Cell cell, Index number, Index round = 0);
   /// Calls visit(number) for the marks of a cell that were added before `round`, until `visit`
-  /// returns true. Returns true in that case.
+  /// returns true. Returns true if `visit` did.
   template <class Visit>
   bool visit(Cell cell, Index round, const Visit& visit) const {
     if (slots_.empty()) return false;

@@ -11,16 +11,17 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t bucket_size = 2;  ///< faces per leaf; affects time only
+constexpr std::size_t bucket_size = 2;  ///< number of faces per leaf of the tree; affects time only
 
-/// Least cosine of the angle between normals that counts as less than 90 degrees. Exceeds the
-/// rounding error of a right angle.
+/// An angle between normals counts as less than 90 degrees if its cosine exceeds this value, which
+/// is larger than the rounding error of a right angle.
 constexpr double least_cosine = 1e-9;
 
 TriangleSimplex corner_simplex(int corner) { return static_cast<TriangleSimplex>(corner % 3); }
 TriangleSimplex edge_simplex(int edge) { return static_cast<TriangleSimplex>(3 + edge); }
 
-/// Returns the closest point of the edge that starts at corner `edge` of the triangle.
+/// Returns the point closest to the query on edge number `edge` of a triangle, from corner `from`
+/// to corner `to`.
 inline TrianglePoint closest_point_of_edge(const Vec3& query, const Vec3& from, const Vec3& to,
                                            int edge) {
   const Vec3 direction = to - from;
@@ -90,16 +91,16 @@ struct ClosestPointQuery::Hit {
   TrianglePoint place;
   Vec3 to_query = Vec3::Zero();  ///< vector from the closest point to the query
 
-  /// True if the corner is beyond the tangent plane of the ball around the query at the closest
-  /// point, with a margin for rounding. A triangle with all corners beyond this plane is not
-  /// closer.
+  /// True if the corner is beyond the tangent plane, at the closest point, of the sphere around the
+  /// query. A margin allows for rounding. A triangle with all corners beyond this plane is not
+  /// closer than the closest point.
   bool is_beyond(const Vec3& corner) const {
     return to_query.dot(corner - place.point) < -1e-9 * squared;
   }
 };
 
-/// Searches the closest face. Skips faces that are not accepted or beyond the bound, and cells
-/// whose squared distance exceeds `shrink` times the best squared distance.
+/// Returns the closest face. Skips faces that `accept` rejects or that are beyond `squared_bound`.
+/// Skips tree cells whose squared distance exceeds `shrink` times the best squared distance.
 template <class Condition>
 ClosestPointQuery::Hit ClosestPointQuery::search(const Vec3& query, double shrink,
                                                  const Condition& accept, Index hint,

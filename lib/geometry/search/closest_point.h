@@ -34,14 +34,16 @@ struct ClosestPoint {
   Vec3 point = Vec3::Zero();
   Index face = no_index;
   double distance = 0;
-  /// Unit pseudonormal of the face, edge or vertex that contains `point`, or zero.
+  /// Unit pseudonormal of the face, edge or vertex that contains `point`; zero if it has no
+  /// direction.
   Vec3 pseudonormal = Vec3::Zero();
-  /// Negative if the query is behind the pseudonormal: inside a closed mesh.
+  /// Distance of the query; negative if the query is behind the surface, inside of a closed mesh.
   double signed_distance = 0;
 };
 
 /// Order of the faces of a mesh. `spatial` means that the faces are in the order of
-/// spatial_face_order(), which saves sorting. If that is not true, queries are correct but slow.
+/// spatial_face_order(), so that the tree is built without sorting. If this is not true, queries
+/// are correct but slow.
 enum class FaceOrder { any, spatial };
 std::vector<Index> spatial_face_order(const Mesh& mesh);
 
@@ -55,8 +57,8 @@ class ClosestPointQuery {
   /// Returns the closest point of the faces whose normals are at an angle of less than 90 degrees
   /// from `normal`. Considers all faces if there is no such face, or if `normal` is zero.
   ClosestPoint facing(const Vec3& query, const Vec3& normal) const;
-  /// Returns the closest point within `distance` of the faces abc for which `accept` returns true,
-  /// or nothing if there is none.
+  /// Type of the condition in the following query: true if face abc counts. The query returns the
+  /// closest point within `distance` on the faces that count, or nothing if there is none.
   using Accept = std::function<bool(const Vec3& a, const Vec3& b, const Vec3& c)>;
   std::optional<Vec3> closest_within(const Vec3& query, double distance,
                                      const Accept& accept) const;

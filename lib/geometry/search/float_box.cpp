@@ -11,16 +11,18 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t boxes_per_task = 4096;  ///< affects time only
-/// Number of points from which quantiles are estimated. A choice: the origin of boxes affects time
-/// only.
+/// Largest number of points from which quantiles are estimated. A choice: the quantiles determine
+/// the origin of boxes, which affects time only.
 constexpr std::size_t most_sampled_points = 1024;
-constexpr double smallest_usual = 1e-30;  ///< floats hardly distinguish smaller values
+/// Magnitudes below this are hardly distinguished by floats.
+constexpr double smallest_usual = 1e-30;
 
 FloatBox box_of_corners(const Vec3& a, const Vec3& b, const Vec3& c) {
   return float_box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
 }
 
-/// Returns the quantile `share`, in [0, 1), of a value over a sample of the points.
+/// Returns a quantile of value(point), estimated from a sample of the points. `share`, in [0, 1),
+/// is the fraction of values below it.
 template <class Value>
 double quantile(std::span<const Vec3> points, double share, const Value& value) {
   const std::size_t stride = points.size() / most_sampled_points + 1;
@@ -32,7 +34,8 @@ double quantile(std::span<const Vec3> points, double share, const Value& value) 
   return *at;
 }
 
-// Returns the median along each axis, which a few distant points do not affect.
+// Returns the median of the points along each axis, on which a few distant points have no
+// influence.
 Vec3 middle_of_most(std::span<const Vec3> points) {
   const auto middle = [&](int axis) {
     return quantile(points, 0.5, [axis](const Vec3& p) { return p[axis]; });
@@ -40,7 +43,8 @@ Vec3 middle_of_most(std::span<const Vec3> points) {
   return {middle(0), middle(1), middle(2)};
 }
 
-/// Monotonic function that increases by 1 if the magnitude doubles.
+/// Returns a monotonic function of x, similar to a logarithm with sign: it increases by 1 if the
+/// magnitude doubles.
 double exponent_and_fraction(double x) {
   const auto bits = static_cast<double>(std::bit_cast<std::uint64_t>(std::abs(x)));
   return std::copysign(bits * 0x1p-52, x);
@@ -50,7 +54,8 @@ Vec3 exponents(const Vec3& p) {
   return {exponent_and_fraction(p[0]), exponent_and_fraction(p[1]), exponent_and_fraction(p[2])};
 }
 
-// Returns half of the largest distance from the origin along an axis. Halves do not overflow.
+// Returns half of the largest distance of a point from the origin along an axis. Halves are
+// computed because they do not overflow.
 double half_extent(std::span<const Vec3> points, const Vec3& origin) {
   std::vector<double> largest((points.size() + boxes_per_task - 1) / boxes_per_task, 0);
   parallel_for(largest.size(), 1, [&](std::size_t from, std::size_t to) {
@@ -68,8 +73,8 @@ double half_extent(std::span<const Vec3> points, const Vec3& origin) {
 
 }  // namespace
 
-// The code has no branches, because rounding up or down is unpredictable and boxes are created in
-// large numbers. Adding 0 turns -0 into 0, so that bit patterns are ordered.
+// Rounds up without branches, because their outcome would be unpredictable, and boxes are created
+// in large numbers. Adding 0 turns -0 into 0, so that bit patterns are ordered.
 float float_above(double value) {
   const float nearest = static_cast<float>(value) + 0.0F;
   const auto bits = std::bit_cast<std::int32_t>(nearest);
@@ -86,7 +91,8 @@ FloatBox float_box(const Vec3& minimum, const Vec3& maximum) {
                       float_above(maximum.z())));
 }
 
-// Rounding is monotonic, so boxes that overlap still overlap.
+// Determines origin and scale. The map to floats is monotonic, so boxes that overlap in doubles
+// also overlap in floats.
 BoxFrame::BoxFrame(std::span<const Vec3> points) {
   if (points.empty()) return;
   origin_ = middle_of_most(points);

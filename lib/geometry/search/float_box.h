@@ -53,7 +53,7 @@ inline double center(const FloatBox& box, std::size_t axis) {
 }
 
 std::vector<FloatBox> face_boxes(const Mesh& mesh);
-/// Returns the boxes of the given faces, in their order.
+/// Returns the bounding boxes of the faces with the given indices, in the order of these indices.
 std::vector<FloatBox> face_boxes(const Mesh& mesh, std::span<const Index> faces);
 
 }  // namespace transformesh

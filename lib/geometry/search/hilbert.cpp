@@ -27,17 +27,19 @@ constexpr unsigned trailing_ones(unsigned digit) {
   return static_cast<unsigned>(std::countr_one(digit));
 }
 
-/// State transitions of the curve. A state is 3 * entry + axis: the octant at which the curve
-/// enters a cell, and the axis along which it leaves. For each octant the table contains 8 * (state
-/// in the octant) + digit.
+/// State transitions of the Hilbert curve. A state is 3 * entry + axis. `entry` is the octant at
+/// which the curve enters a cell, and `axis` is the axis along which it leaves. For each state and
+/// octant, the table contains 8 * (state in the octant) + (position of the octant on the curve).
 constexpr auto make_transitions() {
   std::array<std::uint8_t, std::size_t{24} * 8> table{};
   for (unsigned entry = 0; entry < 8; ++entry) {
     for (unsigned axis = 0; axis < axes; ++axis) {
       for (unsigned octant = 0; octant < 8; ++octant) {
-        // Transform the octant to the canonical curve, which gives its position along the curve.
+        // Transform the octant to the canonical orientation of the curve, in which its Gray code
+        // gives the position on the curve.
         const unsigned digit = gray_inverse(rotate_left(octant ^ entry, 2 * axes - axis - 1));
-        // Transform entry and axis of the curve in the octant back.
+        // Transform entry and exit axis of the curve in the octant back from the canonical
+        // orientation.
         const unsigned local_entry = digit == 0 ? 0 : gray(2 * ((digit - 1) / 2));
         const unsigned local_axis =
             digit == 0 ? 0 : trailing_ones(digit % 2 == 0 ? digit - 1 : digit) % axes;
@@ -53,8 +55,9 @@ constexpr auto make_transitions() {
 
 constexpr auto transitions = make_transitions();
 
-/// State transitions over two levels at once. For two bits of each axis the table contains 64 *
-/// (state in the octant) + two digits.
+/// State transitions of the Hilbert curve over two levels at once. For each state and two bits of
+/// each coordinate, the table contains 64 * (state after two levels) + (two octal digits of the
+/// position).
 constexpr auto make_double_transitions() {
   std::array<std::uint16_t, std::size_t{24} * 64> table{};
   for (unsigned state = 0; state < 24; ++state) {
@@ -73,7 +76,8 @@ constexpr auto make_double_transitions() {
 constexpr auto double_transitions = make_double_transitions();
 static_assert(hilbert_bits % 2 == 0);
 
-/// Returns the position along the curve from the leading `bits` bits of each coordinate.
+/// Returns the position of a cell along the Hilbert curve, from the leading `bits` bits of each
+/// coordinate.
 template <int bits>
 std::uint64_t leading_index(const std::array<std::uint32_t, 3>& cell) {
   std::uint64_t place = 0;
@@ -88,12 +92,13 @@ std::uint64_t leading_index(const std::array<std::uint32_t, 3>& cell) {
   return place;
 }
 
-// The array stays in registers.
+// Always inlined, so that the array stays in registers.
 [[gnu::always_inline]] inline std::array<double, 3> center(const FloatBox& box) {
   return {transformesh::center(box, 0), transformesh::center(box, 1), transformesh::center(box, 2)};
 }
 
-/// Maps centers to cubic cells that fill the box of all centers along its longest side.
+/// Maps the center of a box to a cubic cell. The grid of cells fills the bounding box of all
+/// centers along its longest side.
 class Cells {
  public:
   explicit Cells(std::span<const FloatBox> boxes) {
@@ -114,14 +119,15 @@ class Cells {
   }
 
  private:
-  static constexpr double largest = (1U << hilbert_bits) - 1;  ///< largest cell along an axis
+  /// Largest cell coordinate along an axis.
+  static constexpr double largest = (1U << hilbert_bits) - 1;
   std::array<double, 3> low_{};
   double cells_per_length_ = 0;
 };
 
-/// Sorts boxes by their positions along the curve. A key contains the leading bits of the position,
-/// followed by the box index. Boxes with equal leading bits are rare; their full positions are
-/// compared.
+/// Sorts boxes by their positions along the Hilbert curve. A key contains the leading bits of the
+/// position, followed by the box index. If keys have equal leading bits, which is rare, full
+/// positions are compared.
 class HilbertSort {
  public:
   explicit HilbertSort(std::span<const FloatBox> boxes) : boxes_(boxes), cells_(boxes) {
@@ -145,15 +151,19 @@ class HilbertSort {
 
  private:
   using Key = std::uint64_t;
-  static constexpr int coarse_bits = 12;  ///< bits per axis in a key
-  static constexpr int part_bits = 12;    ///< leading bits of a key that select its part
-  static constexpr std::size_t parts = std::size_t{1} << part_bits;  ///< number of parts
-  static constexpr int key_bits = 64;                                ///< bits of a sorting key
-  static constexpr int digit_bits = 8;      ///< bits per pass of the sort within a part
-  static constexpr std::size_t few = 1024;  ///< if there are fewer keys, they are sorted as a whole
-  /// Parts with fewer keys are sorted by comparison.
+  static constexpr int coarse_bits = 12;  ///< number of bits of each coordinate in a sorting key
+  /// Number of leading bits of a key that determine its part (bucket) of the sort.
+  static constexpr int part_bits = 12;
+  /// Number of parts (buckets) of the sort.
+  static constexpr std::size_t parts = std::size_t{1} << part_bits;
+  static constexpr int key_bits = 64;   ///< number of bits of a sorting key
+  static constexpr int digit_bits = 8;  ///< number of bits per pass of the radix sort within a part
+  /// If there are fewer keys than this, all are sorted as one part. Affects time only.
+  static constexpr std::size_t few = 1024;
+  /// Parts (buckets) with fewer keys than this are sorted by comparison. Affects time only.
   static constexpr std::size_t few_in_part = 64;
-  static constexpr std::size_t block = 16384;        ///< keys of a block; affects time only
+  /// Number of keys that are counted together; affects time only.
+  static constexpr std::size_t block = 16384;
   static constexpr std::size_t parts_per_task = 16;  ///< affects time only
 
   Index box_of(Key key) const { return static_cast<Index>(key & index_mask_); }
@@ -172,8 +182,8 @@ class HilbertSort {
     });
   }
 
-  // Moves keys to the parts of their leading bits, by a counting sort of blocks, and sorts each
-  // part.
+  // Moves keys to parts (buckets) by their leading bits, in a parallel counting sort, and sorts
+  // each part.
   void sort_in_parts() {
     const std::size_t blocks = (keys_.size() + block - 1) / block;
     std::vector<Index> slots(blocks * parts, 0);
@@ -198,7 +208,8 @@ class HilbertSort {
     });
   }
 
-  // Sorts keys, and then runs of keys that differ in the box only by their full positions.
+  // Sorts a range of keys. Then sorts runs of keys whose leading bits are equal by their full
+  // positions along the curve.
   void sort(std::size_t begin, std::size_t end) {
     const std::span<Key> keys = std::span(keys_).subspan(begin, end - begin);
     if (keys.size() >= few_in_part) {
@@ -215,7 +226,8 @@ class HilbertSort {
     });
   }
 
-  // Calls visit(run) for each run of several keys that are equal in the bits of the mask.
+  // Calls visit(run) for each maximal run of at least two keys that are equal in the bits of
+  // `mask`.
   template <class Visit>
   static void for_each_run(std::span<Key> keys, Key mask, const Visit& visit) {
     for (std::size_t first = 0, last = 0; first < keys.size(); first = last) {
@@ -225,7 +237,8 @@ class HilbertSort {
     }
   }
 
-  // Sorts keys by the two digits after the bits of their part, with stable counting sorts.
+  // Sorts keys by the next 2 * digit_bits bits after the bits of their part, with two stable
+  // counting sorts.
   static void sort_by_digits(std::span<Key> keys) {
     constexpr std::size_t digits = std::size_t{1} << digit_bits;  // values of a digit
     thread_local std::vector<Key> sorted;

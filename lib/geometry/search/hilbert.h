@@ -14,16 +14,17 @@
 
 namespace transformesh {
 
-inline constexpr int hilbert_bits = 20;  ///< bits per axis
+inline constexpr int hilbert_bits = 20;  ///< number of bits of each cell coordinate
 
-/// Returns the position along the curve of a cell with coordinates below 2^hilbert_bits.
+/// Returns the position of a cell along the Hilbert curve. The coordinates of the cell must be
+/// below 2^hilbert_bits.
 std::uint64_t hilbert_index(const std::array<std::uint32_t, 3>& cell);
 
-/// Returns the indices of the boxes in order along the curve; boxes in the same cell are sorted by
-/// index. Infinite bounds are replaced by the largest float. Cost: O(n) for boxes in distinct
-/// cells, O(n log n) in the worst case; deterministic.
+/// Returns the indices of the boxes in order along the Hilbert curve. Boxes whose centers are in
+/// the same cell are sorted by index. Infinite bounds are replaced by the largest float. Cost: O(n)
+/// for boxes in distinct cells, O(n log n) in the worst case; deterministic.
 std::vector<Index> hilbert_order(std::span<const FloatBox> boxes);
-/// Returns the indices of the points in order along the curve.
+/// Returns the indices of the points in order along the Hilbert curve.
 std::vector<Index> hilbert_order(std::span<const Vec3> points);
 
 }  // namespace transformesh

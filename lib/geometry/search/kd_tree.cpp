@@ -8,11 +8,12 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t bucket_size = 8;  ///< points per leaf; affects time only
+/// Largest number of points per leaf of the tree; affects time only.
+constexpr std::size_t bucket_size = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Candidate {
-  double distance = infinity;  ///< squared distance
+  double distance = infinity;  ///< squared distance of the point from the query
   Index index = no_index;
   bool operator<(const Candidate& other) const {
     return distance != other.distance ? distance < other.distance : index < other.index;
@@ -70,7 +71,7 @@ class NearestMany {
 
  private:
   std::size_t count_;
-  std::vector<Candidate> heap_;  ///< max-heap: the farthest candidate is first
+  std::vector<Candidate> heap_;  ///< candidates as a max-heap: the farthest one is first
 };
 
 std::vector<FloatBox> point_boxes(std::span<const Vec3> points) {

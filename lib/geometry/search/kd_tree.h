@@ -16,12 +16,13 @@ class KdTree {
  public:
   /// Copies the points.
   explicit KdTree(std::span<const Vec3> points);
-  /// Uses points in a spatially coherent order (hilbert.h). Building takes O(n); queries are
-  /// slower.
+  /// Builds a tree of points whose `order` is spatially coherent (hilbert.h). Building takes O(n)
+  /// instead of O(n log n); queries are slower.
   KdTree(std::span<const Vec3> points, std::span<const Index> order);
   /// Returns the nearest point, or no_index if there are no points.
   Index nearest(const Vec3& query) const;
-  /// Returns the nearest point closer than `distance` for which `accept` returns true, or no_index.
+  /// Returns the nearest point closer than `distance` for which `accept` returns true, or no_index
+  /// if there is none.
   Index nearest_within(const Vec3& query, double distance,
                        const std::function<bool(Index)>& accept) const;
   /// Returns the `count` nearest points, or all if there are fewer; the closest first.
@@ -32,8 +33,8 @@ class KdTree {
   void search(const Vec3& query, Found& found) const;
 
   MedianTree tree_;
-  std::vector<Index> order_;  ///< index of the point at each place in the tree
-  std::vector<Vec3> points_;  ///< position of the point at each place in the tree
+  std::vector<Index> order_;  ///< indices of the points in tree order
+  std::vector<Vec3> points_;  ///< positions of the points in tree order
 };
 
 }  // namespace transformesh

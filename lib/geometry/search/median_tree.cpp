@@ -86,7 +86,8 @@ FloatBox MedianTree::build(std::span<const FloatBox> boxes, std::vector<Center>&
     return box;
   }
 
-  // Split the cell at the median of its widest axis; its box is the union of the halves' boxes.
+  // Split the cell at the median of its widest axis. The box of the cell is the union of the boxes
+  // of both halves.
   const std::size_t axis = widest_axis(std::span<const Center>(own));
   const std::size_t child = 2 * cell.node + 1;
   std::nth_element(

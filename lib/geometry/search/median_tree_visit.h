@@ -1,4 +1,5 @@
-/// Nearest-neighbor query of MedianTree, for the source files that use it.
+/// Definition of the nearest-neighbor query of MedianTree, a template, for source files that call
+/// it.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-/// Tests which boxes of a quad overlap a box or the boxes of another quad; touching counts.
+/// Tests which boxes of a quad (four boxes) overlap a box or the boxes of another quad; touching
+/// counts as overlap.
 #pragma once
 
 #ifdef __SSE2__
@@ -9,7 +10,7 @@
 
 namespace transformesh {
 
-/// Returns a mask whose bit i is set if box i of the quad overlaps the box.
+/// Returns a mask whose bit i is set if box i of the quad (four boxes) overlaps `box`.
 inline unsigned overlap_mask(const BoxQuad& quad, const FloatBox& box) {
 #ifdef __SSE2__
   __m128 overlap = _mm_castsi128_ps(_mm_set1_epi32(-1));
@@ -34,8 +35,8 @@ inline unsigned overlap_mask(const BoxQuad& quad, const FloatBox& box) {
 #endif
 }
 
-/// Returns four masks. Bit i of mask r is set if box i of the first quad overlaps box (i + r) % 4
-/// of the second.
+/// Returns four masks of the overlaps between the boxes of two quads. Bit i of mask r is set if box
+/// i of the first quad overlaps box (i + r) % 4 of the second.
 inline std::array<unsigned, 4> turned_overlap_masks(const BoxQuad& first, const BoxQuad& second) {
   std::array<unsigned, 4> masks{};
 #ifdef __SSE2__
@@ -68,8 +69,8 @@ inline std::array<unsigned, 4> turned_overlap_masks(const BoxQuad& first, const 
   return masks;
 }
 
-/// Returns four masks. Bit i of mask r is set if box i of the first quad has the group of box (i +
-/// r) % 4 of the second.
+/// Returns four masks of equal groups between the boxes of two quads. Bit i of mask r is set if box
+/// i of the first quad has the group of box (i + r) % 4 of the second.
 inline std::array<unsigned, 4> turned_group_masks(const GroupQuad& first, const GroupQuad& second) {
   std::array<unsigned, 4> masks{};
 #ifdef __SSE2__

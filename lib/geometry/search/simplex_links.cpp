@@ -8,18 +8,19 @@
 namespace transformesh {
 namespace {
 
-/// Exceeds the rounding error of a direction, whose coordinate differences are rounded once.
+/// Bound of the rounding error of a computed direction, if the differences of coordinates are
+/// rounded only once.
 constexpr double direction_error = 1e-14;
 const FloatBox everything = float_box(Vec3::Constant(-2), Vec3::Constant(2));
 
 using Edge = std::pair<Index, Index>;
 
-/// Crowded corners and edges: those with more than `most_uncrowded` faces. The link of a corner has
-/// the index of its point. The link of an edge has the number of points plus the index of the edge
-/// in `edges`.
+/// Crowded corners and edges, which are those with more than `most_uncrowded` faces. They have
+/// numbers: a corner has the index of its point, an edge has the number of points plus its index in
+/// `edges`.
 struct Crowds {
-  std::vector<char> is_crowded;  ///< per point
-  std::vector<Edge> edges;       ///< sorted
+  std::vector<char> is_crowded;  ///< 1 for each point that is a crowded corner
+  std::vector<Edge> edges;       ///< crowded edges, sorted
 };
 
 bool has_crowded_corners(std::span<const Face> faces, std::size_t points, Crowds& crowds) {
@@ -50,7 +51,8 @@ void find_crowded_edges(std::span<const Face> faces, Crowds& crowds) {
   }
 }
 
-// Returns a unit vector, or a vector without finite coordinates.
+// Returns the unit vector from one point to another. If the points are equal, the result is not
+// finite.
 Vec3 direction(const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
   return (along / along.cwiseAbs().maxCoeff()).normalized();
@@ -83,8 +85,9 @@ class SimplexLinkFinder {
   SimplexLinkFinder(std::span<const Vec3> points, const Crowds& crowds)
       : points_(points), crowds_(crowds) {}
 
-  // Returns the link boxes of a face for its first crowded edge and its crowded corners, at most
-  // three in total.
+  // Returns the link boxes of a face: one for its first crowded edge, and one for each crowded
+  // corner, but at most three in total. Link boxes bound the directions from an edge or corner into
+  // the face.
   LinkBoxes operator()(const Face& face) const {
     LinkBoxes boxes;
     std::size_t count = add_edge(face, boxes[0]) ? 1 : 0;
@@ -115,7 +118,7 @@ class SimplexLinkFinder {
   const Crowds& crowds_;
 };
 
-// Calls visit(box of a, box of b) for each corner or edge at which both have a link box.
+// Calls visit(box of a, box of b) for each corner or edge at which both arguments have a link box.
 template <class Visit>
 void for_each_common(const LinkBoxes& a, const LinkBoxes& b, const Visit& visit) {
   for (const LinkBox& i : a)

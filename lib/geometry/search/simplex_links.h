@@ -13,19 +13,20 @@
 
 namespace transformesh {
 
-/// Box around a part of the link of a vertex or an edge.
+/// Bounding box of the directions from a vertex or an edge into a face. `link` is the number of the
+/// vertex or edge.
 struct LinkBox {
   Index link = no_index;
   FloatBox box{};
 };
 
-/// Boxes around the parts of links that a face covers: at most one for each of its crowded corners
-/// and edges. For several faces, only links that all of them have. Unused entries are last.
+/// Link boxes of a face: at most three, for its crowded corners and edges. For several faces, only
+/// those for corners and edges that all of these faces have. Unused entries are last.
 using LinkBoxes = std::array<LinkBox, 3>;
 
 struct SimplexLinks {
-  /// Row in `boxes` of each face, or no_index for most faces. Empty if there are no crowded
-  /// corners.
+  /// For each face, the index of its link boxes in `boxes`, or no_index, as for most faces. Empty
+  /// if there are no crowded corners.
   std::vector<Index> row_of;
   std::vector<LinkBoxes> boxes;
 
@@ -35,21 +36,22 @@ struct SimplexLinks {
   }
 };
 
-/// A corner or edge with more faces than this is crowded. A choice: a lower limit gives more links,
-/// which take memory; a higher limit leaves more pairs of boxes.
+/// A corner or edge with more faces than this is crowded, and gets link boxes. A choice: with a
+/// lower limit, link boxes take more memory; with a higher limit, more pairs of faces are tested.
 inline constexpr Index most_uncrowded = 32;
 
-/// Returns the link boxes of faces. No face may refer to a point twice.
+/// Returns the link boxes of all faces with crowded corners. No face may refer to a point twice.
 SimplexLinks find_simplex_links(std::span<const Vec3> points, std::span<const Face> faces);
 
-/// True if two faces, or any two faces of two sets, certainly meet only in shared vertices and
-/// edges. False without links.
+/// True if link boxes prove that two faces, or any two faces of two sets, meet only in shared
+/// vertices and edges. False if there are no common links.
 bool are_apart(const LinkBoxes& a, const LinkBoxes& b);
 inline bool are_apart(const LinkBoxes* a, const LinkBoxes* b) {
   return a != nullptr && b != nullptr && are_apart(*a, *b);
 }
 
-/// Returns the links that both sets have in common, with boxes around the parts of both.
+/// Returns link boxes for the corners and edges that both arguments have in common. Each box
+/// contains the boxes of both arguments.
 LinkBoxes common_links(const LinkBoxes& a, const LinkBoxes& b);
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-/// Functions for lists of pairs with attached data: concatenation and sorting.
+/// Functions for lists of index pairs with attached data: concatenation and sorting.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,8 @@ void sort_pairs(std::vector<Entry>& pairs, std::size_t bound) {
   };
   if (pairs.size() < bound / 4) return std::sort(pairs.begin(), pairs.end(), comes_before);
 
-  // For many pairs, a counting sort by the first entry leaves few comparisons.
+  // If there are many pairs, sort them by the first entry in a counting sort. It leaves few
+  // comparisons.
   std::vector<std::size_t> slot(bound + 1, 0);
   for (const Entry& pair : pairs) ++slot[pair.first + 1];
   for (std::size_t i = 1; i < slot.size(); ++i) slot[i] += slot[i - 1];

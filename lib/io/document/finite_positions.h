@@ -1,4 +1,4 @@
-/// Test of all positions of a mesh, which readers and writers repeat.
+/// Test whether all positions of a mesh are finite.
 #pragma once
 
 #include <atomic>

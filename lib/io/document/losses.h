@@ -1,4 +1,4 @@
-/// Names the columns and comments that a format cannot store, once each.
+/// Lists the columns and comments that a file format cannot store.
 #pragma once
 
 #include <initializer_list>
@@ -10,7 +10,7 @@
 
 namespace transformesh {
 
-/// Contents of a document that a format other than PLY stores.
+/// The parts of a document that a file format other than PLY stores.
 struct Keeps {
   std::string format;  ///< name of the format in messages, such as OFF
   std::vector<std::string_view> vertex_columns;
@@ -21,12 +21,12 @@ struct Keeps {
 
 std::vector<std::string> losses(const Document& document, const Keeps& keeps);
 
-/// True if a program of this suite wrote the comment (options, reference edge). Every output gets
-/// new comments of this kind, so dropping them needs no note.
+/// True if a program of this suite wrote the comment (command line, reference edge). Every output
+/// gets new comments of this kind, so dropping such a comment needs no note.
 bool is_own_comment(const std::string& comment);
 
-/// True if all of these columns exist, are not lists, and hold finite numbers only. Formats other
-/// than PLY store no other columns.
+/// True if all columns with these names exist, are not lists, and contain finite numbers only.
+/// Formats other than PLY store no other columns.
 bool has_columns(const Columns& columns, std::initializer_list<std::string_view> names);
 
 }  // namespace transformesh

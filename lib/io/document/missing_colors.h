@@ -8,8 +8,8 @@
 
 namespace transformesh {
 
-/// Returns one line for vertices and one line for faces, each only if exactly one of the meshes has
-/// such colors.
+/// Returns notes about missing colors: one line for vertices and one for faces, each only if
+/// exactly one of the two meshes has such colors.
 std::vector<std::string> notes_of_missing_colors(const Mesh& first, const Mesh& second);
 
 }  // namespace transformesh

@@ -12,7 +12,7 @@ void round_columns(Columns& columns) {
     if (column.type == Scalar::float64) continue;
     with_scalar(column.type, [&](auto zero) {
       for (double& value : column.values) {
-        // Volatile for the reason given at round_to_single().
+        // The variable is volatile for the reason that the comment of round_to_single() gives.
         const volatile auto written = to_scalar<decltype(zero)>(value);
         value = static_cast<double>(written);
       }

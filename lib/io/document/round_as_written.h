@@ -5,8 +5,9 @@
 
 namespace transformesh {
 
-/// Changes a document to the result of write_mesh() in a PLY format and read_mesh(). Stages in one
-/// process then compute the same bytes as programs on pipes. Throws GoalError as write_mesh() does.
+/// Changes a document to the result of writing it with write_mesh() as PLY and reading it with
+/// read_mesh(). Hence stages in one process compute the same bytes as programs that are connected
+/// by pipes. Throws GoalError as write_mesh() does.
 void round_as_written(Document& document);
 
 }  // namespace transformesh

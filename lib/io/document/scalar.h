@@ -41,16 +41,19 @@ inline std::size_t byte_size(Scalar type) {
 
 inline bool is_floating(Scalar type) { return type == Scalar::float32 || type == Scalar::float64; }
 
-/// Returns the PLY name of a type: `uchar`, or `uint8` if `sized`.
+/// Returns the PLY name of a type, such as `uchar`. If `sized` is set, returns the name with its
+/// size, such as `uint8`.
 std::string_view scalar_name(Scalar type, bool sized);
-/// Returns the type of a PLY name in either spelling. Returns nothing for other words.
+/// Returns the type with this PLY name, such as `uchar` or `uint8`. Returns nothing for other
+/// words.
 std::optional<Scalar> scalar_of_name(std::string_view name);
 
 /// Returns the integer type `type` if it can represent `largest`, else the narrowest wider type
 /// that can.
 Scalar widened(Scalar type, std::uint64_t largest);
 
-/// Returns the nearest value of type T. Integers are rounded and clamped, NaN becomes 0.
+/// Converts a number to the nearest value of type T. For integers, it is rounded and clamped, and
+/// NaN becomes 0.
 template <class T>
 T to_scalar(double value) {
   if constexpr (std::is_floating_point_v<T>) {

@@ -25,7 +25,7 @@ T byte_swapped(T value) {
 template <class T>
 T load_scalar(const char* from, bool swapped) {
   T value;
-  // Bytes are swapped as an integer, because copying a float may change the bits of a NaN.
+  // Swap the bytes as an integer, because copying a float may change the bits of a NaN.
   if constexpr (sizeof(T) == 4) {
     std::uint32_t bits = 0;
     std::memcpy(&bits, from, sizeof(bits));

@@ -1,5 +1,5 @@
-/// The unit of a document's coordinates. The unit that a file states is the comment `tm:unit`,
-/// which accompanies the mesh through the programs of a pipeline.
+/// The unit of length of a document's coordinates. If a file states its unit, the document has the
+/// comment `tm:unit`, which is kept by all programs of a pipeline.
 #pragma once
 
 #include <optional>
@@ -31,7 +31,8 @@ const Unit* unit_of(const Document& document);
 /// Replaces the `tm:unit` comment by a comment with this unit.
 void set_unit(Document& document, const Unit& unit);
 
-/// Appends a note for a format that cannot store the document's unit, unless the unit is `usual`.
+/// Appends a note if the format `format` cannot store the unit of the document. No note is needed
+/// if the unit is `usual`, the usual unit of the format.
 void note_lost_unit(const Document& document, const std::string& format, std::string_view usual,
                     std::vector<std::string>& notes);
 

@@ -1,4 +1,5 @@
-/// Colors of text rows. The number of channels and the type are known only at the end of the file.
+/// Colors read from rows of text. The number of channels and their type are known only at the end
+/// of the file.
 #pragma once
 
 #include <array>
@@ -16,16 +17,17 @@ class ColorRows {
   static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   static constexpr Color no_color{missing, missing, missing, missing};
 
-  /// Sets the color of a row. Call in order of rows; skipped rows have no color. A color with NaN
-  /// in its first `channels` values is bad and becomes zeros.
+  /// Sets the color of a row. Call in order of rows; rows that are skipped have no color. If one of
+  /// the first `channels` values is NaN, the color is counted as bad and becomes zero.
   void set(std::size_t row, const Color& color, std::size_t channels);
-  /// Must be called with the text of each number: a point or an exponent makes all colors floating
-  /// point.
+  /// Must be called with the text of each number. If a number has a decimal point or an exponent,
+  /// all colors become floating point.
   void see_word(std::string_view word);
 
-  /// Adds red green blue (alpha), or color_index if rows have only one number. Integer channels
-  /// become uchar if they fit, else int, else double; an index becomes int or double. Rows without
-  /// a color become white, as in glTF and 3MF, or get index 0; rows without alpha are opaque.
+  /// Adds the columns red green blue (alpha), or color_index if rows have only one number. Integer
+  /// channels become uchar if they fit, else int, else double; an index becomes int or double. Rows
+  /// without a color become white, as in glTF and 3MF, or get index 0. Rows without alpha become
+  /// opaque.
   void add_columns(std::size_t rows, Columns& columns);
   std::size_t missing_rows() const;
   std::size_t bad_rows() const { return bad_rows_; }

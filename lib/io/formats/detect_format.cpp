@@ -22,8 +22,10 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t stl_header_size = 84;  ///< bytes: 80 bytes of text and the count of facets
-constexpr std::size_t stl_facet_size = 50;   ///< bytes of 12 floats and a 16-bit attribute
+/// Size of the header in bytes: 80 bytes of text and the number of facets.
+constexpr std::size_t stl_header_size = 84;
+/// Size of a facet in bytes: 12 floats and a 16-bit attribute.
+constexpr std::size_t stl_facet_size = 50;
 
 std::string lower_case(std::string_view text) {
   std::string result(text);
@@ -59,8 +61,8 @@ bool is_ply_start(std::string_view bytes) {
   return next == std::string_view::npos || bytes[next] == '\r' || bytes[next] == '\n';
 }
 
-/// Many binary STL files also start with `solid`. Only text files continue with `facet` or
-/// `endsolid`.
+/// True if the file is text STL. Many binary STL files also start with `solid`, but only text files
+/// continue with `facet` or `endsolid`.
 bool is_ascii_stl(std::string_view bytes) {
   const std::string start = lower_case(bytes.substr(0, 2000));
   if (first_word(start) != "solid" || start.find('\0') != std::string::npos) return false;
@@ -80,8 +82,8 @@ bool is_obj_start(std::string_view bytes, std::string_view word) {
 
 /// True if one of the first lines is a vertex of OBJ: `v` and three numbers.
 bool has_obj_vertex(std::string_view bytes) {
-  // Number of bytes that are searched; chosen by hand. A vertex after longer comments is not
-  // recognized.
+  // Number of bytes that are searched for a vertex; chosen by hand. If comments before the first
+  // vertex are longer, the format is not recognized.
   constexpr std::size_t searched = 4096;
   const Source start{bytes.substr(0, searched), ""};
   TextRows rows(start, 0, {'#', true});
@@ -95,8 +97,8 @@ bool has_obj_vertex(std::string_view bytes) {
   return false;
 }
 
-/// True if there is a byte order mark of UTF-16, or if every second of the first bytes is 0 and the
-/// others are ASCII.
+/// True if the text is UTF-16: it has a byte order mark, or every second of its first bytes is 0
+/// and the others are ASCII.
 bool is_utf16(std::string_view bytes) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return true;
   // Number of tested bytes; in ASCII text as UTF-16, every other byte is zero.
@@ -107,13 +109,13 @@ bool is_utf16(std::string_view bytes) {
     if (bytes[i] == '\0') ++zeros[i % 2];
     if (bytes[i] >= '\t' && bytes[i] <= '~') ++letters[i % 2];
   }
-  // Number of tested bytes at even places, and at odd places.
+  // Number of tested bytes with even index, and also with odd index.
   constexpr std::size_t half = looked_at / 2;
   return (zeros[0] == half && letters[1] == half) || (zeros[1] == half && letters[0] == half);
 }
 
-/// True if the size of the file matches its facet count exactly. Files of other formats match only
-/// by coincidence.
+/// True if the size of the file is exactly that of a binary STL file with its stated number of
+/// facets. Files of other formats have this size only by coincidence.
 bool is_stl_of_stated_size(std::string_view bytes) {
   if (bytes.size() < stl_header_size) return false;
   const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, !host_is_little);
@@ -129,8 +131,8 @@ std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   if (is_vtk(bytes)) return FileKind::vtk;
   if (is_vtk_xml(bytes)) return FileKind::vtp;
   if (is_pcd(bytes)) return FileKind::pcd;
-  // If the file were text, the four characters at the place of the facet count would not match its
-  // size.
+  // Text is hardly mistaken for binary STL here: its four characters at the place of the facet
+  // count would have to match the file size.
   if (is_binary_stl_by_size(bytes)) return FileKind::stl_binary;
   if (is_off_keyword(word)) return FileKind::off;
   if (is_ascii_stl(bytes)) return FileKind::stl_ascii;
@@ -153,8 +155,8 @@ bool is_binary_stl_by_size(std::string_view bytes) {
   const bool swapped = !host_is_little;
   const std::uint64_t facets = load_scalar<std::uint32_t>(bytes.data() + 80, swapped);
   const std::size_t rest = bytes.size() - stl_header_size;
-  // Programs that stream their output may leave a facet count of 0. Text never has four zero bytes
-  // at this place.
+  // Programs that stream their output may leave the number of facets at 0. A text file does not
+  // have four zero bytes at this place.
   const bool is_left_open = facets == 0 && rest % stl_facet_size == 0;
   return rest == stl_facet_size * facets || is_left_open;
 }

@@ -25,10 +25,12 @@ enum class FileKind {
 /// showing the first bytes, if no format fits.
 FileKind detect_format(const Source& source);
 
-/// Throws InputError (unknown_format) that shows the first bytes and names all formats.
+/// Throws InputError (unknown_format), whose message shows the first bytes of the file and lists
+/// all formats.
 [[noreturn]] void refuse_unknown_format(const Source& source);
 
-/// True if the number of bytes matches the facet count of binary STL. The header may hold anything.
+/// True if the size of the file matches the number of facets that a binary STL file states. The 80
+/// bytes of header text may have any content.
 bool is_binary_stl_by_size(std::string_view bytes);
 
 }  // namespace transformesh

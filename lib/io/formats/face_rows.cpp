@@ -13,12 +13,14 @@
 
 namespace transformesh {
 
-/// Results of triangulation. Most polygons become triangle fans, which are stored in one byte each.
+/// Results of triangulating polygons. Most polygons become triangle fans, for which one byte is
+/// stored.
 struct FaceRows::Cuts {
   enum class Kind : std::uint8_t { fan, not_finite, other };
 
-  std::vector<Kind> kinds;                ///< kind of each polygon
-  std::vector<std::size_t> numbers;       ///< indices of the polygons of kind `other`
+  std::vector<Kind> kinds;  ///< result for each polygon: fan, not finite, or other
+  /// Indices of the polygons whose kind is `other`: neither fans nor non-finite.
+  std::vector<std::size_t> numbers;
   std::vector<PolygonTriangles> results;  ///< triangles of the polygons in `numbers`
 };
 

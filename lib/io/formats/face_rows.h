@@ -1,5 +1,5 @@
-/// Collects the faces of a file, which may precede their vertices, and triangulates them without
-/// folds (polygons/triangulate_polygon.h).
+/// Collects the faces that a reader finds in a file, where they may precede their vertices.
+/// Triangulates polygons without folds (polygons/triangulate_polygon.h).
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,8 @@ class FaceRows {
   void add(std::span<const Index> corners);
   std::uint32_t rows() const { return rows_; }
 
-  /// Sets whether move_into() sets polygon_column (merge_polygons.h) if there are polygons.
+  /// Sets whether move_into() stores the polygon of each triangle in polygon_column
+  /// (merge_polygons.h), if there are polygons.
   void keep_polygons(bool keeps) { keeps_polygons_ = keeps; }
 
   /// Moves the faces into the mesh. The mesh must have all vertices, and its face columns must have
@@ -50,7 +51,8 @@ class FaceRows {
 
   std::span<const Index> corners_of(std::size_t polygon) const;
   Cuts cut_polygons(const Mesh& mesh) const;
-  /// Calls add(row, number of corners, corners of the triangle) for each triangle in order.
+  /// Calls add(triangle, origin) for each triangle in order. `origin` has the row of the polygon,
+  /// its number of corners, and the corners from which the triangle is made.
   template <class Add>
   void for_each_triangle(const Cuts& cuts, const Add& add) const;
   void put_together(Mesh& mesh, const Cuts& cuts) const;
@@ -58,9 +60,9 @@ class FaceRows {
   void add_notes(const Cuts& cuts, std::size_t faces, const std::string& format,
                  std::vector<std::string>& notes, std::uint32_t first_number) const;
 
-  std::vector<Face> triangles_;    ///< rows with three corners, in order
-  std::vector<Polygon> polygons_;  ///< rows with any other number of corners, in order
-  std::vector<Index> corners_;     ///< corners of the polygons
+  std::vector<Face> triangles_;    ///< faces with three corners, in order
+  std::vector<Polygon> polygons_;  ///< faces with any other number of corners, in order
+  std::vector<Index> corners_;     ///< corners of all polygons, concatenated
   std::uint32_t rows_ = 0;
   bool keeps_polygons_ = false;
 };

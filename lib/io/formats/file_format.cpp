@@ -48,7 +48,8 @@ const std::vector<std::string>& written_endings() {
 }
 
 std::string unknown_ending(std::string_view name, const std::vector<std::string>& known) {
-  // Length of the longest extension, with its dot. A longer word after a dot is part of the name.
+  // Length of the longest extension, with its dot. If the text after a dot is longer, it counts as
+  // part of the name.
   constexpr std::size_t longest = 5;
   const std::string_view file = name.substr(name.rfind('/') + 1);
   const std::string ending = extension_of(file);
@@ -62,7 +63,8 @@ std::string unknown_ending(std::string_view name, const std::vector<std::string>
 
 std::size_t set_format(Document& document, Format format, std::optional<Scalar> coordinate) {
   Style& style = document.style;
-  // The glTF standard uses meters; STL uses millimeters by convention.
+  // Store the unit in a comment. Without it, readers would assume meters, the unit of glTF,
+  // although coordinates of STL are in millimeters by convention.
   if (const Unit* unit = unit_of(document); unit != nullptr && format == Format::glb)
     set_unit(document, *unit);
   style.format = format;

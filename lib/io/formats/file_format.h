@@ -20,8 +20,9 @@ Format format_for(Format input, std::string_view wanted, std::string_view name);
 /// Returns the extensions that select a format: .ply .off .obj .stl .glb .vtp .3mf .xyz.
 const std::vector<std::string>& written_endings();
 
-/// Returns the extension of a file name, with its dot, if it is not in `known`; otherwise nothing.
-/// Extensions of more than four characters, such as the end of a random name, are ignored.
+/// Returns the extension of a file name, with its dot, if it is not in the list `known`. Returns
+/// nothing if it is. Extensions of more than four characters, such as the end of a random name, are
+/// ignored.
 std::string unknown_ending(std::string_view name, const std::vector<std::string>& known);
 
 /// Sets the document's format and type of coordinates. Default type: float for STL and GLB, double

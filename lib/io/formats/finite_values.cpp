@@ -12,8 +12,8 @@ namespace {
 
 using Group = std::vector<Column*>;
 
-/// Returns the floating-point columns with these names. Returns an empty group if one of them is
-/// missing, is a list or has integers.
+/// Returns the floating-point columns with these names. Returns an empty group if one of the
+/// columns is missing, is a list or has an integer type.
 Group group_of(Columns& columns, std::initializer_list<std::string_view> names) {
   Group group;
   for (const std::string_view name : names) {

@@ -1,5 +1,5 @@
-/// Handles non-finite values, which occur in scans: drops them with a count, or rejects them if
-/// reading is strict.
+/// Handles non-finite values in files, which occur in scans: drops them and counts them, or rejects
+/// the file if reading is strict.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace transformesh {
 
-/// Drops the vertices with a non-finite coordinate and the faces that use them. `dropped_faces` is
-/// the number of faces dropped earlier for this reason; the note states the sum. Does nothing if
-/// all coordinates are finite.
+/// Drops vertices with a non-finite coordinate, and faces that use such vertices. `dropped_faces`
+/// is the number of faces that were dropped earlier for this reason; the note states the sum. Does
+/// nothing if all coordinates are finite.
 void drop_points_not_finite(Mesh& mesh, std::size_t dropped_faces, const std::string& format,
                             std::vector<std::string>& notes);
 
-/// Sets normals (nx ny nz) and colors (red green blue, with alpha if present) to zero in the rows
-/// where one of their values is not finite. Throws InputError instead if reading is strict.
-/// `element` is the name of a row in messages.
+/// Sets a normal (nx ny nz) or color (red green blue, with alpha if present) to zero if one of its
+/// values is not finite. Throws InputError instead if reading is strict. `element` is the word for
+/// a row in messages, such as "vertex".
 void zero_values_not_finite(Columns& columns, const Source& source, const std::string& element,
                             const std::string& format, std::vector<std::string>& notes);
 

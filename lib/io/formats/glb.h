@@ -23,11 +23,12 @@
 
 namespace transformesh {
 
-/// Reads as read_mesh() does. External buffers are read from `folder`; if it is empty, they are
-/// rejected.
+/// Reads glTF as read_mesh() does. External buffers are read from `folder`. If `folder` is empty,
+/// files with external buffers are rejected.
 ReadResult read_glb(const Source& source, const std::string& folder);
 
-/// Throws GoalError if the file would exceed 4 GB, the limit of its header.
+/// Writes GLB as write_mesh() does. Throws GoalError if the file would exceed 4 GB, the limit of
+/// its header.
 WriteResult write_glb(const Document& document);
 
 }  // namespace transformesh

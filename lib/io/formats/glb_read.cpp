@@ -50,13 +50,14 @@ class GlbReader {
         result_.document.style.comments.push_back(comment.get<std::string>());
   }
 
-  /// glTF lengths are in meters, unless a comment of this suite states another unit.
+  /// Sets the unit to meters, the unit of glTF, unless a comment of this suite states another unit.
   void set_missing_unit() {
     if (unit_of(result_.document) == nullptr) set_unit(result_.document, *find_unit("meter"));
   }
 
   void add_instance(const GltfInstance& instance) {
-    // Bytes counted for a visit of a node, which takes time even if the mesh is empty.
+    // Number of bytes by which a visit of a node reduces the budget, because a visit takes time
+    // even if the mesh is empty.
     constexpr std::size_t cost_of_visit = 64;
     budget_.spend(cost_of_visit);
     Document part;
@@ -77,12 +78,14 @@ class GlbReader {
     for (const std::string& line : append(result_.document, part)) note(line);
   }
 
-  /// Faces of a mirror image are reversed, so that the outside stays outside.
+  /// Transforms a mesh to scene coordinates. If the transformation is a mirror image, faces are
+  /// reversed, so that the outside stays outside.
   static void place(const Eigen::Affine3d& to_scene, Mesh& mesh) {
     for (Vec3& position : mesh.positions) position = to_scene * position;
     const Eigen::Matrix3d linear = to_scene.linear();
     const double sign = linear.determinant() < 0 ? -1 : 1;
-    // The inverse transpose up to a factor: the matrix of cofactors, which needs no division.
+    // Matrix for normals: the inverse transpose up to a factor. It is the matrix of cofactors,
+    // which needs no division.
     Eigen::Matrix3d normal_matrix;
     normal_matrix << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
         linear.col(0).cross(linear.col(1));

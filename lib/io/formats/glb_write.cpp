@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Constants of the glTF standard.
+// Primitive modes and other constants of the glTF standard.
 constexpr int as_points = 0;
 constexpr int as_triangles = 4;
 constexpr int array_buffer = 34962;
@@ -130,7 +130,7 @@ class GlbWriter {
     json["nodes"] = {{{"mesh", 0}}};
     json["meshes"] = {{{"primitives", {primitive}}}};
     if (is_manifold_) add_manifold(primitive, json);
-    // Without these settings, the default material of glTF is metallic and invisible from behind.
+    // Set these properties: the default material of glTF is metallic and invisible from behind.
     json["materials"] = {
         {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"doubleSided", true}}};
     if (!document_.texture.empty()) add_picture(json);
@@ -153,8 +153,8 @@ class GlbWriter {
     json["extensionsUsed"].push_back("KHR_materials_unlit");
   }
 
-  /// Adds the manifold primitive. Its accessor has the indices of the drawn primitive, and a sparse
-  /// part that replaces vertices repeated for the texture.
+  /// Adds the primitive of EXT_mesh_manifold. Its accessor has the indices of the drawn primitive,
+  /// and a sparse part that replaces vertices repeated for their texture coordinates.
   void add_manifold(const Json& primitive, Json& json) {
     const std::size_t indices = primitive["indices"];
     Json manifold = {{"attributes", {{"POSITION", primitive["attributes"]["POSITION"]}}},
@@ -248,7 +248,7 @@ class GlbWriter {
 
   template <class T>
   std::size_t add_color_rows(const ColumnGroup& group, T opaque) {
-    // Four, because three bytes would not be aligned to 4 bytes.
+    // Four channels, because elements of three bytes would not be aligned to 4 bytes.
     constexpr std::size_t channels = 4;
     std::vector<T> values;
     for (std::size_t row = 0; row < mesh_.positions.size(); ++row)

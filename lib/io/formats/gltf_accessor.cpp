@@ -14,8 +14,8 @@ namespace {
 
 using Json = GltfFile::Json;
 
-/// Calls f with a zero of the C++ type for a component type of the standard. Returns false for
-/// other numbers.
+/// Calls f with a zero of the C++ type for a component type (a number) of the glTF standard.
+/// Returns false for numbers that are no component type.
 template <class Function>
 bool with_component(std::size_t type, const Function& f) {
   switch (type) {
@@ -36,8 +36,8 @@ bool with_component(std::size_t type, const Function& f) {
   }
 }
 
-/// Converts a component. Normalized integers follow section 3.6.2.2: the least and the second least
-/// value of a signed type both become -1.
+/// Converts a component to double. Normalized integers are converted as in section 3.6.2.2 of the
+/// standard: the least and the second least value of a signed type both become -1.
 template <class T>
 double value_of(T stored, bool is_normalized) {
   const auto value = static_cast<double>(stored);
@@ -125,7 +125,8 @@ class AccessorReader {
          });
   }
 
-  /// Calls keep(element, component, value) for all numbers. A stride of 0 means tightly packed.
+  /// Calls keep(element, component, value) for all numbers of an accessor. `stride` is the distance
+  /// of elements in bytes; 0 means that elements are tightly packed.
   template <class Keep>
   void load(std::string_view bytes, std::size_t start, std::size_t stride, std::size_t count,
             std::size_t type, std::size_t width, bool is_normalized, const Keep& keep) const {

@@ -9,12 +9,14 @@
 namespace transformesh {
 
 struct GltfNumbers {
-  /// `width` values for each element; normalized integers are in [-1, 1].
+  /// Values of all elements, `width` for each; normalized integers are in [-1, 1].
   std::vector<double> values;
   std::size_t width = 1;
   bool is_byte = false;      ///< true if the file stores unsigned bytes
   bool is_floating = false;  ///< true if the file stores floats
-  double one = 1;            ///< full color intensity: 1, or the largest integer if not normalized
+  /// Value of full color intensity: 1, or the largest value of an integer type that is not
+  /// normalized.
+  double one = 1;
 
   std::size_t size() const { return values.size() / width; }
 };

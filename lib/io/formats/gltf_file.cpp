@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t header_size = 12;       ///< bytes, by the standard
-constexpr std::size_t chunk_header_size = 8;  ///< bytes, by the standard
+constexpr std::size_t header_size = 12;       ///< size of the GLB header in bytes, by the standard
+constexpr std::size_t chunk_header_size = 8;  ///< size of a chunk header in bytes, by the standard
 constexpr std::string_view json_chunk = "JSON";
 constexpr std::string_view binary_chunk("BIN\0", 4);
 
@@ -54,7 +54,7 @@ std::string without_escapes(std::string_view uri) {
 }  // namespace
 
 bool is_gltf_text(std::string_view bytes) {
-  // Bytes that are searched for `asset`, which writers put first or after a few nodes.
+  // Number of bytes in which `asset` is searched. Writers put it first or after a few nodes.
   constexpr std::size_t searched = 1U << 16U;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos || bytes[first] != '{') return false;
@@ -125,8 +125,8 @@ void GltfFile::check_version() const {
     fail("version " + transformesh::quoted(version) + " is not supported, only 2");
 }
 
-/// Throws InputError for required extensions that are not supported. Extensions that are used but
-/// not required have a fallback.
+/// Throws InputError if the file requires an extension that is not supported. Extensions that are
+/// used, but not required, have a fallback and are ignored.
 void GltfFile::check_extensions() const {
   const auto list = json_.find("extensionsRequired");
   if (list == json_.end() || !list->is_array()) return;
@@ -195,8 +195,8 @@ std::string GltfFile::read_uri(std::size_t index, const std::string& uri) const 
   return *bytes;
 }
 
-/// Rejects names that lead out of the folder, directly or by a symbolic link. Also rejects devices,
-/// whose data may be endless.
+/// Reads a file in the folder of the glTF file. Rejects names that lead out of the folder, directly
+/// or by a symbolic link. Also rejects devices, whose data may be endless.
 std::string GltfFile::read_beside(const std::string& name) const {
   const fs::path path(name);
   const bool leaves = path.is_absolute() || name.find("://") != std::string::npos ||

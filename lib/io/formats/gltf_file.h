@@ -22,17 +22,17 @@ class GltfFile {
 
   const Source& source() const { return source_; }
   const Json& json() const { return json_; }
-  /// Returns the number of bytes after the end of the file that the GLB header states.
+  /// Returns the number of bytes that follow the end of the file as stated in the GLB header.
   std::size_t rest() const { return rest_; }
 
-  /// Returns the number of elements of a top-level array: nodes, meshes, and so on.
+  /// Returns the number of elements of a top-level JSON array such as "nodes" or "meshes".
   std::size_t count(const char* array) const;
-  /// Returns an element of a top-level array. Throws InputError if the element is missing or is not
-  /// an object.
+  /// Returns an element of a top-level JSON array such as "nodes". Throws InputError if the element
+  /// is missing or is not an object.
   const Json& element(const char* array, std::size_t index) const;
-  /// Returns a member that is a nonnegative integer, or `fallback` if it is missing. Throws
-  /// InputError if the member is something else, or if it is missing and there is no fallback.
-  /// `what` names the object in messages.
+  /// Returns the member `key` of an object as a nonnegative integer, or `fallback` if the member is
+  /// missing. Throws InputError if the member is something else, or if it is missing and there is
+  /// no fallback. `what` is the name of the object in messages.
   std::size_t whole(const Json& object, const std::string& key, const std::string& what,
                     std::optional<std::size_t> fallback = {}) const;
   /// Returns the bytes of a buffer view. Throws InputError if the view exceeds its buffer.
@@ -59,7 +59,7 @@ class GltfFile {
   std::size_t rest_ = 0;
 };
 
-/// True if the bytes are JSON that states a glTF version in its first kilobytes.
+/// True if the bytes are JSON with a glTF version in the first kilobytes.
 bool is_gltf_text(std::string_view bytes);
 
 }  // namespace transformesh

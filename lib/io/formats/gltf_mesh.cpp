@@ -14,7 +14,7 @@ namespace {
 
 using Json = GltfFile::Json;
 
-// Primitive modes of the standard: 0 points, 1 to 3 lines, 4 to 6 triangles.
+// Primitive modes of the glTF standard: 0 for points, 1 to 3 for lines, 4 to 6 for triangles.
 constexpr std::size_t as_points = 0;
 constexpr std::size_t as_triangles = 4;
 constexpr std::size_t as_strip = 5;
@@ -64,8 +64,8 @@ class MeshReader {
       return;
     }
     const Json& attributes = member(primitive, "attributes");
-    // Vertices are added only if they differ from the last primitive's: primitives of several
-    // materials often share vertices.
+    // Add vertices only if they differ from those of the previous primitive, because primitives of
+    // several materials often share vertices.
     if (attributes != attributes_ || mesh_.positions.empty()) add_vertices(attributes);
     if (mode == as_points) return;
     add_faces(primitive, mode);
@@ -118,7 +118,7 @@ class MeshReader {
       add_colors(found, columns);
     } else if (key == "TEXCOORD_0" && found.width == 2) {
       add_group({"s", "t"}, found, columns);
-      // In glTF, v runs downwards.
+      // Convert v, which runs downwards in glTF.
       for (double& value : columns.find("t")->values) value = 1 - value;
     } else if (key.starts_with('_') && key.size() > 1 && found.width == 1) {
       const std::string name = column_name(lower_case(key.substr(1)));
@@ -137,9 +137,9 @@ class MeshReader {
     }
   }
 
-  /// Colors that are stored as bytes stay bytes. If all vertices are opaque, no alpha column is
-  /// added. The standard requires integer colors to be normalized; integer colors without that mark
-  /// are read as if they had it.
+  /// Adds color columns. Colors that are stored as bytes remain bytes. If all vertices are opaque,
+  /// no alpha column is added. The standard requires integer colors to be normalized; other integer
+  /// colors are read as if they were.
   static void add_colors(const GltfNumbers& found, Columns& columns) {
     bool is_opaque = true;
     for (std::size_t i = 0; i < found.size() && found.width == 4; ++i)
@@ -216,7 +216,7 @@ class MeshReader {
     return color;
   }
 
-  /// White means that a face has no color.
+  /// Adds the colors of materials to faces, unless all are white, which means no color.
   void add_face_colors() {
     const Color white{1, 1, 1, 1};
     const auto is_white = [&](const Color& color) { return color == white; };
@@ -232,7 +232,7 @@ class MeshReader {
 
   // --- EXT_mesh_manifold -------------------------------------------------------------------------
 
-  /// Takes the corners of the manifold primitive. The corners are those of all primitives in order,
+  /// Takes the corners of the EXT_mesh_manifold primitive: those of all primitives in order, but
   /// with repeated vertices replaced by one of them.
   void merge() {
     const Json& extension = member(member(entry_, "extensions"), "EXT_mesh_manifold");
@@ -301,8 +301,8 @@ class MeshReader {
   std::string name_;
   ExpansionBudget& budget_;
   GltfLosses& losses_;
-  Json attributes_;        ///< attributes of the vertices read last
-  std::size_t first_ = 0;  ///< index of the first vertex that was read last
+  Json attributes_;        ///< attributes of the primitive whose vertices were read last
+  std::size_t first_ = 0;  ///< index in the mesh of the first of the vertices that were read last
   bool are_triangles_ = true;
   std::vector<Color> face_colors_;
   Mesh mesh_;

@@ -10,7 +10,7 @@
 
 namespace transformesh {
 
-/// Numbers of items that a mesh cannot represent.
+/// Numbers of items of a glTF file that are left out, because a mesh cannot represent them.
 struct GltfLosses {
   std::size_t line_primitives = 0;
   std::size_t unread_attributes = 0;
@@ -18,10 +18,11 @@ struct GltfLosses {
   std::size_t unused_merges = 0;
 };
 
-/// Returns the triangles of a mesh, or its points. NORMAL becomes nx ny nz, COLOR_0 red green blue
-/// alpha of vertices, TEXCOORD_0 s t, and a scalar attribute _NAME a column. Base colors of
-/// materials become face colors. Vertices that EXT_mesh_manifold merges are one vertex, and their
-/// texture coordinates become the face column `texcoord`. Throws InputError.
+/// Returns the triangles of a glTF mesh, or its points. NORMAL becomes the columns nx ny nz.
+/// COLOR_0 becomes red green blue alpha of vertices, TEXCOORD_0 becomes s t, and a scalar attribute
+/// _NAME becomes a column of this name. Base colors of materials become face colors. Vertices that
+/// EXT_mesh_manifold merges are one vertex, and their texture coordinates become the face column
+/// `texcoord`. Throws InputError.
 Mesh gltf_mesh(const GltfFile& file, std::size_t mesh, ExpansionBudget& budget, GltfLosses& losses);
 
 }  // namespace transformesh

@@ -23,7 +23,8 @@ std::array<double, size> numbers_of(const GltfFile& file, const Json& node, cons
   return fallback;
 }
 
-/// Returns a node's transform: a matrix by columns, or translation times rotation times scale.
+/// Returns the transformation of a node. The file has a matrix by columns, or translation times
+/// rotation times scale.
 Eigen::Affine3d transform_of(const GltfFile& file, const Json& node) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
   if (node.contains("matrix")) {
@@ -37,7 +38,7 @@ Eigen::Affine3d transform_of(const GltfFile& file, const Json& node) {
   const auto r = numbers_of<4>(file, node, "rotation", {0, 0, 0, 1});
   const auto s = numbers_of<3>(file, node, "scale", {1, 1, 1});
   transform.translate(Eigen::Vector3d(t[0], t[1], t[2]));
-  // Quaternions are normalized, because their floats do not have length 1 exactly.
+  // Normalize the quaternion, because its floats do not have length 1 exactly.
   const Eigen::Quaterniond rotation(r[3], r[0], r[1], r[2]);
   if (node.contains("rotation") && rotation.squaredNorm() > 0)
     transform.rotate(rotation.normalized());
@@ -92,7 +93,7 @@ class Walk {
     return found;
   }
 
-  /// Pushes in reverse order, so that the first node is visited first.
+  /// Pushes nodes on the stack in reverse order, so that the first node is visited first.
   void push(const std::vector<std::size_t>& nodes, const Eigen::Affine3d& parent) {
     for (std::size_t i = nodes.size(); i-- > 0;) waiting_.push_back({nodes[i], parent});
   }

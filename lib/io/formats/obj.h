@@ -18,8 +18,8 @@
 
 namespace transformesh {
 
-/// Read and write OBJ as read_mesh() and write_mesh() do. `outlines` are MergedPolygons::outlines.
-/// Coordinates are double.
+/// Reads OBJ as read_mesh() does. write_obj() writes OBJ as write_mesh() does; its argument
+/// `outlines` is MergedPolygons::outlines. Coordinates are double.
 ReadResult read_obj(const Source& source);
 WriteResult write_obj(const Document& document, const Column* outlines = nullptr);
 

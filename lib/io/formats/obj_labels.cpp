@@ -10,8 +10,8 @@
 namespace transformesh {
 namespace {
 
-/// Returns the number that a name denotes. Returns nothing for `007`, which would be written as
-/// `7`.
+/// Returns the number that a label name denotes, or nothing if the name is not a number. Returns
+/// nothing for names such as `007`, which would be written as `7`.
 std::optional<std::int32_t> number_named(std::string_view name) {
   std::int32_t number = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -27,7 +27,7 @@ std::string comment_of(const ObjLabelKind& kind, long number, const std::string&
   return comment_start(kind) + std::to_string(number) + ' ' + name;
 }
 
-/// Yields numbers >= 1 that are not taken, in ascending order.
+/// Generates the numbers from 1 that are not in a given set, in ascending order.
 class FreeNumbers {
  public:
   explicit FreeNumbers(std::set<long> taken) : taken_(std::move(taken)) {}
@@ -61,8 +61,8 @@ const Column* labels_in(const Document& document, const ObjLabelKind& kind) {
   return are_numbers ? column : nullptr;
 }
 
-/// Parses a label comment. Returns nothing if the name is itself a number that differs from the
-/// label's.
+/// Parses a label comment, such as `tm:group 1 wing`, into number and name. Returns nothing for
+/// other comments, and if the name is itself a number.
 std::optional<std::pair<long, std::string>> label_in(const std::string& comment,
                                                      const ObjLabelKind& kind) {
   const std::string start = comment_start(kind);
@@ -76,7 +76,8 @@ std::optional<std::pair<long, std::string>> label_in(const std::string& comment,
   return std::pair(long{*number}, std::move(name));
 }
 
-/// Returns all label numbers of a document with their names.
+/// Returns all label numbers of a document with their names. A label without a name has its number
+/// as name.
 std::map<long, std::string> called(const Document& document, const ObjLabelKind& kind) {
   std::map<long, std::string> names = obj_label_names(kind, document.style.comments);
   for (const double value : labels_in(document, kind)->values)
@@ -84,9 +85,9 @@ std::map<long, std::string> called(const Document& document, const ObjLabelKind&
   return names;
 }
 
-/// Returns new numbers for later labels. A later label with the name of an earlier label gets the
-/// earlier number. A label whose number has another name in the earlier document gets a free
-/// number.
+/// Returns new numbers for the labels of a later document, by their old numbers. A later label with
+/// the name of an earlier label gets the earlier number. If the number of a later label has another
+/// name in the earlier document, the label gets a free number.
 std::map<long, long> changes_between(const std::map<long, std::string>& earlier,
                                      const std::map<long, std::string>& later) {
   std::map<std::string, long> numbers;

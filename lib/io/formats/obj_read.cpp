@@ -15,7 +15,7 @@
 namespace transformesh {
 namespace {
 
-/// True for the statements of the format other than vertices and faces.
+/// True if the word starts a statement of OBJ other than a vertex or a face.
 bool is_other_keyword(std::string_view word) {
   constexpr std::array<std::string_view, 37> words{
       "bevel", "bmat",     "bsp",    "bzp",        "c_interp", "call",  "cdc",  "cdp",
@@ -104,7 +104,7 @@ class ObjReader {
     ++texture_points_;
   }
 
-  /// Reads the statement and returns true if it is a label.
+  /// If the statement is a label (`g`, `o` or `usemtl`), reads it and returns true.
   bool is_label(std::string_view keyword) {
     for (std::size_t i = 0; i < obj_label_kinds.size(); ++i) {
       if (keyword != obj_label_kinds[i].keyword) continue;
@@ -122,8 +122,9 @@ class ObjReader {
     polygons_.add(corners_);
   }
 
-  /// A corner is `vertex`, `vertex/texture`, `vertex//normal` or `vertex/texture/normal`. Indices
-  /// start at 1; negative indices are relative to the last vertex read.
+  /// Reads a corner of a face: `vertex`, `vertex/texture`, `vertex//normal` or
+  /// `vertex/texture/normal`. Indices start at 1; negative indices are relative to the last vertex
+  /// read.
   Index read_corner(std::string_view word) {
     const char* first = word.data();
     const char* last = first + word.size();
@@ -149,7 +150,8 @@ class ObjReader {
     return is_number && (first == last || *first == '/') ? number : 0;
   }
 
-  /// A face may precede its vertices, so its indices can only be checked at the end of the file.
+  /// Stores the largest vertex index. A face may precede its vertices, so its indices can only be
+  /// checked at the end of the file.
   void remember_largest(Index index) {
     if (largest_index_place_ && index <= largest_index_) return;
     largest_index_ = index;
@@ -167,7 +169,8 @@ class ObjReader {
            ", but " + there_are(mesh().positions.size(), "vertex");
   }
 
-  /// If all color values are multiples of 1/255, they come from bytes, and become bytes.
+  /// Adds color columns. If all values are multiples of 1/255, they come from bytes, and become
+  /// bytes.
   void add_colors() {
     Columns& columns = mesh().vertex_columns;
     colors_.see_word(".");
@@ -191,8 +194,8 @@ class ObjReader {
     }
   }
 
-  /// Drops comments that OBJ expresses as statements, because they describe an earlier version of
-  /// the mesh.
+  /// Adds the comments of the file. Drops those that OBJ expresses as statements, because they
+  /// describe an earlier version of the mesh.
   void add_comments() {
     std::vector<std::string>& comments = result_.document.style.comments;
     comments = std::move(rows_.comments);
@@ -255,7 +258,7 @@ class ObjReader {
 }  // namespace
 
 ReadResult read_obj(const Source& source) {
-  // Zero bytes at the end are removed: some programs write the terminating zero of a C string.
+  // Remove zero bytes at the end: some programs write the terminating zero of a C string.
   const std::size_t size = source.bytes.find_last_not_of('\0') + 1;
   if (size < source.bytes.size() && source.is_strict)
     source.fail_at_byte(source.begin() + size, "the text ends in a byte of value 0");

@@ -9,8 +9,8 @@
 namespace transformesh {
 namespace {
 
-/// True if the value as a float has the same text as the value, so that a conversion to float loses
-/// nothing.
+/// True if the value, after a conversion to float, is written as the same text. Then the conversion
+/// to float loses nothing.
 bool is_text_of_float(double value) {
   std::array<char, 32> text{};
   const auto [end, error] =

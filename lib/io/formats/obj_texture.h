@@ -1,4 +1,5 @@
-/// Collects the texture coordinates of an OBJ file, which corners reference by separate indices.
+/// Collects the texture coordinates of an OBJ file. Corners of faces refer to them by indices of
+/// their own.
 #pragma once
 
 #include <array>
@@ -13,15 +14,16 @@ namespace transformesh {
 
 class ObjTexture {
  public:
-  /// Adds a texture coordinate. A non-finite texture coordinate counts as missing.
+  /// Adds a texture coordinate. If u or v is not finite, the texture coordinate counts as missing.
   void add_point(double u, double v) { points_.push_back({u, v}); }
-  /// Adds the texture indices of a face. Indices start at 1, or are negative and relative to the
-  /// last coordinate read; 0 means that a corner has none.
+  /// Adds the indices of texture coordinates at the corners of a face. Indices start at 1. Negative
+  /// indices are relative to the last texture coordinate read, and 0 means that a corner has none.
   void add_face(std::uint32_t row, std::span<const Index> corners,
                 std::span<const std::int64_t> numbers);
-  /// True if any face has texture indices.
+  /// True if any face has texture coordinates.
   bool is_used() const { return !offsets_.empty(); }
-  /// Adds columns as described in obj.h. The faces of the mesh must still be the rows of the file.
+  /// Adds the columns `texcoord`, or s and t, as described in obj.h. The faces of the mesh must
+  /// still be those of the file, before triangulation.
   void move_into(Mesh& mesh, std::uint32_t rows, std::vector<std::string>& notes);
 
  private:
@@ -33,7 +35,7 @@ class ObjTexture {
 
   std::vector<std::array<double, 2>> points_;
   std::vector<Index> corners_;
-  /// Start of each face in `corners_`, from the first textured face on.
+  /// For each face from the first textured face on, the index of its first corner in `corners_`.
   std::vector<std::size_t> offsets_;
   bool has_numbers_of_vertices_ = true;
 };

@@ -20,8 +20,8 @@ std::vector<const Column*> color_columns(const Columns& columns) {
   return {columns.find("red"), columns.find("green"), columns.find("blue")};
 }
 
-/// A column of labels with their names. A statement is valid for all following faces until the next
-/// statement.
+/// A face column of labels, with the names of the labels. In OBJ, a label statement applies to all
+/// following faces until the next statement.
 struct Labels {
   const ObjLabelKind* kind = nullptr;
   const Column* column = nullptr;
@@ -42,7 +42,7 @@ class ObjWriter {
 
   WriteResult write() {
     add_comment_lines();
-    // A mesh without vertices needs a statement by which its format is detected.
+    // Write a statement for a mesh without vertices, so that readers can detect the format.
     if (mesh_.positions.empty()) text_.add("o empty\n");
     add_vertices();
     find_texture();
@@ -119,11 +119,12 @@ class ObjWriter {
     text_.add('\n');
   }
 
-  /// Writes texture coordinates. Coordinates with identical bits are written once.
+  /// Writes the texture coordinates of corners. Texture coordinates with identical bits are written
+  /// once.
   void add_corner_texture(const Column& lists) {
     using Bits = std::pair<std::uint64_t, std::uint64_t>;
     const auto hash = [](const Bits& bits) {
-      // 2^64 divided by the golden ratio, which spreads the bits of a hash.
+      // Multiplier of a hash that spreads its bits: 2^64 divided by the golden ratio.
       constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
       return (bits.first * odd ^ bits.second) * odd >> 16U;
     };
@@ -185,10 +186,12 @@ class ObjWriter {
   const Document& document_;
   const Mesh& mesh_;
   TextBuffer text_;
-  const Column* lists_;  ///< MergedPolygons::outlines, or null
+  /// MergedPolygons::outlines, the corners of polygons; null if faces are triangles.
+  const Column* lists_;
   FaceOutlines outlines_;
   Keeps keeps_{"OBJ", {}, {}};
-  /// Number of the texture coordinate of each corner, 0 for none; or empty.
+  /// For each corner, the number of its texture coordinate, or 0 if it has none. Empty if no corner
+  /// has one.
   std::vector<std::uint64_t> texture_corners_;
   std::vector<Labels> labels_;
 };

@@ -9,12 +9,12 @@
 
 namespace transformesh {
 
-/// True if a word starts an OFF file: OFF, COFF, STCNOFF and so on, optionally followed by a count
-/// without a blank.
+/// True if a word starts an OFF file. Examples are OFF, COFF and STCNOFF. The word may end with a
+/// count, without a blank before it.
 bool is_off_keyword(std::string_view word);
 
-/// Read and write OFF as read_mesh() and write_mesh() do. `outlines` are MergedPolygons::outlines.
-/// Coordinates are double.
+/// Reads OFF as read_mesh() does. write_off() writes OFF as write_mesh() does; its argument
+/// `outlines` is MergedPolygons::outlines. Coordinates are double.
 ReadResult read_off(const Source& source);
 WriteResult write_off(const Document& document, const Column* outlines = nullptr);
 

@@ -12,13 +12,13 @@
 namespace transformesh {
 namespace {
 
-/// The vertex properties that the prefix of OFF announces.
+/// The properties of vertices that an OFF keyword such as STCNOFF announces.
 struct OffVariant {
   bool texture = false;
   bool color = false;
   bool normal = false;
   bool is_known = false;
-  std::string_view rest;  ///< text after the keyword
+  std::string_view rest;  ///< text that follows the keyword in the same word
 };
 
 bool take_prefix(std::string_view& text, std::string_view prefix) {
@@ -27,7 +27,8 @@ bool take_prefix(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-/// Accepts prefix letters in any order: Geomview uses ST C N, MeshLab writes N C ST.
+/// Returns the vertex properties that a keyword announces. Accepts prefix letters in any order:
+/// Geomview uses ST C N, MeshLab writes N C ST.
 OffVariant off_variant(std::string_view word) {
   OffVariant variant;
   for (;;) {
@@ -139,7 +140,8 @@ class OffReader {
     }
   }
 
-  /// Values of the first vertex that the header does not announce are a color.
+  /// Determines which values of a vertex line are which property. Values of the first vertex that
+  /// the header does not announce are a color.
   void decide_layout(std::size_t words) {
     const std::size_t announced = 3 + (variant_.normal ? 3 : 0) + (variant_.texture ? 2 : 0);
     channels_ = words < announced ? 0 : words - announced;
@@ -241,7 +243,7 @@ class OffReader {
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;
   std::size_t row_ = 0;
-  std::size_t channels_ = 0;  ///< number of values of a vertex color
+  std::size_t channels_ = 0;  ///< number of color values per vertex
   ColorRows vertex_colors_;
   Columns texture_;
   FaceRows polygons_;

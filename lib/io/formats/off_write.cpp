@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// Returns the color columns that OFF can store, in its order.
+/// Returns the names of the color columns that OFF can store, in the order of OFF.
 std::vector<std::string_view> color_names(const Columns& columns) {
   if (!has_columns(columns, {"red", "green", "blue"})) return {};
   if (!has_columns(columns, {"alpha"})) return {"red", "green", "blue"};
@@ -80,8 +80,8 @@ class OffWriter {
     }
   }
 
-  /// Writes colors. In OFF only a decimal point or an exponent distinguishes floating-point from
-  /// integer colors, so all channels are written in the same way.
+  /// Writes the color of a row. In OFF only a decimal point or an exponent distinguishes
+  /// floating-point from integer colors, so all channels are written in the same way.
   void add_colors(const Columns& columns, const std::vector<std::string_view>& names,
                   std::size_t row) {
     const bool are_decimal = std::any_of(names.begin(), names.end(), [&](std::string_view name) {

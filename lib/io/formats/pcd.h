@@ -7,7 +7,7 @@
 
 namespace transformesh {
 
-/// True if the first lines outside of comments are those of a PCD header.
+/// True if the first lines that are not comments are those of a PCD header.
 bool is_pcd(std::string_view bytes);
 
 /// Reads a mesh without faces. normal_x normal_y normal_z become nx ny nz; rgb and rgba become red

@@ -20,17 +20,18 @@ constexpr TextRows::Rules rules{'#', false};
 
 struct Field {
   std::string name;
-  char kind = 'F';             ///< kind of number: F floating, I signed, U unsigned
-  std::size_t bytes = 4;       ///< size of a value in bytes
-  std::size_t count = 1;       ///< number of values for each point
-  std::size_t offset = 0;      ///< offset of the first number in a point; bytes
-  std::vector<double> values;  ///< the first number of each point
+  /// Kind of numbers: F for floating point, I for signed and U for unsigned integers.
+  char kind = 'F';
+  std::size_t bytes = 4;       ///< size of one number in bytes
+  std::size_t count = 1;       ///< number of numbers for each point
+  std::size_t offset = 0;      ///< offset of the first number within a point, in bytes
+  std::vector<double> values;  ///< for each point, its first number in this field
 
   bool is_color() const { return (name == "rgb" || name == "rgba") && bytes == 4; }
   std::size_t size() const { return bytes * count; }
 };
 
-/// Calls f with a zero of the field's type. Returns false if there is no such type.
+/// Calls f with a zero of the field's C++ type. Returns false if there is no such type.
 template <class Function>
 bool with_type(const Field& field, const Function& f) {
   if (field.kind == 'F' && field.bytes == 4) return f(float{}), true;
@@ -96,7 +97,8 @@ class PcdReader {
   void check_fields() {
     if (points_ == 0) points_ = width_ * height_;
     for (Field& field : fields_) {
-      // Largest number of values in a field; descriptors have a few hundred.
+      // Largest number of values of a field per point. Descriptors of points, the longest fields in
+      // use, have a few hundred.
       constexpr std::size_t most_numbers = 1U << 16U;
       if (field.count > most_numbers)
         rows_.fail("the PCD field " + transformesh::quoted(field.name) + " has " +
@@ -142,7 +144,8 @@ class PcdReader {
       if (!field.is_color()) fit_to_type(field);
   }
 
-  /// Converts numbers of a text file to the field's type, or to double if a number does not fit.
+  /// Converts the numbers of a field in a text file to the field's type, or to double if a number
+  /// does not fit.
   static void fit_to_type(Field& field) {
     bool is_held = true;
     with_type(field, [&](auto zero) {
@@ -158,8 +161,8 @@ class PcdReader {
     if (!is_held) field.kind = 'F', field.bytes = 8;
   }
 
-  /// Reads a number. A color in a text file is a float whose bits encode the color, or these bits
-  /// as an integer.
+  /// Reads a number from text. A color in a text file is a float whose bits encode the color, or
+  /// these bits as an integer.
   double text_value(const Field& field, std::size_t point) {
     const auto name = [&] { return field.name + " of point " + std::to_string(point); };
     const double value = rows_.number_or_nan<double>(name);
@@ -179,7 +182,8 @@ class PcdReader {
     load(expanded(bytes), 0, points_);
   }
 
-  /// Decompresses the data, which then holds the values of all points field by field.
+  /// Returns the decompressed data, which holds the fields one after the other, each with the
+  /// values of all points.
   std::string expanded(std::string_view bytes) const {
     constexpr std::size_t header = 8;  // two 32-bit sizes
     if (bytes.size() < header) fail_short(bytes.size());
@@ -193,8 +197,8 @@ class PcdReader {
     return *result;
   }
 
-  /// Loads the fields of points that are `step` bytes apart. If `step` is 0, each field has a block
-  /// of its own, of `block` points.
+  /// Loads the values of all fields. In `bytes`, points are `step` bytes apart. If `step` is 0, the
+  /// fields follow each other instead, each with the values of `block` points.
   void load(std::string_view bytes, std::size_t step, std::size_t block) {
     for (Field& field : fields_)
       with_type(field, [&](auto zero) {
@@ -254,7 +258,8 @@ class PcdReader {
     return Scalar::float64;
   }
 
-  /// The four bytes of the bits, from the highest, are alpha, red, green and blue.
+  /// Adds the color columns of a field with packed colors. From the highest byte, the four bytes
+  /// are alpha, red, green and blue.
   static void add_colors(const Field& field, Columns& columns) {
     constexpr std::array<unsigned, 4> shifts{16, 8, 0, 24};
     for (std::size_t c = 0; c < (field.name == "rgba" ? 4U : 3U); ++c) {

@@ -4,7 +4,7 @@
 namespace transformesh {
 namespace {
 
-/// Reads rows from text.
+/// Reads the values of rows from text.
 class TextCursor {
  public:
   TextCursor(TextRows& rows, PlyTable& table) : rows_(rows), table_(table) {}
@@ -16,7 +16,8 @@ class TextCursor {
          std::to_string(table_.element.rows));
   }
 
-  /// Additional values are only counted, because headers that omit the last properties are common.
+  /// Ends a row. Additional values are only counted, because headers that omit the last properties
+  /// are common.
   void end_row() {
     if (!rows_.has_more()) return;
     if (table_.long_rows++ == 0) table_.first_long_row = rows_.place();
@@ -50,8 +51,8 @@ class TextCursor {
   [[noreturn]] void fail(const std::string& what) const { rows_.fail(what); }
 
  private:
-  /// Throws InputError if a value is not an integer of its type, because its column could not store
-  /// it. Integers like 255.000, which some programs write, are accepted.
+  /// Throws InputError if a value is not an integer of the property's type, because its column
+  /// could not store the value. Integers such as 255.000, which some programs write, are accepted.
   void check_integer(const PlyProperty& property, Scalar type, double value) const {
     const double kept = with_scalar(
         type, [&](auto zero) { return static_cast<double>(to_scalar<decltype(zero)>(value)); });

@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// Reads rows from bytes.
+/// Reads the values of rows from binary data.
 class BinaryCursor {
  public:
   BinaryCursor(const Source& source, const char* place, bool swapped, const PlyTable& table)
@@ -66,13 +66,14 @@ class BinaryCursor {
   std::size_t row_ = 0;
 };
 
-/// Reads rows of equal size fast: each property is decoded by a separate loop.
+/// Reads rows of equal size fast, with one loop for each property.
 class FixedRows {
  public:
   FixedRows(const char* first, std::size_t stride, std::size_t count, bool swapped)
       : first_(first), stride_(stride), count_(count), swapped_(swapped) {}
 
-  /// Decodes the value at `offset` of every row to every `step`-th double.
+  /// Decodes the values of a property, which are at `offset` in each row. Writes them to `to`,
+  /// `step` doubles apart.
   void decode(Scalar type, std::size_t offset, double* to, std::size_t step) const {
     with_scalar(type, [&](auto zero) {
       parallel_for(count_, rows_per_task, [&](std::size_t first, std::size_t last) {
@@ -83,8 +84,8 @@ class FixedRows {
     });
   }
 
-  /// Adds the triangles of rows whose index list is at `offset`, up to the first row that is not
-  /// a triangle or has an index out of range. Returns the number of triangles.
+  /// Adds the triangles of rows, up to the first row that is not a triangle or has an index out of
+  /// range. The list of corner indices is at `offset` in each row. Returns the number of triangles.
   template <class T>
   std::size_t decode_triangles(std::size_t offset, std::uint64_t vertex_count,
                                FaceRows& polygons) const {
@@ -167,8 +168,8 @@ const PlyProperty* only_face_list(const PlyTable& table, std::size_t& offset) {
   return is_common ? list : nullptr;
 }
 
-/// Reads the triangles at the start of a face element whose only list holds the corners, with a
-/// count of one byte and indices of four bytes. Returns the number of triangles.
+/// Reads the triangles at the start of a face element. The element must have a single list, of
+/// corners, with a count of one byte and indices of four bytes. Returns the number of triangles.
 std::size_t read_triangles(const Source& source, const char* place, bool swapped, PlyTable& table) {
   std::size_t offset = 0;
   const PlyProperty* list = only_face_list(table, offset);

@@ -81,8 +81,8 @@ class HeaderReader {
     }
   }
 
-  /// Handles an unknown line. Before the first element, an unknown line can only be a comment
-  /// without keyword. After the first element, it may describe data.
+  /// Handles a line with an unknown keyword. Before the first element, such a line can only be a
+  /// comment without keyword. After the first element, it may describe data, so it is an error.
   void read_unknown(std::string_view keyword) {
     if (source_.is_strict || !header_.elements.empty())
       fail("unknown word in the PLY header: " + quoted(keyword));
@@ -160,9 +160,10 @@ class HeaderReader {
   bool is_mac_ = false;
   bool has_format_ = false;
   std::string_view line_;
-  std::string_view words_;  ///< unread words of the line
+  std::string_view words_;  ///< words of the current line that were not read yet
   PlyHeader header_;
-  std::unordered_set<std::string> names_;  ///< names of the elements
+  /// Names of the elements that the header has declared so far.
+  std::unordered_set<std::string> names_;
 };
 
 void add_header_line(const std::string& keyword, std::string text, std::string& header) {

@@ -115,7 +115,8 @@ class PlyReader {
     faces_ = std::move(table.polygons);
   }
 
-  /// Runs after the last element, because faces may precede vertices.
+  /// Moves the faces into the mesh, or the triangles of strips if there are no faces. Called after
+  /// the last element, because faces may precede vertices.
   void finish_faces() {
     const bool are_strips = faces_.rows() == 0 && strips_.triangles > 0;
     if (are_strips) {
@@ -157,8 +158,8 @@ class PlyReader {
                              list->list_offsets[row + 1] - list->list_offsets[row]));
   }
 
-  /// Adds the triangles of a strip. The index -1 ends a strip. Every second triangle is reversed; a
-  /// triangle with a repeated vertex is skipped, but advances the strip.
+  /// Adds the triangles of a triangle strip. The index -1 ends a strip. Every second triangle is
+  /// reversed. A triangle with a repeated vertex is skipped, but still counts for the alternation.
   void add_strip(const PlyTable& table, std::size_t row, std::span<const double> vertices) {
     std::size_t length = 0;
     std::array<Index, 3> last{};
@@ -184,7 +185,7 @@ class PlyReader {
     return table;
   }
 
-  /// Creates a column for every property that is neither a coordinate nor the list of corners.
+  /// Creates a column for every property of an element, except coordinates and the list of corners.
   static void add_columns(PlyTable& table) {
     for (std::size_t i = 0; i < table.targets.size(); ++i) {
       if (table.targets[i].kind != PlyTable::Target::column) continue;
@@ -219,8 +220,9 @@ class PlyReader {
                             " on; the extra values are left out");
   }
 
-  /// Rejects a row count that the remaining bytes cannot hold, before memory is allocated for it.
-  /// In text, each value takes at least a digit, and each value except the last takes a separator.
+  /// Throws InputError if the remaining bytes cannot contain the number of rows that the header
+  /// states. Called before memory is allocated for the rows. In text, each value takes at least a
+  /// digit, and each value except the last takes a separator.
   void check_claim(const PlyTable& table, bool is_text) const {
     const char* place = is_text ? rows_.rest() : place_;
     const auto left = static_cast<std::size_t>(source_.end() - place);
@@ -252,8 +254,8 @@ class PlyReader {
 
   const Source& source_;
   PlyHeader header_;
-  TextRows rows_;                ///< position in text data
-  const char* place_ = nullptr;  ///< position in binary data
+  TextRows rows_;                ///< current position in text data
+  const char* place_ = nullptr;  ///< current position in binary data
   std::uint64_t vertex_count_ = 0;
   FaceRows faces_;
   struct {

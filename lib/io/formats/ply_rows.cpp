@@ -34,7 +34,7 @@ bool is_corner_list(const PlyProperty& property) {
          (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-/// Returns the bytes of a property; a list counts as three corners.
+/// Returns the size of a property in bytes. A list counts as three corners.
 std::size_t size_of(const PlyProperty& property) {
   if (!property.count_type) return byte_size(property.type);
   return byte_size(*property.count_type) + 3 * byte_size(property.type);

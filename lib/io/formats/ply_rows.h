@@ -1,5 +1,5 @@
 /// Random access to the rows of a binary PLY file, for meshes larger than memory. All rows of an
-/// element have the same size, so the place of a row follows from its index.
+/// element have the same size, so the offset of a row follows from its index.
 #pragma once
 
 #include "io/formats/ply.h"
@@ -24,16 +24,17 @@ class PlyRows {
 
   /// Returns the position of a vertex. Throws InputError if a coordinate is not finite.
   Vec3 position(std::size_t vertex) const;
-  /// Returns a face. Throws InputError for a polygon, and for an index out of range. Releases pages
-  /// of the file now and then.
+  /// Returns a face. Throws InputError if it is not a triangle or has an index out of range. From
+  /// time to time, releases the memory of pages of the file that were read.
   Face face(std::size_t face) const;
   Triangle triangle(const Face& face) const;
 
-  /// Append the row of a vertex, and the row of a face with other corners of type `index_type`.
+  /// Append the bytes of a row to `bytes`: append_vertex() the row of a vertex, append_face() the
+  /// row of a face with other corners, of type `index_type`.
   void append_vertex(std::size_t vertex, std::string& bytes) const;
   void append_face(std::size_t face, const Face& corners, Scalar index_type,
                    std::string& bytes) const;
-  /// Returns the header for these numbers of rows, with the given index type of the corners.
+  /// Returns the header of a file with these numbers of rows and this type of corner indices.
   std::string header_text(const std::vector<std::string>& comments, std::size_t vertices,
                           std::size_t faces, Scalar index_type) const;
   Scalar index_type() const { return face_element().properties[list_].type; }

@@ -1,5 +1,5 @@
-/// One PLY element while it is read into a mesh: the destination of each property, and the loop
-/// over rows that both encodings share.
+/// One PLY element while it is read into a mesh: where each property is stored, and the loop over
+/// rows that both encodings share.
 #pragma once
 
 #include <cmath>
@@ -15,20 +15,20 @@ namespace transformesh {
 struct PlyTable {
   struct Target {
     enum Kind { coordinate, face_list, column } kind = column;
-    std::size_t index = 0;  ///< axis of a coordinate, or index of a column
+    std::size_t index = 0;  ///< axis of a coordinate (0 to 2), or index of a column
   };
 
   PlyElement element;
-  std::vector<Target> targets;     ///< destination of each property
-  std::uint64_t vertex_count = 0;  ///< limit of the vertex indices in faces
-  std::vector<Vec3> positions;     ///< positions, if the element is the vertices
-  FaceRows polygons;               ///< faces, if the element is the faces
+  std::vector<Target> targets;     ///< for each property, where its values are stored
+  std::uint64_t vertex_count = 0;  ///< number of vertices; vertex indices in faces must be smaller
+  std::vector<Vec3> positions;     ///< positions of the vertices, if this is the vertex element
+  FaceRows polygons;               ///< faces, if this is the face element
   Columns columns;
-  std::size_t long_rows = 0;  ///< text lines with more values than properties
+  std::size_t long_rows = 0;  ///< number of text lines with more values than properties
   const char* first_long_row = nullptr;
 
-  /// Returns the bytes of a binary row whose face has this many corners and whose other lists are
-  /// empty.
+  /// Returns the size in bytes of a binary row whose face has this many corners and whose other
+  /// lists are empty.
   std::size_t row_size(std::size_t corner_count) const;
 
   /// Returns the name of a row in messages: `vertex 12`, or `row 12 of element 'edge'`.
@@ -37,15 +37,16 @@ struct PlyTable {
   [[nodiscard]] std::string bad_index(std::size_t row, double index) const;
 };
 
-/// Both functions read the rows of the table, and throw InputError. The data must be at least as
-/// long as rows with empty lists. read_binary_rows() returns the end of the rows; read_text_rows()
-/// advances `rows`.
+/// Read the rows of a table from binary data or from text. Throw InputError. The data must be at
+/// least as long as rows with empty lists. read_binary_rows() returns the end of the rows;
+/// read_text_rows() advances `rows`.
 const char* read_binary_rows(const Source& source, const char* place, bool swapped,
                              PlyTable& table);
 void read_text_rows(TextRows& rows, PlyTable& table);
 
-/// Reads one row through a cursor that provides `double scalar(property)`, `double
-/// coordinate(property)`, `std::uint64_t count(property)` and `fail(message)`.
+/// Reads one row and stores its values in the table. `cursor` provides the functions `double
+/// scalar(property)`, `double coordinate(property)`, `std::uint64_t count(property)` and
+/// `fail(message)`.
 template <class Cursor>
 void read_ply_row(Cursor& cursor, PlyTable& table, std::size_t row, std::vector<Index>& corners) {
   for (std::size_t i = 0; i < table.targets.size(); ++i) {

@@ -13,15 +13,15 @@
 namespace transformesh {
 namespace {
 
-/// One property as written: a scalar for each row, or a list.
+/// One property to be written: one number or one list for each row.
 struct OutProperty {
   std::string name;
   Scalar type = Scalar::float64;
   std::optional<Scalar> count_type;
-  const double* values = nullptr;  ///< values of the rows, `step` apart; or all lists, concatenated
+  const double* values = nullptr;  ///< values of rows, `step` apart; or all lists, concatenated
   std::size_t step = 1;
-  const std::size_t* offsets = nullptr;  ///< start of each row's list in `values`
-  const Face* faces = nullptr;           ///< corners of the faces, used instead of `values`
+  const std::size_t* offsets = nullptr;  ///< for each row, the index in `values` of its list
+  const Face* faces = nullptr;  ///< faces whose corners are the lists, used instead of `values`
 };
 
 struct OutElement {
@@ -30,7 +30,7 @@ struct OutElement {
   std::vector<OutProperty> properties;
 };
 
-/// Returns the count type of the column, or a wider one if a list is too long for it.
+/// Returns the type of list lengths of the column, or a wider type if a list is too long for it.
 Scalar count_type_of(const Column& column) {
   std::uint64_t longest = 0;
   for (std::size_t row = 0; row + 1 < column.list_offsets.size(); ++row) {
@@ -99,7 +99,7 @@ OutElement other_element(const OtherElement& other) {
   return element;
 }
 
-/// Returns the names of all elements in the order in which they are written.
+/// Returns the names of all elements, in the order in which they are written to the file.
 std::vector<std::string> element_names(const Document& document) {
   std::vector<std::string> names = document.style.element_order;
   std::unordered_set<std::string> known(names.begin(), names.end());
@@ -188,7 +188,7 @@ void add_text_rows(const OutElement& element, TextBuffer& text) {
 
 constexpr std::size_t rows_per_task = 8192;  ///< affects time only
 
-/// Stores one value for each row, `stride` bytes apart.
+/// Stores one value of type T for each row, `stride` bytes apart.
 template <class T, class ValueOfRow>
 void store_rows(char* to, std::size_t stride, std::size_t rows, bool swapped,
                 const ValueOfRow& value_of_row) {
@@ -228,14 +228,14 @@ void store_faces(const OutProperty& property, char* to, std::size_t stride, std:
   });
 }
 
-/// Returns the bytes of a row, unless it has a list of another length.
+/// Returns the size of a row in bytes; only an estimate if a list is not that of three corners.
 std::size_t row_size(const OutElement& element) {
   std::size_t size = 0;
   for (const OutProperty& property : element.properties) size += fixed_size(property);
   return size;
 }
 
-/// Writes rows of equal size, by one loop for each property.
+/// Writes the rows of an element whose rows have equal sizes, by one loop for each property.
 void add_fixed_rows(const OutElement& element, bool swapped, std::string& bytes) {
   const std::size_t stride = row_size(element);
   const std::size_t start = bytes.size();

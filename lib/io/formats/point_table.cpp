@@ -23,7 +23,7 @@ std::string with_blanks(std::string_view text) {
   return result;
 }
 
-/// Returns the name of the column for a name in a header.
+/// Returns the name of the column for a name in the header line, such as `red` for `R`.
 std::string column_of(std::string_view word) {
   std::string name;
   for (const char c : word)
@@ -137,8 +137,8 @@ class TableReader {
 }  // namespace
 
 bool is_point_table(const Source& source) {
-  // Number of bytes that are searched; chosen by hand. A header after longer comments is not
-  // recognized.
+  // Number of bytes that are searched for a header line; chosen by hand. If comments before the
+  // header are longer, it is not recognized.
   constexpr std::size_t searched = 4096;
   const std::string_view start = source.bytes.substr(0, searched);
   return start.find('\0') == std::string_view::npos && !header_of(with_blanks(start)).empty();

@@ -12,9 +12,9 @@ namespace transformesh {
 /// with numbers.
 bool is_point_table(const Source& source);
 
-/// Reads a mesh without faces. Normals become nx ny nz, colors red green blue alpha, and every
-/// other name a column. Lines without names are x y z, x y z intensity, x y z red green blue, or
-/// all seven. Throws InputError, with the line, for anything else.
+/// Reads a mesh without faces. Normals become the columns nx ny nz, colors red green blue alpha,
+/// and every other name a column. If lines have no names, they must be x y z, x y z intensity, x y
+/// z red green blue, or all seven. Throws InputError, with the line number, for anything else.
 ReadResult read_point_table(const Source& source);
 
 }  // namespace transformesh

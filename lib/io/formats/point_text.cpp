@@ -22,7 +22,8 @@ bool has_off_name(const Source& source) {
   return name.ends_with(".off") || name.ends_with(".OFF");
 }
 
-// Returns the number of words in the row, three or six. Throws InputError for any other number.
+// Returns the number of words in the row, which must be three or six. Throws InputError for any
+// other number.
 std::size_t row_length(const TextRows& rows) {
   const std::size_t length = rows.words_left();
   if (length != 3 && length != 6) {
@@ -42,8 +43,8 @@ std::array<double, 6> read_row(TextRows& rows, std::size_t length, std::size_t p
   return values;
 }
 
-// True if the three columns are colors: bytes, or fractions in rows without unit length. Rows of
-// normals have unit length within their precision.
+// True if the three columns are colors instead of normals. Colors are bytes, or fractions in rows
+// without unit length. Rows of normals have unit length within their precision.
 bool are_colors(const std::array<std::vector<double>, 3>& columns) {
   double largest = 0;
   bool are_bytes = true, are_shares = true, are_unit = true;

@@ -10,17 +10,17 @@
 
 namespace transformesh {
 
-/// True if the first line holds three or six numbers. An .off file without its keyword begins like
-/// this, too, and is detected by its name.
+/// True if the first line contains three or six numbers. An OFF file without its keyword starts in
+/// the same way, but is detected by its extension .off.
 bool is_point_text(const Source& source);
 
 /// Throws InputError, stating the reason, if the first line holds only numbers and commas but is
 /// not a point.
 void check_point_text(const Source& source);
 
-/// Reads a mesh without faces, with vertex columns nx ny nz if lines have six numbers. Non-finite
-/// points are dropped and non-finite normals become 0, with a note, as in read_mesh(). Throws
-/// InputError, with the line, for anything else, and for lines of different lengths.
+/// Reads a mesh without faces. If lines have six numbers, vertices have the columns nx ny nz.
+/// Non-finite points are dropped and non-finite normals become 0, with a note, as in read_mesh().
+/// Throws InputError, with the line number, for lines of different lengths and for anything else.
 ReadResult read_point_text(const Source& source);
 
 }  // namespace transformesh

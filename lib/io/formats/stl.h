@@ -9,7 +9,8 @@
 
 namespace transformesh {
 
-/// Read and write STL as read_mesh() and write_mesh() do.
+/// Readers of text and binary STL, which work as read_mesh() does, and a writer, which works as
+/// write_mesh() does.
 ReadResult read_stl_text(const Source& source);
 ReadResult read_stl_binary(const Source& source);
 WriteResult write_stl(const Document& document);

@@ -12,10 +12,12 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t header_size = 80;   ///< size of the header: 80 bytes of text
-constexpr std::size_t facets_start = 84;  ///< offset of the facets, after the header and the count
-constexpr std::size_t facet_size = 50;    ///< bytes of 12 floats and a 16-bit attribute
-/// Limit, because each facet has three new vertices.
+constexpr std::size_t header_size = 80;  ///< size of the header in bytes: 80 bytes of text
+/// Offset of the first facet in bytes, after the header and the number of facets.
+constexpr std::size_t facets_start = 84;
+/// Size of a facet in bytes: 12 floats and a 16-bit attribute.
+constexpr std::size_t facet_size = 50;
+/// Largest number of facets for which vertex indices are valid: each facet gets three new vertices.
 constexpr std::size_t most_facets = no_index / 3;
 
 void note_soup(ReadResult& result) {
@@ -56,7 +58,7 @@ class TextReader {
   }
 
  private:
-  /// Moves to the next word, in lower case. Line ends have no meaning.
+  /// Reads the next word, in lower case. Line ends count as blanks.
   bool next_word(bool is_needed) {
     while (!rows_.has_more()) {
       if (rows_.next_row()) continue;
@@ -99,8 +101,8 @@ class TextReader {
     has_no_end_ = true;
   }
 
-  /// Reads a facet. The normal in the file is ignored, because files often contain arbitrary values
-  /// and the corners determine it.
+  /// Reads a facet. Its normal in the file is ignored, because files often contain arbitrary
+  /// values, and the corners determine the normal.
   void read_facet() {
     need("normal");
     for (int i = 0; i < 3; ++i) next_word(true);
@@ -150,7 +152,7 @@ class TextReader {
 
 constexpr bool swapped = !host_is_little;
 
-/// Returns the header without padding if it is ASCII text.
+/// Returns the text of the header without padding, or an empty text if it is not ASCII.
 std::string header_text(const Source& source) {
   std::string text(source.bytes.substr(0, header_size));
   text.resize(std::min(text.find('\0'), text.size()));
@@ -160,8 +162,8 @@ std::string header_text(const Source& source) {
   return is_text ? text : std::string();
 }
 
-/// Returns the number of facets. The number in the header may be 0 if a program streamed its
-/// output.
+/// Returns the number of facets in the file. The number stated in the header may be 0 if a program
+/// streamed its output.
 std::size_t checked_facet_count(const Source& source, std::vector<std::string>& notes) {
   if (source.bytes.size() < facets_start) {
     source.fail("not an STL file: neither the word 'solid' nor a binary header of 84 bytes");
@@ -188,8 +190,8 @@ const char* facet_at(const Source& source, std::size_t row) {
   return source.begin() + facets_start + row * facet_size;
 }
 
-/// Appends the corners of a facet, and returns true if they are finite. Throws InputError if they
-/// are not and reading is strict.
+/// Appends the corners of a facet to `positions`, and returns true if they are finite. If they are
+/// not and reading is strict, throws InputError.
 bool read_facet(const Source& source, std::size_t row, std::vector<Vec3>& positions) {
   constexpr std::size_t normal_size = 12;  // three floats
   const char* place = facet_at(source, row) + normal_size;

@@ -22,8 +22,8 @@ struct Facet {
   std::array<Eigen::Vector3f, 3> corners;
 };
 
-/// Returns a facet. Its normal is computed from the rounded corners, and is zero if they have no
-/// area.
+/// Returns a face as STL facet. Its normal is computed from the rounded corners. The normal is zero
+/// if the face has no area.
 Facet facet_of(const Mesh& mesh, const Face& face) {
   Facet facet;
   for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = mesh.positions[face[i]].cast<float>();
@@ -36,8 +36,8 @@ Facet facet_of(const Mesh& mesh, const Face& face) {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\0' && c < ' '); }
 
-/// Returns the comment as a name: without surrounding blanks, and without a leading `solid`. Many
-/// readers take a file that starts with `solid` for text.
+/// Returns the comment as a name for the header: without surrounding blanks, and without a leading
+/// `solid`. Many readers assume that a file that starts with `solid` is text.
 std::string as_name(std::string comment) {
   constexpr std::string_view word = "solid";
   std::replace_if(comment.begin(), comment.end(), is_blank, ' ');
@@ -48,7 +48,7 @@ std::string as_name(std::string comment) {
   return std::string(name);
 }
 
-/// Returns the first comment that is not, and does not look like, a comment of this suite.
+/// Returns the first comment that is neither a comment of this suite nor looks like one.
 std::string name_of(const Document& document) {
   for (const std::string& comment : document.style.comments) {
     std::string name = as_name(comment);

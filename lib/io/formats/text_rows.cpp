@@ -76,7 +76,8 @@ const char* TextRows::find_line_end(const char* from) const {
   return found ? static_cast<const char*>(found) + 1 : source_->end();
 }
 
-/// Finds the start of a comment. The mark in `1.#QNAN` does not start a comment.
+/// Returns the start of the comment in a line. The mark # in `1.#QNAN`, a text for NaN, does not
+/// start a comment.
 const char* TextRows::find_comment(const char* start) const {
   const char* mark = std::find(start, line_end_, rules_.comment);
   while (mark != line_end_ && mark != start && mark[-1] == '.' &&
@@ -85,7 +86,8 @@ const char* TextRows::find_comment(const char* start) const {
   return mark;
 }
 
-/// Finds the next row: a line up to its comment. A backslash joins lines, but not inside a comment.
+/// Finds the next row, which is a line without its comment. A backslash at the end of a line joins
+/// it with the next line, but not inside a comment.
 void TextRows::find_row() {
   line_end_ = next_;
   for (;;) {

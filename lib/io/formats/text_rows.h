@@ -1,4 +1,4 @@
-/// Reads text by rows and words. Blank lines are skipped.
+/// Reads text by rows (lines) and words. Blank lines are skipped.
 #pragma once
 
 #include <cmath>
@@ -18,52 +18,55 @@ bool is_number(std::string_view word);
 class TextRows {
  public:
   struct Rules {
-    char comment = '\0';           ///< character that starts a comment up to the end of the line
-    bool backslash_joins = false;  ///< a backslash at the end of a line continues it
+    char comment = '\0';  ///< character that starts a comment, which extends to the end of the line
+    /// True if a backslash at the end of a line joins it with the next line.
+    bool backslash_joins = false;
   };
 
   TextRows(const Source& source, std::size_t start, Rules rules);
 
-  /// Moves to the next row with a word. Returns false at the end of the text.
+  /// Moves to the next row that contains a word. Returns false at the end of the text.
   bool next_row();
-  /// True if the row has a further word.
+  /// True if the row has another unread word.
   bool has_more();
-  /// Returns the next word; empty at the end of the row.
+  /// Reads and returns the next word; empty at the end of the row.
   std::string_view word();
-  /// peek() returns what the next word() will return; words_left() returns the number of words left
-  /// in the row.
+  /// Returns the next word without reading it. words_left() returns the number of unread words in
+  /// the row.
   std::string_view peek() const;
   std::size_t words_left() const;
-  /// Skips the rest of the row, and returns it without surrounding blanks.
+  /// Skips the rest of the row, and returns its text without surrounding blanks.
   std::string_view skip_row();
-  /// Returns the word or number that was read last, as text.
+  /// Returns the text of the word or number that was read last.
   std::string_view last_word() const;
-  /// Reads the next word as a number. Throws InputError, naming what(), if the word is not a
-  /// number.
+  /// Reads the next word as a number. Throws InputError if the word is not a number. what() returns
+  /// the name of the value for the message.
   template <class T, class What>
   T number(const What& what);
-  /// Does the same as number(), and requires a finite number.
+  /// Reads the next word as a finite number. Throws InputError as number() does, and also if the
+  /// number is not finite.
   template <class T, class What>
   T finite_number(const What& what);
-  /// Returns finite_number() if reading is strict. Otherwise returns NaN for a number that is not
-  /// finite or exceeds the range of T.
+  /// Reads the next word as a number. If reading is strict, throws as finite_number() does.
+  /// Otherwise returns NaN for a number that is not finite or exceeds the range of T.
   template <class T, class What>
   T number_or_nan(const What& what);
-  /// Throws InputError, naming row(), if the row has a further word.
+  /// Throws InputError if the row has another unread word. row() returns the name of the row for
+  /// the message.
   template <class What>
   void end_row(const What& row) {
     if (has_more()) fail_rest(row());
   }
 
-  /// Returns a lower bound of the start of the next row.
+  /// Returns a position in the text that is not after the start of the next row.
   const char* rest() const { return line_end_; }
-  /// Returns the start of the last word or number.
+  /// Returns the start of the word or number that was read last.
   const char* place() const { return place_; }
   [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(place_, what); }
 
-  /// Comment lines read so far, without the mark and one following space.
+  /// Texts of the comment lines read so far, without the comment character and one space after it.
   std::vector<std::string> comments;
-  /// Number of comments after data, which are dropped.
+  /// Number of comments that follow data in a line. These comments are dropped.
   std::size_t trailing_comments = 0;
 
  private:
@@ -83,10 +86,10 @@ class TextRows {
   const Source* source_;
   Rules rules_;
   char terminator_;
-  const char* place_;     ///< start of the last word or number, for messages
-  const char* next_;      ///< start of the unread rest of the row
-  const char* row_end_;   ///< end of the row, before a comment
-  const char* line_end_;  ///< end of the text line
+  const char* place_;     ///< start of the word or number that was read last, for messages
+  const char* next_;      ///< start of the unread part of the row
+  const char* row_end_;   ///< end of the row, before any comment
+  const char* line_end_;  ///< end of the line of text, after any comment
 };
 
 inline const char* TextRows::word_start(const char* from) const {

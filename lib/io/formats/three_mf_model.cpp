@@ -31,8 +31,8 @@ Node child(const Node& node, std::string_view name) {
   return {};
 }
 
-/// True for extensions that a file may require. Slices, beams and production identifiers are
-/// ignored; the triangles still define the shape.
+/// True if a file that requires this extension can be read. Slices, beams and production
+/// identifiers are ignored; the triangles still define the shape.
 bool is_read(std::string_view name_space) {
   for (const std::string_view part :
        {"/core/2015/02", "/material/2015/02", "/production/2015/06", "/slice/2015/07",
@@ -41,7 +41,7 @@ bool is_read(std::string_view name_space) {
   return false;
 }
 
-/// Parses `#RRGGBB` or `#RRGGBBAA`.
+/// Parses a color of the form `#RRGGBB` or `#RRGGBBAA`.
 std::optional<ByteColor> color_in(std::string_view text) {
   if ((text.size() != 7 && text.size() != 9) || text[0] != '#') return std::nullopt;
   ByteColor color{0, 0, 0, 255};
@@ -184,8 +184,8 @@ class ModelReader {
     return static_cast<Index>(value);
   }
 
-  /// Returns the colors of the corners. Missing attributes default to attributes of the object, or
-  /// of the first corner.
+  /// Returns the colors of the corners of a triangle. If attributes of the triangle are missing,
+  /// attributes of the object or of the first corner are used.
   std::array<std::optional<ByteColor>, 3> colors_of(const Node& triangle,
                                                     const Node& object) const {
     std::array<std::optional<ByteColor>, 3> result;
@@ -212,7 +212,8 @@ class ModelReader {
             transform(attribute(node, "transform"))};
   }
 
-  /// Parses twelve numbers: the rows of a matrix M that maps the row vector v to v M.
+  /// Parses a transformation from twelve numbers. They are the rows of a matrix M that maps the row
+  /// vector v to v M.
   Eigen::Affine3d transform(const std::string& text) const {
     Eigen::Affine3d result = Eigen::Affine3d::Identity();
     if (text.empty()) return result;

@@ -47,7 +47,8 @@ class ThreeMfReader {
 
   // --- Parts of the archive ----------------------------------------------------------------------
 
-  /// Returns the target of the 3dmodel relationship, or the usual name.
+  /// Returns the path of the root model part: the target of the relationship `3dmodel`, or the
+  /// usual name if the archive has no list of relationships.
   std::string root_part() const {
     const std::optional<std::string> list = archive_.read("_rels/.rels");
     if (!list) return "3D/3dmodel.model";
@@ -91,9 +92,10 @@ class ThreeMfReader {
 
   void add(const ThreeMfComponent& component, const std::string& from,
            const Eigen::Affine3d& to_build) {
-    // Limit of nested components; a level needs 512 bytes of stack.
+    // Largest depth of nested components; each level needs 512 bytes of stack.
     constexpr std::size_t deepest = 256;
-    // Bytes counted for a component, so that repeated empty components are limited, too.
+    // Number of bytes by which each component reduces the budget, so that repetitions of empty
+    // components are limited, too.
     constexpr std::size_t cost_of_visit = 64;
     budget_.spend(cost_of_visit);
     const std::string part = component.part.empty() ? from : without_slash(component.part);
@@ -113,7 +115,8 @@ class ThreeMfReader {
     open_.erase(&object);
   }
 
-  /// Adds a mesh. Faces of a mirror image are reversed, so that the outside stays outside.
+  /// Adds the mesh of an object. If the transformation is a mirror image, faces are reversed, so
+  /// that the outside stays outside.
   void add_mesh(const ThreeMfObject& object, const Eigen::Affine3d& transform) {
     Mesh& mesh = result_.document.mesh;
     budget_.spend(object.positions.size() * sizeof(Vec3) +
@@ -159,14 +162,14 @@ class ThreeMfReader {
     set_columns(of_vertices, mesh.face_columns);
   }
 
-  /// If a mesh has only one color, the color is stored at vertices, because all formats can
-  /// represent colors of vertices.
+  /// True if all faces have the same color. This color is then stored at vertices, because all
+  /// formats can represent colors of vertices.
   bool is_of_one_color() const {
     return std::all_of(colors_.begin(), colors_.end(),
                        [&](const CornerColors& colors) { return colors[0] == colors_[0][0]; });
   }
 
-  /// Returns true if all corners at each vertex have one color.
+  /// Finds a color for each vertex. Returns true if the corners at each vertex have the same color.
   bool find_vertex_colors(std::vector<ByteColor>& found) const {
     const Mesh& mesh = result_.document.mesh;
     found.assign(mesh.positions.size(), white);
@@ -208,7 +211,8 @@ class ThreeMfReader {
   ZipReader archive_;
   std::string root_;
   std::map<std::string, ThreeMfModel> models_;
-  std::set<const ThreeMfObject*> open_;  ///< ancestors of the current object
+  /// The object that is being added, and the objects that contain it.
+  std::set<const ThreeMfObject*> open_;
   std::vector<CornerColors> colors_;
   std::size_t meshes_ = 0, other_objects_ = 0, unread_properties_ = 0, beam_lattices_ = 0;
   ReadResult result_;

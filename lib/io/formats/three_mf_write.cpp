@@ -30,8 +30,8 @@ constexpr std::string_view relationships =
     "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
     "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
 
-/// Escapes text for XML. Drops control bytes, which XML cannot represent, and non-ASCII bytes,
-/// which may not be valid UTF-8.
+/// Escapes a text for XML. Replaces control bytes, which XML cannot represent, by question marks,
+/// and also non-ASCII bytes, which may not be valid UTF-8.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -108,7 +108,7 @@ class ThreeMfWriter {
     text_.add("<metadata name=\"Description\">" + lines + "</metadata>\n");
   }
 
-  /// Numbers the distinct colors in the order of their first row.
+  /// Writes the group of distinct colors, numbered in the order of their first row.
   void add_color_group() {
     if (colors_.empty()) return;
     text_.add("<m:colorgroup id=\"2\">\n");
@@ -176,7 +176,8 @@ class ThreeMfWriter {
   TextBuffer text_;
   ColumnGroup colors_;
   bool are_of_vertices_ = false;
-  std::vector<std::size_t> color_numbers_;  ///< index of the color of each row in the color group
+  /// For each row, the index of its color in the color group.
+  std::vector<std::size_t> color_numbers_;
   std::vector<std::string_view> kept_vertex_columns_, kept_face_columns_;
   std::size_t collapsed_ = 0;
 };

@@ -10,8 +10,8 @@ namespace transformesh {
 /// True if the first line is the first line of the legacy VTK format.
 bool is_vtk(std::string_view bytes);
 
-/// Returns the text of another format, with an empty line before it if its first comment resembles
-/// the first line of VTK.
+/// Returns the text of another format. If its first comment resembles the first line of VTK, adds
+/// an empty line before it, so that readers do not take the file for VTK.
 std::string unlike_vtk(std::string text);
 
 /// Reads VTK as read_mesh() does.

@@ -87,7 +87,7 @@ class Converter {
   }
 
   void add_list(const VtkArray& array, std::size_t rows, Columns& columns) {
-    // Largest number of values that the 8-bit count of a list can state.
+    // Largest number of values in a list whose count has 8 bits.
     constexpr std::size_t most = 255;
     if (array.components > most) {
       note("array " + quoted(array.name) + " of " + counted(array.components, "component") +
@@ -133,7 +133,7 @@ class Converter {
     }
   }
 
-  /// Adds the triangles of a strip. Every second triangle is reversed.
+  /// Adds the triangles of a triangle strip. Every second triangle is reversed.
   void add_strip(const std::vector<Index>& corners, std::uint32_t row) {
     for (std::size_t i = 2; i < corners.size(); ++i) {
       const std::size_t turned = i % 2;
@@ -145,7 +145,8 @@ class Converter {
   const Source& source_;
   VtkPiece piece_;
   FaceRows faces_;
-  std::vector<std::uint32_t> rows_;  ///< the cell of each face
+  /// For each face, the row of its cell in the arrays of cell data.
+  std::vector<std::uint32_t> rows_;
   ReadResult result_;
 };
 

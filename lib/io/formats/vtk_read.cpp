@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view first_line = "# vtk DataFile Version ";
 
-// Cell types of vtkCellType.h.
+// Numbers of cell types, as in vtkCellType.h.
 constexpr std::uint64_t triangle = 5;
 constexpr std::uint64_t triangle_strip = 6;
 constexpr std::uint64_t polygon = 7;
@@ -73,7 +73,7 @@ class VtkReader {
     if (type != "float") piece_.points.type = Scalar::float64;
   }
 
-  /// Rejects counts so large that products of them could overflow.
+  /// Returns the count. Throws InputError if it is so large that products of counts could overflow.
   std::uint64_t checked(std::uint64_t count) const {
     if (count > source_.bytes.size())
       stream_.fail(std::to_string(count) + " elements are announced, but there are only " +
@@ -83,8 +83,8 @@ class VtkReader {
 
   // --- Cells -------------------------------------------------------------------------------------
 
-  /// Reads cells. Versions up to 4 have one list of counts and indices; from version 5 there are
-  /// two arrays.
+  /// Reads the cells of one kind. Files of versions up to 4 have one list of counts and indices;
+  /// from version 5 there are two arrays, offsets and connectivity.
   void read_cells(VtkCells& cells) {
     const std::uint64_t count = checked(stream_.count("the number of cells"));
     const std::uint64_t size = checked(stream_.count("the size of the cells"));
@@ -117,7 +117,7 @@ class VtkReader {
     types_ = stream_.indices("int", count, "the cell types");
   }
 
-  /// Collects the cells in the order of the cell arrays: vertices, lines, polygons, strips.
+  /// Collects the cells of all kinds in the order of cell data: vertices, lines, polygons, strips.
   void gather_cells() {
     if (is_grid_) return sort_grid();
     piece_.other_cells = lines_.size();
@@ -234,7 +234,7 @@ class VtkReader {
     arrays_->push_back(std::move(array));
   }
 
-  /// Reads the arrays of a field. An array belongs to points or cells if it has a row for each of
+  /// Reads the arrays of a FIELD. An array belongs to points or cells if it has a row for each of
   /// them. Arrays that precede the points belong to the whole file and are ignored.
   void read_field() {
     stream_.raw_word();
@@ -257,7 +257,7 @@ class VtkReader {
     }
   }
 
-  /// Skips metadata, which ends with an empty line.
+  /// Skips a block of metadata, which ends with an empty line.
   void skip_metadata() {
     stream_.line();
     while (!stream_.line().empty()) {
@@ -270,8 +270,9 @@ class VtkReader {
   bool is_grid_ = false;
   VtkCells vertices_, lines_, polygons_, strips_, grid_;
   std::vector<std::uint64_t> types_;
-  std::vector<VtkArray>* arrays_ = nullptr;  ///< current arrays: of points or of cells
-  std::uint64_t rows_ = 0;                   ///< length of the current arrays
+  /// Arrays to which data is currently added: those of points or of cells.
+  std::vector<VtkArray>* arrays_ = nullptr;
+  std::uint64_t rows_ = 0;  ///< number of rows that the current arrays must have
   VtkPiece piece_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Calls f with a zero of the type of this name. Returns false for other names.
+/// Calls f with a zero of the C++ type for the name of a VTK type. Returns false for other names.
 template <class Function>
 bool with_vtk_type(const std::string& name, const Function& f) {
   if (name == "float") return f(float{}), true;
@@ -78,7 +78,7 @@ void VtkStream::numbers(const std::string& type, std::uint64_t count, VtkArray& 
   const auto left = static_cast<std::size_t>(source_->end() - place_);
   const bool is_known = with_vtk_type(type, [&](auto zero) {
     using T = decltype(zero);
-    // A number as text has at least a digit and a blank.
+    // Least number of bytes of a number. In text, a number takes at least a digit and a blank.
     const std::size_t size = is_binary_ ? sizeof(T) : 2;
     if (count > left / size + 1)
       fail(counted(count, "number") + " of " + quoted(array.name) + " are announced, but only " +
@@ -103,7 +103,7 @@ void VtkStream::read_text(std::uint64_t count, VtkArray& array) {
   }
 }
 
-/// Binary numbers start after the end of the line.
+/// Reads binary numbers, which start after the end of the current line.
 template <class T>
 void VtkStream::read_bytes(std::uint64_t count, VtkArray& array) {
   line();

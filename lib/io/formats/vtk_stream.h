@@ -14,22 +14,23 @@ class VtkStream {
  public:
   explicit VtkStream(const Source& source) : source_(&source), place_(source.begin()) {}
 
-  /// Returns the next word in lower case; empty at the end.
+  /// Returns the next word in lower case; empty at the end of the file.
   std::string word();
-  /// Returns the next word unchanged.
+  /// Returns the next word, with upper and lower case as in the file.
   std::string_view raw_word();
-  /// True if the line has a further word.
+  /// True if the current line has another word.
   bool has_word_in_line() const;
-  /// Returns the rest of the line, and moves past it.
+  /// Returns the rest of the current line, and moves to the next line.
   std::string_view line();
-  /// Reads a word that is a nonnegative integer. Throws InputError.
+  /// Reads a word that must be a nonnegative integer. Throws InputError otherwise; `what` names the
+  /// value in the message.
   std::uint64_t count(const std::string& what);
   void set_binary(bool is_binary) { is_binary_ = is_binary; }
   bool is_binary() const { return is_binary_; }
 
-  /// Reads numbers of a type such as `float`, and sets type and values of `array`. In binary files
-  /// the numbers are big-endian and start in the next line. Throws InputError if the data ends too
-  /// early.
+  /// Reads `count` numbers of a type such as `float`, and stores type and values in `array`. In
+  /// binary files the numbers are big-endian and start in the next line. Throws InputError if the
+  /// data ends too early.
   void numbers(const std::string& type, std::uint64_t count, VtkArray& array);
   /// Reads nonnegative integers as numbers() does.
   std::vector<std::uint64_t> indices(const std::string& type, std::uint64_t count,

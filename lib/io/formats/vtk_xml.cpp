@@ -35,7 +35,8 @@ VtpEncoding VtkXml::encoding(const Source& source) const {
 }
 
 bool is_vtk_xml(std::string_view bytes) {
-  // Bytes that are searched: an XML declaration and comments may come first.
+  // Number of bytes in which the first element is searched. An XML declaration and comments may
+  // precede it.
   constexpr std::size_t searched = 1024;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && bytes[first] == '<' &&

@@ -15,11 +15,12 @@ struct VtkXml {
   bool is_appended_text = false;
 
   pugi::xml_node root() const { return document.child("VTKFile"); }
-  /// Returns how the file stores numbers. Throws InputError for an unknown compression.
+  /// Returns how the file encodes numbers. Throws InputError for an unknown compression.
   VtpEncoding encoding(const Source& source) const;
 };
 
-/// Parses a file. The result refers to the bytes of the source. Throws InputError.
+/// Parses a file of VTK's XML format. The result refers to the bytes of the source. Throws
+/// InputError.
 VtkXml parse_vtk_xml(const Source& source);
 
 /// True if the bytes are XML whose first element is `VTKFile`.

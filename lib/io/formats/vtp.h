@@ -1,5 +1,5 @@
-/// VTP: VTK PolyData as XML (docs.vtk.org, "VTK XML Formats"). Written in one piece, inline in
-/// base64. Read in all encodings and byte orders, compressed by zlib or not, with pieces joined.
+/// VTP: VTK PolyData as XML (docs.vtk.org, "VTK XML Formats"). Writes one piece, with arrays inline
+/// in base64. Reads all encodings and byte orders, with or without zlib compression; joins pieces.
 /// Vertex columns are PointData, face columns CellData. Normals (nx ny nz), colors (red green blue,
 /// with alpha), texture coordinates (s t) and lists of constant length are arrays of several
 /// components.
@@ -11,7 +11,7 @@
 
 namespace transformesh {
 
-/// Read and write VTP as read_mesh() and write_mesh() do.
+/// Reads VTP as read_mesh() does. write_vtp() writes VTP as write_mesh() does.
 ReadResult read_vtp(const Source& source);
 WriteResult write_vtp(const Document& document);
 

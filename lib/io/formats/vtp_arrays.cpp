@@ -12,7 +12,7 @@
 namespace transformesh {
 namespace {
 
-/// Calls f with a zero of the type of this name. Returns false for other names.
+/// Calls f with a zero of the C++ type for the name of a VTK type. Returns false for other names.
 template <class Function>
 bool with_xml_type(const std::string& name, const Function& f) {
   if (name == "Float32") return f(float{}), true;
@@ -33,7 +33,7 @@ void set_type_of(VtkArray& array) {
   set_type(std::is_floating_point_v<T>, std::is_signed_v<T>, sizeof(T), array);
 }
 
-/// Returns the number of base64 characters for this many bytes, with padding.
+/// Returns the number of base64 characters, with padding, that encode this many bytes.
 std::size_t text_size(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
 std::string without_blanks(std::string_view text) {
@@ -102,8 +102,8 @@ void VtpArrays::read_text(const pugi::xml_node& element, VtkArray& array) const 
 
 // --- Bytes ---------------------------------------------------------------------------------------
 
-/// Returns the bytes of an array. In base64, the header and the blocks of a compressed array are
-/// encoded separately, one after the other.
+/// Returns the decoded bytes of a DataArray element. In base64, the header and the blocks of a
+/// compressed array are encoded separately, one after the other.
 std::string VtpArrays::bytes_of(const pugi::xml_node& element, const std::string& what) const {
   std::string_view data = element.text().get();
   bool is_text = true;
@@ -159,8 +159,9 @@ std::string VtpArrays::plain_block(std::string_view bytes, const std::string& wh
   return std::string(bytes.substr(0, size));
 }
 
-/// Decompresses the blocks. The header has the number of blocks, the size of a block, and the size
-/// of the last block if that is smaller (else 0). The compressed size of each block follows.
+/// Decompresses the blocks of an array. The header has the number of blocks, the size of a block,
+/// and the size of the last block if it is smaller (else 0). The compressed size of each block
+/// follows.
 std::string VtpArrays::compressed_blocks(std::string_view header, std::string_view data,
                                          const std::string& what) const {
   const std::uint64_t blocks = header_number(header, 0, what);

@@ -12,12 +12,13 @@
 
 namespace transformesh {
 
-/// Encoding of numbers in a file, from the attributes of its first element.
+/// Encoding of numbers in a VTK XML file, as stated by the attributes of its first element.
 struct VtpEncoding {
   bool is_big_endian = false;
-  bool has_wide_headers = false;  ///< true if headers have 64-bit numbers instead of 32-bit numbers
-  bool is_compressed = false;     ///< true if arrays are zlib-compressed blocks
-  bool is_appended_text = false;  ///< true if appended data is base64
+  /// True if the headers of arrays have 64-bit instead of 32-bit numbers.
+  bool has_wide_headers = false;
+  bool is_compressed = false;     ///< true if arrays are stored in zlib-compressed blocks
+  bool is_appended_text = false;  ///< true if appended data is encoded in base64
   std::string_view appended{};
 };
 
@@ -26,9 +27,11 @@ class VtpArrays {
   VtpArrays(const Source& source, const VtpEncoding& encoding, ExpansionBudget& budget)
       : source_(source), encoding_(encoding), budget_(budget) {}
 
-  /// Returns the array of an element. Throws InputError.
+  /// Returns the array that a DataArray element contains. Throws InputError if it cannot be
+  /// decoded.
   VtkArray read(const pugi::xml_node& element) const;
-  /// Returns an array of nonnegative integers. Throws InputError.
+  /// Returns the numbers of a DataArray element, which must be nonnegative integers. Throws
+  /// InputError otherwise.
   std::vector<std::uint64_t> indices(const pugi::xml_node& element) const;
 
  private:

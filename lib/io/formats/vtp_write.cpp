@@ -13,7 +13,7 @@
 namespace transformesh {
 namespace {
 
-/// True if all characters are printable ASCII. Other names could give invalid XML.
+/// True if all characters are printable ASCII. Names with other characters could give invalid XML.
 bool is_printable(std::string_view name) {
   return std::all_of(name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
@@ -51,7 +51,8 @@ const char* type_name(Scalar type) {
   }
 }
 
-/// Returns the number of components of each row of a column. Returns 0 if it differs between rows.
+/// Returns the number of components that each row of a column has. Returns 0 if rows have different
+/// numbers of components.
 std::size_t components_of(const Column& column, std::size_t rows) {
   if (!column.list_count_type) return 1;
   const std::size_t width = column.values.size() / rows;
@@ -101,7 +102,7 @@ class VtpWriter {
     text_.add('"');
   }
 
-  /// Adds an array of type T, whose number i is value(i).
+  /// Adds a DataArray of type T. Its number i is value(i).
   template <class T, class Value>
   void add_array(const char* type, std::string_view name, std::size_t components, std::size_t size,
                  const Value& value) {
@@ -123,7 +124,7 @@ class VtpWriter {
     text_.add("\n</DataArray>\n");
   }
 
-  /// Adds columns of one type as the components of one array.
+  /// Adds the columns of a group as the components of one array.
   void add_group(std::string_view name, const ColumnGroup& group, std::size_t components) {
     const std::size_t width = group.size();
     const Scalar type = group[0]->type;
@@ -135,7 +136,7 @@ class VtpWriter {
     });
   }
 
-  /// Adds columns and returns the names of those that were kept.
+  /// Adds columns as arrays. Returns the names of the columns that the format can represent.
   Names add_columns(const std::string& element, const Columns& columns, std::size_t rows) {
     Names kept;
     if (rows == 0) {  // without faces, cells are points, which have other rows than face columns
@@ -179,7 +180,7 @@ class VtpWriter {
     text_.add("</Points>\n");
   }
 
-  /// Adds the faces, or one cell per point.
+  /// Adds the faces as cells. If there are none, adds one cell per point.
   void add_cells(const std::string& kind, std::size_t cells, std::size_t corners) {
     text_.add('<' + kind + ">\n");
     add_array<std::int64_t>("Int64", "connectivity", 1, cells * corners, [&](std::size_t i) {

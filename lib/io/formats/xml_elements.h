@@ -13,10 +13,10 @@ namespace transformesh {
 /// Parses a whole file. Throws InputError with the line if it is not well-formed.
 pugi::xml_document parse_xml(const Source& source);
 
-/// Returns the elements of this name below a node, at any depth, in the order of the file.
+/// Returns the elements with this name below a node, at any depth, in the order of the file.
 std::vector<pugi::xml_node> xml_elements(const pugi::xml_node& node, const char* name);
 
-/// Returns the first element of this name below a node, or a null node.
+/// Returns the first element with this name below a node, at any depth, or a null node.
 pugi::xml_node xml_element(const pugi::xml_node& node, const char* name);
 
 /// Returns the value of an attribute, if present.

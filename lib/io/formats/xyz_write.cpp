@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-/// Appends the numbers of a row, separated by blanks, as float or double text.
+/// Formats a row of text: numbers, separated by blanks, as text of floats or doubles.
 class RowText {
  public:
   RowText(bool is_single, TextBuffer& text) : is_single_(is_single), text_(text) {}
