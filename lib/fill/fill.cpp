@@ -172,10 +172,10 @@ bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may
 void Filler::add(const HolePatch& patch, const HoleNeighborhood& part, const Loop& loop) {
   const auto first_new = static_cast<Index>(mesh_.positions.size());
   const auto known = static_cast<Index>(part.vertices.size());
-  const std::vector<Index> border = vertices_of(loop);
+  const BorderBlend blend(mesh_, vertices_of(loop));
   for (const Vec3& point : patch.points) {
     mesh_.positions.push_back(point);
-    blends_.push_back(blend_of_nearest(mesh_, border, point));
+    blends_.push_back(blend(point));
   }
   for (Face face : patch.faces) {
     for (Index& v : face) v = v < known ? part.vertices[v] : first_new + v - known;
