@@ -11,7 +11,8 @@
 /// Forum 28(4), 2009. Random points are tried; then parts of faces that no disk covers are split
 /// until none is left. Disks of half the distance cover .55 of a plane, .60 of the densest packing
 /// (Renyi's random sequential addition). Cost: O(n + count); Poisson disk: O(n + points), about .02
-/// ms per point.
+/// ms per point, unless faces are longer than the distance. The sum of such lengths divided by the
+/// distance is added: about .01 ms each.
 #pragma once
 
 #include <cstdint>

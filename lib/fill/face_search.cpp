@@ -1,6 +1,6 @@
 #include "fill/face_search.h"
 
-#include "mesh/triangle.h"
+#include <algorithm>
 
 namespace transformesh {
 
@@ -14,20 +14,25 @@ void FaceSearch::update() {
     first = trees_.back().first;
   std::vector<FloatBox> boxes;
   boxes.reserve(last - first);
-  for (Index f = first; f < last; ++f) {
-    const auto [a, b, c] = triangle_of(mesh_.positions, mesh_.faces[f]);
-    boxes.push_back(frame_.box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)));
-  }
+  for (Index f = first; f < last; ++f) boxes.push_back(box(triangle_of(mesh_, f)));
   trees_.push_back({first, last - first, Bvh(boxes)});
 }
 
-void FaceSearch::append_near(const Vec3& low, const Vec3& high, std::vector<Index>& faces) const {
-  const FloatBox box = frame_.box(low, high);
+std::vector<Index> FaceSearch::near(std::span<const Triangle> triangles) const {
+  std::vector<FloatBox> boxes;
+  boxes.reserve(triangles.size());
+  for (const Triangle& triangle : triangles) boxes.push_back(box(triangle));
+  const Bvh around(boxes);
+  std::vector<Index> faces;
   for (const Tree& tree : trees_)
-    tree.bvh.visit_overlaps(box, [&](Index i) {
-      faces.push_back(tree.first + i);
-      return true;
-    });
+    tree.bvh.visit_overlaps(around, [&](Index i) { faces.push_back(tree.first + i); });
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+FloatBox FaceSearch::box(const Triangle& triangle) const {
+  const auto& [a, b, c] = triangle;
+  return frame_.box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
 }
 
 }  // namespace transformesh

@@ -1,4 +1,4 @@
-/// Finds the faces near a box in a mesh to which faces are appended. Maintains several bounding
+/// Finds the faces near triangles in a mesh to which faces are appended. Maintains several bounding
 /// volume hierarchies (bvh.h), each of consecutive faces. Each hierarchy has at least twice as many
 /// faces as the next one. Cost: amortized O(log n) to add a face; a search visits O(log n) trees.
 /// Deterministic.
@@ -8,6 +8,7 @@
 
 #include "geometry/search/bvh.h"
 #include "geometry/search/float_box.h"
+#include "mesh/triangle.h"
 #include "transformesh/mesh.h"
 
 namespace transformesh {
@@ -19,11 +20,13 @@ class FaceSearch {
 
   /// Adds the faces that were appended to the mesh since the last call.
   void update();
-  /// Appends to `faces` the faces whose bounding boxes touch the box from `low` to `high`,
-  /// unordered. May also append faces whose boxes are just beside this box.
-  void append_near(const Vec3& low, const Vec3& high, std::vector<Index>& faces) const;
+  /// Returns the faces whose bounding boxes touch the bounding box of one of the triangles, in
+  /// ascending order. May also return faces whose boxes are just beside such a box.
+  std::vector<Index> near(std::span<const Triangle> triangles) const;
 
  private:
+  FloatBox box(const Triangle& triangle) const;
+
   struct Tree {
     Index first;  ///< index of the first face of the tree
     Index count;

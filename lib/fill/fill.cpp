@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "fill/face_search.h"
 #include "fill/hole_neighborhood.h"
@@ -24,6 +25,11 @@ namespace {
 
 /// A boundary loop as a list of border halfedges; each halfedge starts where the previous one ends.
 using Loop = std::vector<Index>;
+
+/// Number of faces in the first sample of a patch, and ratio of the sizes of successive samples.
+/// All samples of a patch together have at most a tenth as many faces as the patch. Measured on
+/// flat borders of 12000 edges with random radii: 1.6 s with samples, 27 s without.
+constexpr std::size_t first_sample = 64, growth = 16;
 
 void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& options) {
   if (options.max_edges < 3)
@@ -68,6 +74,7 @@ class Filler {
 
  private:
   bool fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const;
+  bool intersect(std::span<const Triangle> triangles) const;
   bool crosses(const HolePatch& patch, const HoleNeighborhood& part) const;
   /// Adds the first patch in `found` that fits into the hole, and returns true if there is one. If
   /// `may_intersect` is set, patches that intersect the mesh fit, too. Then the patch is added only
@@ -115,33 +122,38 @@ std::vector<Index> Filler::vertices_of(const Loop& loop) const {
   return vertices;
 }
 
-/// True if the patch intersects itself or a nearby face of the mesh.
-bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const {
-  const Mesh& local = part.mesh;
-  const auto position = [&](Index v) -> const Vec3& {
-    return v < local.positions.size() ? local.positions[v]
-                                      : patch.points[v - local.positions.size()];
-  };
-  std::vector<Index> near;
-  for (const auto& [i, j, k] : patch.faces) {
-    const Vec3 &a = position(i), &b = position(j), &c = position(k);
-    search_.append_near(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), near);
-  }
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-
-  // Append the triangles of the patch with a separate vertex for each corner. This is allowed
-  // because the intersection test treats equal positions as one point.
-  Mesh both = neighborhood_of(mesh_, near).mesh;
+/// True if some of the triangles intersect each other or a face of the mesh.
+bool Filler::intersect(std::span<const Triangle> triangles) const {
+  Mesh both = neighborhood_of(mesh_, search_.near(triangles)).mesh;
   const std::size_t old_faces = both.faces.size();
-  for (const Face& face : patch.faces) {
+  // Each corner is a separate vertex, because the intersection test treats equal positions as one
+  // point.
+  for (const Triangle& triangle : triangles) {
     const auto first = static_cast<Index>(both.positions.size());
-    for (const Index v : face) both.positions.push_back(position(v));
+    both.positions.insert(both.positions.end(), triangle.begin(), triangle.end());
     both.faces.push_back({first, first + 1, first + 2});
   }
   const std::vector<FacePair> pairs = find_intersections(both);
   return std::any_of(pairs.begin(), pairs.end(),
                      [&](const FacePair& pair) { return pair.second >= old_faces; });
+}
+
+/// True if the patch intersects itself or a nearby face of the mesh. Growing samples of the patch
+/// are tested first: if every face of a patch intersects n others, all pairs would be too many.
+bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const {
+  std::vector<Vec3> positions = part.mesh.positions;
+  positions.insert(positions.end(), patch.points.begin(), patch.points.end());
+  std::vector<Triangle> triangles;
+  for (const Face& face : patch.faces) triangles.push_back(triangle_of(positions, face));
+
+  std::vector<Triangle> sample;
+  for (std::size_t count = first_sample; growth * count <= triangles.size(); count *= growth) {
+    sample.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      sample.push_back(triangles[i * triangles.size() / count]);
+    if (intersect(sample)) return true;
+  }
+  return intersect(triangles);
 }
 
 bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const {
@@ -160,10 +172,10 @@ bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may
 void Filler::add(const HolePatch& patch, const HoleNeighborhood& part, const Loop& loop) {
   const auto first_new = static_cast<Index>(mesh_.positions.size());
   const auto known = static_cast<Index>(part.vertices.size());
-  const std::vector<Index> border = vertices_of(loop);
+  const BorderBlend blend(mesh_, vertices_of(loop));
   for (const Vec3& point : patch.points) {
     mesh_.positions.push_back(point);
-    blends_.push_back(blend_of_nearest(mesh_, border, point));
+    blends_.push_back(blend(point));
   }
   for (Face face : patch.faces) {
     for (Index& v : face) v = v < known ? part.vertices[v] : first_new + v - known;

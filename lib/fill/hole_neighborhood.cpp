@@ -43,19 +43,45 @@ std::vector<Index> faces_around(const Mesh& mesh, std::vector<Index> vertices,
   return faces;
 }
 
-RowBlend blend_of_nearest(const Mesh& mesh, const std::vector<Index>& vertices, const Vec3& point) {
+namespace {
+
+std::vector<Index> sorted(std::vector<Index> vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+std::vector<Vec3> positions_of(const Mesh& mesh, const std::vector<Index>& vertices) {
+  std::vector<Vec3> positions;
+  positions.reserve(vertices.size());
+  for (const Index v : vertices) positions.push_back(mesh.positions[v]);
+  return positions;
+}
+
+}  // namespace
+
+BorderBlend::BorderBlend(const Mesh& mesh, std::vector<Index> vertices)
+    : mesh_(mesh), vertices_(sorted(std::move(vertices))), tree_(positions_of(mesh, vertices_)) {}
+
+RowBlend BorderBlend::operator()(const Vec3& point) const {
   std::vector<std::pair<double, Index>> distances;
-  distances.reserve(vertices.size());
-  for (const Index v : vertices) distances.emplace_back((mesh.positions[v] - point).norm(), v);
-  std::partial_sort(distances.begin(), distances.begin() + 3, distances.end());
+  const auto add = [&](Index i) {
+    distances.emplace_back((mesh_.positions[vertices_[i]] - point).norm(), i);
+    return false;
+  };
+  for (const Index i : tree_.nearest(point, 3)) add(i);
+  // Vertices at almost the third distance follow, because the tree compares squared distances,
+  // which are rounded differently.
+  tree_.nearest_within(point, distances.back().first * (1 + 1e-12), add);
+  std::sort(distances.begin(), distances.end());
+  distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
   RowBlend blend;
   if (distances[0].first == 0) {
-    blend.source[0] = distances[0].second;
+    blend.source[0] = vertices_[distances[0].second];
     return blend;
   }
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    blend.source.at(i) = distances[i].second;
+    blend.source.at(i) = vertices_[distances[i].second];
     blend.weight.at(i) = distances[0].first / distances[i].first;
     sum += blend.weight.at(i);
   }

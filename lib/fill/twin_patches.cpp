@@ -78,9 +78,10 @@ std::vector<Triangle> triangles_of(const std::vector<Face>& faces, const DrawnSi
 std::vector<Index> add_vertices(Mesh& mesh, std::vector<Index> loop, const HolePatch& patch,
                                 const DrawnSide& side) {
   std::vector<Index> all = loop;
+  const BorderBlend blend(mesh, loop);
   for (std::size_t i = 0; i < patch.points.size(); ++i) {
     all.push_back(static_cast<Index>(mesh.positions.size()));
-    mesh.vertex_columns.append(blend_of_nearest(mesh, loop, patch.points[i]));
+    mesh.vertex_columns.append(blend(patch.points[i]));
     mesh.positions.push_back(side.within[i]);
   }
   for (std::size_t i = 0; i < loop.size(); ++i) mesh.positions[loop[i]] = side.loop[i];

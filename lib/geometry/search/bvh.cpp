@@ -110,8 +110,10 @@ const LinkBoxes* Bvh::links_of(std::size_t layer, std::size_t place) const {
   return row == no_index ? nullptr : &links_[row];
 }
 
-void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit,
-                         const LinkBoxes* links) const {
+/// Enters the boxes for which mask(layer, quad) has a bit, and calls visit(i) for these boxes in
+/// layer 0 until `visit` returns false.
+template <class Mask, class Visit>
+void Bvh::descend(const Mask& mask, const Visit& visit) const {
   if (empty()) return;
   struct Node {
     std::size_t layer;
@@ -122,9 +124,8 @@ void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& 
   stack[waiting++] = {layers_.size() - 1, 0};
   while (waiting > 0) {
     const auto [layer, quad] = stack[--waiting];
-    for (unsigned mask = overlap_mask(layers_[layer][quad], box); mask != 0; mask &= mask - 1) {
-      const std::size_t below = 4 * quad + static_cast<std::size_t>(std::countr_zero(mask));
-      if (are_apart(links, links_of(layer, below))) continue;
+    for (unsigned left = mask(layer, quad); left != 0; left &= left - 1) {
+      const std::size_t below = 4 * quad + static_cast<std::size_t>(std::countr_zero(left));
       if (layer > 0) {
         stack[waiting++] = {layer - 1, below};
       } else if (!visit(order_[below])) {
@@ -132,6 +133,34 @@ void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& 
       }
     }
   }
+}
+
+void Bvh::visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit,
+                         const LinkBoxes* links) const {
+  const auto mask = [&](std::size_t layer, std::size_t quad) {
+    unsigned overlaps = overlap_mask(layers_[layer][quad], box);
+    for (unsigned lane = 0; links != nullptr && lane < 4; ++lane)
+      if ((overlaps >> lane & 1) != 0 && are_apart(links, links_of(layer, 4 * quad + lane)))
+        overlaps &= ~(1U << lane);
+    return overlaps;
+  };
+  descend(mask, visit);
+}
+
+void Bvh::visit_overlaps(const Bvh& other, const std::function<void(Index)>& visit) const {
+  const auto mask = [&](std::size_t layer, std::size_t quad) {
+    unsigned overlaps = 0;
+    for (unsigned lane = 0; lane < 4; ++lane)
+      other.visit_overlaps(layers_[layer][quad].box(lane), [&](Index) {
+        overlaps |= 1U << lane;
+        return false;
+      });
+    return overlaps;
+  };
+  descend(mask, [&](Index i) {
+    visit(i);
+    return true;
+  });
 }
 
 }  // namespace transformesh

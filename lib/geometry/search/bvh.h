@@ -48,10 +48,15 @@ class Bvh {
   /// certainly meet this face only in shared vertices and edges are skipped.
   void visit_overlaps(const FloatBox& box, const std::function<bool(Index)>& visit,
                       const LinkBoxes* links = nullptr) const;
+  /// Calls visit(i) once for each box that overlaps at least one box of `other`. Cost: O(log n) for
+  /// each of these boxes on usual data, however many boxes of `other` overlap it.
+  void visit_overlaps(const Bvh& other, const std::function<void(Index)>& visit) const;
   bool empty() const { return order_.empty(); }
 
  private:
   class PairSearch;
+  template <class Mask, class Visit>
+  void descend(const Mask& mask, const Visit& visit) const;
   void add_links(const SimplexLinks& links, std::span<const Index> faces);
   Index add_common_links(std::span<const Index> rows);
   /// Returns the link boxes that all faces in box `place` of a layer have in common, or null. Link

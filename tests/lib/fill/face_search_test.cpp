@@ -8,10 +8,21 @@
 
 #include "helpers/shapes.h"
 #include "mesh/triangle.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 
-TEST_CASE("every face that touches a box is found, however faces came") {
+namespace {
+
+Box box_of(const Triangle& triangle) {
+  Box box;
+  for (const Vec3& corner : triangle) box.extend(corner);
+  return box;
+}
+
+}  // namespace
+
+TEST_CASE("every face that touches the box of a triangle is found, however faces came") {
   Mesh mesh = test::icosphere(2);
   FaceSearch search(mesh);
   std::mt19937 random(2);
@@ -27,16 +38,16 @@ TEST_CASE("every face that touches a box is found, however faces came") {
       mesh.faces.push_back({first, first + 1, first + 2});
     }
     search.update();
-    const Vec3 a = point(), b = point(), low = a.cwiseMin(b), high = a.cwiseMax(b);
-    std::vector<Index> found;
-    search.append_near(low, high, found);
-    std::sort(found.begin(), found.end());
-    CHECK(std::adjacent_find(found.begin(), found.end()) == found.end());
+    std::vector<Triangle> triangles(random() % 9);
+    for (Triangle& triangle : triangles) triangle = {point(), point(), point()};
+    const std::vector<Index> found = search.near(triangles);
+    CHECK(std::ranges::is_sorted(found));
+    CHECK(std::ranges::adjacent_find(found) == found.end());
     for (Index f = 0; f < mesh.faces.size(); ++f) {
-      const auto [p, q, r] = triangle_of(mesh.positions, mesh.faces[f]);
-      const bool is_near = (p.cwiseMin(q).cwiseMin(r).array() <= high.array()).all() &&
-                           (p.cwiseMax(q).cwiseMax(r).array() >= low.array()).all();
-      if (is_near) CHECK(std::binary_search(found.begin(), found.end(), f));
+      const bool is_near = std::ranges::any_of(triangles, [&](const Triangle& triangle) {
+        return box_of(triangle).intersects(box_of(triangle_of(mesh, f)));
+      });
+      if (is_near) CHECK(std::ranges::binary_search(found, f));
     }
   }
 }

@@ -52,6 +52,20 @@ TEST_CASE("a faired patch continues a ball, and what was there stays") {
   CHECK(volume(flat) < 0.99 * volume(mesh));
 }
 
+TEST_CASE("a large patch is rejected for a single obstacle") {
+  const Mesh open = opened(test::icosphere(5), 0.3);
+  Mesh filled = open;
+  CHECK(fill_holes(filled).new_faces > 2048);
+  for (const double x : {0.0, 0.31, -0.52}) {
+    Mesh needle = test::cube();
+    for (Vec3& p : needle.positions) p = {x + 0.001 * p.x(), 0.1 + 0.001 * p.y(), 0.1 + p.z()};
+    Mesh mesh = test::joined(open, needle);
+    const FillResult result = fill_holes(mesh);
+    CHECK(result.crossing.size() == 1);
+    CHECK(result.new_faces == 0);
+  }
+}
+
 TEST_CASE("without new vertices a box becomes the box that it was") {
   Mesh mesh = opened(test::cube(), 0.5);
   const FillResult result = fill_holes(mesh, {.refine = false});

@@ -154,3 +154,17 @@ TEST_CASE("visited overlaps agree with a search and stop on request") {
   Bvh().visit_overlaps(boxes[0], [&](Index) { return ++calls < 0; });
   CHECK(calls == 3);
 }
+
+TEST_CASE("boxes that overlap a box of another tree are visited once") {
+  for (const std::size_t count : {0, 1, 7, 300}) {
+    const auto boxes = random_boxes(8, 1000, 0.2), others = random_boxes(9, count, 0.3);
+    std::vector<Index> visited;
+    Bvh(boxes).visit_overlaps(Bvh(others), [&](Index i) { visited.push_back(i); });
+    std::sort(visited.begin(), visited.end());
+    std::vector<Index> expected;
+    for (Index i = 0; i < boxes.size(); ++i)
+      if (std::ranges::any_of(others, [&](const FloatBox& box) { return touch(boxes[i], box); }))
+        expected.push_back(i);
+    CHECK(visited == expected);
+  }
+}
