@@ -218,12 +218,15 @@ double ComponentWinding::fraction_of(const std::vector<Number>& numbers) {
 }
 
 double ComponentWinding::on_itself(Index component) {
-  std::optional<double>& number = on_itself_[component];
-  if (number) return *number;
-  const double fraction = fraction_of(sampled_numbers(component, pieces_of_[component]));
+  std::optional<double>& result = on_itself_[component];
+  if (result) return *result;
+  const std::vector<Number> numbers = sampled_numbers(component, pieces_of_[component]);
+  const double middle = median_of(numbers);
+  if (middle >= -most_of_sheet && middle <= 0.5) return *(result = std::max(middle, 0.0));
+  const double fraction = fraction_of(numbers);
   const bool is_inverted =
       fraction > 1 - most_of_sheet || (fraction >= most_of_sheet && volume(mesh_of(component)) < 0);
-  return *(number = is_inverted ? fraction - 1 : fraction);
+  return *(result = is_inverted ? fraction - 1 : fraction);
 }
 
 bool ComponentWinding::is_body(Index component) { return on_itself(component) >= least_of_body; }

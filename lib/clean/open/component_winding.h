@@ -34,9 +34,10 @@ class ComponentWinding {
   double median(Index component, const std::vector<Index>& pieces);
   /// Returns the typical winding number of a component at those of its own pieces that none of its
   /// other parts hide: 0 for a flat sheet, 1/2 for a closed body, -1/2 for a closed body with
-  /// inward orientation. At hidden pieces, the winding number differs from this by an integer.
-  /// Hence the result is a median of the fractions of the numbers, and does not depend on how much
-  /// is hidden.
+  /// inward orientation. This is the median, but at least 0. If the median is below -1/4 or above
+  /// 1/2, more than half of the component is hidden or has inward orientation. The winding number
+  /// at hidden pieces differs from the result by an integer, so the result is then a median
+  /// modulo 1.
   double on_itself(Index component);
   /// True if the component is a body with holes: it encloses most of what it would enclose without
   /// its holes.
