@@ -36,6 +36,11 @@ constexpr double least_of_body = 0.3;
 /// either side, so its volume decides.
 constexpr double most_of_sheet = 0.25;
 
+/// Largest mean deviation of the winding numbers of a component from multiples of 1 plus a common
+/// fraction, so that they determine this fraction. Folded bodies that a plane has cut had 0.05 to
+/// 0.07. Of 245 crumpled sheets, those with a fraction between 0.3 and 0.7 had at least 0.149.
+constexpr double most_deviation = 0.1;
+
 Index add_position(const Vec3& position, Index point, std::vector<Index>& number_of, Mesh& mesh) {
   if (number_of[point] == no_index) {
     number_of[point] = static_cast<Index>(mesh.positions.size());
@@ -200,19 +205,20 @@ double ComponentWinding::median_of(const std::vector<Number>& numbers) {
   return lower.value_or(0);
 }
 
-// Returns the number in [0, 1) from which the given numbers differ by integers, up to the least
-// mean deviation, weighted by area.
-double ComponentWinding::fraction_of(const std::vector<Number>& numbers) {
-  double result = 0, least = std::numeric_limits<double>::infinity();
+// Returns the number in [0, 1) with the least mean deviation, weighted by area, of the given
+// numbers from it or from numbers that differ from it by integers.
+ComponentWinding::Fraction ComponentWinding::fraction_of(const std::vector<Number>& numbers) {
+  double total = 0;
+  for (const Number& n : numbers) total += n.area;
+  Fraction result{0, std::numeric_limits<double>::infinity()};
   for (const Number& candidate : numbers) {
-    double deviation = 0;
+    double sum = 0;
     for (const Number& n : numbers) {
       const double difference = n.number - candidate.number;
-      deviation += n.area * std::abs(difference - std::round(difference));
+      sum += n.area * std::abs(difference - std::round(difference));
     }
-    if (deviation >= (1 - rounding) * least) continue;
-    least = deviation;
-    result = candidate.number - std::floor(candidate.number);
+    if (sum >= (1 - rounding) * total * result.deviation) continue;
+    result = {candidate.number - std::floor(candidate.number), sum / total};
   }
   return result;
 }
@@ -221,9 +227,8 @@ double ComponentWinding::on_itself(Index component) {
   std::optional<double>& result = on_itself_[component];
   if (result) return *result;
   const std::vector<Number> numbers = sampled_numbers(component, pieces_of_[component]);
-  const double middle = median_of(numbers);
-  if (middle >= -most_of_sheet && middle <= 0.5) return *(result = std::max(middle, 0.0));
-  const double fraction = fraction_of(numbers);
+  const auto [fraction, deviation] = fraction_of(numbers);
+  if (deviation > most_deviation) return *(result = std::clamp(median_of(numbers), 0.0, 0.5));
   const bool is_inverted =
       fraction > 1 - most_of_sheet || (fraction >= most_of_sheet && volume(mesh_of(component)) < 0);
   return *(result = is_inverted ? fraction - 1 : fraction);

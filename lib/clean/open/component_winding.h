@@ -34,10 +34,9 @@ class ComponentWinding {
   double median(Index component, const std::vector<Index>& pieces);
   /// Returns the typical winding number of a component at those of its own pieces that none of its
   /// other parts hide: 0 for a flat sheet, 1/2 for a closed body, -1/2 for a closed body with
-  /// inward orientation. This is the median, but at least 0. If the median is below -1/4 or above
-  /// 1/2, more than half of the component is hidden or has inward orientation. The winding number
-  /// at hidden pieces differs from the result by an integer, so the result is then a median
-  /// modulo 1.
+  /// inward orientation. The winding number at hidden pieces differs from it by an integer. Hence
+  /// the result is the median modulo 1, if the numbers agree modulo 1 in most of the area.
+  /// Otherwise it is the median, limited to the range from 0 to 1/2.
   double on_itself(Index component);
   /// True if the component is a body with holes: it encloses most of what it would enclose without
   /// its holes.
@@ -54,11 +53,15 @@ class ComponentWinding {
     double number, area;
   };
 
+  struct Fraction {
+    double fraction, deviation;
+  };
+
   std::size_t samples_of(Index component) const;
   static std::vector<Sample> choose(const std::vector<Sample>& samples, std::size_t count);
   std::vector<Number> numbers_at(Index component, const std::vector<Sample>& samples);
   std::vector<Number> sampled_numbers(Index component, const std::vector<Index>& pieces);
-  static double fraction_of(const std::vector<Number>& numbers);
+  static Fraction fraction_of(const std::vector<Number>& numbers);
   static double median_of(const std::vector<Number>& numbers);
   const WindingHierarchy& hierarchy_of(Index component);
   double number_at(const WindingHierarchy& hierarchy, Index component, Index piece) const;
