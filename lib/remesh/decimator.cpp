@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "remesh/guards/embedding_guard.h"
+#include "remesh/halfedges/valences.h"
 #include "remesh/operations/edge_collapser.h"
 #include "transformesh/measure.h"
 
@@ -59,6 +60,7 @@ Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, std::opti
 void Decimator::add_quadrics() {
   quadrics_.resize(mesh_.vertex_slots());
   versions_.assign(mesh_.vertex_slots(), 0);
+  valences_ = valences_of(mesh_);
   for (Index face = 0; face < mesh_.face_slots(); ++face) {
     const Vec3 normal = mesh_.face_normal(face);
     const double length = normal.stableNorm();
@@ -109,9 +111,12 @@ std::vector<Decimator::Place> Decimator::places(Index source, Index target) cons
 }
 
 /// Enqueues the collapse of the edge to the position with the given rank in places(), if there is
-/// one.
+/// one. Edges at a vertex of high valence wait until collapses around the vertex have removed
+/// faces. The test of such an edge takes time proportional to the valence, and its collapse removes
+/// two faces at most.
 void Decimator::push(Index halfedge, std::size_t rank) {
   const Index source = mesh_.source(halfedge), target = mesh_.target(halfedge);
+  if (std::max(valences_[source], valences_[target]) > usual_valence) return;
   const std::vector<Place> all = places(source, target);
   if (rank < all.size())
     queue_.push(
@@ -126,10 +131,20 @@ bool Decimator::is_current(const Candidate& candidate) const {
          versions_[candidate.target] == candidate.target_version;
 }
 
-void Decimator::merge(Index stays, Index goes) {
+void Decimator::push_around(Index vertex) {
+  mesh_.for_each_neighbor(vertex, [&](Index, Index halfedge) { push(halfedge); });
+}
+
+/// Updates vertex data after the collapse of the candidate. `apexes` are the third corners of the
+/// removed faces.
+void Decimator::merge(const Candidate& candidate, Index stays, std::span<const Index> apexes) {
+  const Index goes = stays == candidate.source ? candidate.target : candidate.source;
   quadrics_[stays] += quadrics_[goes];
   ++versions_[stays];
-  mesh_.for_each_neighbor(stays, [&](Index, Index halfedge) { push(halfedge); });
+  valences_[stays] += valences_[goes] - 2 * static_cast<Index>(apexes.size());
+  push_around(stays);
+  for (const Index apex : apexes)
+    if (--valences_[apex] == usual_valence) push_around(apex);
 }
 
 /// Collapses edges until `wanted` faces are left or the queue is empty. Returns how many collapses
@@ -145,7 +160,9 @@ std::size_t Decimator::run_stage(std::size_t wanted, double longest) {
     const Candidate next = queue_.top();
     queue_.pop();
     if (!is_current(next)) continue;
-    const std::size_t gone = mesh_.is_border(next.halfedge) ? 1 : 2;
+    std::vector<Index> apexes{mesh_.apex(next.halfedge)};
+    if (!mesh_.is_border(next.halfedge))
+      apexes.push_back(mesh_.apex(mesh_.opposite(next.halfedge)));
     const Place place = places(next.source, next.target)[next.rank];
     const Index stays = collapser.collapse_to(next.halfedge, place.position);
     if (stays == no_index) {
@@ -153,11 +170,11 @@ std::size_t Decimator::run_stage(std::size_t wanted, double longest) {
       push(next.halfedge, next.rank + 1);
       continue;
     }
-    result_.faces -= gone;
+    result_.faces -= apexes.size();
     if (++result_.collapses % 1024 == 0)
       progress_("decimate", static_cast<double>(first_faces_ - result_.faces) /
                                 static_cast<double>(first_faces_ - wanted_));
-    merge(stays, stays == next.source ? next.target : next.source);
+    merge(next, stays, apexes);
   }
   result_.kept_out += guard.kept_out();
   return too_long;

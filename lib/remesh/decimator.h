@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "geometry/keep_out.h"
@@ -52,7 +53,8 @@ class Decimator {
   void push(Index halfedge, std::size_t rank = 0);
   bool is_current(const Candidate& candidate) const;
   std::vector<Place> places(Index source, Index target) const;
-  void merge(Index stays, Index goes);
+  void push_around(Index vertex);
+  void merge(const Candidate& candidate, Index stays, std::span<const Index> apexes);
 
   EditableMesh mesh_;
   const DecimateOptions& options_;
@@ -66,6 +68,7 @@ class Decimator {
   std::optional<ErrorBound> bound_;
   std::vector<Quadric> quadrics_;        ///< quadric of each vertex
   std::vector<std::uint32_t> versions_;  ///< number of vertices merged into each vertex
+  std::vector<Index> valences_;          ///< number of faces at each vertex
   std::priority_queue<Candidate> queue_;
   DecimateResult result_;
 };

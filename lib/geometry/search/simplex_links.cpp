@@ -63,14 +63,6 @@ FloatBox box_around(const Vec3& low, const Vec3& high, double margin) {
   return margin < 1 ? box : everything;  // a NaN margin gives `everything`, too
 }
 
-// Returns a box around the arc that a face cuts out of the unit sphere around its corner. The
-// distance from the arc to its chord is largest at the midpoint.
-FloatBox arc_box(const Vec3& corner, const Vec3& a, const Vec3& b) {
-  const Vec3 u = direction(corner, a), w = direction(corner, b);
-  const double sagitta = 1 - (u + w).norm() / 2;
-  return box_around(u.cwiseMin(w), u.cwiseMax(w), sagitta + direction_error);
-}
-
 // Returns a box around the direction in which a face leaves its edge, perpendicular to the edge.
 FloatBox direction_box(const Vec3& from, const Vec3& to, const Vec3& opposite) {
   const Vec3 along = direction(from, to), side = direction(from, opposite);
@@ -127,6 +119,13 @@ void for_each_common(const LinkBoxes& a, const LinkBoxes& b, const Visit& visit)
 }
 
 }  // namespace
+
+// The distance from the arc to its chord is largest at the midpoint.
+FloatBox arc_box(const Vec3& corner, const Vec3& a, const Vec3& b) {
+  const Vec3 u = direction(corner, a), w = direction(corner, b);
+  const double sagitta = 1 - (u + w).norm() / 2;
+  return box_around(u.cwiseMin(w), u.cwiseMax(w), sagitta + direction_error);
+}
 
 SimplexLinks find_simplex_links(std::span<const Vec3> points, std::span<const Face> faces) {
   SimplexLinks links;

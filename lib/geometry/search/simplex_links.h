@@ -40,6 +40,10 @@ struct SimplexLinks {
 /// lower limit, link boxes take more memory; with a higher limit, more pairs of faces are tested.
 inline constexpr Index most_uncrowded = 32;
 
+/// Returns a box around the arc that a face cuts out of the unit sphere around its first corner.
+/// The box overlaps all others if a coordinate is out of range or two corners coincide.
+FloatBox arc_box(const Vec3& corner, const Vec3& a, const Vec3& b);
+
 /// Returns the link boxes of all faces with crowded corners. No face may refer to a point twice.
 SimplexLinks find_simplex_links(std::span<const Vec3> points, std::span<const Face> faces);
 

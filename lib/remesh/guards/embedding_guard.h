@@ -17,7 +17,9 @@
 ///
 /// The width of cells is proportional to the longest edge, so a cell of a mesh of slivers may have
 /// thousands of faces. The second and third test then find near faces in a tree instead
-/// (face_tree.h).
+/// (face_tree.h). If a vertex has thousands of faces, all of them are near each patch at the
+/// vertex. The third test is then the first, because the tree skips faces that only share the
+/// vertex.
 ///
 /// If an obstacle is given, patches are also kept away from it (keep_out.h).
 #pragma once
@@ -52,7 +54,14 @@ struct Patch {
   /// center.
   std::vector<Index> spokes;
 
-  void clear();
+  void clear() {
+    made.clear();
+    normals.clear();
+    cone.reset();
+    replaced.clear();
+    vertices.clear();
+    spokes.clear();
+  }
 };
 
 class EmbeddingGuard {
@@ -83,7 +92,8 @@ class EmbeddingGuard {
   bool is_embedded(const Patch& patch);
   void count_scanned(std::size_t vertices);
   bool keeps_out(const Patch& patch);
-  void find_faces_near(const Patch& patch);
+  void mark_replaced(const Patch& patch);
+  bool find_faces_near(const Patch& patch, std::size_t most);
   template <class Visit>
   void for_each_near(const Visit& visit);
   void enclose(const Patch& patch);
@@ -95,7 +105,8 @@ class EmbeddingGuard {
   bool is_height_field(const Patch& patch) const;
   Slab slab_of(const Patch& patch, const Vec3& direction) const;
   bool meets_box(const Triangle& triangle) const;
-  bool meets_others(const Patch& patch) const;
+  bool is_at_high_valence(const Patch& patch);
+  bool is_apart(const Patch& patch);
 
   const EditableMesh& mesh_;
   const KeepOut* keep_out_;

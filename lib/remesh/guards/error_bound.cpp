@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "remesh/halfedges/valences.h"
 
 namespace transformesh {
 namespace {
@@ -46,7 +49,7 @@ ErrorBound::ErrorBound(const EditableMesh& mesh, const Mesh& input, double error
       error_(error),
       distance_(std::min(error, largest_distance) - rounding_share * largest_coordinate(input)),
       links_(static_cast<Index>(input.faces.size())),
-      projected_(input, opposites_of(mesh)),
+      projected_(input, opposites_of(mesh), has_high_valence(mesh)),
       nearest_(mesh.vertex_slots(), no_index),
       replaced_stamp_(input.faces.size(), 0),
       input_stamp_(input.faces.size(), 0),
@@ -54,6 +57,14 @@ ErrorBound::ErrorBound(const EditableMesh& mesh, const Mesh& input, double error
       row_(input.positions.size(), 0) {
   for (Index v = 0; v < mesh.vertex_slots(); ++v)
     if (mesh.has_vertex(v)) nearest_[v] = mesh.outgoing(v) / 3;
+  if (has_high_valence(mesh)) stars_.emplace(input, opposites_of(mesh));
+}
+
+ErrorBound::Stars::Stars(const Mesh& input, std::vector<Index> opposites)
+    : mesh(Mesh{input.positions, input.faces, {}, {}}, std::move(opposites)), tree(mesh) {}
+
+NearInput ErrorBound::near_input(double distance) const {
+  return {input_, input_query_, stars_ ? &stars_->tree : nullptr, distance};
 }
 
 bool ErrorBound::allows(const Patch& patch) {
@@ -63,7 +74,7 @@ bool ErrorBound::allows(const Patch& patch) {
 }
 
 bool ErrorBound::keeps_bound(const Patch& patch) {
-  const NearInput input(input_, input_query_, distance_);
+  const NearInput input = near_input(distance_);
   nearest_center_ = input.nearest(patch.center_position, nearest_[patch.center]);
   if (nearest_center_ == no_index) return false;
   gather(patch);
@@ -194,13 +205,14 @@ void ErrorBound::add_witness_candidates(Index input, Candidates& candidates) con
 /// True if all points of the new faces are within the allowed distance of the input. Vertices 2 i
 /// and 2 i + 1 of the patch are corners of new face i.
 bool ErrorBound::is_near_input(const Patch& patch) {
-  NearInput input(input_, input_query_, distance_);
+  NearInput input = near_input(distance_);
   const std::size_t most = least_cuts + cuts_per_face * inputs_.size();
   TriangleCover<NearInput> cover(input, most);
   for (std::size_t i = 0; i < made_; ++i) {
     const auto& [center, first, second] = patch.made[i];
     const Vec3 middle = (center + first + second) / 3;
-    const Index seed = input_query_.face_within(middle, distance_, nearest_center_);
+    const Index seed = stars_ ? input.nearest(middle, nearest_center_)
+                              : input_query_.face_within(middle, distance_, nearest_center_);
     if (seed == no_index) return false;
     if (projected_.covers(patch.made[i], seed, input.limit(), most)) continue;
     if (!cover.covers({CoverCorner{center, nearest_center_},
@@ -234,17 +246,19 @@ bool ErrorBound::covers_input(Index input, double distance) const {
 }
 
 bool ErrorBound::covers_result(Index face, double distance) {
-  NearInput input(input_, input_query_, distance);
+  NearInput input = near_input(distance);
   const Triangle triangle = mesh_.triangle(face);
   const Index nearest = input.nearest((triangle[0] + triangle[1] + triangle[2]) / 3,
                                       nearest_[mesh_.source(3 * face)]);
   if (nearest == no_index) return false;
   if (projected_.covers(triangle, nearest, input.limit(), most_measured_faces)) return true;
   CoverTriangle corners;
-  for (Index i = 0; i < 3; ++i)
-    corners[i] = {triangle[i], input.nearest(triangle[i], nearest_[mesh_.source(3 * face + i)])};
-  return std::none_of(corners.begin(), corners.end(),
-                      [](const CoverCorner& corner) { return corner.face == no_index; }) &&
+  for (Index i = 0; i < 3; ++i) corners[i] = {triangle[i], nearest_[mesh_.source(3 * face + i)]};
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const CoverCorner& corner) {
+                       return corner.face != no_index &&
+                              input.squared_distance(corner.point, corner.face) <= input.limit();
+                     }) &&
          TriangleCover<NearInput>(input, most_measured_faces).covers(corners);
 }
 
@@ -253,6 +267,9 @@ double ErrorBound::certified() {
   const auto raise_until = [&](const auto& is_covered) {
     while (distance < distance_ && !is_covered()) distance *= growth;
   };
+  const NearInput all = near_input(distance_);
+  for (Index v = 0; v < mesh_.vertex_slots(); ++v)
+    if (mesh_.has_vertex(v)) nearest_[v] = all.nearest(mesh_.position(v), nearest_[v]);
   for (Index input = 0; input < input_.faces.size(); ++input)
     raise_until([&] { return covers_input(input, distance); });
   for (Index face = 0; face < mesh_.face_slots(); ++face)

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "remesh/guards/embedding_guard.h"
@@ -43,6 +44,14 @@ class ErrorBound {
     Index input, face;
   };
 
+  /// Faces of an input with vertices of high valence, at which `input_query_` is slow.
+  struct Stars {
+    Stars(const Mesh& input, std::vector<Index> opposites);
+    EditableMesh mesh;
+    FaceTree tree;
+  };
+
+  NearInput near_input(double distance) const;
   bool keeps_bound(const Patch& patch);
   bool is_near_input(const Patch& patch);
   void gather(const Patch& patch);
@@ -58,6 +67,7 @@ class ErrorBound {
   const EditableMesh& mesh_;
   const Mesh& input_;
   ClosestPointQuery input_query_;
+  std::optional<Stars> stars_;
   double error_;
   double distance_;  ///< allowed distance: `error_` minus a bound of rounding errors
   WitnessLinks links_;

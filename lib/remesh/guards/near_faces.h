@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/search/closest_point.h"
+#include "remesh/guards/face_tree.h"
 #include "remesh/guards/near_triangle.h"
 #include "remesh/guards/triangle_cover.h"
 
@@ -58,14 +59,21 @@ class NearCandidates {
 /// All faces of the input, as a surface for TriangleCover.
 class NearInput {
  public:
-  NearInput(const Mesh& input, const ClosestPointQuery& query, double distance)
-      : input_(input), query_(query), distance_(distance), limit_(distance * distance) {}
+  /// If `tree` is not null, it is searched instead of `query`, with the same results.
+  NearInput(const Mesh& input, const ClosestPointQuery& query, const FaceTree* tree,
+            double distance)
+      : input_(input),
+        query_(query),
+        tree_(tree),
+        distance_(distance),
+        limit_(distance * distance) {}
   double limit() const { return limit_; }
   double squared_distance(const Vec3& point, Index face) const {
     return NearTriangle(triangle_of(input_, face)).squared_distance(point);
   }
   Index nearest(const Vec3& point, Index hint) const {
-    const Index face = query_.closest_face_within(point, distance_, hint);
+    const Index face = tree_ != nullptr ? tree_->closest_face_within(point, distance_, hint)
+                                        : query_.closest_face_within(point, distance_, hint);
     return face != no_index && squared_distance(point, face) <= limit_ ? face : no_index;
   }
   Index near_all(const CoverTriangle& corners) const {
@@ -86,6 +94,7 @@ class NearInput {
 
   const Mesh& input_;
   const ClosestPointQuery& query_;
+  const FaceTree* tree_;
   double distance_;
   double limit_;
 };

@@ -22,8 +22,12 @@ bool is_wide(const TriangleAxes& axes) {
 
 }  // namespace
 
-ProjectedFaces::ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites)
-    : mesh_(mesh), opposites_(std::move(opposites)), stamps_(mesh.faces.size(), 0) {}
+ProjectedFaces::ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites,
+                               bool stops_at_corners)
+    : mesh_(mesh),
+      opposites_(std::move(opposites)),
+      stops_at_corners_(stops_at_corners),
+      stamps_(mesh.faces.size(), 0) {}
 
 /// True if the projected edge may meet the triangle. Tests whether one of the triangle's edges or
 /// the edge itself is a separating line.
@@ -80,6 +84,17 @@ bool ProjectedFaces::is_within(const Places& face, double squared_limit) {
   return std::all_of(part.begin(), part.end(), is_near);
 }
 
+/// True if the edge ends at a corner of the triangle and certainly meets the triangle in no other
+/// point. A point is beyond an edge of the triangle if the coordinate of the opposite corner is
+/// negative.
+bool ProjectedFaces::meets_only_corner(const Triangle& triangle, const Vec3& end,
+                                       const Place& other) {
+  const std::array<double, 3> shares{other.rest(), other.first, other.second};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (end == triangle[i]) return std::min(shares[(i + 1) % 3], shares[(i + 2) % 3]) < -margin;
+  return false;
+}
+
 bool ProjectedFaces::covers(const Triangle& triangle, Index seed, double squared_limit,
                             std::size_t most_faces) {
   const TriangleAxes plane(triangle);
@@ -94,9 +109,12 @@ bool ProjectedFaces::covers(const Triangle& triangle, Index seed, double squared
                         plane.place_of(corners[2])};
     if (!is_within(places, squared_limit)) return false;
     for (Index k = 0; k < 3; ++k) {
-      const Place &from = places[k], &to = places[(k + 1) % 3];
-      degree += turns_around_middle(from, to);
-      if (!may_meet(from, to)) continue;
+      const Index next = (k + 1) % 3;
+      degree += turns_around_middle(places[k], places[next]);
+      if (!may_meet(places[k], places[next])) continue;
+      if (stops_at_corners_ && (meets_only_corner(triangle, corners[k], places[next]) ||
+                                meets_only_corner(triangle, corners[next], places[k])))
+        continue;
       const Index across = opposites_[3 * face + k];
       if (across == no_index || found_.size() == most_faces) return false;
       if (stamps_[across / 3] == stamp_) continue;

@@ -19,8 +19,12 @@ namespace transformesh {
 
 class ProjectedFaces {
  public:
-  /// Keeps a reference to the mesh. `opposites` are its opposite halfedges.
-  ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites);
+  /// Keeps a reference to the mesh. `opposites` are its opposite halfedges. If `stops_at_corners`,
+  /// edges that meet the triangle only in a common corner are not crossed. The boundary of the
+  /// collected faces then meets the triangle only in corners, and all other points are covered
+  /// equally often. Use this for meshes with vertices of high valence: otherwise all faces at such
+  /// a corner are collected, and the certificate is rarely found.
+  ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites, bool stops_at_corners = false);
 
   /// True if at most `most_faces` faces around the seed certify the triangle.
   bool covers(const Triangle& triangle, Index seed, double squared_limit, std::size_t most_faces);
@@ -30,11 +34,13 @@ class ProjectedFaces {
   using Places = std::array<Place, 3>;
 
   static bool may_meet(const Place& from, const Place& to);
+  static bool meets_only_corner(const Triangle& triangle, const Vec3& end, const Place& other);
   static bool is_within(const Places& face, double squared_limit);
   static int turns_around_middle(const Place& from, const Place& to);
 
   const Mesh& mesh_;
   std::vector<Index> opposites_;
+  bool stops_at_corners_;
   std::uint32_t stamp_ = 0;
   /// For each face the number of the last search that visited it.
   std::vector<std::uint32_t> stamps_;

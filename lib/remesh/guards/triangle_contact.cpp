@@ -3,7 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <vector>
 
+#include "geometry/search/bvh.h"
+#include "geometry/search/simplex_links.h"
+#include "remesh/guards/triangle_box.h"
 #include "transformesh/measure.h"
 
 namespace transformesh {
@@ -159,6 +163,30 @@ struct CommonCorners {
   }
 };
 
+/// True if the triangles are many, and all have the same first corner.
+bool is_large_star(std::span<const Triangle> triangles) {
+  return triangles.size() > most_uncrowded &&
+         std::all_of(triangles.begin(), triangles.end(),
+                     [&](const Triangle& triangle) { return triangle[0] == triangles[0][0]; });
+}
+
+/// Tests triangles with the same first corner. If two of them touch, the edge opposite to this
+/// corner of one triangle meets the box of the other triangle, as in are_apart_beyond().
+bool star_meets_itself(std::span<const Triangle> star) {
+  std::vector<FloatBox> edges;
+  edges.reserve(star.size());
+  for (const auto& [corner, a, b] : star) edges.push_back(float_box(a.cwiseMin(b), a.cwiseMax(b)));
+  const Bvh tree(edges);
+  return std::any_of(star.begin(), star.end(), [&](const Triangle& triangle) {
+    bool is_apart = true;
+    tree.visit_overlaps(float_box(lowest(triangle), highest(triangle)), [&](Index other) {
+      is_apart = &star[other] == &triangle || !may_touch(triangle, star[other]);
+      return is_apart;
+    });
+    return !is_apart;
+  });
+}
+
 }  // namespace
 
 bool may_touch(const Triangle& first, const Triangle& second) {
@@ -185,6 +213,15 @@ bool may_touch(const Triangle& first, const Triangle& second) {
     default:  // the triangles are the same, or one has two equal corners
       return true;
   }
+}
+
+bool meet_each_other(std::span<const Triangle> triangles) {
+  if (is_large_star(triangles)) return star_meets_itself(triangles);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (boxes_touch(triangles[i], triangles[j]) && may_touch(triangles[i], triangles[j]))
+        return true;
+  return false;
 }
 
 }  // namespace transformesh

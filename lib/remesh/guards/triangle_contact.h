@@ -4,6 +4,8 @@
 /// common corner.
 #pragma once
 
+#include <span>
+
 #include "mesh/triangle.h"
 
 namespace transformesh {
@@ -14,5 +16,9 @@ namespace transformesh {
 /// corner. Also returns true for faces that fold onto each other at a common edge, with an angle
 /// below a thousandth of a radian.
 bool may_touch(const Triangle& first, const Triangle& second);
+
+/// True if may_touch() is true for two of the triangles. Tests all pairs, except for many triangles
+/// with the same first corner: O(n log n) if few of these are near each other.
+bool meet_each_other(std::span<const Triangle> triangles);
 
 }  // namespace transformesh

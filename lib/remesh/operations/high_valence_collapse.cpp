@@ -4,26 +4,13 @@
 
 #include "geometry/numbers/predicates.h"
 #include "remesh/guards/edge_rules.h"
+#include "remesh/halfedges/valences.h"
 #include "remesh/operations/edge_collapser.h"
 #include "remesh/operations/edge_queue.h"
 #include "transformesh/intersect.h"
 
 namespace transformesh {
 namespace {
-
-/// Only vertices with more faces than this are treated here. EmbeddingGuard takes a hundredth of a
-/// second for a collapse at a vertex with this many faces.
-constexpr Index usual_valence = 256;
-
-/// Returns the number of faces at each vertex.
-std::vector<Index> valences_of(const EditableMesh& mesh) {
-  std::vector<Index> valences(mesh.vertex_slots(), 0);
-  for (Index face = 0; face < mesh.face_slots(); ++face) {
-    if (!mesh.has_face(face)) continue;
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) ++valences[mesh.source(h)];
-  }
-  return valences;
-}
 
 class StarThinner {
  public:

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "helpers/shapes.h"
+#include "lib/remesh/double_cone.h"
 #include "lib/remesh/remesh_checks.h"
 #include "transformesh/components.h"
 #include "transformesh/intersect.h"
@@ -123,6 +124,16 @@ TEST_CASE("the ends of a rod with long edges keep their shape") {
   // Two triangles for each of the sides, and 30 for each of the two ends.
   const Mesh mesh = decimated(rod, 124);
   CHECK(volume(mesh) == doctest::Approx(volume(rod)).epsilon(1e-9));
+}
+
+TEST_CASE("a double cone keeps its apexes, and becomes coarse around them") {
+  const Mesh cone = test::double_cone(1000);
+  const Mesh mesh = decimated(cone, 100);
+  for (const Index apex : {1000U, 1001U})
+    CHECK(std::any_of(mesh.positions.begin(), mesh.positions.end(),
+                      [&](const Vec3& p) { return (p - cone.positions[apex]).norm() < 0.01; }));
+  CHECK(volume(mesh) == doctest::Approx(volume(cone)).epsilon(0.01));
+  decimated(cone, 8);
 }
 
 TEST_CASE("edges that are sharp stay where they are") {

@@ -9,6 +9,7 @@
 #include "helpers/random.h"
 #include "helpers/sampled_distance.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/double_cone.h"
 #include "remesh/operations/edge_collapser.h"
 
 namespace transformesh {
@@ -67,6 +68,12 @@ TEST_CASE("the bound holds after each collapse, and is nearly reached") {
     CHECK(collapses.distance() <= certified);
     CHECK(collapses.distance() > 0.5 * error);
   }
+}
+
+TEST_CASE("the bound holds at vertices of high valence") {
+  Collapses collapses(test::double_cone(300), 0.01);
+  CHECK(collapses.run(400, false) > 100);
+  CHECK(collapses.bound.certified() <= 0.01);
 }
 
 TEST_CASE("a border may not move away either") {

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 
+#include "geometry/search/closest_point.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/double_cone.h"
+#include "remesh/guards/triangle_contact.h"
 #include "support/random.h"
 
 namespace transformesh {
@@ -16,6 +19,7 @@ std::vector<Index> found_in(const FaceTree& tree, const EditableMesh& mesh, cons
   std::vector<Index> result;
   tree.for_each_near(low, high, [&](Index face) {
     if (mesh.has_face(face)) result.push_back(face);
+    return true;
   });
   std::sort(result.begin(), result.end());
   return result;
@@ -71,6 +75,36 @@ TEST_CASE("near faces are those of a search of all faces, whatever moved or coll
     found += near.size();
   }
   CHECK(found > 1000);
+}
+
+TEST_CASE("few faces at a vertex of high valence are searched, and none that may touch is missed") {
+  const EditableMesh mesh(test::double_cone(500));
+  const FaceTree tree(mesh);
+  for (Index i = 0; i < 500; i += 7) {
+    const Triangle wide{mesh.position(500), mesh.position(i), mesh.position((i + 3) % 500)};
+    std::vector<char> is_found(mesh.face_slots(), 0);
+    tree.for_each_in_contact(wide, [&](Index face) { return is_found[face] = 1; });
+    CHECK(std::count(is_found.begin(), is_found.end(), 1) < 40);
+    for (Index face = 0; face < mesh.face_slots(); ++face)
+      if (!is_found[face]) CHECK_FALSE(may_touch(wide, mesh.triangle(face)));
+  }
+}
+
+TEST_CASE("the closest face of a double cone is that of a search in all its faces") {
+  const Mesh cone = test::double_cone(300);
+  const EditableMesh mesh(cone);
+  const FaceTree tree(mesh);
+  const ClosestPointQuery query(cone);
+  Random random(5);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 at(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const Vec3 point = i % 2 == 0 ? at : Vec3(query(at).point + 1e-3 * at);
+    const double distance = i % 3 == 0 ? 0.1 : 2;
+    const Index hint = i % 5 == 0 ? no_index : 7;
+    CHECK(tree.closest_face_within(point, distance, hint) ==
+          query.closest_face_within(point, distance, hint));
+  }
+  CHECK(tree.closest_face_within(cone.positions[300], 1, 9) == 0);
 }
 
 TEST_CASE("a mesh without faces has an empty tree") {

@@ -8,6 +8,7 @@
 #include "helpers/random.h"
 #include "helpers/sampled_distance.h"
 #include "helpers/shapes.h"
+#include "lib/remesh/double_cone.h"
 #include "remesh/halfedges/halfedges.h"
 
 namespace transformesh {
@@ -19,8 +20,9 @@ Mesh waves(double height) {
   return mesh;
 }
 
-bool covers(const Mesh& mesh, const Triangle& triangle, double distance, std::size_t most = 1000) {
-  ProjectedFaces faces(mesh, manifold_opposites(mesh));
+bool covers(const Mesh& mesh, const Triangle& triangle, double distance, std::size_t most = 1000,
+            bool stops_at_corners = false) {
+  ProjectedFaces faces(mesh, manifold_opposites(mesh), stops_at_corners);
   const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3;
   Index seed = 0;
   double least = HUGE_VAL;
@@ -58,6 +60,20 @@ TEST_CASE("a triangle that goes beyond a border, or over a hole, is not certifie
   CHECK(covers(plane, inside, 1e-12));
   plane.faces.erase(plane.faces.begin() + 88);  // a face of a square in the middle
   CHECK_FALSE(covers(plane, inside, 0.5));
+}
+
+TEST_CASE("the other faces at a corner of high valence are not needed") {
+  const Mesh cone = test::double_cone(400);
+  const Vec3 &apex = cone.positions[400], &first = cone.positions[0];
+  const Triangle chord{apex, first, cone.positions[6]};
+  const double height = (chord[1] + chord[2]).norm() / 2;  // distance of the chord from the axis
+  // The circle is 1 - height away from the chord, and the cone's sides have an angle of 45 degrees.
+  const double distance = (1 - height) / std::sqrt(2.0);
+  CHECK(covers(cone, chord, 1.01 * distance, 20, true));
+  CHECK(covers(cone, {first, chord[2], apex}, 1.01 * distance, 20, true));
+  CHECK_FALSE(covers(cone, chord, 1.01 * distance, 20));
+  CHECK_FALSE(covers(cone, chord, 0.99 * distance, 20, true));
+  CHECK_FALSE(covers(cone, {apex, first, cone.positions[80]}, 1, 20, true));  // 80 faces over it
 }
 
 TEST_CASE("triangles without area, or as thin as needles, are not certified") {

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "helpers/random.h"
 #include "helpers/shapes.h"
@@ -111,4 +113,31 @@ TEST_CASE("a triangle with two corners in one place may touch any that has a cor
     CHECK_FALSE(may_touch(thin, {Vec3(5, 5, 5), Vec3(6, 5, 5), Vec3(5, 6, 5)}));
   }
   CHECK(may_touch({a, a, a}, {a, b, c}));
+}
+
+TEST_CASE("triangles at one corner are tested like all pairs of them") {
+  Random random(11);
+  int meeting = 0;
+  for (int round = 0; round < 40; ++round) {
+    std::vector<Triangle> star;
+    for (int i = 0; i < 60; ++i) {
+      const auto rim = [&](int k) {
+        const double angle = 0.1 * k;
+        return Vec3(std::cos(angle), std::sin(angle), 0.1);
+      };
+      star.push_back({Vec3::Zero(), rim(i), rim(i + 1)});
+    }
+    // A small triangle at the same corner, inside or beside one of the others.
+    const double angle = random.uniform(0, 6);
+    const Vec3 inside(0.5 * std::cos(angle), 0.5 * std::sin(angle), 0.05);
+    star.push_back({Vec3::Zero(), inside + Vec3(0, 0, random.uniform(-0.1, 0.1)),
+                    inside + Vec3(0, 0, random.uniform(-0.1, 0.1))});
+    bool expected = false;
+    for (std::size_t i = 0; i < star.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) expected = expected || may_touch(star[i], star[j]);
+    CHECK(meet_each_other(star) == expected);
+    meeting += expected;
+  }
+  CHECK(meeting > 10);
+  CHECK(meeting < 30);
 }
