@@ -8,8 +8,7 @@
 namespace transformesh {
 namespace {
 
-/// Value of PairOptions::spread at scales above 1, so that only views close together are compared
-/// (see `near_pairs_`).
+/// PairOptions::spread at scales above 1. Only views that are close together are then compared.
 constexpr double near_spread = 1.5;
 
 }  // namespace

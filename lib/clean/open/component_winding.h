@@ -75,7 +75,7 @@ class ComponentWinding {
   std::vector<std::optional<WindingHierarchy>> windings_;
   /// Result of on_itself() for each open component, computed on demand.
   std::vector<std::optional<double>> on_itself_;
-  std::vector<std::optional<double>> areas_;  ///< of the components, computed on demand
+  std::vector<std::optional<double>> areas_;  ///< area of each component, computed on demand
 };
 
 }  // namespace transformesh

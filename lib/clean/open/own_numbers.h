@@ -53,7 +53,7 @@ class OwnNumbers {
   ComponentWinding& winding_;
   /// 1 for each point of a piece whose faces cancel out. Such pieces are not among the halfedges.
   std::vector<char> cancelled_;
-  std::map<Index, std::vector<Step>> steps_;  ///< of each component
+  std::map<Index, std::vector<Step>> steps_;  ///< steps of each component
 };
 
 }  // namespace transformesh

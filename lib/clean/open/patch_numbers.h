@@ -65,7 +65,7 @@ class PatchNumbers {
   std::map<Index, NumberBounds> own_bounds_;
   std::vector<RoundedByBounds> by_bounds_;
   double least_margin_ = 0.5;
-  bool is_by_winding_ = false;  ///< of the current patch
+  bool is_by_winding_ = false;  ///< true if the current patch needed a winding number
 };
 
 }  // namespace transformesh

@@ -43,8 +43,8 @@ TEST_CASE("winding numbers in a box differ by less than the bound allows") {
 }
 
 TEST_CASE("far from the border the bound is close to the integral over the border") {
-  // At the height h above the center of a square with sides of length 1, the distance to all points
-  // of the border is almost h, so that the integral is 4 / h^2.
+  // The point is at the height h above the center of a square with sides of length 1. Its distance
+  // from all points of the border is almost h. Hence the integral is 4 / h^2.
   const double h = 20;
   const double bound = BorderGradient(sheet()).in(Box(Vec3(0, 0, h)));
   const double integral = 4 / (h * h) / (4 * 3.14159265358979);
