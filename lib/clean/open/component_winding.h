@@ -33,10 +33,10 @@ class ComponentWinding {
   /// Returns the median of the winding number of a component at the centroids of the given pieces.
   double median(Index component, const std::vector<Index>& pieces);
   /// Returns the typical winding number of a component at those of its own pieces that none of its
-  /// other parts hide: 0 for a flat sheet, 1/2 for a closed body, -1/2 for a closed body with
-  /// inward orientation. The winding number at hidden pieces differs from it by an integer. Hence
-  /// the result is the median modulo 1, if the numbers agree modulo 1 in most of the area.
-  /// Otherwise it is the median, limited to the range from 0 to 1/2.
+  /// other parts hide. It is 0 for a flat sheet, 1/2 for a closed body, and -1/2 for a closed body
+  /// with inward orientation. The number at hidden pieces differs from it by an integer. Hence the
+  /// result is the median modulo 1, if the numbers agree modulo 1 in most of the area. Otherwise it
+  /// is the median, limited to the range from 0 to 1/2.
   double on_itself(Index component);
   /// True if the component is a body with holes: it encloses most of what it would enclose without
   /// its holes.
