@@ -1,7 +1,7 @@
 /// Upper bounds of the gradient of the generalized winding number of a surface with borders.
 ///
-/// By the law of Biot and Savart, the gradient at a point is at most an integral over the borders,
-/// divided by 4 pi. The integrand is the length element divided by its squared distance. Hence the
+/// The gradient at a point is at most an integral over the borders, divided by 4 pi (the law of
+/// Biot and Savart). The integrand is the length element divided by its squared distance. Hence the
 /// winding number differs by at most the bound times the distance between two points of a box, if
 /// no part of the surface is between them. Floating point; deterministic; thread-safe. Cost:
 /// O(b log b) to build for b border edges, about O(log b) per box far from the borders.
