@@ -228,7 +228,8 @@ double ComponentWinding::on_itself(Index component) {
   if (result) return *result;
   const std::vector<Number> numbers = sampled_numbers(component, pieces_of_[component]);
   const auto [fraction, deviation] = fraction_of(numbers);
-  if (deviation > most_deviation) return *(result = std::clamp(median_of(numbers), 0.0, 0.5));
+  // The deviation is not a number if areas overflow.
+  if (!(deviation <= most_deviation)) return *(result = std::clamp(median_of(numbers), 0.0, 0.5));
   const bool is_inverted =
       fraction > 1 - most_of_sheet || (fraction >= most_of_sheet && volume(mesh_of(component)) < 0);
   return *(result = is_inverted ? fraction - 1 : fraction);
