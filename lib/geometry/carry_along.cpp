@@ -13,8 +13,8 @@ std::string name_in(const CarryOptions& options, std::size_t number) {
                                        : "mesh " + std::to_string(number + 1);
 }
 
-/// Returns the source points of mesh `number` of the chain: its vertices and faces on the previous
-/// mesh `before`.
+/// Returns the source points of mesh `number` of the chain: for each vertex and face of `mesh`, the
+/// place on the previous mesh `before` from which it came.
 SourcePoints places_on(const Mesh& before, const Mesh& mesh, std::size_t number,
                        const CarryOptions& options) {
   if (has_source_points(mesh))

@@ -1,7 +1,8 @@
 /// Collapses edges in the order of quadric errors, for decimate.h. Reference: Garland & Heckbert,
-/// "Surface simplification using quadric error metrics", SIGGRAPH 1997. Departures: planes have no
-/// weight by area, refused positions are tried at other places, and collapses are guarded against
-/// self-intersections.
+/// "Surface simplification using quadric error metrics", SIGGRAPH 1997. There are three departures.
+/// Planes are not weighted by the areas of their faces. Collapses that would make the mesh
+/// intersect itself are refused. If the best position of the merged vertex is refused, the middle
+/// and the ends of the edge are tried.
 #pragma once
 
 #include <optional>

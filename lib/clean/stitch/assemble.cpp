@@ -66,9 +66,9 @@ Index Assembler::piece_face(const Piece& piece) const {
   return arrangement_.welded->face_of[arrangement_.sources_of(piece).front().face];
 }
 
-// Assigns an input vertex to each umbrella (connected pieces around a point): the smallest one at
-// this point in the input faces of its pieces. If several umbrellas would get the same vertex, only
-// the first of them gets it.
+// Assigns an input vertex to each umbrella (connected pieces around a point). Candidates are the
+// corners at this point of the input faces that contain the pieces; the one with the smallest index
+// is taken. If several umbrellas would get the same vertex, only the first of them gets it.
 void Assembler::choose_old_vertices() {
   const WeldedMesh& welded = *arrangement_.welded;
   old_vertex_.assign(umbrellas_.vertex_of.size(), no_index);
