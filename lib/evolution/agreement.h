@@ -32,9 +32,9 @@ MorphGoal goal_of(const Target& target, const Progress& progress = Progress());
 
 struct Agreement {
   std::string fault;  ///< text: how and where the mesh differs from the target; empty if they agree
-  Mismatch mismatch;  ///< the numbers that `fault` reports
+  Mismatch mismatch;  ///< details of the largest difference (morph_remedy.h)
   /// Largest distance of sample points of the mesh from the target, and of sample points of the
-  /// target from the mesh (compare.h). Empty if the target has no faces.
+  /// goal from the mesh (compare.h). Empty if the target has no faces.
   std::optional<double> to_target, from_target;
 };
 

@@ -30,9 +30,9 @@
 namespace transformesh {
 namespace {
 
-/// Bound for the relative rounding error of a sum of a million time spans. A remaining time below
-/// this fraction counts as 0. Otherwise a remainder that is only a rounding error would become a
-/// step of its own.
+/// Bound for the relative rounding error of a sum of a million time spans. If the time until
+/// `event_end_` is at most this fraction of the end time, it counts as 0. Otherwise a remainder of
+/// that size would become a step of its own, which would be too short.
 constexpr double rounding = 1e-9;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();

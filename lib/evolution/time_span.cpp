@@ -15,9 +15,9 @@ namespace {
 /// change the time by only 1e-6 of the end time: the evolution would not end.
 constexpr double shortest_span = 1e-12;
 
-/// Safety factor by which a span is multiplied after a trial that moved vertices too far or had too
-/// large an error. Hairer, Norsett & Wanner, "Solving ordinary differential equations I", section
-/// II.4, recommend 0.8 to 0.9.
+/// Safety factor of the estimated span at which movement or error reaches its limit, so that the
+/// next trial rarely exceeds the limit. Hairer, Norsett & Wanner, "Solving ordinary differential
+/// equations I", section II.4, recommend 0.8 to 0.9.
 constexpr double safety = 0.9;
 
 /// Largest growth factor of the time span from one step to the next. If the longer span fails, one

@@ -194,7 +194,8 @@ class Search {
 };
 
 /// Returns the label that a component inherits: among the labels of its faces that are not in
-/// `taken`, that of the largest component before. Empty if there is none.
+/// `taken`, that of the largest component before. Solids and cavities do not inherit from each
+/// other. Empty if there is no such label.
 std::optional<long> label_for(const ComponentState& state, const LabeledStates& before,
                               const std::set<long>& taken) {
   std::optional<long> best;

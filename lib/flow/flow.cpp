@@ -65,8 +65,8 @@ Motion analytic_motion(const AnalyticField& field, double speed) {
   }};
 }
 
-/// Returns the values of the grids at the vertices. Stores in `counts` how many vertices are
-/// outside of the grids.
+/// Returns the values of the grids at the vertices. Updates `counts`: the largest number of
+/// vertices outside of the grids in any call, and whether a time was outside.
 std::vector<Vec3> sampled(const GridSeries& grids, const Mesh& mesh, double time,
                           FlowCounts& counts) {
   const GridSeries::Interval interval = grids.around(time);

@@ -7,8 +7,8 @@
 namespace transformesh {
 namespace {
 
-/// Returns a convexity measure of each vertex: the sum of the heights of the other corners of its
-/// faces over its tangent plane. Negative if the surface is convex at the vertex.
+/// Returns a convexity measure of each vertex: the sum of the heights of its neighbors over its
+/// tangent plane, counted once per face. Negative if the surface is convex at the vertex.
 std::vector<double> neighbor_heights(const Mesh& mesh, const std::vector<Vec3>& normals) {
   std::vector<double> heights(mesh.positions.size(), 0);
   for (const Face& face : mesh.faces) {

@@ -1,6 +1,6 @@
 // Composes source points (faces with barycentric coordinates) along a chain of meshes, and carries
-// columns to them, texture coordinates without crossing seams. Cost: O(n log n) for closest points,
-// and O(1) per source point otherwise. Floating point; deterministic.
+// columns to them; corner lists, such as texture coordinates, without crossing seams. Deterministic
+// floating point. Cost: O(n log n) for closest points, and O(1) per source point otherwise.
 #include "transformesh/carry.h"
 
 #include <algorithm>

@@ -16,7 +16,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t faces_per_task = 256;  ///< affects time only
-/// Winding numbers closer to 0 than this, including their error, count as 0.
+/// A winding number counts as 0 if its absolute value and its error bound are below this.
 constexpr double undecided = 0.25;
 /// Bound of the rounding error of distances, relative to coordinates.
 constexpr double rounding = 1e-14;

@@ -31,9 +31,9 @@ bool has_source_points(const Mesh& mesh);
 SourcePoints source_points_of_pieces(const Mesh& source, const Mesh& mesh,
                                      std::span<const double> face_sources);
 
-/// Reads the columns source_face, source_u and source_v of vertices and faces. Throws InputError,
-/// which names `source_name`, if columns are missing or if a face index is not below
-/// `source_faces`.
+/// Reads the columns source_face, source_u and source_v of vertices and faces. Throws InputError if
+/// columns are missing, if a face index is not below `source_faces`, or if u or v is not in [0, 1].
+/// The error for values names `source_name`.
 SourcePoints read_source_points(const Mesh& mesh, std::size_t source_faces,
                                 const std::string& source_name);
 

@@ -28,8 +28,8 @@ class LengthBasis {
   /// UsageError without a document, and InputError if the mesh has no size.
   double diagonal();
   double reference_edge();
-  /// Returns a relative length in input units. Computes the diagonal or the reference edge only if
-  /// the length is relative to it.
+  /// Returns the length in input units. Computes the diagonal or the reference edge only if the
+  /// length is relative to it.
   double resolve(const Length& length);
 
   /// True if the reference edge was computed, so that it has to be stored as a comment of the

@@ -48,7 +48,8 @@ class LabeledCells {
   std::vector<std::vector<Index>> sides_;  ///< for each cell, the sides of patches on its boundary
   std::vector<char> is_inside_;            ///< label of each cell: 0, 1 or `unknown`
   std::vector<Vec3> positions_;            ///< position of each point
-  std::vector<double> areas_;   ///< area of each patch, relative to the squared size of the mesh
+  /// Twice the area of each patch, relative to the squared size of the mesh.
+  std::vector<double> areas_;
   std::vector<Index> largest_;  ///< index of the largest triangle in each patch
 };
 

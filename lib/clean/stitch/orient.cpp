@@ -19,8 +19,8 @@
 namespace transformesh {
 namespace {
 
-/// Faces connected across edges of two faces. Of several coincident copies of a surface, each copy
-/// is a sheet (coincident_sheets.h).
+/// Faces connected across edges of two faces, or of coincident copies of two faces. Each copy is
+/// connected separately (coincident_sheets.h).
 struct Sheet {
   std::vector<Index> faces;
   /// True if the faces of the sheet are consistently oriented in the input, and also agree with
@@ -178,9 +178,10 @@ double Orienter::volume(Index sheet) const {
 
 // Reverses sheets of a group, the sheets with the smallest volume first, until no reversal is an
 // improvement. A reversal is an improvement if it increases the agreement of the sheets. The
-// agreement counts pairs of faces that traverse a common edge in opposite directions
-// (sheet_alignment.h). If the agreement stays the same and the group has no border, a larger volume
-// is an improvement, too. Each reversal is an improvement, so the loop ends.
+// agreement is the number of pairs of faces that traverse a common edge in opposite directions,
+// minus the pairs with equal directions (sheet_alignment.h). If it stays the same and the group has
+// no border, a larger volume is an improvement, too. Each reversal is an improvement, so the loop
+// ends.
 void Orienter::improve(std::vector<Index> group, bool has_border) {
   std::stable_sort(group.begin(), group.end(), [&](Index a, Index b) {
     return std::abs(sheets_[a].volume) < std::abs(sheets_[b].volume);

@@ -25,9 +25,10 @@
 namespace transformesh {
 
 /// Orients the faces of a mesh; returns the number of reversed faces. Vertices are equal if their
-/// indices are. Columns and the order of faces do not change. A set of linked sheets without border
-/// is oriented outwards. If `keeps_most` is set, most of its faces keep their orientation instead.
-/// Throws InputError if a sheet is one-sided; the error names an edge. Then the mesh is unchanged.
+/// indices are. Columns and the order of faces do not change. If `keeps_most` is set, changed
+/// groups without border are not oriented outwards: most of their faces keep their orientation
+/// instead. Throws InputError if a sheet is one-sided; the error names an edge. Then the mesh is
+/// unchanged.
 std::size_t orient_faces(Mesh& mesh, bool keeps_most = false);
 
 /// True if the mesh has no misoriented edge (orientation_check.h) after orient_faces().

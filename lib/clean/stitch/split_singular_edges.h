@@ -15,7 +15,7 @@ namespace transformesh {
 /// Result of split_singular_edges(). Face indices in it are those before splitting.
 struct EdgeSplits {
   struct Midpoint {
-    Index face;                 ///< a face that had the edge before it was split
+    Index face;                 ///< a face that contains the edge
     std::array<Index, 2> ends;  ///< ends of the split edge; may be midpoints that were added before
   };
   std::size_t edges = 0;           ///< number of split edges

@@ -11,8 +11,9 @@ namespace transformesh {
 
 class Seams {
  public:
-  /// Adds the next mesh by its faces and vertex positions. The mesh is not stored, so that it may
-  /// be too large for memory. Throws InputError if an edge of the mesh has more than two faces.
+  /// Adds the next mesh, which may be too large to be stored, by its faces and vertex positions.
+  /// Only its border edges are stored. Throws InputError if an edge of the mesh has more than two
+  /// faces.
   template <class PositionOf>
   void add(const std::vector<Face>& faces, std::size_t vertices, const PositionOf& position_of) {
     find_borders(faces, vertices);

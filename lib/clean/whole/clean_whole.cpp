@@ -22,8 +22,8 @@ constexpr double double_sided_share = 0.5;
 
 /// Returns the error for a mesh of which `reverses` faces coincide with a face of opposite
 /// orientation. A solid minus itself and a double-sided solid are the same mesh, so the message
-/// names both causes. If the mesh is open after one face of each pair is removed, the message calls
-/// the mesh a double-sided sheet.
+/// names both causes. If the mesh is open after one face of each pair is removed, the message
+/// names sheets whose borders are filled flat, and double-sided sheets.
 Problem problem_of_reverses(const Mesh& mesh, std::size_t reverses) {
   const bool is_sheet = one_side_is_open(mesh);
   return {is_sheet ? ErrorKind::double_sided_sheet : ErrorKind::double_sided,

@@ -106,8 +106,8 @@ void remove_files_of_run(const std::string& folder) {
     if (fs::is_empty(folder + name, ignored)) fs::remove(folder + name, ignored);
 }
 
-/// True if the path has the name of a run's recorded state. A run that was stopped before it wrote
-/// its description leaves only this state.
+/// True if the path has the name of a run's recorded state, which begins with the name of the
+/// result. A run that was stopped before it wrote its description leaves only this state.
 bool may_be_of_a_run(const fs::path& path) {
   return path.filename().string().starts_with(std::string(run_file::result + 1) + ".tm-");
 }

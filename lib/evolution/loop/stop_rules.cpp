@@ -23,8 +23,8 @@ constexpr std::size_t coarse_patience = 5;
 /// longer than an iteration.
 constexpr std::size_t iterations_between_looks = 5;
 
-/// A vertex counts as at rest if it moves by at most this fraction of its clamp, which is the limit
-/// of its movement in one step.
+/// A vertex counts as at rest if it moves by less than this fraction of its clamp, the limit of its
+/// movement in one step.
 constexpr double rest_share = 0.02;
 
 bool is_near(const MorphStepResult& step) {

@@ -43,8 +43,8 @@ enum class MorphVerdict {
   examine,
   /// Compare the mesh with the target, and end in any case. Returned if the vertices are close to
   /// the other surface, as for `examine`, and nothing improved by a hundredth for 20 iterations. If
-  /// no vertex moves, three iterations are enough. The reason: at a sharp tip, for example, step
-  /// and smoothing may move a vertex back and forth.
+  /// no vertex moves, three iterations are enough. Otherwise vertices may still move: at a sharp
+  /// tip, for example, step and smoothing may move a vertex back and forth.
   examine_last,
   /// End, because nothing improved for as many iterations as for `examine_last`, but the vertices
   /// are not close to the other surface.

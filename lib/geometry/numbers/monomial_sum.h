@@ -34,7 +34,7 @@ class MonomialSum {
   int sign() const;
 
  private:
-  /// A product of three doubles: an integer below 2^190, times 2^exponent.
+  /// A product of three doubles, or a partial sum: an integer below 2^190, times 2^exponent.
   struct Term {
     std::array<std::uint64_t, 3> digits;  ///< least significant word first
     int exponent;

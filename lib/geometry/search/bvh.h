@@ -30,8 +30,8 @@ class Bvh {
   /// Builds a tree of the bounding boxes of all faces. Box i contains face i.
   explicit Bvh(const Mesh& mesh);
 
-  /// Divides the boxes into groups. Boxes of the same group count as disjoint in later searches.
-  /// The group no_index means no group.
+  /// Divides the boxes into groups. Boxes of the same group count as disjoint in later calls of
+  /// visit_pairs(). The group no_index means no group.
   void set_groups(std::span<const Index> group_of_box);
 
   using Pair = std::pair<Index, Index>;

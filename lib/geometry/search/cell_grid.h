@@ -39,9 +39,9 @@ class CellSize {
  public:
   void add(const Triangle& triangle);
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
-  /// Returns the cell size: the mean side length of the bounding boxes of the triangles, but at
-  /// least 1/256 of the longest side of the mesh. Larger cells contain more faces; smaller cells
-  /// take more memory.
+  /// Returns the cell size: the mean of the longest sides of the bounding boxes of the triangles,
+  /// but at least 1/256 of the longest side of the mesh. Larger cells contain more faces; smaller
+  /// cells take more memory.
   double size() const;
   /// Returns the smallest valid cell size for the added triangles.
   double least() const;

@@ -8,8 +8,8 @@
 namespace transformesh {
 namespace {
 
-/// Bound of the rounding error of a computed direction, if the differences of coordinates are
-/// rounded only once.
+/// Exceeds the rounding error of a computed direction, whose coordinate differences are rounded
+/// once.
 constexpr double direction_error = 1e-14;
 const FloatBox everything = float_box(Vec3::Constant(-2), Vec3::Constant(2));
 
@@ -51,8 +51,8 @@ void find_crowded_edges(std::span<const Face> faces, Crowds& crowds) {
   }
 }
 
-// Returns the unit vector from one point to another. If the points are equal, the result is not
-// finite.
+// Returns the unit vector from one point to another. If the points are equal or their difference
+// overflows, the result is not finite.
 Vec3 direction(const Vec3& from, const Vec3& to) {
   const Vec3 along = to - from;
   return (along / along.cwiseAbs().maxCoeff()).normalized();

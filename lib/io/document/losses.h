@@ -1,4 +1,4 @@
-/// Lists the columns and comments that a file format cannot store.
+/// Lists the columns and comments that a file format cannot store, once each.
 #pragma once
 
 #include <initializer_list>

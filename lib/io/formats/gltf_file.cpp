@@ -126,7 +126,7 @@ void GltfFile::check_version() const {
 }
 
 /// Throws InputError if the file requires an extension that is not supported. Extensions that are
-/// used, but not required, have a fallback and are ignored.
+/// used, but not required, have a fallback.
 void GltfFile::check_extensions() const {
   const auto list = json_.find("extensionsRequired");
   if (list == json_.end() || !list->is_array()) return;

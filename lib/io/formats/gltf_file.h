@@ -59,7 +59,8 @@ class GltfFile {
   std::size_t rest_ = 0;
 };
 
-/// True if the bytes are JSON with a glTF version in the first kilobytes.
+/// True if the bytes start like JSON of glTF: the first 64 KB contain the key `asset`, or also
+/// `bufferView` if the file is larger.
 bool is_gltf_text(std::string_view bytes);
 
 }  // namespace transformesh

@@ -20,7 +20,7 @@ struct GltfLosses {
 
 /// Returns the triangles of a glTF mesh, or its points. NORMAL becomes the columns nx ny nz.
 /// COLOR_0 becomes red green blue alpha of vertices, TEXCOORD_0 becomes s t, and a scalar attribute
-/// _NAME becomes a column of this name. Base colors of materials become face colors. Vertices that
+/// _NAME becomes the column `name`. Base colors of materials become face colors. Vertices that
 /// EXT_mesh_manifold merges are one vertex, and their texture coordinates become the face column
 /// `texcoord`. Throws InputError.
 Mesh gltf_mesh(const GltfFile& file, std::size_t mesh, ExpansionBudget& budget, GltfLosses& losses);

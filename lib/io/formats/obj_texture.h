@@ -35,7 +35,8 @@ class ObjTexture {
 
   std::vector<std::array<double, 2>> points_;
   std::vector<Index> corners_;
-  /// For each face from the first textured face on, the index of its first corner in `corners_`.
+  /// For each face, the index in `corners_` at which its corners start, and after these the end of
+  /// the last face. Empty until a face has texture coordinates.
   std::vector<std::size_t> offsets_;
   bool has_numbers_of_vertices_ = true;
 };

@@ -168,8 +168,8 @@ const PlyProperty* only_face_list(const PlyTable& table, std::size_t& offset) {
   return is_common ? list : nullptr;
 }
 
-/// Reads the triangles at the start of a face element. The element must have a single list, of
-/// corners, with a count of one byte and indices of four bytes. Returns the number of triangles.
+/// Reads the triangles at the start of a face element, if its only list holds the corners, with a
+/// count of one byte and indices of four bytes. Returns the number of triangles that were read.
 std::size_t read_triangles(const Source& source, const char* place, bool swapped, PlyTable& table) {
   std::size_t offset = 0;
   const PlyProperty* list = only_face_list(table, offset);

@@ -23,7 +23,7 @@ struct Facet {
 };
 
 /// Returns a face as STL facet. Its normal is computed from the rounded corners. The normal is zero
-/// if the face has no area.
+/// if the triangle of the rounded corners has no area.
 Facet facet_of(const Mesh& mesh, const Face& face) {
   Facet facet;
   for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = mesh.positions[face[i]].cast<float>();

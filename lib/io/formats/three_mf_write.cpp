@@ -30,8 +30,8 @@ constexpr std::string_view relationships =
     "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
     "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
 
-/// Escapes a text for XML. Replaces control bytes, which XML cannot represent, by question marks,
-/// and also non-ASCII bytes, which may not be valid UTF-8.
+/// Escapes a text for XML. Replaces control bytes other than line feeds by question marks, because
+/// XML cannot represent them. Does the same with non-ASCII bytes, which may not be valid UTF-8.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {

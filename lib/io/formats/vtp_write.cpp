@@ -124,7 +124,7 @@ class VtpWriter {
     text_.add("\n</DataArray>\n");
   }
 
-  /// Adds the columns of a group as the components of one array.
+  /// Adds the columns of a group, which have one type, as the components of one array.
   void add_group(std::string_view name, const ColumnGroup& group, std::size_t components) {
     const std::size_t width = group.size();
     const Scalar type = group[0]->type;
