@@ -77,6 +77,7 @@ class EdgeCollapser {
   std::size_t films_kept_ = 0;
   bool met_film_ = false;
   double round_enough_ = 0;
+  double normal_roundness_ = 0;
   bool was_too_long_ = false;
   Index edge_ = no_index;
   Index goes_ = no_index;

@@ -151,6 +151,14 @@ TEST_CASE("handles and components stay") {
   CHECK(connected_components(decimated(pair, 40)).components.size() == 2);
 }
 
+TEST_CASE("narrow faces beside a sharp edge are decimated") {
+  // The faces of one apex are steep, those of the other apex are flat.
+  Mesh cone = test::double_cone(600);
+  cone.positions[600] *= 3;
+  cone.positions[601] *= 0.2;
+  CHECK(decimated(cone, 300).faces.size() <= 300);
+}
+
 TEST_CASE("close sheets do not intersect after decimation") {
   Mesh plate = test::icosphere(5);
   for (Vec3& p : plate.positions) p.z() *= 0.01;
