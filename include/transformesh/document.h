@@ -35,6 +35,7 @@ struct Style {
   /// Names of the PLY elements in the order of the file; empty: vertex, face, then the others. If
   /// `face` is missing and the mesh has no faces (a point cloud), no face element is written.
   std::vector<std::string> element_order;
+  bool is_from_stl = false;       ///< lengths are in millimeters, if no comment states a unit
   bool sized_type_names = false;  ///< PLY types are float32, uint8, not float, uchar
   /// Polygons are written as they were read (ReadOptions::keep_polygons).
   bool keeps_polygons = false;

@@ -147,6 +147,14 @@ PYTHON
   [ "$(tm-info --units a.ply | grep unit)" = "unit: unknown" ]
   tm-convert a.ply -o a.stl
   [ "$(tm-info -q --units a.stl | grep unit)" = "unit: millimeter" ]
+  # The unit of an input does not depend on the format of the output.
+  tm-transform -q --to in a.stl -o c.3mf
+  tm-info --get bbox_max c.3mf | awk '{ exit !(25.4 * $1 > 0.999999 && 25.4 * $1 < 1.000001) }'
+  run --separate-stderr tm-transform --to in a.ply -o c.stl
+  assert_status 3
+  [[ $stderr == *"the mesh does not state its unit: give it with --from"* ]]
+  tm-transform --from in --to in a.ply | run --separate-stderr tm-cat - a.stl -o all.ply
+  [[ $stderr == *"the units differ, inch and millimeter: coordinates are joined without conversion"* ]]
   run --separate-stderr tm-transform --to in a.3mf -o b.stl
   assert_status 0
   [[ $stderr == *"the unit inch cannot be stored, and programs will assume millimeter"* ]]

@@ -16,6 +16,12 @@ constexpr std::array<Unit, 6> units{{{"micron", "um", 1e-3},
                                      {"foot", "ft", 304.8},
                                      {"meter", "m", 1000}}};
 
+const Unit* stated_unit(const Document& document) {
+  for (const std::string& comment : document.style.comments)
+    if (comment.starts_with(mark)) return find_unit(std::string_view(comment).substr(mark.size()));
+  return nullptr;
+}
+
 }  // namespace
 
 std::span<const Unit> all_units() { return units; }
@@ -28,11 +34,8 @@ const Unit* find_unit(std::string_view name) {
 }
 
 const Unit* unit_of(const Document& document) {
-  for (const std::string& comment : document.style.comments)
-    if (comment.starts_with(mark)) return find_unit(std::string_view(comment).substr(mark.size()));
-  const Format format = document.style.format;
-  const bool is_stl = format == Format::stl_ascii || format == Format::stl_binary;
-  return is_stl ? find_unit("mm") : nullptr;
+  const Unit* const stated = stated_unit(document);
+  return stated == nullptr && document.style.is_from_stl ? find_unit("mm") : stated;
 }
 
 void set_unit(Document& document, const Unit& unit) {
@@ -43,7 +46,7 @@ void set_unit(Document& document, const Unit& unit) {
 
 void note_lost_unit(const Document& document, const std::string& format, std::string_view usual,
                     std::vector<std::string>& notes) {
-  const Unit* unit = unit_of(document);
+  const Unit* unit = stated_unit(document);
   if (unit == nullptr || unit->name == usual) return;
   notes.push_back(format + ": the unit " + std::string(unit->name) + " cannot be stored" +
                   (usual.empty() ? "" : ", and programs will assume " + std::string(usual)));

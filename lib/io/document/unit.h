@@ -25,13 +25,13 @@ std::span<const Unit> all_units();
 const Unit* find_unit(std::string_view name);
 
 /// Returns the unit of the `tm:unit` comment. Without the comment, returns millimeter, the usual
-/// unit, for STL, and null for other formats.
+/// unit, for documents that were read from STL, and null for others.
 const Unit* unit_of(const Document& document);
 
 /// Replaces the `tm:unit` comment by a comment with this unit.
 void set_unit(Document& document, const Unit& unit);
 
-/// Appends a note if the format `format` cannot store the unit of the document. No note is needed
+/// Appends a note if the format `format` cannot store the unit that a comment states. No note is needed
 /// if the unit is `usual`, the usual unit of the format.
 void note_lost_unit(const Document& document, const std::string& format, std::string_view usual,
                     std::vector<std::string>& notes);

@@ -45,6 +45,7 @@ class TextReader {
     }
     Style& style = result_.document.style;
     style.format = Format::stl_ascii;
+    style.is_from_stl = true;
     style.coordinate = Scalar::float32;
     polygons_.move_into(result_.document.mesh, "stl", result_.notes);
     note_bad_facets(bad_facets_, result_.notes);
@@ -253,6 +254,7 @@ ReadResult read_stl_binary(const Source& source) {
   read_attributes(source, rows, mesh);
 
   result.document.style.format = Format::stl_binary;
+  result.document.style.is_from_stl = true;
   result.document.style.coordinate = Scalar::float32;
   const std::string text = header_text(source);
   if (!text.empty()) result.document.style.comments.push_back(text);

@@ -8,7 +8,10 @@ using namespace transformesh::testing;
 TEST_CASE("units: the comment, and the convention of STL") {
   Document document;
   CHECK(unit_of(document) == nullptr);
-  document.style.format = Format::stl_binary;
+  document.style.format = Format::stl_binary;  // of the output
+  CHECK(unit_of(document) == nullptr);
+  document.style.is_from_stl = true;
+  document.style.format = Format::ply_little;
   CHECK(unit_of(document) == find_unit("mm"));
   set_unit(document, *find_unit("in"));
   set_unit(document, *find_unit("foot"));
