@@ -113,7 +113,7 @@ void check_extent(const Mesh& mesh, const Mesh& reference) {
   const Box both{a.min().cwiseMin(b.min()), a.max().cwiseMax(b.max())};
   if (diagonal_of(both) < largest_extent) return;
   throw InputError("the meshes are " + shortest_text(diagonal_of(both)) +
-                   " across, too large to compare them: scale both to less than " +
+                   " across, too large to compare: scale both to less than " +
                    shortest_text(largest_extent));
 }
 

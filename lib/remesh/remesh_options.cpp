@@ -56,7 +56,7 @@ void check_options(const RemeshOptions& options) {
   if (options.iterations < 0) throw UsageError("the number of iterations must not be negative");
   if (!(options.feature_angle_deg >= 0 && options.feature_angle_deg <= 180)) {
     throw UsageError("the feature angle " + shortest_text(options.feature_angle_deg) +
-                     " is not at least 0 and at most 180 degrees");
+                     " is not from 0 to 180 degrees");
   }
   if (!(first >= 0 && first <= 1)) {
     throw UsageError("the smoothing factor " + shortest_text(first) + " is not between 0 and 1");

@@ -110,7 +110,7 @@ std::vector<Registration::Pair> Registration::sorted_pairs() const {
     throw GoalError("only " + counted(pairs.size(), "sample") + " of " +
                     std::to_string(samples_.size()) +
                     " lie on a part of the reference that faces the same way: the meshes do not "
-                    "overlap, or one of them looks inwards");
+                    "overlap, or one of them is inside out");
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
     return a.squared_distance < b.squared_distance;
   });

@@ -1,5 +1,6 @@
 /// Parallel loops on the allowed threads. Results must not depend on the number of threads: write
-/// to slots indexed by the loop variable, and reduce in index order afterwards.
+/// to slots indexed by the loop variable, and reduce in index order afterwards. The ranges depend
+/// on the number of threads, so do not add up floating-point numbers per range.
 #pragma once
 
 #include <cstddef>

@@ -45,7 +45,7 @@ advice = {
     "surface_vanished": "shorten the steps with max_move or time_step, or end earlier",
     "target_open": "close its holes first with fill()",
     "target_not_solid": (
-        "the target is open, not manifold or self-intersecting: clean() it, or fill() its holes"
+        "the target is open, non-manifold or self-intersecting: clean() it, or fill() its holes"
     ),
     "source_apart": "begin with a source that overlaps all of the target",
     "edges_too_long": "begin with shorter edges",

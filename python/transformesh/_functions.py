@@ -107,7 +107,7 @@ def repair(
     max_change: Optional[Length] = None,
     progress: Progress = None,
 ) -> Mesh:
-    """Makes a solid of any mesh by the least change; the report has each step, its place, and how
+    """Makes a solid from any mesh by the least change; the report has each step, its place, and how
     much area and volume changed. See tm-repair(1)."""
     return _transformesh.repair(**locals())
 

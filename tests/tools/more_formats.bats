@@ -153,7 +153,8 @@ PYTHON
   run --separate-stderr tm-transform --to in a.ply -o c.stl
   assert_status 3
   [[ $stderr == *"the mesh does not state its unit: give it with --from"* ]]
-  tm-transform --from in --to in a.ply | run --separate-stderr tm-cat - a.stl -o all.ply
+  tm-transform --from in --to in a.ply -o inch.ply
+  run --separate-stderr tm-cat inch.ply a.stl -o all.ply
   [[ $stderr == *"the units differ, inch and millimeter: coordinates are joined without conversion"* ]]
   run --separate-stderr tm-transform --to in a.3mf -o b.stl
   assert_status 0

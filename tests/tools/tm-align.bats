@@ -57,7 +57,7 @@ setup() {
   run --separate-stderr tm-align --reference ball.ply inside.ply -o placed.ply
   assert_status 4
   one_line "$stderr"
-  [[ $stderr == *"looks inwards"* ]]
+  [[ $stderr == *"inside out"* ]]
   [ ! -e placed.ply ]
   tm-stitch --flip inside.ply | tm-align --reference ball.ply -o placed.ply
 }

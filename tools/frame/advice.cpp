@@ -90,7 +90,7 @@ constexpr std::array table{
            "the run earlier"},
     Advice{Kind::target_open, "", "close its holes first, or wrap it with tm-wrap"},
     Advice{Kind::target_not_solid, "",
-           "the target is open, not manifold or self-intersecting, so an embedded surface cannot "
+           "the target is open, non-manifold or self-intersecting, so an embedded surface cannot "
            "lie on all of it: clean it with tm-clean, or close its holes with tm-fill"},
     Advice{Kind::source_apart, "",
            "begin with a source that overlaps all of the target, for example from tm-shape sphere "

@@ -54,7 +54,7 @@ std::string option_entries(const Program& program, bool is_common) {
 
 std::string exit_code_lines(const Program& program) {
   std::string done = "done";
-  if (program.output.writes == Writes::answer) done = "done or yes, 1 no";
+  if (program.output.writes == Writes::answer) done = "done or passed, 1 not passed";
   if (program.is_evolution()) done = "done, 1 not converged where that is required";
   return wrapped("Exit codes: 0 " + done +
                      ", 2 usage, 3 bad input, 4 goal not reached, "

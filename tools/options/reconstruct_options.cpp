@@ -58,7 +58,7 @@ void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
 void declare_scales(Program& program, ReconstructChoices& choices) {
   program.options.flag(
       "preview", &choices.is_preview,
-      "make a quick, coarse reconstruction from photographs that are reduced 4 times");
+      "make a quick, coarse reconstruction from photographs that are reduced by a factor of 4");
   program.options.text("coarsest", &choices.coarsest, "auto|NUMBER",
                        "factor by which photographs are reduced at first; auto: up to 11.3, less "
                        "if thin parts would be lost");

@@ -93,7 +93,8 @@ void declare_transforms(Program& program, TransformChoices& c) {
   in_order(program.options.numbers("translate", &c.translate, "X,Y,Z", "move by this vector"), c,
            [&c] { return translation_by(vector_of(c.translate)); });
   in_order(program.options.numbers("rotate", &c.rotate, "X,Y,Z,DEGREES",
-                                   "rotate about this axis through the origin, counter-clockwise"),
+                                   "rotate about this axis through the origin, counterclockwise as "
+                                   "seen from the tip of the axis"),
            c, [&c] { return rotation_about(vector_of(c.rotate), c.rotate[3]); });
   in_order(program.options.numbers("scale", &c.scale, "FACTOR", "scale about the origin"), c,
            [&c] { return scaling_by(Vec3::Constant(c.scale[0])); });
@@ -108,10 +109,11 @@ void declare_transforms(Program& program, TransformChoices& c) {
   in_order_of_box(program.options.flag("center", &c.center,
                                        "move the center of the bounding box to the origin"),
                   c, centering);
-  in_order_of_box(program.options.flag("unit-box", &c.unit_box,
-                                       "scale the longest side of the bounding box to 1, and move "
-                                       "it to the center of the box from 0 to 1"),
-                  c, fitting_unit_box);
+  in_order_of_box(
+      program.options.flag("unit-box", &c.unit_box,
+                           "scale uniformly so that the longest side of the bounding box "
+                           "is 1, and center it in the cube from 0,0,0 to 1,1,1"),
+      c, fitting_unit_box);
   declare_units(program, c);
   Option& matrix = program.options.numbers("matrix", &c.matrix, ",,,,,,,,,,,,,,,",
                                            "apply a matrix of 16 numbers, row by row, that acts on "

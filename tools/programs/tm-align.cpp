@@ -28,7 +28,7 @@ void note_doubts(const RegistrationResult& result, tool::Run& run) {
              " iterations; allow more with --iterations");
   if (result.overlap < low_overlap)
     run.note("only " + percent_text(result.overlap) +
-             " % of the mesh lie on the reference: the alignment may be wrong; turn the mesh "
+             " % of the mesh lies on the reference: the alignment may be wrong; turn the mesh "
              "closer to the reference with tm-transform, then align it again");
   if (result.stability < low_stability)
     run.note(

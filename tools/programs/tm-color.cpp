@@ -29,7 +29,7 @@ void declare(tool::Program& program, Options& options) {
 int main(int argc, char** argv) {
   Options options;
   tool::Program program{"tm-color", "[OPTION]... --cameras WHERE --images WHERE [INPUT]",
-                        "Colors a surface by calibrated photographs"};
+                        "Colors a surface from calibrated photographs"};
   declare(program, options);
   program.epilog =
       "Make a textured GLB file, for web pages and games:\n"

@@ -21,9 +21,9 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   tool::declare_silhouettes(program, options.silhouettes);
-  program.options.box(
-      "box", &options.hull.box, "X,Y,Z,X,Y,Z",
-      "two corners of the box that contains the hull (default: bounding box by the silhouettes)");
+  program.options.box("box", &options.hull.box, "X,Y,Z,X,Y,Z",
+                      "two corners of the box that contains the hull (default: bounding box "
+                      "derived from the silhouettes)");
   program.options.integer("resolution", &options.hull.resolution, 4, 4096,
                           "number of grid cells along the longest side of the box");
   program.options.length("edge", &options.edge, "size of a grid cell, instead of --resolution");

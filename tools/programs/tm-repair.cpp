@@ -1,4 +1,4 @@
-/// tm-repair: makes a solid of any mesh.
+/// tm-repair: makes a solid from any mesh.
 #include "frame/run.h"
 #include "io/formats/file_format.h"
 #include "options/repair_picture.h"
@@ -67,7 +67,7 @@ void repair_document(Document& document, Choices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-repair", "[OPTION]... [INPUT]",
-                        "Makes a solid of any mesh with few changes, and reports them"};
+                        "Makes a solid from any mesh with few changes, and reports them"};
   program.output.is_clean = true;
   program.input.soups = tool::Soups::own;
   program.input.keeps_bytes = true;

@@ -79,7 +79,7 @@ PlyRows Joiner::open(std::size_t tile) const {
   const std::string path = cleaned_tile_path(folder_, tile, split_.count);
   if (!fs::exists(path))
     throw InputError("tile " + std::to_string(tile) + " of " + std::to_string(split_.count) +
-                     " is not clean: " + in_quotes(path) + " is missing");
+                     " has not been cleaned: " + in_quotes(path) + " is missing");
   return PlyRows(path);
 }
 

@@ -54,7 +54,7 @@ bool FolderLock::lock() {
   if (is_locked_by_another(descriptor_)) {
     close(descriptor_);
     throw OutputError("another run is writing the same output, with its state in '" + folder_ +
-                      "': wait for its end, or name another output");
+                      "': wait until that run ends, or name another output");
   }
   if (is_still_named(descriptor_, folder_)) return true;
   close(descriptor_);

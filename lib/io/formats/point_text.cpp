@@ -94,7 +94,8 @@ void check_point_text(const Source& source) {
     if (!is_number(numbers.word())) return;
   if (has_commas)
     rows.fail(
-        "numbers of a point must be separated by blanks: replace commas, for example by tr , ' '");
+        "numbers of a point must be separated by blanks: replace the commas, for example with the "
+        "command tr , ' '");
   rows.fail("a point has 3 numbers (x y z) or 6 (and nx ny nz), but this line has " +
             std::to_string(length) + ": take the first three, by awk '{ print $1, $2, $3 }'");
 }

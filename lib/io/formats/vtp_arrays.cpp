@@ -175,7 +175,8 @@ std::string VtpArrays::compressed_blocks(std::string_view header, std::string_vi
     const std::uint64_t full = i + 1 == blocks && last > 0 ? last : size;
     budget_.spend(full);
     const std::string block = expand_zlib(source_, data.substr(0, stored), full, what);
-    if (block.size() != full) source_.fail(what + " has a block of another size than announced");
+    if (block.size() != full)
+      source_.fail(what + " has a block whose size differs from the announced one");
     bytes += block;
     data.remove_prefix(stored);
   }

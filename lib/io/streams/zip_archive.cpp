@@ -97,7 +97,7 @@ std::optional<std::string> ZipReader::read(const std::string& name) const {
   budget_.spend(info.uncompressed_size);
   if ((info.flag & 1U) != 0) fail("is encrypted");
   if (unzOpenCurrentFile(state_->file) != UNZ_OK)
-    fail("is damaged, or compressed by another method than Deflate");
+    fail("is damaged, or compressed by a method other than Deflate");
   std::string bytes;
   int count = 1;
   while (count > 0) {

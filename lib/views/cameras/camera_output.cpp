@@ -19,8 +19,9 @@ void check_written_name(const CameraRecord& record) {
   const bool is_padded = name.empty() || name.starts_with(' ') || name.ends_with(' ');
   constexpr std::string_view refused("\n\r\t\v\f\0", 6);
   if (!is_padded && name.find_first_of(refused) == std::string::npos) return;
-  throw InputError("no camera file can hold the name " + transformesh::quoted(name) + " (" +
-                   record.place + "): rename the image, without line breaks and outer blanks");
+  throw InputError(
+      "no camera file can hold the name " + transformesh::quoted(name) + " (" + record.place +
+      "): rename the image so that its name has no line breaks and no leading or trailing blanks");
 }
 
 void check_complete(const CameraList& list) {

@@ -19,7 +19,7 @@ void Views::add(const std::string& name, const PinholeCamera& camera, GrayImage 
                 GrayImage silhouette) {
   const bool has_both = !photograph.empty() && !silhouette.empty();
   if (has_both && (photograph.width != silhouette.width || photograph.height != silhouette.height))
-    throw UsageError("view '" + name + "': the silhouette has another size than the photograph");
+    throw UsageError("view '" + name + "': the silhouette differs in size from the photograph");
   views_->push_back({name, camera, std::move(photograph), std::move(silhouette)});
 }
 

@@ -88,7 +88,9 @@ ValueGrid viewed_region(std::span<const View> views, const std::optional<Box>& b
   ValueGrid grid = grid_of(around);
   mark(grid, views, ball);
   if (std::none_of(grid.values.begin(), grid.values.end(), [](float v) { return v < 0; }))
-    throw InputError("fewer than three views show any point of the region in which to search");
+    throw InputError(
+        "no point of the region to search is visible in enough views (three, or both of two): "
+        "check the cameras, or give another box");
   return grid;
 }
 

@@ -96,7 +96,7 @@ TEST_CASE("vtp: blocks compressed by zlib") {
   };
   CHECK(read_document(file_with(16)).mesh.positions[2] == Vec3(0, 1, 5));
   CHECK(contains(read_error(file_with(15)), "expands to more than 15 bytes"));
-  CHECK(contains(read_error(file_with(17)), "another size than announced"));
+  CHECK(contains(read_error(file_with(17)), "differs from the announced one"));
   CHECK(
       contains(read_error(vtp("compressor=\"vtkLZ4DataCompressor\"", "")), "vtkLZ4DataCompressor"));
 }
