@@ -8,7 +8,7 @@ using namespace transformesh::testing;
 TEST_CASE("units: the comment, and the convention of STL") {
   Document document;
   CHECK(unit_of(document) == nullptr);
-  document.style.format = Format::stl_binary;  // of the output
+  document.style.format = Format::stl_binary;  // the output format
   CHECK(unit_of(document) == nullptr);
   document.style.is_from_stl = true;
   document.style.format = Format::ply_little;
