@@ -18,7 +18,7 @@ struct ErrorData {
   std::optional<std::array<std::size_t, 2>> edge = {};  ///< indices of the edge's vertices
   std::optional<std::array<double, 3>> position = {};   ///< coordinates in input units
   std::vector<std::size_t> counts = {};  ///< numbers of elements, in the order of the message
-  std::vector<double> lengths = {};      ///< in the order of the message
+  std::vector<double> lengths = {};      ///< lengths that the message states, in its order
   std::string name = {};                 ///< name of a file, folder, view or argument
 };
 

@@ -185,7 +185,7 @@ void PlaneCutter::insert_meeting(const Meeting& meeting) {
                            triangulation_.point(ends[0]), triangulation_.point(ends[1]));
 }
 
-// Records that face `k` of the plane contains the facets inside the face.
+// Records, for each facet (triangle of the cut plane) inside face `k`, that this face covers it.
 void PlaneCutter::flood(std::size_t k) {
   const std::array<Index, 3>& corner = corners_[k];
   const auto& facets = triangulation_.facets();

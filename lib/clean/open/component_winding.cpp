@@ -31,9 +31,10 @@ constexpr double rounding = 1e-9;
 /// for a flat sheet, 1/4 for a hemisphere, and 0.35 for a sphere without 30 % of its area.
 constexpr double least_of_body = 0.3;
 
-/// A component with a fraction below this, or above 1 minus this, encloses less than a hemisphere.
-/// Its fraction alone tells on which side. A nearly closed component has a fraction near 1/2 on
-/// either side, so its volume decides.
+/// The fraction of a component is its typical winding number modulo 1. It is 1/4 for a hemisphere
+/// with outward orientation, and 3/4 with inward orientation. Flatter components have fractions
+/// closer to 0 or 1, which tell the orientation. Nearly closed components have fractions near 1/2
+/// in either orientation, so that the sign of their volume decides.
 constexpr double most_of_sheet = 0.25;
 
 /// Largest mean deviation of the winding numbers of a component from multiples of 1 plus a common

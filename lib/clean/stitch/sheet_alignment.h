@@ -61,7 +61,7 @@ class SheetAlignment {
   /// same edges.
   struct Step {
     std::int64_t strength = -1;
-    Index sheet = no_index;  ///< first sheet of the kind whose orientation is not final
+    Index sheet = no_index;  ///< first sheet of the kind to which the link leads
     bool is_reversed = false;
     bool operator<(const Step& other) const {
       if (strength != other.strength) return strength < other.strength;

@@ -26,7 +26,8 @@ constexpr double smooth_share = 0.35;
 /// smaller shares, noise passes for features.
 constexpr double meant_share = 0.9;
 constexpr double meant_of_lines = 0.25;
-/// The total length of intended edges must exceed this multiple of the square root of the area.
+/// The total length of intended sharp edges (those that are no noise) must exceed this multiple of
+/// the square root of the surface's area.
 constexpr double least_length = 0.5;
 
 double cosine_of(double degrees) { return elementary::cos(degrees * std::numbers::pi / 180); }

@@ -17,9 +17,9 @@ class VertexStar {
   struct Pair {
     VectorPair rim;             ///< positions of the neighbors
     VectorPair way;             ///< vectors from the vertex to the neighbors
-    NumberPair way_squared;     ///< squared lengths of `way`
+    NumberPair way_squared;     ///< squared lengths of the vectors in `way`
     VectorPair normal;          ///< normals of the triangles; the length is twice the area
-    NumberPair squared;         ///< squared lengths of `normal`
+    NumberPair squared;         ///< squared lengths of the normals
     NumberPair across_squared;  ///< squared lengths of the sides opposite the vertex
     NumberPair squares;         ///< sums of the squared lengths of the three sides
   };

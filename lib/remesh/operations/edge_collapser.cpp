@@ -28,10 +28,10 @@ constexpr double normal_roundness_for_shape = 1e-6;
 /// triangles narrower and squared lengths longer by these factors. Long edges are split afterwards.
 constexpr double narrowing_of_stars = 0.5;
 constexpr double stretch_of_stars = 1.02;
-/// Under ShapeRules::curved, collapses leave edges that are shorter than the longest allowed length
-/// by this share of the collapsed edge. A flow that stretches the surface would soon split longer
-/// edges again, and each split interpolates. In Enright's test with 5,000 faces, 0.3 and 0.75 give
-/// about the same error; 1 gives 1.4 times the Hausdorff distance.
+/// Under ShapeRules::curved, a collapse may make edges only as long as the longest allowed length
+/// minus this share of the length of the collapsed edge. A flow that stretches the surface would
+/// soon split longer edges again, and each split interpolates. In Enright's test with 5,000 faces,
+/// 0.3 and 0.75 give about the same error; 1 gives 1.4 times the Hausdorff distance.
 constexpr double room_to_stretch = 0.5;
 /// Under ShapeRules::curved and without min_film, collapses move the surface by at most this share
 /// of the longest edge. Without a limit, collapses cut off half an edge length at the corners of
