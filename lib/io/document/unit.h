@@ -31,8 +31,8 @@ const Unit* unit_of(const Document& document);
 /// Replaces the `tm:unit` comment by a comment with this unit.
 void set_unit(Document& document, const Unit& unit);
 
-/// Appends a note if the format `format` cannot store the unit that a comment states. No note is needed
-/// if the unit is `usual`, the usual unit of the format.
+/// Appends a note if the format `format` cannot store the unit that a comment states. No note is
+/// needed if the unit is `usual`, the usual unit of the format.
 void note_lost_unit(const Document& document, const std::string& format, std::string_view usual,
                     std::vector<std::string>& notes);
 
