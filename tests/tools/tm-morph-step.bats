@@ -103,7 +103,7 @@ spheres() {
 none.ply|cannot be read: No such file or directory
 words.txt|PCD and points as text are read (words.txt)
 four.xyz|this line has 4: take the first three, by awk
-commas.csv|replace commas
+commas.csv|replace the commas
 late.xyz|z of point 1 is not a number: 'x' (late.xyz line 2)
 cut.ply|the file is cut off or its header is wrong (cut.ply byte
 TABLE
