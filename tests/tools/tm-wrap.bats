@@ -156,15 +156,11 @@ setup() {
       print r * cos(2.4 * i), r * sin(2.4 * i), z
     }
   }' >points.xyz
-  # Open fault: with normals (' 0 0 1') the result often has other bytes.
-  for normal in ''; do
-    sed "s/\$/$normal/" points.xyz >cloud.xyz
-    [ -z "$normal" ] || awk '{ print $1, $2, $3, $1, $2, $3 }' points.xyz >cloud.xyz
-    echo "0 0 0$normal" | cat cloud.xyz - >one.xyz
-    yes "0 0 0$normal" | head -n 50000 | cat cloud.xyz - >heap.xyz
-    tm-wrap one.xyz >expected
-    tm-wrap heap.xyz | cmp - expected
-  done
+  # Open fault: with normals the result often has other bytes.
+  echo "0 0 0" | cat points.xyz - >one.xyz
+  yes "0 0 0" | head -n 50000 | cat points.xyz - >heap.xyz
+  tm-wrap one.xyz >expected
+  tm-wrap heap.xyz | cmp - expected
 }
 
 @test "outliers are left out and said: the wrap is that of the points without them" {
