@@ -18,8 +18,9 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t queries_per_task = 512;  ///< affects time only
-/// Number of tangent planes that decide on which side of the target a point is if it is far away.
-/// With fewer planes, signs are wrong beyond thin tips.
+/// Number of tangent planes of the target that decide on which side of the target a point is, if
+/// the point is far away. With fewer planes, points beyond the tip of a thin part of the target are
+/// taken to be inside it.
 constexpr std::size_t planes_of_points = 12;
 /// Largest number of target vertices in distance_from_target(). With more vertices, the summary is
 /// more accurate and takes more time.

@@ -156,7 +156,7 @@ setup() {
       print r * cos(2.4 * i), r * sin(2.4 * i), z
     }
   }' >points.xyz
-  # With normals, the points are on an ellipsoid: on a sphere, see the next test.
+  # Points with normals are on an ellipsoid here, and on a sphere in the next test.
   awk '{ print $1, 0.8 * $2, 0.6 * $3, $1, $2 / 0.8, $3 / 0.6 }' points.xyz >oriented.xyz
   for cloud in points oriented; do
     normal=

@@ -32,8 +32,8 @@ class OwnNumbers {
   OwnNumbers(const Arrangement& arrangement, ComponentWinding& winding);
 
   /// Records how the numbers of a component differ between its pieces at an edge. `sorted` has all
-  /// halfedges of the edge in angular order. Does nothing if a piece at
-  /// the edge may cover several faces.
+  /// halfedges of the edge in angular order. Does nothing if a piece at the edge may cover several
+  /// faces.
   void add_edge(std::span<const Index> sorted, Index component);
 
   /// Returns the bounds of some patches of a component, as lists of pieces.

@@ -48,8 +48,9 @@ int PatchNumbers::count_others(Index patch) {
                                         [&](Index other) { return is_behind(patch, other); }));
 }
 
-// A patch that is behind a component along their curves can extend through a hole of the component
-// to places far from it. Hence curves alone decide only if the component is at least as large.
+// A patch that is behind a component along their curves can extend beyond the component's border or
+// through its holes to places far from it. Hence curves alone decide only if the component is at
+// least as large as the patch.
 bool PatchNumbers::is_behind(Index patch, Index other) {
   if (component(patch) == ComponentWinding::closed_part && !winding_.is_body(other)) return false;
   const std::vector<Index>& pieces = patches_.pieces.at(patch);

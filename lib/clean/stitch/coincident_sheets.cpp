@@ -50,8 +50,9 @@ class Layers {
   std::vector<std::vector<Index>> joints_at_;
   /// For each bundle (set of faces with the same corners): 1 if its faces are in layer order.
   std::vector<char> is_ordered_;
-  /// For each bundle (set of faces with the same corners): 1 if its lowest face must be reversed.
-  /// Then this face agrees in orientation with the lowest face of bundle `part_of_`.
+  /// For each bundle (set of faces with the same corners): 1 if its face with the smallest index
+  /// must be reversed. The reversed face agrees in orientation with the face with the smallest
+  /// index of the bundle that `part_of_` has for this bundle.
   std::vector<char> is_turned_;
   /// For each bundle (set of faces with the same corners), the first bundle that is connected with
   /// it by joints.

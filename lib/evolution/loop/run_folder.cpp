@@ -107,9 +107,11 @@ void remove_files_of_run(const std::string& folder) {
 }
 
 /// True if the path has the name of a run's recorded state, which begins with the name of the
-/// result. A run that was stopped before it wrote its description leaves only this state.
+/// result, or that of a temporary file. A run that was killed before its description was complete
+/// leaves only such files.
 bool may_be_of_a_run(const fs::path& path) {
-  return path.filename().string().starts_with(std::string(run_file::result + 1) + ".tm-");
+  return is_unfinished(path) ||
+         path.filename().string().starts_with(std::string(run_file::result + 1) + ".tm-");
 }
 
 }  // namespace

@@ -26,10 +26,10 @@ struct Blend {
   std::vector<float> weights;
 };
 
-/// Resampling filter: the weight of a pixel as a function of its distance from the filter's center.
-/// It is a Gaussian. If `scale` > 1, the Gaussian is convolved with a box as wide as a pixel of the
-/// smaller image. The Gaussian is wider than half a pixel, so that sums over pixel centers
-/// approximate integrals well.
+/// Filter that reduces an image by the factor `scale`: the weight of an input pixel as a function
+/// of its distance from the center of an output pixel. The filter is a Gaussian. If `scale` > 1,
+/// the Gaussian is convolved with a box as wide as an output pixel. The Gaussian is wider than half
+/// a pixel, so that sums over pixel centers approximate integrals well.
 class Kernel {
  public:
   explicit Kernel(double scale, double deviation)

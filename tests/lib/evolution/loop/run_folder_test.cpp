@@ -55,6 +55,7 @@ TEST_CASE("folders that are no run are neither read nor overwritten") {
   check_run_folder(folder / "");
   CHECK_THROWS_AS(read_run(folder / ""), InputError);
   make_file(folder / "result.ply.tm-morph", "");
+  make_file(folder / ".run.json.27996-0.tmp", "");  // a run was killed while it wrote run.json
   check_run_folder(folder / "");
   make_file(folder / "result.ply", "somebody's");
   CHECK_THROWS_AS(check_run_folder(folder / ""), UsageError);
