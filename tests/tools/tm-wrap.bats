@@ -156,8 +156,8 @@ setup() {
       print r * cos(2.4 * i), r * sin(2.4 * i), z
     }
   }' >points.xyz
-  # Points with normals are on an ellipsoid here, and on a sphere in the next test.
-  awk '{ print $1, 0.8 * $2, 0.6 * $3, $1, $2 / 0.8, $3 / 0.6 }' points.xyz >oriented.xyz
+  # Points with normals on a sphere: CGAL's refinement chooses between equally bad cells.
+  awk '{ print $1, $2, $3, $1, $2, $3 }' points.xyz >oriented.xyz
   for cloud in points oriented; do
     normal=
     [ "$cloud" = points ] || normal=' 0 0 1'
@@ -166,22 +166,6 @@ setup() {
     tm-wrap one.xyz >expected
     tm-wrap heap.xyz | cmp - expected
   done
-}
-
-@test "equal points change the wrap of points on a sphere by rounding at most" {
-  awk 'BEGIN {
-    for (i = 0; i < 5000; ++i) {
-      z = (2 * i + 1) / 5000 - 1
-      r = sqrt(1 - z * z)
-      x = r * cos(2.4 * i); y = r * sin(2.4 * i)
-      print x, y, z, x, y, z
-    }
-  }' >points.xyz
-  echo "0 0 0 0 0 1" | cat points.xyz - >one.xyz
-  yes "0 0 0 0 0 1" | head -n 50000 | cat points.xyz - >heap.xyz
-  tm-wrap one.xyz -o one.ply
-  tm-wrap heap.xyz -o heap.ply
-  tm-compare --get hausdorff heap.ply one.ply | awk '{ exit !($1 < 1e-6) }'
 }
 
 @test "outliers are left out and said: the wrap is that of the points without them" {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -64,6 +65,8 @@ class PatchFinder {
   int front_of(const Piece& piece) const;
   void decide();
   bool drop_contradictions();
+  bool drop_unpaired(const Edges& edges);
+  void drop(const std::set<Index>& patches);
 
   const Arrangement& arrangement_;
   int winding_level_;
@@ -180,7 +183,7 @@ OpenPatches PatchFinder::find() {
     if (counts[p]) patches_.pieces[sets_.find(p)].push_back(p);
 
   decide();
-  while (drop_contradictions()) {
+  while (drop_contradictions() || drop_unpaired(edges)) {
   }
   return std::move(result_);
 }
@@ -217,9 +220,41 @@ bool PatchFinder::drop_contradictions() {
       const bool is_larger = winding_.area_of(patches_.pieces.at(behind)) > (1 + rounding) * area;
       dropped.insert(is_larger ? other : behind);
     }
-  for (const Index patch : dropped)
-    for (const Index p : patches_.pieces.at(patch)) result_.kept[p] = 0;
+  drop(dropped);
   return !dropped.empty();
+}
+
+// Drops patches at edges of more than two pieces where two or more kept pieces, and more pieces
+// than in the input, have no partner of opposite direction. At each such edge drops the smallest
+// patch of the prevailing direction, and all that are as small. Returns true if it dropped any.
+bool PatchFinder::drop_unpaired(const Edges& edges) {
+  std::set<Index> dropped;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto halfedges = edges.halfedges(e);
+    if (halfedges.size() <= 2) continue;
+    std::ptrdiff_t before = 0, after = 0;
+    for (const Index h : halfedges) {
+      const int direction = is_forward(arrangement_.pieces, h) ? 1 : -1;
+      before += direction;
+      if (result_.kept[h / 3]) after += direction;
+    }
+    if (std::abs(after) < 2 || std::abs(after) <= std::abs(before)) continue;
+    std::map<Index, double> areas;
+    for (const Index h : halfedges)
+      if (result_.kept[h / 3] && is_forward(arrangement_.pieces, h) == (after > 0))
+        areas[sets_.find(h / 3)] = winding_.area_of(patches_.pieces.at(sets_.find(h / 3)));
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [patch, area] : areas) least = std::min(least, area);
+    for (const auto& [patch, area] : areas)
+      if (area <= (1 + rounding) * least) dropped.insert(patch);
+  }
+  drop(dropped);
+  return !dropped.empty();
+}
+
+void PatchFinder::drop(const std::set<Index>& patches) {
+  for (const Index patch : patches)
+    for (const Index p : patches_.pieces.at(patch)) result_.kept[p] = 0;
 }
 
 }  // namespace

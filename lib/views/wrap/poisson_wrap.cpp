@@ -15,6 +15,7 @@
 #include "transformesh/measure.h"
 #include "transformesh/wrap.h"
 #include "views/hull/marching_tetrahedra.h"
+#include "views/wrap/numbered_poisson_cells.h"
 #include "views/wrap/scale_normalization.h"
 
 namespace transformesh {

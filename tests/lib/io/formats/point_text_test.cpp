@@ -74,6 +74,6 @@ TEST_CASE("numbers that are no points are refused with the reason") {
       "a point has 3 numbers (x y z) or 6 (and nx ny nz), but this line has 4: take "
       "the first three, by awk '{ print $1, $2, $3 }' (scan.txt line 2)",
       InputError);
-  CHECK_THROWS_WITH_AS(check("1,2,3\n"), doctest::Contains("replace commas"), InputError);
+  CHECK_THROWS_WITH_AS(check("1,2,3\n"), doctest::Contains("replace the commas"), InputError);
   for (const char* text : {"x,y,z\n1,2,3\n", "hello 1 2\n", "", "\n"}) CHECK_NOTHROW(check(text));
 }
