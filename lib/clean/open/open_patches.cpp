@@ -64,7 +64,6 @@ class PatchFinder {
   void measure_curves();
   int front_of(const Piece& piece) const;
   void decide();
-  bool drop_contradictions();
   bool drop_unpaired(const Edges& edges);
   void drop(const std::set<Index>& patches);
 
@@ -183,7 +182,7 @@ OpenPatches PatchFinder::find() {
     if (counts[p]) patches_.pieces[sets_.find(p)].push_back(p);
 
   decide();
-  while (drop_contradictions() || drop_unpaired(edges)) {
+  while (drop_unpaired(edges)) {
   }
   return std::move(result_);
 }
@@ -204,24 +203,6 @@ void PatchFinder::decide() {
     }
   }
   result_.least_margin = numbers.least_margin();
-}
-
-// Drops patches that would make the result misoriented, and returns true if there are any. The
-// result is misoriented at an intersection curve of two components if one patch of each component
-// is kept, and both patches traverse the curve in the same direction. The patch with the smaller
-// area is dropped; if both areas are equal, the one that is behind the other component.
-bool PatchFinder::drop_contradictions() {
-  const auto& kept = result_.kept;
-  std::set<Index> dropped;
-  for (const Crossing& c : crossings_)
-    if (kept[c.back] && !kept[c.front] && kept[c.other_front] && !kept[c.other_back]) {
-      const Index behind = sets_.find(c.back), other = sets_.find(c.other_front);
-      const double area = winding_.area_of(patches_.pieces.at(other));
-      const bool is_larger = winding_.area_of(patches_.pieces.at(behind)) > (1 + rounding) * area;
-      dropped.insert(is_larger ? other : behind);
-    }
-  drop(dropped);
-  return !dropped.empty();
 }
 
 // Drops patches at edges of more than two pieces where two or more kept pieces, and more pieces
