@@ -107,7 +107,7 @@ run_line() {
 
 @test "every recipe in one line runs as it is printed" {
   # The tests of the installation run this command.
-  install='cmake -DTM_VIEWS=ON build && cmake --build build --target installed && sudo cmake --install build'
+  install='cmake --preset release -DTM_VIEWS=ON && cmake --build build --target installed && sudo cmake --install build'
   indented_lines "$recipes" | grep -qxF "$install"
   while IFS= read -r -u 7 line; do run_line "$line"; done 7< <(indented_lines "$recipes" | grep -vxF "$install")
   tm-checkmanifold --closed next.ply
