@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "clean/exterior/angular_order.h"
+#include "clean/open/border_strips.h"
 #include "clean/open/component_winding.h"
 #include "clean/open/own_numbers.h"
 #include "clean/open/patch_numbers.h"
@@ -34,9 +35,11 @@ struct FrontAndBack {
 
 class PatchFinder {
  public:
-  PatchFinder(const Arrangement& arrangement, int winding_level)
+  PatchFinder(const Arrangement& arrangement, int winding_level, Scalar coordinate)
       : arrangement_(arrangement),
         winding_level_(winding_level),
+        coordinate_(coordinate),
+        connected_(3 * arrangement.pieces.size(), no_index),
         sets_(arrangement.pieces.size()),
         winding_(arrangement),
         own_numbers_(arrangement, winding_) {}
@@ -55,6 +58,7 @@ class PatchFinder {
   };
   Index component(Index piece) const { return winding_.component_of(piece); }
   bool is_cut(Index halfedge) const { return halfedge / 3 >= arrangement_.whole_pieces; }
+  void connect(Index halfedge, Index other);
   void visit_edge(std::span<const Index> halfedges);
   void visit_curve(std::span<const Index> halfedges);
   std::vector<Passage> find_passages(const std::vector<Index>& sorted);
@@ -64,18 +68,28 @@ class PatchFinder {
   void measure_curves();
   int front_of(const Piece& piece) const;
   void decide();
+  void decide_strips();
   bool drop_unpaired(const Edges& edges);
   void drop(const std::set<Index>& patches);
 
   const Arrangement& arrangement_;
   int winding_level_;
+  Scalar coordinate_;
+  /// The halfedge of the connected piece across the edge of each halfedge, or `no_index`.
+  std::vector<Index> connected_;
   DisjointSets sets_;  ///< sets of connected pieces; in the end each set is a patch
   ComponentWinding winding_;
   OwnNumbers own_numbers_;
+  BorderStrips strips_;
   std::vector<Crossing> crossings_;
   CutPatches patches_;
   OpenPatches result_;
 };
+
+void PatchFinder::connect(Index halfedge, Index other) {
+  connected_[halfedge] = other;
+  connected_[other] = halfedge;
+}
 
 // Connects the two pieces at an edge of two pieces. An edge of more pieces is part of an
 // intersection curve, and is handled by visit_curve().
@@ -83,7 +97,7 @@ void PatchFinder::visit_edge(std::span<const Index> halfedges) {
   const auto& pieces = arrangement_.pieces;
   if (halfedges.size() > 2) return visit_curve(halfedges);
   if (halfedges.size() == 2 && is_forward(pieces, halfedges[0]) != is_forward(pieces, halfedges[1]))
-    sets_.join(halfedges[0] / 3, halfedges[1] / 3);
+    connect(halfedges[0], halfedges[1]);
 }
 
 // Finds the components that have exactly one forward and one backward piece at an edge. `sorted`
@@ -115,7 +129,7 @@ void PatchFinder::visit_curve(std::span<const Index> halfedges) {
     bool is_crossed = false;
     for (const Passage& other : passages)
       if (other.component != one.component) is_crossed |= cross(sorted, one, other);
-    if (!is_crossed) sets_.join(sorted[one.forward] / 3, sorted[one.backward] / 3);
+    if (!is_crossed) connect(sorted[one.forward], sorted[one.backward]);
   }
 }
 
@@ -177,13 +191,16 @@ OpenPatches PatchFinder::find() {
   for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = pieces[p].multiplicity != 0 ? 1 : 0;
   const Edges edges = piece_edges(arrangement_, counts);
   for (std::size_t e = 0; e < edges.size(); ++e) visit_edge(edges.halfedges(e));
+  strips_ = disconnect_border_strips(arrangement_, edges, coordinate_, connected_);
+  for (Index h = 0; h < connected_.size(); ++h)
+    if (connected_[h] != no_index) sets_.join(h / 3, connected_[h] / 3);
   measure_curves();
   for (Index p = 0; p < pieces.size(); ++p)
     if (counts[p]) patches_.pieces[sets_.find(p)].push_back(p);
 
   decide();
-  while (drop_unpaired(edges)) {
-  }
+  decide_strips();
+  while (drop_unpaired(edges)) decide_strips();
   return std::move(result_);
 }
 
@@ -203,6 +220,16 @@ void PatchFinder::decide() {
     }
   }
   result_.least_margin = numbers.least_margin();
+}
+
+// Keeps a strip only if all pieces beside it are kept. Otherwise it could be a needle along the
+// border.
+void PatchFinder::decide_strips() {
+  std::map<Index, char> are_kept;
+  for (const auto& [piece, beside] : strips_.sides)
+    are_kept.try_emplace(sets_.find(piece), 1).first->second &= result_.kept[beside];
+  for (const auto& [strip, is_kept] : are_kept)
+    for (const Index p : patches_.pieces.at(strip)) result_.kept[p] = is_kept;
 }
 
 // Drops patches at edges of more than two pieces where two or more kept pieces, and more pieces
@@ -240,8 +267,9 @@ void PatchFinder::drop(const std::set<Index>& patches) {
 
 }  // namespace
 
-OpenPatches find_exterior_patches(const Arrangement& arrangement, int winding_level) {
-  return PatchFinder(arrangement, winding_level).find();
+OpenPatches find_exterior_patches(const Arrangement& arrangement, int winding_level,
+                                  Scalar coordinate) {
+  return PatchFinder(arrangement, winding_level, coordinate).find();
 }
 
 }  // namespace transformesh

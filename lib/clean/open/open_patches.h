@@ -35,6 +35,9 @@ struct OpenPatches {
   double least_margin = 0.5;
 };
 
-OpenPatches find_exterior_patches(const Arrangement& arrangement, int winding_level);
+/// Curves that end within a few spacings of numbers of type `coordinate` from a border reach it
+/// (border_strips.h).
+OpenPatches find_exterior_patches(const Arrangement& arrangement, int winding_level,
+                                  Scalar coordinate = Scalar::float64);
 
 }  // namespace transformesh

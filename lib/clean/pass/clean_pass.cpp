@@ -142,7 +142,8 @@ void CleanPassRun::find_exterior_growing(const std::vector<Meeting>& meetings) {
 void CleanPassRun::keep_exterior_patches() {
   if (arrangement_.whole_pieces == arrangement_.pieces.size() && options_.winding_level == 1)
     return;
-  OpenPatches patches = find_exterior_patches(arrangement_, options_.winding_level);
+  OpenPatches patches =
+      find_exterior_patches(arrangement_, options_.winding_level, options_.coordinate);
   kept_ = std::move(patches.kept);
   pass_.open_patches = patches.patches;
   pass_.decided_by_number = patches.decided_by_number;

@@ -52,6 +52,8 @@ struct CleanPassOptions {
   std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
   /// The clean pass ends early if more pairs of faces than this intersect.
   std::size_t most_pairs = std::numeric_limits<std::size_t>::max();
+  /// Number type of the positions, of the input and of the result.
+  Scalar coordinate = Scalar::float64;
 };
 
 CleanPass run_clean_pass(const Mesh& mesh, const CleanPassOptions& options,

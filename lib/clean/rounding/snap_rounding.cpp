@@ -173,6 +173,7 @@ void SnapRounder::mend() {
 bool SnapRounder::clean_again(bool gives_cells, int winding_level, const PieceChooser* chooser) {
   const std::size_t most_pairs = most_pairs_share * (first_.pairs + mesh_.faces.size());
   CleanPassOptions options{winding_level, options_.method, false, chooser, {}, most_pairs};
+  options.coordinate = options_.coordinate;
   const std::vector<std::uint8_t> levels = grids_.levels_of_faces(assembly_.mesh);
   bool is_given = false;
   if (gives_cells && !options_.is_open)

@@ -100,8 +100,9 @@ void drop_enclosed(CleanResult& result) {
 CleanResult clean_faces_of(const Mesh& mesh, const CleanOptions& options,
                            const PieceChooser* chooser, const Progress& progress) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
-  CleanPass pass =
-      run_clean_pass(mesh, {options.winding_level, options.method, true, chooser}, progress);
+  CleanPassOptions pass_options{options.winding_level, options.method, true, chooser};
+  pass_options.coordinate = options.coordinate;
+  CleanPass pass = run_clean_pass(mesh, pass_options, progress);
   CleanResult result = counts_of(pass);
   if (pass.unchanged) {
     result.mesh = mesh;

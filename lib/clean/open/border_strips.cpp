@@ -1,0 +1,107 @@
+#include "clean/open/border_strips.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "clean/exterior/angular_order.h"
+#include "mesh/coordinate_spacing.h"
+
+namespace transformesh {
+namespace {
+
+/// Largest distance of a strip's corners from the border edge, in spacings. Cutting by a plane
+/// moves vertices by up to one spacing, and the border moves farther where the surface is nearly
+/// parallel to the plane. Of 198 random bodies cut by tilted planes, 66 lose the right parts with
+/// 0, and 147 with any value from 4 to 1024.
+constexpr double strip_spacings = 64;
+
+double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double square = along.squaredNorm();
+  const double t = square > 0 ? std::clamp((point - a).dot(along) / square, 0.0, 1.0) : 0.0;
+  return (point - (a + t * along)).norm();
+}
+
+class StripFinder {
+ public:
+  StripFinder(const Arrangement& arrangement, const Edges& edges, Scalar coordinate,
+              std::vector<Index>& connected)
+      : arrangement_(arrangement), edges_(edges), coordinate_(coordinate), connected_(connected) {
+    strips_.is_strip.assign(arrangement.pieces.size(), 0);
+  }
+
+  BorderStrips run() {
+    std::vector<char> is_border_point(arrangement_.point_count(), 0);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const auto halfedges = edges_.halfedges(e);
+      if (halfedges.size() != 1) continue;
+      const Index h = halfedges.front();
+      is_border_point[source(h)] = is_border_point[target(h)] = 1;
+      grow(h);
+    }
+    disconnect_strips();
+    for (Index h = 3 * arrangement_.whole_pieces; h < connected_.size(); ++h)
+      if (connected_[h] != no_index && is_border_point[target(h)] && is_short(h)) disconnect(h);
+    return std::move(strips_);
+  }
+
+ private:
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  Index source(Index h) const { return halfedge_source(arrangement_.pieces, h); }
+  Index target(Index h) const { return halfedge_target(arrangement_.pieces, h); }
+  const Vec3& at(Index point) const { return arrangement_.position(point); }
+  double tolerance_at(Index point) const {
+    return strip_spacings * spacing_around(at(point), coordinate_);
+  }
+  bool is_short(Index h) const {
+    return (at(target(h)) - at(source(h))).norm() <= tolerance_at(target(h));
+  }
+
+  // Takes the pieces beside a border halfedge that are near its edge.
+  void grow(Index border) {
+    const Vec3 &a = at(source(border)), &b = at(target(border));
+    std::vector<Index> entered{border};
+    while (!entered.empty()) {
+      const Index h = entered.back();
+      entered.pop_back();
+      const Index piece = h / 3, apex = target(next(h));
+      if (piece < arrangement_.whole_pieces || strips_.is_strip[piece]) continue;
+      if (!arrangement_.pieces[piece].is_open) continue;
+      if (distance_to_segment(at(apex), a, b) > tolerance_at(apex)) continue;
+      strips_.is_strip[piece] = 1;
+      for (const Index side : {next(h), next(next(h))})
+        if (connected_[side] != no_index) entered.push_back(connected_[side]);
+    }
+  }
+
+  void disconnect_strips() {
+    for (Index h = 0; h < connected_.size(); ++h) {
+      if (connected_[h] == no_index || !strips_.is_strip[h / 3]) continue;
+      const Index beside = connected_[h] / 3;
+      if (strips_.is_strip[beside]) continue;
+      strips_.sides.emplace_back(h / 3, beside);
+      disconnect(h);
+    }
+  }
+
+  void disconnect(Index h) {
+    const Index other = connected_[h];
+    connected_[h] = connected_[other] = no_index;
+  }
+
+  const Arrangement& arrangement_;
+  const Edges& edges_;
+  Scalar coordinate_;
+  std::vector<Index>& connected_;
+  BorderStrips strips_;
+};
+
+}  // namespace
+
+BorderStrips disconnect_border_strips(const Arrangement& arrangement, const Edges& edges,
+                                      Scalar coordinate, std::vector<Index>& connected) {
+  return StripFinder(arrangement, edges, coordinate, connected).run();
+}
+
+}  // namespace transformesh
