@@ -184,5 +184,5 @@ TEST_CASE("a TIFF whose tile claims what its bytes cannot hold takes no memory f
   set_label(bytes, TIFFTAG_TILELENGTH, 23312);
   set_label(bytes, TIFFTAG_SAMPLESPERPIXEL, 16129);
   CHECK(image_refusal(bytes).starts_with(
-      "a strip or tile of the image cannot have 12031975936 bytes in "));
+      "a strip or tile of 12031975936 bytes cannot be stored in "));
 }
