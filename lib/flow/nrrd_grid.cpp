@@ -47,7 +47,7 @@ class NrrdReader {
     for (bool is_first = true;; is_first = false) {
       const std::size_t end = rest.find('\n');
       if (end == std::string_view::npos)
-        source_.fail("the header of NRRD does not end with an empty line");
+        source_.fail("the NRRD header does not end with an empty line");
       const std::string_view line = trimmed(rest.substr(0, end));
       rest.remove_prefix(end + 1);
       if (line.empty()) break;
@@ -59,7 +59,7 @@ class NrrdReader {
   void add_line(std::string_view line) {
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos)
-      source_.fail_at_line(line.data(), "the header of NRRD has a line without a colon");
+      source_.fail_at_line(line.data(), "the NRRD header has a line without a colon");
     const bool is_key = line.substr(colon).starts_with(":=");
     std::string name(is_key ? 1 : 0, '=');
     name += line.substr(0, colon);
@@ -92,19 +92,17 @@ class NrrdReader {
       result.push_back(value);
     }
     if (first != last || result.size() != count)
-      source_.fail("the field " + quoted(name) + " of NRRD does not hold " +
-                   counted(count, "number"));
+      source_.fail("the NRRD field " + quoted(name) + " does not hold " + counted(count, "number"));
     return result;
   }
 
   void check_encoding() const {
     if (!field("data file").empty() || !field("datafile").empty())
-      source_.fail("NRRD with its data in another file is not supported");
+      source_.fail("NRRD data in a separate file is not supported");
     if (field("encoding") != "raw")
-      source_.fail("the encoding of NRRD is " + quoted(field("encoding")) +
-                   "; only raw is supported");
+      source_.fail("the NRRD encoding is " + quoted(field("encoding")) + "; only raw is supported");
     if (field("type") != "float" && field("type") != "double")
-      source_.fail("the type of NRRD is " + quoted(field("type")) +
+      source_.fail("the NRRD type is " + quoted(field("type")) +
                    "; only float and double are supported");
     if (field("endian") != "little" && field("endian") != "big")
       source_.fail(
@@ -116,14 +114,14 @@ class NrrdReader {
   std::size_t set_sizes(FlowGrid& grid) const {
     const std::size_t axes = components_ == 1 ? 3 : 4;
     if (numbers("dimension", 1)[0] != static_cast<double>(axes))
-      source_.fail("the dimension of NRRD is " + std::string(field("dimension")) +
-                   ", but must be " + std::to_string(axes));
+      source_.fail("the NRRD dimension is " + std::string(field("dimension")) + ", but must be " +
+                   std::to_string(axes));
     const std::vector<double> sizes = numbers("sizes", axes);
     for (const double size : sizes)
       if (!(size >= 1 && size <= most_values) || size != std::floor(size))
-        source_.fail("the sizes of NRRD must be whole numbers of 1 or more, and not too large");
+        source_.fail("the NRRD sizes must be whole numbers from 1 to 65535");
     if (axes == 4 && sizes[0] != static_cast<double>(components_))
-      source_.fail("the first axis of NRRD has " + std::to_string(static_cast<long>(sizes[0])) +
+      source_.fail("the first NRRD axis has " + std::to_string(static_cast<long>(sizes[0])) +
                    " values, but a vector has " + std::to_string(components_) + " components");
     for (std::size_t i = 0; i < 3; ++i)
       grid.size[i] = static_cast<std::size_t>(sizes[axes - 3 + i]);
@@ -158,7 +156,7 @@ class NrrdReader {
   std::vector<double> values(const FlowGrid& grid) const {
     const std::size_t count = grid.components * grid.size[0] * grid.size[1] * grid.size[2];
     if (count > data_.size() / sizeof(T))
-      source_.fail("NRRD announces " + counted(count, "number") + ", but there are " +
+      source_.fail("the NRRD header announces " + counted(count, "number") + ", but there are " +
                    counted(data_.size(), "byte"));
     const bool swapped = (field("endian") == "little") != host_is_little;
     std::vector<double> result(count);

@@ -21,7 +21,7 @@ void check_values(const Source& source, const FlowGrid& grid) {
 
 FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::size_t components) {
   const Source source{bytes, name};
-  if (bytes.empty()) source.fail("the file of the grid is empty");
+  if (bytes.empty()) source.fail("the grid file is empty");
   if (!is_nrrd(bytes) && !is_vtk_xml(bytes))
     source.fail("the file is neither VTK ImageData (.vti) nor NRRD");
   FlowGrid grid =
@@ -33,9 +33,9 @@ FlowGrid read_flow_grid(std::string_view bytes, const std::string& name, std::si
 std::vector<FlowGrid> read_flow_grids(const std::string& flow, const std::string& where,
                                       double step) {
   std::vector<FlowGrid> grids;
-  if (!(step >= 0)) throw UsageError("the time from one grid to the next must be above 0");
+  if (!(step >= 0)) throw UsageError("the time between consecutive grids must be above 0");
   if (where.empty() && step > 0)
-    throw UsageError("a time from one grid to the next is given, but no grids");
+    throw UsageError("a time between consecutive grids is given, but no grids");
   if (where.empty()) return grids;
   for (const std::string& file : files_at(where)) {
     grids.push_back(read_flow_grid(file_bytes(file), file, flow == "normal" ? 1 : 3));

@@ -52,7 +52,8 @@ GridValue value_in(const FlowGrid& grid, const Vec3& point) {
 
 void check(const FlowGrid& grid, std::size_t components) {
   constexpr std::size_t most_nodes = 1048576;  // per axis: the number of values fits into 64 bits
-  if (std::ranges::max(grid.size) > most_nodes) throw UsageError("a grid has too many nodes");
+  if (std::ranges::max(grid.size) > most_nodes)
+    throw UsageError("a grid has more than 1048576 nodes along an axis");
   const std::size_t nodes = grid.size[0] * grid.size[1] * grid.size[2];
   if (grid.components != components)
     throw UsageError("a grid has " + std::to_string(grid.components) +
@@ -73,7 +74,7 @@ GridSeries::GridSeries(std::vector<FlowGrid> grids, std::size_t components)
     check(grid, components);
     if (!grid.time && grids_.size() > 1)
       throw InputError("one of " + std::to_string(grids_.size()) +
-                       " grids does not state its time: give the time from one grid to the next");
+                       " grids does not state its time: give the time between consecutive grids");
   }
   std::ranges::stable_sort(grids_, {}, [](const FlowGrid& grid) { return grid.time.value_or(0); });
   for (std::size_t i = 1; i < grids_.size(); ++i)

@@ -80,9 +80,7 @@ class VtiReader {
     for (std::size_t i = 0; i < 3; ++i) {
       const double first = extent[2 * i], nodes = extent[2 * i + 1] - first + 1;
       if (!(nodes >= 1 && nodes <= most_nodes) || nodes != std::floor(nodes))
-        source_.fail(
-            "each axis of the grid's extent must have a whole number of 1 or more nodes, and not "
-            "too many");
+        source_.fail("each axis of the grid must have a whole number of nodes, from 1 to 1048576");
       const auto axis = static_cast<Eigen::Index>(i);
       grid.size[i] = static_cast<std::size_t>(nodes);
       grid.spacing[axis] = spacing[i];

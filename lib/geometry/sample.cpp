@@ -180,8 +180,8 @@ std::vector<SurfacePoint> poisson_disk(const Mesh& mesh, const SampleOptions& op
                                        const Progress& progress) {
   const double disks = checked_area(mesh) / options.distance / options.distance;
   if (!(disks < most_points))
-    throw UsageError("points at a distance of " + shortest_text(options.distance) +
-                     " would be about " + significant(disks, 2) + ", more than " +
+    throw UsageError("a distance of " + shortest_text(options.distance) + " makes about " +
+                     significant(disks, 2) + " points, more than the maximum of " +
                      shortest_text(most_points) + ": ask for a larger distance");
   const auto darts = static_cast<std::size_t>(std::ceil(darts_per_disk * disks));
   return PoissonDisk(mesh, options.distance, options.seed).sample(darts, options.seed, progress);

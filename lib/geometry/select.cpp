@@ -17,7 +17,7 @@ void meet(std::vector<bool>& keep, const std::vector<bool>& more) {
 
 void check_mask(const std::vector<bool>& mask, const Mesh& mesh) {
   if (mask.size() != mesh.faces.size())
-    throw InputError("the mask is of " + counted(mask.size(), "face") + ", but " +
+    throw InputError("the mask has " + counted(mask.size(), "value") + ", but " +
                      there_are(mesh.faces.size(), "face"));
 }
 

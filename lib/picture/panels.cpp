@@ -42,7 +42,8 @@ void check_size(const PictureOptions& options, int columns, int rows, int strip)
   const long pixels = static_cast<long>(options.width) * options.height;
   if (options.width < 1 || options.height < 1 || options.width > largest_side ||
       options.height > largest_side || pixels > most_pixels)
-    throw UsageError("a picture of " + text + " pixels: at most 32768 each way and 2^26 in all");
+    throw UsageError("a picture of " + text +
+                     " pixels is not supported: use 1 to 32768 each way, and at most 2^26 in all");
   if (columns > options.width || rows > options.height)
     throw UsageError("a picture of " + text + " pixels is too small for " +
                      std::to_string(columns) + "x" + std::to_string(rows) + " panels");

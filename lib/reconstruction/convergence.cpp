@@ -21,7 +21,8 @@ constexpr double most_doubtful = 0.03;
 std::string in_words_of(const SurfaceDoubt& doubt) {
   if (doubt.disagreement > most_disagreement)
     return "photographs disagree by " + fixed(doubt.disagreement, 2) +
-           " more than their noise explains";
+           " beyond their noise, on a scale from 0 to 1; at most " +
+           shortest_text(most_disagreement) + " is accepted";
   const auto thin = std::find_if(doubt.places.begin(), doubt.places.end(),
                                  [](const DoubtfulPlace& place) { return place.is_thin; });
   if (thin != doubt.places.end())

@@ -175,7 +175,7 @@ bool ReconstructionLoop::may_begin_finer() const {
 void ReconstructionLoop::begin_finer(Document& document, const Progress& progress) {
   if (options_.on_detail)
     options_.on_detail("scale " + fixed(sweep_.scale_step.scale, 4) +
-                       " is too coarse for this surface: restarting at the next");
+                       " is too coarse for this surface: restarting at the next finer scale");
   scale_step_ = ++first_;
   faults_.lost_at = 0;
   rule_.begin();

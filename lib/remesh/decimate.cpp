@@ -72,9 +72,9 @@ bool has_too_many(const DecimateResult& result, const DecimateOptions& options) 
 
 GoalError stuck(const DecimateResult& result, const DecimateOptions& options) {
   return {ErrorKind::decimation_stuck,
-          std::to_string(result.faces) + " faces are left, of which no more than " +
+          std::to_string(result.faces) + " faces are left, more than the " +
               std::to_string(options.faces) +
-              " were wanted: further collapses would change the topology, flip faces, or make the "
+              " wanted: further collapses would change the topology, flip faces, or make the "
               "surface touch itself or come too near to the other surface",
           {.counts = {result.faces, options.faces}}};
 }

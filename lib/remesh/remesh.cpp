@@ -127,8 +127,8 @@ bool survey_faces(const EditableMesh& mesh, double max_edge) {
   faces /= max_edge * max_edge * std::sqrt(3.0) / 2;
   if (faces > most_faces) {
     const double least = std::isfinite(faces) ? faces : most_faces;
-    throw UsageError("a longest edge of " + shortest_text(max_edge) + " would take more than " +
-                     shortest_text(std::floor(least / 1e6)) + " million faces");
+    throw UsageError("a longest edge of " + shortest_text(max_edge) + " would make more than " +
+                     shortest_text(std::floor(least / 1e6)) + " million faces: use longer edges");
   }
   return has_degenerate;
 }

@@ -48,7 +48,7 @@ void check_options(const RemeshOptions& options) {
     throw UsageError("the length of loops to be pinched off must be a positive length");
   if (options.pinch > 0 && options.only_smooth)
     throw UsageError(
-        "smoothing alone and cutting of necks exclude each other: do one after the other");
+        "smoothing alone cannot be combined with cutting of necks: do one after the other");
   const double first = options.smooth_first;
   const double second = options.smooth_second;
   if (options.only_smooth && options.smoothing == Smoothing::none)

@@ -77,7 +77,7 @@ Mesh make_dented(const ShapeOptions& options, std::size_t faces, const Progress&
 Mesh make_ellipsoid(const ShapeOptions& options, std::size_t faces, const Progress& progress) {
   const Vec3 axes = three_lengths(options);
   if (axes.maxCoeff() > 10 * axes.minCoeff())
-    refuse(options, "the longest axis may be ten times the shortest, no more");
+    refuse(options, "the longest axis must be at most ten times the shortest");
   return ellipsoid(axes, faces, progress);
 }
 

@@ -54,7 +54,7 @@ Matrix4 mirroring(const py::handle& value) {
   if (py::isinstance<py::str>(value)) {
     const std::string axis = py::cast<std::string>(value);
     if (axis.size() != 1 || axis < "x" || axis > "z")
-      throw UsageError("mirror: '" + axis + "' is neither x, y or z nor four numbers");
+      throw UsageError("mirror: '" + axis + "' is neither x, y, z nor four numbers");
     return mirroring_in(Vec3::Unit(axis[0] - 'x'), 0);
   }
   const std::vector<double> plane = numbers_of(value, 4, "mirror");
@@ -173,9 +173,11 @@ MeshPointer sample_mesh(Call& call) {
   call("count", options.count)("seed", options.seed);
   const bool has_distance = !call["distance"].is_none();
   if ((options.count > 0) == has_distance)
-    throw UsageError("give either count, the number of points, or distance, their least distance");
+    throw UsageError(
+        "give either count, the number of points, or distance, the smallest distance between two "
+        "of them");
   options.distance = call.length("distance");
-  if (has_distance && !(options.distance > 0)) throw UsageError("distance must be more than 0");
+  if (has_distance && !(options.distance > 0)) throw UsageError("distance must be above 0");
   Document& document = call.document;
   document.mesh =
       call.run([&](const Progress& to) { return sample_surface(document.mesh, options, to); });

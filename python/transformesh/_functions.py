@@ -76,8 +76,8 @@ def clean(
     source_face: bool = False,
     progress: Progress = None,
 ) -> Mesh:
-    """Removes self-intersections: the boundary of winding number at least `level`, exactly,
-    closed, manifold, without a self-intersection in the numbers as written. 2 intersects two
+    """Removes self-intersections: the boundary of the points with winding number at least `level`,
+    exactly, closed, manifold, without a self-intersection in the numbers as written. 2 intersects two
     bodies. `outermost` drops cavities and what floats in them. `merge_flat` covers flat regions
     with few triangles where faces were cut. In a `box` ((x, y, z), (x, y, z)) what intersects
     there is resolved and all else left, or with `only` left out. `source` writes where on the
@@ -245,8 +245,8 @@ def fill(
     allow_crossings: bool = False,
     progress: Progress = None,
 ) -> Mesh:
-    """Closes holes by smooth patches, never into a self-intersection unless `allow_crossings` says
-    so; the report has what stays open. See tm-fill(1)."""
+    """Closes holes with smooth patches that do not intersect the mesh, unless `allow_crossings` is
+    true; the report has what stays open. See tm-fill(1)."""
     return _transformesh.fill(**locals())
 
 
@@ -372,8 +372,8 @@ def compare(
 def certify(
     mesh: Mesh, input: Mesh, *, level: int = 1, progress: Progress = None
 ) -> dict[str, Any]:
-    """Whether a mesh is the boundary of winding number at least `level` of the input, by samples
-    and by no code that computes such boundaries. See tm-checkmanifold(1)."""
+    """Whether a mesh is the boundary of the points with winding number at least `level` in the
+    input, by samples and by no code that computes such boundaries. See tm-checkmanifold(1)."""
     return _transformesh.certify(**locals())
 
 

@@ -453,7 +453,7 @@ def test_select_where_an_array_is_true(bodies):
     by_array = tm.select(mesh, where=mesh.face_columns["label"] < 2)
     assert by_array.to_bytes() == tm.select(mesh, where="label<2").to_bytes()
     for mask in [[], [True]]:
-        with pytest.raises(tm.InputError, match="the mask is of"):
+        with pytest.raises(tm.InputError, match="the mask has"):
             tm.select(mesh, where=np.array(mask, dtype=bool))
 
 

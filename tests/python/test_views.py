@@ -62,7 +62,7 @@ def test_how_photographs_are_compared(scene):
         tm.reconstruct(*places, window="wide")
     with pytest.raises(ValueError, match="hollows"):
         tm.reconstruct(*places, hollows="open")
-    with pytest.raises(ValueError, match="no inside"):
+    with pytest.raises(ValueError, match="the box is empty"):
         tm.reconstruct(*places, box=[(0, 0, 0), (0, 1, 1)])
 
 

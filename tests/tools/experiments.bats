@@ -67,7 +67,7 @@ table() { cut -d, -f1-4,7- "$1/table.csv" | tr -d '"'; }
   batch -j2 batch TABLE="$PWD/small.table"
   [ "$(wc -l <small/table.csv)" -eq 7 ]
   table small | grep -q '^genus-2,quick,0,,,.*,true,'
-  table small | grep -q '^genus-1,wrong,2,run,tm-clean: the box has no inside'
+  table small | grep -q '^genus-1,wrong,2,run,tm-clean: the box is empty'
   table small | grep -q '^none,quick,2,shape,tm-shape: genus: '
   [ "$(tm-info --get genus small/genus-2,quick/result.ply)" -eq 2 ]
   [ -z "$(find small -name '*.unfinished' -o -name '*.lock')" ]

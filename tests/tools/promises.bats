@@ -155,7 +155,7 @@ turned_boxes() { # DEGREES
   done
 }
 
-@test "tm-fill: never into a self-intersection" {
+@test "tm-fill: patches do not intersect the mesh" {
   # Holes whose flat patches would intersect an obstacle in the hole, and holes of a soup with many holes.
   tm-shape sphere --faces 2000 | tm-select --invert --box=-9,-9,0.5,9,9,9 >cap.ply
   tm-shape box 0.2 0.2 0.8 --faces 300 --center 0,0,0.5 | tm-cat cap.ply - >pin.ply

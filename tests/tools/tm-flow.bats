@@ -100,7 +100,7 @@ uniform_vti() {
   uniform_vti wind/a-11.vti 4
   run --separate-stderr tm-flow grid --grid wind ball.ply -o none.ply
   assert_status 3
-  [[ $stderr == *"one of 3 grids does not state its time: give the time from one grid to the next" ]]
+  [[ $stderr == *"one of 3 grids does not state its time: give the time between consecutive grids" ]]
   tm-flow grid --grid wind --grid-step 1 ball.ply -o flow.ply
 }
 

@@ -492,7 +492,7 @@ plate_with_window() { # WIDTH
   run --separate-stderr tm-morph "$sphere" --target "$torus" -o out.ply --iterations 3 --progress
   assert_status 0
   [ "${#stderr_lines[@]}" -eq 4 ]
-  [[ ${stderr_lines[1]} == "tm-morph: iteration 2: "*" faces, 1 part, genus 0, moved 100%"* ]]
+  [[ ${stderr_lines[1]} == "tm-morph: iteration 2: "*" faces, 1 component, genus 0, moved 100%"* ]]
   run --separate-stderr tm-morph "$sphere" --target "$torus" -o out.ply --iterations 3 -q
   [ -z "$stderr" ]
 }

@@ -66,7 +66,7 @@ block_of() {
     [ ! -e none.html ]
   }
   mkdir -p other
-  refused 2 'RUN is needed'
+  refused 2 'RUN is missing'
   refused 3 'is not a run' other
   refused 3 'is not a run' torus.ply
   refused 2 "--color-by: no mesh has a property 'heat'" one --color-by heat

@@ -50,7 +50,7 @@ load ../helpers/common
   [ "$(tm-info --get bbox_min <(tetrahedron | tm-transform --mirror y))" = "0 -1 0" ]
   run --separate-stderr tm-transform --mirror w <(tetrahedron)
   assert_status 2
-  [[ $stderr == *"'w' is neither x, y or z nor four numbers separated by commas" ]]
+  [[ $stderr == *"'w' is neither x, y, z nor four numbers separated by commas" ]]
 }
 
 @test "a matrix in a file is the one on the command line, in its turn" {

@@ -87,7 +87,7 @@ with_names() {
   mended masks/view0.pgm '8 further masks'
   change 'l < 128 ? 5 : 250' 0 1 2 3 4 5 6 7 8
   hull
-  mended 'brighter than half-way'
+  mended 'brighter than halfway'
 }
 
 @test "labels are the object, whatever they are" {

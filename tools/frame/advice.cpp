@@ -110,10 +110,11 @@ constexpr std::array table{
     Advice{Kind::few_views_disagree, "drop-bad-views",
            "check their cameras and masks, or leave these views out with --drop-bad-views"},
     Advice{Kind::bad_state, "restart", "begin again with --restart"},
-    Advice{Kind::other_settings, "resume", "leave out --resume"},
+    Advice{Kind::other_settings, "resume",
+           "repeat these settings, or begin again with --restart instead of --resume"},
     Advice{Kind::interrupted_run, "restart",
            "continue it with --resume, or discard it with --restart"},
-    Advice{Kind::not_a_run, "", "let a loop such as tm-morph write it with --run {name}"},
+    Advice{Kind::not_a_run, "", "write it with tm-evolve, tm-morph or tm-reconstruct --run {name}"},
 };
 
 void replace(std::string& text, const std::string& word, const std::string& value) {

@@ -55,23 +55,22 @@ std::string option_entries(const Program& program, bool is_common) {
 std::string exit_code_lines(const Program& program) {
   std::string done = "done";
   if (program.output.writes == Writes::answer) done = "done or passed, 1 not passed";
-  if (program.is_evolution()) done = "done, 1 not converged where that is required";
+  if (program.is_evolution()) done = "done, 1 not converged with --require-convergence";
   return wrapped("Exit codes: 0 " + done +
                      ", 2 usage, 3 bad input, 4 goal not reached, "
                      "5 output failed, 6 out of memory.",
                  0, 12);
 }
 
-// Returns the lines of the help that explain how lengths are written. Lengths relative to the
-// reference edge (0.7x) are explained only if the program reads an input.
+// Returns the lines of the help that explain how lengths are written. Programs that read no input
+// have their own text, because they have neither a bounding box of the input nor a reference edge.
 std::string length_lines(const Program& program) {
   const auto is_length = [](const Option& option) { return option.placeholder == "LENGTH"; };
   if (std::none_of(program.options.begin(), program.options.end(), is_length)) return {};
   return '\n' + wrapped(program.reads_input()
                             ? "A LENGTH is 0.02 (input units), 1% (of the bounding box's diagonal) "
                               "or 0.7x (of the reference edge)."
-                            : "A LENGTH is 0.02 (input units) or 1% (of the bounding box's "
-                              "diagonal).",
+                            : program.lengths,
                         0, 0);
 }
 

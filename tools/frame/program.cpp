@@ -194,7 +194,8 @@ void check_command(const Program& program, const std::vector<std::string>& words
   const std::vector<std::string>& commands = program.words.choices;
   std::string listed;
   for (const std::string& command : commands) listed += (listed.empty() ? "" : ", ") + command;
-  if (words.empty()) throw UsageError("no command given: " + listed + "; see --help");
+  if (words.empty())
+    throw UsageError("the command is missing: give one of " + listed + "; see --help");
   const std::string nearest = nearest_name(words[0], commands);
   if (nearest != words[0])
     throw UsageError("unknown command '" + words[0] + "'" +

@@ -115,6 +115,8 @@ struct Program {
   InputRules input = {};
   OutputRules output = {};
   WordRules words = {};
+  /// How to write a LENGTH, for the help of programs that read no input.
+  std::string lengths = {};
   std::string epilog = {};   ///< shown after the options: formulas, pipelines
   std::string example = {};  ///< a complete command, shown at the end of the help
   OptionSet options = {};

@@ -59,9 +59,8 @@ void VelocityProcess::end_child() {
 void VelocityProcess::wait_until_ready() {
   pollfd waiting{socket_, POLLIN, 0};
   if (poll(&waiting, 1, most_milliseconds) == 1 && line() == "ready") return;
-  throw GoalError(
-      "'" + command_ +
-      "' did not begin with the line 'ready', which a command that stays alive must write");
+  throw GoalError("'" + command_ +
+                  "' did not begin with the line 'ready', which --persistent requires");
 }
 
 void VelocityProcess::throw_ended() {

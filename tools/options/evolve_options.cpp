@@ -68,8 +68,8 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
   declare_iterations(program, choices.loop,
                      "maximum number of iterations (default 1000; with --time no limit)");
   program.options.text("until", &choices.until, "moved:LENGTH|stalled|components:N|genus:N",
-                       "stop when no vertex moves by LENGTH, when movements no longer decrease, or "
-                       "at N components or handles");
+                       "stop when no vertex moves by LENGTH or more, when movements no longer "
+                       "decrease, or at N components or genus N (default: none of these)");
   program.options.number("alpha", &choices.displace.alpha, 0, 1e300,
                          "with --step: largest movement of a vertex by vx vy vz, as a fraction of "
                          "the mean length of its edges");

@@ -30,9 +30,11 @@ void declare_flow(OptionSet& options, FlowChoices& choices) {
   options.point("direction", &choices.flow.direction,
                 "axis of rotation (default 0,0,1), or direction of translation (default 1,0,0)");
   options.text("column", &choices.column, "COLUMN",
-               "vertex property by which the speed of normal is multiplied");
-  options.text("grid", &choices.grid, "WHERE",
-               "files in VTK ImageData or NRRD format: velocities for grid, or speeds for normal");
+               "vertex property by which the speed of the flow normal is multiplied");
+  options.text(
+      "grid", &choices.grid, "WHERE",
+      "files in VTK ImageData or NRRD format: velocities for the flow grid, or speeds for the "
+      "flow normal");
   options
       .number("grid-step", &choices.grid_step, 0, 1e300,
               "time between consecutive files of --grid (default: the times in the files)")

@@ -57,7 +57,7 @@ void declare_step(Program& program, PhotoOptions& options) {
   program.options.named(
       "step", &step.rule,
       {{"gauss-newton", PhotoStepRule::gauss_newton}, {"paper", PhotoStepRule::gradient}},
-      "rule for the length of a step");
+      "rule for the length of a step; paper: that of Zaharescu et al. 2011");
   program.options.number(
       "alpha", &step.alpha, 0, 1e300,
       "largest movement of a vertex, as a fraction of the mean length of its edges");

@@ -26,16 +26,16 @@ void declare_places(Program& program, ReconstructChoices& choices) {
       "silhouettes-show", &choices.options.initial.meaning,
       {{"exact", SilhouetteMeaning::exact}, {"least", SilhouetteMeaning::least}},
       "masks show the whole object, or only a part of it: then they only pull outwards");
-  program.options.text(
-      "threshold", &choices.threshold, "auto|LEVEL",
-      "without masks: intensity above which photographs show the object (default auto; "
-      "with --start, none)");
+  program.options.text("threshold", &choices.threshold, "auto|LEVEL",
+                       "without masks: intensity from 1 to 254 above which photographs show the "
+                       "object (default auto; with --start, none)");
 }
 
 void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
-  program.options.box("box", &choices.box, "X,Y,Z,X,Y,Z",
-                      "two corners of a box that contains the object; pixels that do not show "
-                      "the box become background");
+  program.options.box(
+      "box", &choices.box, "X0,Y0,Z0,X1,Y1,Z1",
+      "lower and upper corner of a box that contains the object; pixels that do not show "
+      "the box become background");
   program.options.text("keep", &choices.keep, "auto|largest|all|SHARE",
                        "components of the hull to keep; SHARE: those of at least this share of the "
                        "largest one's volume; auto: those needed to fill the silhouettes");
@@ -46,8 +46,8 @@ void declare_initial_mesh(Program& program, ReconstructChoices& choices) {
       "with --start: keep the part of the mesh inside the hull of exact silhouettes, or all of it");
   program.options.named("hollows", &choices.options.initial.opens_hollows,
                         {{"auto", true}, {"closed", false}},
-                        "hollows of the object that the hull fills; auto: begin with those open "
-                        "that depth maps show; closed: leave all filled");
+                        "what to do with hollows that the hull fills; auto: open those that depth "
+                        "maps show; closed: leave all filled at the beginning");
   program.options.text("sequence", &choices.sequence, "WHERE",
                        "time steps: a file with a name per line, a folder of folders, or a "
                        "pattern; {} in other options stands for the name");

@@ -92,9 +92,10 @@ void declare_remeshing(Program& program, RemeshChoices& choices) {
                        "Laplace-Beltrami operator, from 0 to 1");
   program.options.numbers("smooth2", &choices.smooth_twice, "B1,B2",
                           "apply the operator once and twice: v - B1 dv + B2 d2v");
-  program.options.text("feature-angle", &choices.feature_angle, "auto|NUMBER",
-                       "keep edges sharper than this, in degrees; 180 keeps none; auto: 40 if the "
-                       "mesh certainly has sharp edges, else 180");
+  program.options.text(
+      "feature-angle", &choices.feature_angle, "auto|NUMBER",
+      "keep edges sharper than this, from 1 to 180 degrees; 180 keeps none; auto: 40 if the "
+      "mesh certainly has sharp edges, else 180");
   program.options.flag("keep-border", &remesh.keep_border, "do not change borders");
   program.options.flag("project", &remesh.project,
                        "move vertices back onto the input after tangential smoothing");
@@ -134,7 +135,8 @@ RemeshOptions remesh_options(RemeshChoices& choices, const Document& document, R
   if (result.curved && !smooths) choices.smooth = "none";
   read_smoothing(choices.smooth, result);
   if (choices.smooth_twice.empty()) return result;
-  if (choices.smooth != "tangential") throw UsageError("--smooth and --smooth2 exclude each other");
+  if (choices.smooth != "tangential")
+    throw UsageError("give either --smooth or --smooth2, not both");
   result.smoothing = Smoothing::bilaplace;
   result.smooth_first = choices.smooth_twice[0];
   result.smooth_second = choices.smooth_twice[1];

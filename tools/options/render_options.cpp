@@ -15,7 +15,8 @@ void declare_picture(Program& program, RenderOptions& options) {
   program.options.text("size", &options.size, "WxH", "width and height of the picture in pixels");
   program.options.text(
       "orbit", &options.orbit, "AZIMUTH,ELEVATION",
-      "direction of the camera in degrees, moved to its right and upwards from the front");
+      "direction of the camera as seen from the mesh, in degrees; 0,0 is the front, larger angles "
+      "move the camera to its right and upwards");
   program.options.named("up", &picture.orbit.up, {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}},
                         "axis that points up");
   program.options.number("zoom", &picture.orbit.zoom, 0.001, 1000,

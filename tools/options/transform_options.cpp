@@ -43,7 +43,7 @@ void take_axes(Option& mirror) {
   mirror.assign = [numbers = mirror.assign](const std::string& text) {
     if (text.find(',') != std::string::npos) return numbers(text);
     if (text.size() != 1 || text < "x" || text > "z")
-      throw UsageError("'" + text + "' is neither x, y or z nor four numbers separated by commas");
+      throw UsageError("'" + text + "' is neither x, y, z nor four numbers separated by commas");
     const auto axis = static_cast<std::size_t>(text[0] - 'x');
     numbers("0,0,0,0"s.replace(2 * axis, 1, "1"));
   };

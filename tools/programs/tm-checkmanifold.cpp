@@ -61,10 +61,10 @@ int main(int argc, char** argv) {
   program.options.flag("intersections", &options.check.intersections,
                        "count intersecting faces as problems");
   program.options.text("certify", &options.certify, "FILE",
-                       "check by samples that the mesh is the boundary of winding number >= N in "
-                       "FILE, where --level sets N");
+                       "check by samples that the mesh is the boundary of the points with winding "
+                       "number >= N in FILE, where --level sets N");
   program.options.integer("level", &options.winding_level, 1, 1000000,
-                          "winding level of --certify (default: 1)");
+                          "winding level of --certify (default 1)");
   program.options.flag(
       "pass", &options.pass,
       "write the mesh instead of the report; if there is a problem, write nothing and exit with 1");

@@ -34,8 +34,9 @@ void clean_document(Document& document, const tool::CleanChoices& choices, tool:
 
 int main(int argc, char** argv) {
   tool::CleanChoices choices;
-  tool::Program program{"tm-clean", "[OPTION]... [INPUT]",
-                        "Removes self-intersections; keeps the boundary of winding number >= 1"};
+  tool::Program program{
+      "tm-clean", "[OPTION]... [INPUT]",
+      "Removes self-intersections; keeps the boundary of the points with winding number >= 1"};
   program.output.is_clean = true;
   program.input.soups = tool::Soups::own;
   program.input.takes_tiles = true;

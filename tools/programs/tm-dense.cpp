@@ -25,9 +25,10 @@ void declare(tool::Program& program, Options& options) {
       .text("images", &options.sources.images, "WHERE",
             "file, folder or pattern of the photographs")
       .is_needed = true;
-  program.options.box("box", &options.box, "X,Y,Z,X,Y,Z",
-                      "two corners of the box to search (default: around the sparse points, or "
-                      "around the point at which the cameras look)");
+  program.options.box(
+      "box", &options.box, "X0,Y0,Z0,X1,Y1,Z1",
+      "lower and upper corner of the box to search (default: around the sparse points, or "
+      "around the point at which the cameras look)");
   program.options.length("edge", &options.edge, "size of a grid cell (default: 1.5 pixels)");
   tool::declare_reading(program, options.sources);
 }
@@ -79,6 +80,8 @@ int main(int argc, char** argv) {
                         "Makes a surface from calibrated photographs without masks",
                         {tool::Reads::nothing}};
   declare(program, options);
+  program.lengths =
+      "A LENGTH is 0.02 (in the units of the cameras) or 1% (of the diagonal of the box).";
   program.example = "tm-dense --cameras par.txt --images photos > scene.ply";
   return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

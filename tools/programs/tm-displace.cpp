@@ -49,9 +49,11 @@ int main(int argc, char** argv) {
   Options options;
   tool::Program program{"tm-displace", "[OPTION]... [INPUT]",
                         "Moves vertices by their velocities, one explicit step"};
-  program.options.length("normal-speed", &options.normal_speed,
-                         "speed along the vertex normals, added to vx vy vz if the mesh has them",
-                         true);
+  program.options.length(
+      "normal-speed", &options.normal_speed,
+      "speed along the vertex normals, as LENGTH per unit of time, added to vx vy vz "
+      "if the mesh has them; negative: inwards (default 0)",
+      true);
   program.options.number("curvature-speed", &options.curvature_speed, -1e300, 1e300,
                          "factor of a mean-curvature flow, which is also added; a sphere of radius "
                          "R shrinks with speed NUMBER / R");

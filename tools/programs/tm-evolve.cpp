@@ -86,7 +86,7 @@ void evolve_mesh(tool::EvolveChoices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   tool::EvolveChoices choices;
   tool::Program program{"tm-evolve",
-                        "[OPTION]... --step COMMAND [SOURCE] -o OUT",
+                        "[OPTION]... --step COMMAND|--time NUMBER [SOURCE] [-o OUT]",
                         "Evolves a mesh by any motion of its vertices",
                         {tool::Reads::file, tool::Soups::own},
                         {tool::Writes::evolved_mesh}};

@@ -57,7 +57,7 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-fill", "[OPTION]... [INPUT]",
-                        "Closes holes by smooth patches, never into a self-intersection"};
+                        "Closes holes with smooth patches that do not intersect the mesh"};
   program.input.soups = tool::Soups::joined;
   program.options.integer("max-edges", &choices.max_edges, 3, 1000000000,
                           "leave holes with more than N edges open (default: no limit)");

@@ -21,9 +21,10 @@ struct Options {
 
 void declare(tool::Program& program, Options& options) {
   tool::declare_silhouettes(program, options.silhouettes);
-  program.options.box("box", &options.hull.box, "X,Y,Z,X,Y,Z",
-                      "two corners of the box that contains the hull (default: bounding box "
-                      "derived from the silhouettes)");
+  program.options.box("box", &options.hull.box, "X0,Y0,Z0,X1,Y1,Z1",
+                      "lower and upper corner of the box that contains the hull (default: bounding "
+                      "box derived from "
+                      "the silhouettes)");
   program.options.integer("resolution", &options.hull.resolution, 4, 4096,
                           "number of grid cells along the longest side of the box");
   program.options.length("edge", &options.edge, "size of a grid cell, instead of --resolution");
@@ -58,10 +59,12 @@ void make(const Options& options, tool::Run& run) {
 int main(int argc, char** argv) {
   Options options;
   tool::Program program{"tm-hull",
-                        "[OPTION]... --cameras WHERE --silhouettes WHERE",
+                        "[OPTION]... --cameras WHERE --silhouettes WHERE|--images WHERE",
                         "Makes the visual hull of calibrated silhouettes",
                         {tool::Reads::nothing}};
   declare(program, options);
+  program.lengths =
+      "A LENGTH is 0.02 (in the units of the cameras) or 1% (of the diagonal of the box).";
   program.example = "tm-hull --cameras par.txt --silhouettes masks > hull.ply";
   return program.run(argc, argv, [&](tool::Run& run) { make(options, run); });
 }

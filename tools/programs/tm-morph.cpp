@@ -91,7 +91,7 @@ void evolve(const tool::MorphChoices& choices, tool::Run& run) {
 int main(int argc, char** argv) {
   tool::MorphChoices choices;
   tool::Program program{"tm-morph",
-                        "[OPTION]... SOURCE --target FILE -o OUT",
+                        "[OPTION]... [SOURCE] --target FILE [-o OUT]",
                         "Evolves a mesh until it lies on a target",
                         {tool::Reads::files},
                         {tool::Writes::evolved_mesh}};

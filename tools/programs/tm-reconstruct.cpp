@@ -97,7 +97,7 @@ void reconstruct_movie(const tool::ReconstructChoices& choices,
 int main(int argc, char** argv) {
   tool::ReconstructChoices choices;
   tool::Program program{"tm-reconstruct",
-                        "[OPTION]... --cameras WHERE --images WHERE -o OUT",
+                        "[OPTION]... --cameras WHERE --images WHERE [-o OUT]",
                         "Reconstructs a surface from calibrated photographs",
                         {tool::Reads::nothing},
                         {tool::Writes::evolved_mesh}};

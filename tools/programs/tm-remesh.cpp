@@ -22,9 +22,9 @@ StaleColumns decimate_document(Document& document, tool::RemeshChoices& choices,
   const DecimateOptions options = tool::decimate_options(choices, document, run);
   const std::size_t before = document.mesh.faces.size();
   if (before < options.faces)
-    run.note("the mesh has " + std::to_string(before) + " faces, which are not more than " +
+    run.note("the mesh has " + std::to_string(before) + " faces, fewer than the " +
              std::to_string(options.faces) +
-             ": the mesh stays as it is; make more with --max-edge");
+             " wanted: the mesh stays as it is; make more faces with --max-edge");
   const DecimateResult result = decimate(document.mesh, options, run.progress());
   run.report(entries_of(result));
   tool::note_decimation(result, options, run);

@@ -28,7 +28,9 @@ void declare(tool::Program& program, Options& options) {
 
 void report(const Options& options, tool::Run& run) {
   if (run.in().names().empty())
-    throw UsageError("RUN is needed: a folder that a loop has written with --run");
+    throw UsageError(
+        "RUN is missing: name a folder that tm-evolve, tm-morph or tm-reconstruct has written with "
+        "--run");
   if (run.out().is_terminal())
     throw UsageError("not writing a page to a terminal: name a file with -o");
   const std::string viewer = tool::read_viewer();
@@ -52,14 +54,16 @@ void report(const Options& options, tool::Run& run) {
 
 int main(int argc, char** argv) {
   Options options;
-  tool::Program program{"tm-report",
-                        "[OPTION]... RUN... [-o PAGE.html]",
-                        "Makes one HTML page that shows runs of the loops, in 3D and over time",
-                        {tool::Reads::words},
-                        {tool::Writes::page}};
-  program.words = {"RUN",
-                   "folder that a loop has written with --run; several are shown side "
-                   "by side"};
+  tool::Program program{
+      "tm-report",
+      "[OPTION]... RUN... [-o PAGE.html]",
+      "Makes one HTML page that shows runs of tm-evolve, tm-morph or tm-reconstruct",
+      {tool::Reads::words},
+      {tool::Writes::page}};
+  program.words = {
+      "RUN",
+      "folder that one of these programs has written with --run; several are shown side "
+      "by side"};
   program.words.are_folders = true;
   declare(program, options);
   program.example = "tm-morph a.ply --target b.ply --run morph && tm-report morph -o morph.html";

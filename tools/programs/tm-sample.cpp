@@ -16,10 +16,11 @@ void sample(Document& document, const Choices& choices, tool::Run& run) {
   SampleOptions options = choices.sample;
   if ((options.count > 0) == choices.distance.has_value())
     throw UsageError(
-        "give either --count, the number of points, or --distance, their least distance");
+        "give either --count, the number of points, or --distance, the smallest distance between "
+        "two of them");
   if (choices.distance) {
     options.distance = run.length(*choices.distance);
-    if (!(options.distance > 0)) throw UsageError("--distance must be more than 0");
+    if (!(options.distance > 0)) throw UsageError("--distance must be above 0");
   }
   document.mesh = sample_surface(document.mesh, options, run.progress());
   run.report("points", document.mesh.positions.size());
@@ -37,8 +38,9 @@ int main(int argc, char** argv) {
   Choices choices;
   tool::Program program{"tm-sample", "[OPTION]... --count N|--distance LENGTH [INPUT]",
                         "Samples points with normals on a surface"};
-  program.options.integer("count", &choices.sample.count, 0, 100000000,
-                          "number of points, uniform by area");
+  program.options
+      .integer("count", &choices.sample.count, 0, 100000000, "number of points, uniform by area")
+      .default_text.clear();
   program.options.length(
       "distance", &choices.distance,
       "smallest distance between two points of a Poisson-disk sampling, instead of --count");

@@ -16,7 +16,7 @@ struct Options {
 // Returns the options of the library without lengths, which resolve_lengths() sets.
 ShapeOptions plain_options(const Options& options, tool::Run& run) {
   const std::vector<std::string>& words = run.in().names();
-  if (words.empty()) throw UsageError("no KIND given: sphere, for example; see --help");
+  if (words.empty()) throw UsageError("KIND is missing: give one, for example sphere; see --help");
   ShapeOptions shape = options.shape;
   shape.kind = words[0];
   const std::string nearest = nearest_name(shape.kind, shape_kinds());
@@ -69,22 +69,32 @@ int main(int argc, char** argv) {
                           "approximate number of faces (default 10000)");
   program.options.length("edge", &options.edge,
                          "approximate mean length of the edges, instead of --faces");
-  program.options.length("radius", &options.radius,
-                         "radius of a sphere, or of the ring of a torus or a knot");
-  program.options.length("tube", &options.tube, "radius of the tube of a torus or a knot");
-  program.options.length("gap", &options.gap,
-                         "distance between two spheres or tori; negative: they overlap", true);
-  program.options.length("neck", &options.neck,
-                         "radius of the neck of a dumbbell; negative: the neck is inverted", true);
+  program.options.length(
+      "radius", &options.radius,
+      "radius of a sphere, or of the ring of a torus or a knot (default: by KIND)");
+  program.options.length("tube", &options.tube,
+                         "radius of the tube of a torus or a knot (default: by KIND)");
+  program.options.length(
+      "gap", &options.gap,
+      "distance between two spheres or tori; negative: they overlap (default: by KIND)", true);
+  program.options.length(
+      "neck", &options.neck,
+      "radius of the neck of a dumbbell, from 0.01 to 0.45; negative: the neck is "
+      "inverted (default 0.15)",
+      true);
   program.options.integer(
       "count", &options.shape.count, 1, 1000000,
       "number of spheres of many-spheres (default 40) or of boxes (default 50)");
-  program.options.length("noise", &options.noise, "amplitude of smooth noise along the normals");
+  program.options.length("noise", &options.noise,
+                         "amplitude of smooth noise along the normals (default 0; folded: 38%)");
   program.options.seed(&options.shape.seed);
   program.options.point("center", &options.shape.center, "position of the shape's origin");
   program.options.text("around", &options.around, "FILE",
                        "make a sphere around the bounding box of the mesh in FILE");
   program.options.text("of", &options.of, "FILE", "mesh or points for hull");
+  program.lengths =
+      "A LENGTH is 0.02 (output units) or 1% (of the diagonal of the shape's bounding box, or of "
+      "the mesh in FILE with --around).";
   program.epilog =
       "Kinds: sphere, dented, ellipsoid A B C, box A B C, cylinder RADIUS HEIGHT,\n"
       "cone RADIUS HEIGHT, hull, torus, genus N, torus-knot P Q, two-spheres, tori,\n"

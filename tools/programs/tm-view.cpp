@@ -21,7 +21,8 @@ void declare(tool::Program& program, Options& options) {
                        "show meshes side by side (default: one after the other)");
   program.options.text(
       "run", &options.run, "FOLDER",
-      "show the run in this folder, which a loop writes with --run, instead of meshes");
+      "show the run in this folder, which tm-evolve, tm-morph or tm-reconstruct writes with "
+      "--run, instead of meshes");
   program.options.flag("serve", &options.is_served,
                        "serve the page at an address of this machine until Ctrl-C, and print the "
                        "address; new frames of a run appear");

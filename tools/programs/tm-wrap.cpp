@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
       "poisson needs normals; auto: poisson if the points have normals, else alpha");
   program.options.length("alpha", &options.alpha,
                          "for alpha: radius of the smallest ball that stays outside (default: the "
-                         "smallest that does not enter between points)");
+                         "smallest for which the wrap is not hollow)");
   program.options.length("offset", &options.offset,
                          "for alpha: distance of the vertices from the points (default: an eighth "
                          "of the points' spacing, at most 0.33%)");

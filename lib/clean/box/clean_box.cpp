@@ -109,7 +109,9 @@ std::optional<std::array<Box, 2>> split(const Mesh& mesh, const std::vector<bool
 
 void check_input(const Mesh& mesh, const CleanOptions& options) {
   if (!(options.box->min().array() < options.box->max().array()).all())
-    throw UsageError("the box has no inside: its first corner must be below the second");
+    throw UsageError(
+        "the box is empty: each coordinate of its first corner must be less than that of its "
+        "second corner");
   if (mesh.faces.empty()) throw InputError("the mesh has no faces: there is nothing to clean");
   if (face_sums(mesh).is_closed()) return;
   throw InputError(ErrorKind::box_in_open_mesh,
@@ -259,7 +261,7 @@ CleanResult clean_tile(const Mesh& mesh, const Tile& tile, const CleanOptions& o
   CellSize least;
   for (Index f = 0; f < mesh.faces.size(); ++f) least.add(triangle_of(mesh, f));
   if (!mesh.faces.empty() && !(tile.cell_size >= least.least()))
-    throw InputError("the comment of the tile has cells that are too small");
+    throw InputError("the comment of the tile states a cell size that is too small for the mesh");
   CleanOptions how = options;
   how.box = tile.own;
   how.only = true;

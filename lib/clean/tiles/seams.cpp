@@ -90,7 +90,8 @@ void Seams::number_vertices() {
       repeated += first_[v] == v ? 0 : 1;
     }
     vertex_count_ += part.vertices - repeated;
-    if (vertex_count_ >= no_index) throw InputError("more vertices than 32 bits can count");
+    if (vertex_count_ >= no_index)
+      throw InputError("the joined mesh has more than 4294967294 vertices, which is not supported");
   }
 }
 

@@ -6,7 +6,7 @@
 namespace transformesh {
 
 std::string in_words(std::size_t faces, const Topology& topology) {
-  return counted(faces, "face") + ", " + counted(topology.components, "part") + ", genus " +
+  return counted(faces, "face") + ", " + counted(topology.components, "component") + ", genus " +
          std::to_string(topology.genus);
 }
 

@@ -22,7 +22,7 @@ double LoopState::kept(const std::string& name) const {
   const auto found = values_.find(name);
   if (found != values_.end()) return found->second;
   throw InputError(ErrorKind::bad_state,
-                   "the state of the run belongs to another loop: it lacks '" + name + "'");
+                   "the state of the run belongs to another program: it lacks '" + name + "'");
 }
 
 std::string LoopState::text() const {

@@ -6,6 +6,7 @@
 #include "io/formats/finite_values.h"
 #include "io/polygons/merge_polygons.h"
 #include "io/polygons/triangulate_polygon.h"
+#include "mesh/index_limits.h"
 #include "mesh/surface_columns.h"
 #include "support/counted.h"
 #include "support/parallel.h"
@@ -44,8 +45,7 @@ void FaceRows::move_into(Mesh& mesh, const std::string& format, std::vector<std:
     dropped = static_cast<std::size_t>(
         std::count(cuts.kinds.begin(), cuts.kinds.end(), Cuts::Kind::not_finite));
   }
-  if (mesh.faces.size() >= no_index / 3)
-    throw InputError(format + ": more triangles than 32 bits can count");
+  if (mesh.faces.size() >= no_index / 3) throw InputError(format + ": " + too_many_triangles);
   drop_points_not_finite(mesh, dropped, format, notes);
 }
 

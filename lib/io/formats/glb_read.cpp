@@ -8,6 +8,7 @@
 #include "io/formats/gltf_mesh.h"
 #include "io/formats/gltf_scene.h"
 #include "mesh/coordinate_spacing.h"
+#include "mesh/index_limits.h"
 #include "mesh/surface_columns.h"
 #include "support/counted.h"
 
@@ -68,9 +69,9 @@ class GlbReader {
       part.style.coordinate = Scalar::float64;
     }
     Mesh& all = result_.document.mesh;
-    if (all.positions.size() + part.mesh.positions.size() >= no_index ||
-        all.faces.size() + part.mesh.faces.size() >= no_index / 3)
-      file_.fail("more vertices or triangles than 32 bits can count");
+    if (all.positions.size() + part.mesh.positions.size() >= no_index)
+      file_.fail(too_many_vertices);
+    if (all.faces.size() + part.mesh.faces.size() >= no_index / 3) file_.fail(too_many_triangles);
     add_missing_colors(all.vertex_columns, all.positions.size(), part.mesh.vertex_columns,
                        part.mesh.positions.size());
     add_missing_colors(all.face_columns, all.faces.size(), part.mesh.face_columns,

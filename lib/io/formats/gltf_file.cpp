@@ -95,14 +95,14 @@ void GltfFile::read_container() {
     const std::size_t size = number(at);
     number(at + 4);
     if (size > end - std::min(end, at + chunk_header_size))
-      source_.fail_at_byte(bytes.data() + at, "a chunk of GLB reaches beyond the end of the file");
+      source_.fail_at_byte(bytes.data() + at, "a GLB chunk extends beyond the end of the file");
     const std::string_view kind = bytes.substr(at + 4, 4);
     const std::string_view content = bytes.substr(at + chunk_header_size, size);
     if (kind == json_chunk && !has_json) has_json = true, parse(content);
     if (kind == binary_chunk && !has_binary_) has_binary_ = true, binary_ = content;
     at += chunk_header_size + size;
   }
-  if (!has_json) source_.fail("the GLB file has no chunk of JSON");
+  if (!has_json) source_.fail("the GLB file has no JSON chunk");
 }
 
 void GltfFile::parse(std::string_view text) {
@@ -110,7 +110,7 @@ void GltfFile::parse(std::string_view text) {
     json_ = Json::parse(text);
   } catch (const Json::parse_error& error) {
     const std::size_t at = std::min(error.byte, text.size());
-    source_.fail_at_byte(text.data() + (at > 0 ? at - 1 : 0), "the JSON of glTF is malformed");
+    source_.fail_at_byte(text.data() + (at > 0 ? at - 1 : 0), "the glTF JSON is malformed");
   }
   if (!json_.is_object()) fail("the JSON is not an object");
 }

@@ -7,6 +7,7 @@
 
 #include "io/formats/column_groups.h"
 #include "io/formats/gltf_accessor.h"
+#include "mesh/index_limits.h"
 #include "support/counted.h"
 
 namespace transformesh {
@@ -195,7 +196,7 @@ class MeshReader {
       const std::size_t turned = is_strip ? i % 2 : 0;
       is_strip ? add(i - 2, i - 1 + turned, i - turned) : add(0, i - 1, i);
     }
-    if (mesh_.faces.size() >= no_index / 3) file_.fail("more triangles than 32 bits can count");
+    if (mesh_.faces.size() >= no_index / 3) file_.fail(too_many_triangles);
   }
 
   // --- Colors of materials -----------------------------------------------------------------------

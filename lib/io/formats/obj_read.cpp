@@ -9,6 +9,7 @@
 #include "io/formats/obj_labels.h"
 #include "io/formats/obj_texture.h"
 #include "io/formats/text_rows.h"
+#include "mesh/index_limits.h"
 #include "support/counted.h"
 #include "transformesh/mesh_io.h"
 
@@ -84,7 +85,7 @@ class ObjReader {
       rows_.fail("vertex " + std::to_string(row + 1) + " has " + counted(words, "number") +
                  "; 3 are needed, 4 with a weight or 6 with a color");
     }
-    if (row + 1 >= no_index) rows_.fail("more vertices than 32 bits can count");
+    if (row + 1 >= no_index) rows_.fail(too_many_vertices);
     Vec3& position = mesh().positions.emplace_back();
     for (const Eigen::Index axis : {0, 1, 2})
       position[axis] = rows_.number_or_nan<double>(coordinate);

@@ -11,6 +11,7 @@
 #include "io/formats/text_rows.h"
 #include "io/streams/expand.h"
 #include "io/streams/lzf.h"
+#include "mesh/index_limits.h"
 #include "support/counted.h"
 
 namespace transformesh {
@@ -110,7 +111,7 @@ class PcdReader {
     }
     for (const char* name : {"x", "y", "z"})
       if (find(name) == nullptr) rows_.fail(std::string("the PCD header has no field ") + name);
-    if (points_ >= no_index) rows_.fail("more points than 32 bits can count");
+    if (points_ >= no_index) rows_.fail(too_many_vertices);
   }
 
   Field* find(std::string_view name) {
@@ -193,7 +194,7 @@ class PcdReader {
     ExpansionBudget budget(source_);
     budget.spend(size);
     const std::optional<std::string> result = expand_lzf(bytes.substr(header, stored), size);
-    if (!result) source_.fail("the compressed data of PCD is damaged");
+    if (!result) source_.fail("the compressed PCD data is damaged");
     return *result;
   }
 

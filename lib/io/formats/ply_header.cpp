@@ -103,7 +103,7 @@ class HeaderReader {
       fail("PLY is ascii, binary_little_endian or binary_big_endian, not " + quoted(encoding));
     }
     const std::string_view version = next_word();
-    if (version != "1.0") fail("only version 1.0 of PLY is known, not " + quoted(version));
+    if (version != "1.0") fail("only PLY version 1.0 is supported, not " + quoted(version));
     has_format_ = true;
   }
 
@@ -127,7 +127,7 @@ class HeaderReader {
   }
 
   void read_property() {
-    if (header_.elements.empty()) fail("a property before the first element");
+    if (header_.elements.empty()) fail("there is a property before the first element");
     PlyProperty property;
     std::string_view type = next_word();
     if (type == "list") {
@@ -137,7 +137,7 @@ class HeaderReader {
     }
     property.type = read_type(type);
     property.name = next_word();
-    if (property.name.empty()) fail("a property without a name");
+    if (property.name.empty()) fail("a property has no name");
     header_.elements.back().properties.push_back(std::move(property));
   }
 

@@ -235,9 +235,11 @@ class PlyReader {
                                       " follow: the file is cut off or its header is wrong");
     }
     const bool is_face = table.element.name == "face";
-    if (size > 0 && rows >= (is_face ? no_index / 3 : no_index)) {
-      source_.fail("more rows of element " + quoted(table.element.name) +
-                   " than 32 bits can count");
+    const Index least_refused = is_face ? no_index / 3 : no_index;
+    if (size > 0 && rows >= least_refused) {
+      source_.fail("more than " + std::to_string(least_refused - 1) + " rows of element " +
+                   quoted(table.element.name) +
+                   " are not supported: split the input into smaller files");
     }
   }
 

@@ -7,6 +7,7 @@
 #include "io/formats/column_groups.h"
 #include "io/formats/finite_values.h"
 #include "io/formats/text_rows.h"
+#include "mesh/index_limits.h"
 #include "support/counted.h"
 
 namespace transformesh {
@@ -110,7 +111,7 @@ class TableReader {
     style.element_order = {"vertex"};
     Mesh& mesh = result_.document.mesh;
     const std::vector<double>&x = values_of("x"), &y = values_of("y"), &z = values_of("z");
-    if (x.size() >= no_index) source_.fail("more points than 32 bits can count");
+    if (x.size() >= no_index) source_.fail(too_many_vertices);
     for (std::size_t i = 0; i < x.size(); ++i) mesh.positions.emplace_back(x[i], y[i], z[i]);
     for (std::size_t i = 0; i < names_.size(); ++i)
       if (names_[i] != "x" && names_[i] != "y" && names_[i] != "z")

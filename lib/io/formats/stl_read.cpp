@@ -19,6 +19,8 @@ constexpr std::size_t facets_start = 84;
 constexpr std::size_t facet_size = 50;
 /// Largest number of facets for which vertex indices are valid: each facet gets three new vertices.
 constexpr std::size_t most_facets = no_index / 3;
+constexpr const char* too_many_facets =
+    "more than 1431655765 facets are not supported: split the input into smaller files";
 
 void note_soup(ReadResult& result) {
   const std::size_t faces = result.document.mesh.faces.size();
@@ -131,7 +133,7 @@ class TextReader {
 
   void read_vertex() {
     std::vector<Vec3>& positions = result_.document.mesh.positions;
-    if (positions.size() >= 3 * most_facets) rows_.fail("more vertices than 32 bits can count");
+    if (positions.size() >= 3 * most_facets) rows_.fail(too_many_facets);
     corners_.push_back(static_cast<Index>(positions.size()));
     Vec3& position = positions.emplace_back();
     for (const Eigen::Index axis : {0, 1, 2}) {
@@ -183,7 +185,7 @@ std::size_t checked_facet_count(const Source& source, std::vector<std::string>& 
     notes.push_back("stl: " + claim + " and " + (present == 1 ? "is" : "are") + " read");
   }
   const std::size_t read = count == 0 ? present : count;
-  if (read > most_facets) source.fail("more vertices than 32 bits can count");
+  if (read > most_facets) source.fail(too_many_facets);
   return read;
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/formats/xml_elements.h"
 #include "io/streams/number_text.h"
+#include "mesh/index_limits.h"
 #include "support/counted.h"
 
 namespace transformesh {
@@ -149,7 +150,7 @@ class ModelReader {
 
   void read_vertices(const Node& vertices, ThreeMfObject& object) const {
     for (const Node& node : vertices.children()) {
-      if (object.positions.size() >= no_index - 1) fail("has more vertices than 32 bits can count");
+      if (object.positions.size() >= no_index - 1) source_.fail(too_many_vertices);
       const std::string what =
           "vertex " + std::to_string(object.positions.size()) + " of " + object_;
       object.positions.emplace_back(number(node, "x", what), number(node, "y", what),
@@ -170,7 +171,7 @@ class ModelReader {
       object.faces.push_back(face);
       object.colors.push_back(colors_of(triangle, node));
     }
-    if (object.faces.size() >= no_index / 3) fail("has more triangles than 32 bits can count");
+    if (object.faces.size() >= no_index / 3) source_.fail(too_many_triangles);
   }
 
   template <class What>

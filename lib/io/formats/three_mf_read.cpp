@@ -8,6 +8,7 @@
 #include "io/formats/three_mf_model.h"
 #include "io/formats/xml_elements.h"
 #include "io/streams/zip_archive.h"
+#include "mesh/index_limits.h"
 #include "support/counted.h"
 
 namespace transformesh {
@@ -122,9 +123,8 @@ class ThreeMfReader {
     budget_.spend(object.positions.size() * sizeof(Vec3) +
                   object.faces.size() * (sizeof(Face) + sizeof(CornerColors)));
     const std::size_t first = mesh.positions.size();
-    if (first + object.positions.size() >= no_index ||
-        mesh.faces.size() + object.faces.size() >= no_index / 3)
-      source_.fail("more vertices or triangles than 32 bits can count");
+    if (first + object.positions.size() >= no_index) source_.fail(too_many_vertices);
+    if (mesh.faces.size() + object.faces.size() >= no_index / 3) source_.fail(too_many_triangles);
     if (!object.faces.empty()) ++meshes_;
     const bool is_moved = !transform.matrix().isIdentity(0);
     for (const Vec3& position : object.positions)

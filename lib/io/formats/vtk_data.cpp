@@ -8,6 +8,7 @@
 #include "io/formats/face_rows.h"
 #include "io/formats/finite_values.h"
 #include "mesh/coordinate_spacing.h"
+#include "mesh/index_limits.h"
 #include "support/counted.h"
 
 namespace transformesh {
@@ -38,7 +39,7 @@ class Converter {
 
   void add_points() {
     const std::vector<double>& values = piece_.points.values;
-    if (values.size() / 3 >= no_index) source_.fail("more vertices than 32 bits can count");
+    if (values.size() / 3 >= no_index) source_.fail(too_many_vertices);
     for (std::size_t i = 2; i < values.size(); i += 3)
       result_.document.mesh.positions.emplace_back(values[i - 2], values[i - 1], values[i]);
   }

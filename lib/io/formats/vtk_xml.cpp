@@ -12,7 +12,7 @@ VtkXml parse_vtk_xml(const Source& source) {
   const std::size_t end = bytes.find('>', start);
   const std::size_t mark = end == std::string_view::npos ? end : bytes.find('_', end);
   if (mark == std::string_view::npos)
-    source.fail_at_byte(source.begin() + start, "the appended data of VTP does not start with '_'");
+    source.fail_at_byte(source.begin() + start, "the appended VTP data does not start with '_'");
   const bool is_text = bytes.substr(start, end - start).find("base64") != std::string_view::npos;
   std::string_view appended = bytes.substr(mark + 1);
   if (is_text) appended = appended.substr(0, appended.find('<'));

@@ -51,7 +51,7 @@ class VtpReader {
     if (const Node points = node.child("Points").child("DataArray"))
       piece.points = arrays.read(points);
     if (piece.points.values.size() % 3 != 0)
-      source_.fail("the points of VTP have " + counted(piece.points.values.size(), "number") +
+      source_.fail("the VTP points have " + counted(piece.points.values.size(), "number") +
                    ", which is not a multiple of 3");
     const std::size_t vertices = read_cells(node.child("Verts"), arrays).size();
     piece.other_cells = read_cells(node.child("Lines"), arrays).size();

@@ -54,7 +54,7 @@ CameraList read_bundler(const Source& source) {
   next_row(rows, "its first line");
   const std::string_view title = rows.skip_row();
   if (!title.ends_with("v0.3")) {
-    rows.fail("only version 0.3 of Bundler's files is read, not " + quoted(title));
+    rows.fail("only Bundler files of version 0.3 are read, not " + quoted(title));
   }
   next_row(rows, "the numbers of cameras and points");
   const auto count = rows.number<std::size_t>([] { return std::string("the number of cameras"); });

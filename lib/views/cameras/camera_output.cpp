@@ -94,7 +94,7 @@ const TextFormat& text_format(CameraFormat format) {
                    [&](const TextFormat& row) { return row.format == format; });
   if (found == text_formats.end())
     throw InputError(std::string(reader_of(format).program) +
-                     "'s files can be read, but not written");
+                     " files can be read, but not written");
   return *found;
 }
 

@@ -36,13 +36,13 @@ void copy_numbers(LittleEndianReader& numbers, int count, TextBuffer& text) {
 
 /// Converts cameras.bin to the text of cameras.txt.
 std::string cameras_text(const Source& source) {
-  LittleEndianReader numbers(source, "COLMAP's binary file");
+  LittleEndianReader numbers(source, "the COLMAP binary file");
   TextBuffer text;
   for (auto count = numbers.take<std::uint64_t>(); count > 0; --count) {
     text.add_number(numbers.take<std::int32_t>());
     const auto model = static_cast<std::size_t>(numbers.take<std::int32_t>());
     if (model >= models.size())
-      source.fail("there is no model " + std::to_string(model) + " of COLMAP's cameras");
+      source.fail("COLMAP has no camera model with the number " + std::to_string(model));
     text.add(' ');
     text.add(models[model].name);
     for (int side = 0; side < 2; ++side) {
@@ -57,7 +57,7 @@ std::string cameras_text(const Source& source) {
 
 /// Converts images.bin to the text of images.txt, with an empty line instead of points.
 std::string images_text(const Source& source) {
-  LittleEndianReader numbers(source, "COLMAP's binary file");
+  LittleEndianReader numbers(source, "the COLMAP binary file");
   TextBuffer text;
   for (auto count = numbers.take<std::uint64_t>(); count > 0; --count) {
     text.add_number(numbers.take<std::uint32_t>());

@@ -40,8 +40,8 @@ void check_sized_pinhole(const CameraRecord& record, const std::string& program)
                      quoted(record.name) + " (" + record.place + "): name the images");
   }
   if (record.camera.intrinsics(0, 1) != 0) {
-    throw InputError(program + "'s pinhole has no skew, but the camera of " + quoted(record.name) +
-                     " has (" + record.place + ")");
+    throw InputError("the " + program + " camera model has no skew, but the camera of " +
+                     quoted(record.name) + " has (" + record.place + ")");
   }
   PinholeCamera again = record.camera;
   again.intrinsics.col(2).head<2>().array() += pixel_center;

@@ -17,7 +17,7 @@ namespace transformesh {
 /// ends too early.
 class LittleEndianReader {
  public:
-  /// `what` describes the file in messages, such as "COLMAP's binary file".
+  /// `what` describes the file in messages, such as "the COLMAP binary file".
   LittleEndianReader(const Source& source, std::string what)
       : source_(source), what_(std::move(what)), rest_(source.bytes) {}
 

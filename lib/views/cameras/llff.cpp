@@ -43,7 +43,7 @@ CameraRecord read_row(const double* row, const std::string& who, const Source& s
 CameraList read_llff(const Source& source, const std::string& stem) {
   const NpyArray array = read_npy(source);
   if (array.shape.size() != 2 || array.shape[1] != row_size)
-    source.fail("NumPy's array must have 17 numbers for each image, like poses_bounds.npy");
+    source.fail("the NumPy array must have 17 numbers for each image, like poses_bounds.npy");
   CameraList list;
   for (std::size_t i = 0; i < array.shape[0]; ++i) {
     const std::string number = std::to_string(i + 1);

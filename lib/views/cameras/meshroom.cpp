@@ -104,7 +104,7 @@ CameraList read_meshroom(const Source& source) {
   std::map<std::string, Lens> lenses;
   std::map<std::string, JsonEntry> poses;
   if (!file.has("poses"))
-    source.fail("Meshroom's file has no poses: name the file that structure from motion wrote");
+    source.fail("the Meshroom file has no poses: name the file that structure from motion wrote");
   for (const JsonEntry& entry : file.at("intrinsics").elements())
     lenses.emplace(entry.at("intrinsicId").text(), read_lens(entry, revision));
   for (const JsonEntry& entry : file.at("poses").elements())
@@ -125,7 +125,7 @@ CameraList read_meshroom(const Source& source) {
     read_pose(pose->second, record.camera);
     list.cameras.push_back(std::move(record));
   }
-  if (list.cameras.empty()) source.fail("no view of Meshroom's file has a pose");
+  if (list.cameras.empty()) source.fail("no view of the Meshroom file has a pose");
   remove_common_folder(list);
   return list;
 }

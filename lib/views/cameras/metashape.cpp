@@ -114,8 +114,8 @@ CameraList read_metashape(const Source& source) {
   const pugi::xml_document document = parse_xml(source);
   const auto chunks = xml_elements(document, "chunk");
   if (chunks.size() != 1)
-    source.fail(chunks.empty() ? "Metashape's file has no chunk"
-                               : "Metashape's file has several chunks: export only one");
+    source.fail(chunks.empty() ? "the Metashape file has no chunk"
+                               : "the Metashape file has several chunks: export only one");
   std::map<std::string, Sensor> sensors;
   for (const pugi::xml_node& element : xml_elements(chunks[0], "sensor"))
     sensors[xml_attribute(element, "id").value_or("")] = read_sensor(element, source);
@@ -126,7 +126,7 @@ CameraList read_metashape(const Source& source) {
     if (const auto transform = xml_element(element, "transform"))
       list.cameras.push_back(read_camera(element, transform, sensors, source));
   }
-  if (list.cameras.empty()) source.fail("no camera of Metashape's file is aligned");
+  if (list.cameras.empty()) source.fail("no camera of the Metashape file is aligned");
   return list;
 }
 

@@ -15,8 +15,8 @@ constexpr std::size_t preamble_size = 8;  ///< bytes of signature and version
 /// Returns the header, the text of a Python dictionary. Removes the header and all bytes before it
 /// from `rest`.
 std::string_view take_header(const Source& source, std::string_view& rest) {
-  const auto fail = [&] { source.fail("NumPy's array is cut off in its header"); };
-  if (!rest.starts_with(npy_signature)) source.fail("not an array of NumPy");
+  const auto fail = [&] { source.fail("the NumPy array is cut off in its header"); };
+  if (!rest.starts_with(npy_signature)) source.fail("not a NumPy array");
   if (rest.size() < preamble_size + 4) fail();
   const bool is_short = rest[npy_signature.size()] == 1;
   const char* const place = rest.data() + preamble_size;
@@ -34,7 +34,7 @@ std::string_view after(const Source& source, std::string_view header, const char
   const std::size_t at = header.find('\'' + std::string(key) + '\'');
   const std::size_t colon = at == std::string_view::npos ? at : header.find(':', at);
   if (colon == std::string_view::npos)
-    source.fail("the header of NumPy's array has no " + std::string(key));
+    source.fail("the header of the NumPy array has no " + std::string(key));
   header.remove_prefix(colon + 1);
   header.remove_prefix(std::min(header.find_first_not_of(' '), header.size()));
   return header;
@@ -43,7 +43,7 @@ std::string_view after(const Source& source, std::string_view header, const char
 std::vector<std::size_t> shape_of(const Source& source, std::string_view text) {
   const std::size_t end = text.find(')');
   if (!text.starts_with('(') || end == std::string_view::npos)
-    source.fail("the shape of NumPy's array is malformed");
+    source.fail("the shape of the NumPy array is malformed");
   std::vector<std::size_t> shape;
   text = text.substr(1, end - 1);
   while (!text.empty()) {
@@ -51,7 +51,9 @@ std::vector<std::size_t> shape_of(const Source& source, std::string_view text) {
     text.remove_prefix(std::min(text.size(), word.size() + 1));
     if (word.empty()) continue;
     const auto size = number_in<std::size_t>(word);
-    if (!size) source.fail("the shape of NumPy's array has " + quoted(word));
+    if (!size)
+      source.fail("the shape of the NumPy array has " + quoted(word) +
+                  ", which is not a whole number");
     shape.push_back(*size);
   }
   return shape;
@@ -68,9 +70,9 @@ std::size_t checked_count(const Source& source, const std::vector<std::size_t>& 
     is_larger = is_larger || (size != 0 && count > available / size);
     count = is_larger ? count : count * size;
   }
-  if (is_larger) source.fail("NumPy's array is cut off: its shape states more values");
+  if (is_larger) source.fail("the NumPy array is cut off: its shape needs more values");
   if (count * value_size != bytes)
-    source.fail("NumPy's array has " + std::to_string(bytes) + " bytes, but its shape needs " +
+    source.fail("the NumPy array has " + std::to_string(bytes) + " bytes, but its shape needs " +
                 std::to_string(count * value_size));
   return count;
 }
@@ -93,7 +95,7 @@ NpyArray read_npy(const Source& source) {
   const bool is_double = type.find("f8") != std::string_view::npos;
   const bool is_known = type.starts_with("'<f") || type.starts_with("'>f");
   if (!is_known || (!is_double && type.find("f4") == std::string_view::npos))
-    source.fail("NumPy's array is of the type " + quoted(type) + ", not of floats or doubles");
+    source.fail("the NumPy array is of the type " + quoted(type) + ", not of floats or doubles");
   const bool is_swapped = (type[1] == '<') != host_is_little;
   NpyArray array;
   array.shape = shape_of(source, after(source, header, "shape"));
@@ -104,12 +106,12 @@ NpyArray read_npy(const Source& source) {
     const double value = is_double ? load_scalar<double>(place, is_swapped)
                                    : static_cast<double>(load_scalar<float>(place, is_swapped));
     if (!std::isfinite(value))
-      source.fail("value " + std::to_string(i) + " of NumPy's array is not finite");
+      source.fail("value " + std::to_string(i) + " of the NumPy array is not finite");
     array.values.push_back(value);
   }
   const bool is_fortran = after(source, header, "fortran_order").starts_with("True");
   if (is_fortran && array.shape.size() > 2)
-    source.fail("NumPy's array is in Fortran order: save it in C order");
+    source.fail("the NumPy array is in Fortran order: save it in C order");
   if (is_fortran && array.shape.size() == 2) reorder_columns(array);
   return array;
 }

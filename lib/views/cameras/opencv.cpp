@@ -46,7 +46,7 @@ LensDistortion distortion_of(const OpencvStorage& storage) {
 
 Eigen::Matrix3d intrinsics_of(const OpencvStorage& storage) {
   const std::vector<double> entries = storage.get(intrinsics_keys);
-  if (entries.size() != 9) storage.fail("camera_matrix of OpenCV's file does not have 9 numbers");
+  if (entries.size() != 9) storage.fail("camera_matrix of the OpenCV file does not have 9 numbers");
   Eigen::Matrix3d k;
   for (int i = 0; i < 9; ++i) k(i / 3, i % 3) = entries[static_cast<std::size_t>(i)];
   const std::string problem = intrinsics_problem(k, "camera_matrix");
@@ -59,7 +59,7 @@ std::vector<PinholeCamera> poses_of(const OpencvStorage& storage) {
   std::vector<PinholeCamera> poses;
   if (const auto rows = storage.find({"extrinsic_parameters", "extrinsics"})) {
     if (rows->empty() || rows->size() % 6 != 0)
-      storage.fail("extrinsic_parameters of OpenCV's file must have rows of 6 numbers");
+      storage.fail("extrinsic_parameters of the OpenCV file must have rows of 6 numbers");
     for (std::size_t i = 0; i < rows->size(); i += 6) {
       PinholeCamera pose;
       pose.rotation = rotation_of(Vec3(rows->data() + i));
@@ -71,7 +71,7 @@ std::vector<PinholeCamera> poses_of(const OpencvStorage& storage) {
   const std::vector<double> r = storage.get({"R", "rotation", "rvec"});
   const std::vector<double> t = storage.get({"T", "t", "translation", "tvec"});
   if ((r.size() != 9 && r.size() != 3) || t.size() != 3)
-    storage.fail("R of OpenCV's file must have 9 numbers or 3, and T 3");
+    storage.fail("R of the OpenCV file must have 9 numbers or 3, and T 3");
   PinholeCamera pose;
   pose.translation = Vec3(t.data());
   if (r.size() == 3) {
@@ -126,8 +126,8 @@ void add_cameras(const OpencvStorage& storage, const Source& source, const std::
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Eigen::Matrix3d& r = poses[i].rotation;
     const bool is_rotation = (r * r.transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-4);
-    if (!is_rotation || r.determinant() < 0) storage.fail("R of OpenCV's file is not a rotation");
-    const std::string problem = translation_problem(poses[i].translation, "OpenCV's file");
+    if (!is_rotation || r.determinant() < 0) storage.fail("R of the OpenCV file is not a rotation");
+    const std::string problem = translation_problem(poses[i].translation, "the OpenCV file");
     if (!problem.empty()) storage.fail(problem);
     record.camera.rotation = r;
     record.camera.translation = poses[i].translation;
@@ -175,8 +175,8 @@ void add_projections(const Source& source, CameraList& list) {
 std::string write_opencv(const CameraRecord& record) {
   const PinholeCamera& camera = record.camera;
   if (camera.intrinsics(0, 1) != 0) {
-    throw InputError("OpenCV's pinhole has no skew, but the camera of " + quoted(record.name) +
-                     " has (" + record.place + ")");
+    throw InputError("the OpenCV camera model has no skew, but the camera of " +
+                     quoted(record.name) + " has (" + record.place + ")");
   }
   TextBuffer text;
   text.add("%YAML:1.0\n---\n");

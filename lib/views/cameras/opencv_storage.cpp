@@ -25,7 +25,7 @@ std::optional<OpencvStorage::Entries> OpencvStorage::find(Keys keys) const {
 
 OpencvStorage::Entries OpencvStorage::get(Keys keys) const {
   if (auto entries = find(keys)) return *entries;
-  source_.fail(std::string("OpenCV's file has no ") + *keys.begin() + suffix_);
+  source_.fail(std::string("the OpenCV file has no ") + *keys.begin() + suffix_);
 }
 
 int OpencvStorage::side(const char* key) const {
@@ -44,7 +44,7 @@ std::vector<std::string> OpencvStorage::matrix_keys() const {
     std::string_view before = source_.bytes.substr(0, at);
     before = before.substr(0, before.find_last_not_of(is_xml_ ? " \t" : " \t:") + 1);
     const std::size_t start = before.find_last_of(is_xml_ ? "<" : blanks);
-    if (keys.size() == most_cameras) fail("OpenCV's file has more than 1000 matrices");
+    if (keys.size() == most_cameras) fail("the OpenCV file has more than 1000 matrices");
     keys.emplace_back(before.substr(start == std::string_view::npos ? 0 : start + 1));
   }
   return keys;
@@ -95,7 +95,7 @@ OpencvStorage::Entries OpencvStorage::numbers_in(std::string_view text,
     const bool is_read =
         parse_number(first, word.data() + word.size(), value) == Parsed::ok && std::isfinite(value);
     if (!is_read || first != word.data() + word.size())
-      source_.fail(key + " of OpenCV's file has " + quoted(word) +
+      source_.fail(key + " of the OpenCV file has " + quoted(word) +
                    ", which is not a finite number");
     entries.push_back(value);
     text.remove_prefix(word.size());

@@ -88,7 +88,7 @@ CameraList read_openmvg(const Source& source) {
     read_pose(pose->second, record.camera);
     list.cameras.push_back(std::move(record));
   }
-  if (list.cameras.empty()) source.fail("no view of OpenMVG's file has a pose");
+  if (list.cameras.empty()) source.fail("no view of the OpenMVG file has a pose");
   return list;
 }
 

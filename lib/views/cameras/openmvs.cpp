@@ -31,12 +31,13 @@ struct Platform {
 
 class Scene {
  public:
-  explicit Scene(const Source& source) : source_(source), rest_(source, "OpenMVS's scene") {
+  explicit Scene(const Source& source) : source_(source), rest_(source, "the OpenMVS scene") {
     rest_.take_bytes(4);  // signature
     version_ = rest_.take<std::uint32_t>();
     rest_.take<std::uint32_t>();  // reserved
     if (version_ < 1 || version_ > newest_version)
-      source.fail("OpenMVS's scene has version " + std::to_string(version_) + "; 1 to 7 are read");
+      source.fail("the OpenMVS scene has version " + std::to_string(version_) +
+                  "; 1 to 7 are read");
   }
 
   CameraList read() {
@@ -46,7 +47,7 @@ class Scene {
     list.names_images = true;
     const auto images = rest_.take<std::uint64_t>();
     for (std::uint64_t i = 0; i < images; ++i) read_image(i, list);
-    if (list.cameras.empty()) source_.fail("no image of OpenMVS's scene has a pose");
+    if (list.cameras.empty()) source_.fail("no image of the OpenMVS scene has a pose");
     remove_common_folder(list);
     return list;
   }
@@ -108,7 +109,7 @@ class Scene {
     const std::string who = "image " + quoted(record.name);
     if (platform >= platforms_.size() || camera >= platforms_[platform].cameras.size() ||
         pose >= platforms_[platform].poses.size())
-      source_.fail(who + " of OpenMVS's scene has no camera");
+      source_.fail(who + " of the OpenMVS scene has no camera");
     place(platforms_[platform].cameras[camera], platforms_[platform].poses[pose], who, record);
     list.cameras.push_back(std::move(record));
   }

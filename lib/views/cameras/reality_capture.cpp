@@ -101,7 +101,7 @@ class Row {
   const std::string& text(const std::string& column) const {
     const auto field = fields_.find(column);
     if (field == fields_.end())
-      source_.fail_at_line(place_, "RealityCapture's table has no column " + column);
+      source_.fail_at_line(place_, "the RealityCapture table has no column " + column);
     return field->second;
   }
   double number(const std::string& column) const {
@@ -156,7 +156,7 @@ CameraList read_table(const Source& source) {
     }
     place = end == source.end() ? end : end + 1;
   }
-  if (list.cameras.empty()) source.fail("there is no camera in RealityCapture's table");
+  if (list.cameras.empty()) source.fail("there is no camera in the RealityCapture table");
   return list;
 }
 
@@ -202,12 +202,13 @@ CameraList read_reality_capture(const Source& source, const std::string& stem) {
   if (source.bytes.find("xcr:") == std::string_view::npos) return read_table(source);
   const pugi::xml_document document = parse_xml(source);
   const pugi::xml_node description = xml_element(document, "rdf:Description");
-  if (!description) source.fail("RealityCapture's XMP file has no rdf:Description");
+  if (!description) source.fail("the RealityCapture XMP file has no rdf:Description");
   CameraRecord record = record_of(lens_of(description, source), "the camera", source);
   const auto rotation = values(description, "xcr:Rotation", source);
   const auto center = values(description, "xcr:Position", source);
   if (rotation.size() != 9 || center.size() != 3)
-    source.fail("RealityCapture's XMP file has no xcr:Rotation of 9 numbers and xcr:Position of 3");
+    source.fail(
+        "the RealityCapture XMP file has no xcr:Rotation of 9 numbers and xcr:Position of 3");
   Eigen::Matrix3d& r = record.camera.rotation;
   for (int i = 0; i < 9; ++i) r(i / 3, i % 3) = rotation[static_cast<std::size_t>(i)];
   if (!(r * r.transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-3) || r.determinant() < 0)

@@ -110,8 +110,8 @@ void decode_masks(const std::vector<std::string>& paths, const ViewSources& sour
   note_masks(paths, rules, MaskRule::alpha,
              ": transparency is used as the mask: opaque pixels show the object", sources);
   note_masks(paths, rules, MaskRule::between_intensities,
-             ": the mask is not purely black and white, as after noise or JPEG: pixels brighter "
-             "than half-way between show the object",
+             ": the mask is not purely black and white, as after noise or JPEG compression: "
+             "pixels brighter than halfway between the darkest and the brightest show the object",
              sources);
 }
 

@@ -85,7 +85,9 @@ DenseSurface dense_surface(std::span<const View> views, const DenseOptions& opti
                            const Progress& progress) {
   if (views.size() < 2) throw InputError("a surface needs at least two photographs");
   if (options.box && !(options.box->sizes().minCoeff() > 0))
-    throw UsageError("the box to search must have its smaller corner first");
+    throw UsageError(
+        "the box is empty: each coordinate of its first corner must be less than that of its "
+        "second corner");
   const ValueGrid region = viewed_region(views, options.box);
   DenseSurface result;
   result.box = options.box.value_or(box_of(region));
@@ -95,7 +97,9 @@ DenseSurface dense_surface(std::span<const View> views, const DenseOptions& opti
   const std::vector<View> small = shrunk(views, sizes.scale);
   std::vector<DepthMap> maps = maps_of(small, region, sizes.scale, options, progress);
   count_pixels(small, maps, result);
-  if (result.consistent == 0) throw GoalError("no depth of a photograph is confirmed by others");
+  if (result.consistent == 0)
+    throw GoalError(
+        "no depth in any photograph is confirmed by other photographs: check the cameras");
   std::vector<DepthSurface> surfaces;
   for (std::size_t i = 0; i < maps.size(); ++i)
     surfaces.emplace_back(small[i].camera, std::move(maps[i]), options.maps.tolerance);
@@ -105,7 +109,8 @@ DenseSurface dense_surface(std::span<const View> views, const DenseOptions& opti
   result.mesh = march_blocks(blocks);
   trim_border(result.mesh, fringe_rings);
   result.dropped_components = drop_crumbs(result.mesh, options.crumbs);
-  if (result.mesh.faces.empty()) throw GoalError("depths of photographs form no surface");
+  if (result.mesh.faces.empty())
+    throw GoalError("the depths of the photographs form no surface: check the cameras");
   return result;
 }
 

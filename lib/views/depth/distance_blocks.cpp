@@ -35,7 +35,8 @@ NodeGrid grid_around(const Box& box, double spacing) {
     const double blocks =
         std::ceil((box.max()[axis] - box.min()[axis]) / (spacing * static_cast<double>(side))) + 1;
     count *= blocks * static_cast<double>(side);
-    if (!(count < most_nodes)) throw UsageError("the cells are too small for a box of this size");
+    if (!(count < most_nodes))
+      throw UsageError("the cells are too small for a box of this size: use larger cells");
     grid.nodes[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(blocks) * side;
   }
   return grid;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "raster/camera.h"
+#include "support/number.h"
 #include "support/parallel.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -203,7 +204,9 @@ void check(const HullOptions& options) {
   if (!(options.keep >= 0 && options.keep <= 1))
     throw UsageError("the share of components to keep must be between 0 and 1");
   if (options.box && !((options.box->max() - options.box->min()).minCoeff() > 0))
-    throw UsageError("the box of a hull must have its smaller corner first");
+    throw UsageError(
+        "the box is empty: each coordinate of its first corner must be less than that of its "
+        "second corner");
 }
 
 /// Creates a grid around the box. All nodes on the boundary of the grid lie outside of the box.
@@ -214,8 +217,9 @@ ValueGrid make_grid(const Box& box, const HullOptions& options) {
   double count = 1;
   for (int axis = 0; axis < 3; ++axis) count *= std::ceil(size[axis] / grid.spacing) + 3;
   if (!(count <= most_nodes))
-    throw UsageError("the cells of the hull are too small for a box of this size: there would be " +
-                     std::to_string(count / most_nodes) + " times the largest number");
+    throw UsageError("the cells of the hull are too small for a box of this size: it needs " +
+                     significant(count, 3) +
+                     " grid nodes, more than the maximum of 2^28; use larger cells");
   for (int axis = 0; axis < 3; ++axis) {
     const double cells = std::ceil(size[axis] / grid.spacing) + 2;
     grid.nodes[axis] = static_cast<std::size_t>(cells) + 1;

@@ -37,7 +37,9 @@ void blacken(PackableImage& held, const GrayImage& box) {
 void keep_in_box(std::vector<View>& views, const Box& box) {
   const Vec3 size = box.max() - box.min();
   if (!(size.allFinite() && size.minCoeff() > 0))
-    throw UsageError("the box has no inside: its second corner must be above the first");
+    throw UsageError(
+        "the box is empty: each coordinate of its first corner must be less than that of its "
+        "second corner");
   Mesh surface = shapes::box(size, 12);
   for (Vec3& position : surface.positions) position += (box.min() + box.max()) / 2;
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {

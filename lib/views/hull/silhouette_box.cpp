@@ -94,7 +94,7 @@ double least(LinearProgram program, int axis, double sign) {
     throw InputError(
         "no point lies in all silhouettes: check that the cameras belong to these images");
   if (solution.is_unbounded())
-    throw InputError("the silhouettes do not bound the object on all sides: name its box");
+    throw InputError("the silhouettes do not bound the object on all sides: give its box");
   return sign * CGAL::to_double(solution.objective_value());
 }
 

@@ -251,9 +251,9 @@ void Diagnosis::try_cameras() const {
   std::vector<View> views = views_;
   for (View& view : views) view.camera = view.camera.mirrored();
   if (agree(views)) {
-    throw InputError(
-        ErrorKind::scene_behind_cameras,
-        "the scene lies behind every camera, as if the coordinates of the cameras are left-handed");
+    throw InputError(ErrorKind::scene_behind_cameras,
+                     "the scene lies behind every camera, as if the coordinates of the cameras "
+                     "were left-handed");
   }
   views = views_;
   for (View& view : views) {
@@ -300,7 +300,7 @@ void Diagnosis::try_shifts() const {
     }
     if (!agree(views)) continue;
     const std::size_t first = 1 - forward;
-    throw InputError("all silhouettes look shifted by one against the cameras: that of " +
+    throw InputError("all silhouettes look shifted by one relative to the cameras: that of " +
                      quoted(views_[first].name) + " fits the camera of " +
                      quoted(views_[forward].name) +
                      ", and so on; is one numbered from 0 and the other from 1?");

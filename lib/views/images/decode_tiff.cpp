@@ -174,7 +174,7 @@ class Reader {
     constexpr std::uint64_t most_of_a_byte = 1 << 16;
     const std::uint64_t size = sizeof(Sample) * count;
     if (size > std::max(always_fine, most_of_a_byte * source_.bytes.size())) {
-      source_.fail("a strip or tile of the image cannot have " + counted(size, "byte") + " in " +
+      source_.fail("a strip or tile of " + counted(size, "byte") + " cannot be stored in " +
                    counted(source_.bytes.size(), "byte"));
     }
     return samples<Sample>(count);

@@ -83,7 +83,8 @@ void check_size(const Source& source, std::uint64_t width, std::uint64_t height,
     source.fail("the image is too large: " + size);
   }
   if (width * height / pixels_per_byte > source.bytes.size()) {
-    source.fail("the image cannot have " + size + " in " + counted(source.bytes.size(), "byte"));
+    source.fail("an image of " + size + " cannot be stored in " +
+                counted(source.bytes.size(), "byte"));
   }
 }
 

@@ -31,7 +31,7 @@ PhotoScene make_scene(std::span<const View> views, double scale, const PairOptio
   scene.pairs = choose_pairs(cameras, center, pairs);
   if (scene.pairs.empty()) {
     throw InputError("no two of " + counted(views.size(), "view") +
-                     " have an angle between them that allows a comparison");
+                     " have an angle between them that allows a comparison: allow other angles");
   }
   scene.pixel = scale * pixel_size(cameras, center);
   scene.views.resize(views.size());

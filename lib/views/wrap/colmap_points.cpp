@@ -77,7 +77,7 @@ std::vector<Row> read_rows(const Source& source, LittleEndianReader& bytes) {
     bytes.skip(track, observation_size);
     if (!row.position.allFinite() || !std::isfinite(row.values[3]))
       source.fail("point " + std::to_string(i) +
-                  " of COLMAP's points has a number that is not "
+                  " of the COLMAP points file has a number that is not "
                   "finite");
     points.push_back(row);
   }
@@ -89,7 +89,7 @@ std::vector<Row> read_rows(const Source& source, LittleEndianReader& bytes) {
 std::optional<Mesh> read_colmap_points(const Source& source) {
   if (is_text(source)) return read_text(source);
   const bool is_named = source.name.ends_with("points3D.bin");
-  LittleEndianReader bytes(source, "COLMAP's file of points");
+  LittleEndianReader bytes(source, "the COLMAP points file");
   if (is_named) return mesh_of(read_rows(source, bytes));
   try {
     const std::vector<Row> points = read_rows(source, bytes);

@@ -50,8 +50,8 @@ TEST_CASE("a movie is followed through merges and splits, with edges of one leng
   CHECK(result.converged == names.size());
   REQUIRE(messages.size() == names.size());
   CHECK(messages[0].find("frame 1 of 6, a: converged") == 0);
-  CHECK(messages[2].find("1 part") != std::string::npos);
-  CHECK(messages[5].find("2 parts") != std::string::npos);
+  CHECK(messages[2].find("1 component") != std::string::npos);
+  CHECK(messages[5].find("2 components") != std::string::npos);
   CHECK(edge_lengths(document.mesh).mean == doctest::Approx(first).epsilon(0.05));
 }
 

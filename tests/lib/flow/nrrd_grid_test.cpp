@@ -89,9 +89,9 @@ TEST_CASE("NRRD that is no suitable grid is refused with the reason") {
   CHECK(refuses(replaced(usual, "raw", "gzip") + bytes, "encoding"));
   CHECK(refuses(replaced(usual, "double", "short") + bytes, "type"));
   CHECK(refuses(replaced(usual, "little", "middle") + bytes, "endian"));
-  CHECK(refuses(usual + "data file: a.raw\n" + bytes, "another file"));
+  CHECK(refuses(usual + "data file: a.raw\n" + bytes, "separate file"));
   CHECK(refuses(usual + bytes, "dimension", 1));
-  CHECK(refuses(replaced(usual, "3 2 1 2", "2 3 1 2") + bytes, "first axis of NRRD has 2"));
+  CHECK(refuses(replaced(usual, "3 2 1 2", "2 3 1 2") + bytes, "first NRRD axis has 2"));
   CHECK(refuses(replaced(usual, "3 2 1 2", "3 2 1 3") + bytes, "announces 18 numbers"));
   CHECK(refuses(replaced(usual, "3 2 1 2", "3 2 1 1e9") + bytes, "sizes"));
   CHECK(refuses(replaced(usual, "3 2 1 2", "3 2 1") + bytes, "4 numbers"));

@@ -126,7 +126,7 @@ TEST_CASE("ImageData that is no suitable grid is refused with the reason") {
   CHECK(refuses(parts, "axes other than x, y and z"));
   parts = {};
   parts.piece = "Extent=\"0 1 0 2 0 99999999999\"";
-  CHECK(refuses(parts, "extent must have"));
+  CHECK(refuses(parts, "each axis of the grid must have"));
   parts = {};
   parts.image = "WholeExtent=\"0 1 0 2 0 0\" Spacing=\"0 1 1\"";
   CHECK(refuses(parts, "spacing"));

@@ -34,5 +34,6 @@ TEST_CASE("a surface at rest is not converged if masks or photographs disagree w
         "photographs disagree on a thin sheet or fin around 4,5,6e+04 (30 square pixels, thin)");
   evidence.doubt.disagreement = 0.21;
   CHECK(at_rest.in_words(evidence) ==
-        "photographs disagree by 0.21 more than their noise explains");
+        "photographs disagree by 0.21 beyond their noise, on a scale from 0 to 1; at most 0.2 is "
+        "accepted");
 }

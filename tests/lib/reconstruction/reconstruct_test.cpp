@@ -207,7 +207,8 @@ TEST_CASE("a first scale at which the surface vanishes is skipped, unless reques
   const Run run = run_of(options, {}, views);
   CHECK(run.result.topology == Topology{1, 0});
   REQUIRE_FALSE(details.empty());
-  CHECK(details[0] == "scale 4.0000 is too coarse for this surface: restarting at the next");
+  CHECK(details[0] ==
+        "scale 4.0000 is too coarse for this surface: restarting at the next finer scale");
 
   options.scales.coarsest = 4;
   CHECK_THROWS_AS(run_of(options, {}, views), std::runtime_error);

@@ -195,7 +195,7 @@ TEST_CASE("lengths are in units of the reference edge, and longer by the factor 
 }
 
 TEST_CASE("faces and topology in words and in short") {
-  CHECK(in_words(812, {1, 0}) == "812 faces, 1 part, genus 0");
-  CHECK(in_words(1, {2, 3}) == "1 face, 2 parts, genus 3");
+  CHECK(in_words(812, {1, 0}) == "812 faces, 1 component, genus 0");
+  CHECK(in_words(1, {2, 3}) == "1 face, 2 components, genus 3");
   CHECK(in_short(812, {2, 1}) == "812 faces, components 2, genus 1");
 }

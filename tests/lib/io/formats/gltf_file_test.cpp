@@ -45,9 +45,8 @@ TEST_CASE("gltf: the container, and its damages") {
   CHECK(contains(read_error(old), "version 1"));
   std::string long_chunk = bytes;
   long_chunk[14] = 1;
-  CHECK(contains(read_error(long_chunk), "a chunk of GLB reaches beyond the end"));
-  CHECK(read_error(glb_of("{\"asset\": [}", "")) ==
-        "the JSON of glTF is malformed (input byte 31)");
+  CHECK(contains(read_error(long_chunk), "a GLB chunk extends beyond the end"));
+  CHECK(read_error(glb_of("{\"asset\": [}", "")) == "the glTF JSON is malformed (input byte 31)");
   CHECK(has_note(read_mesh(bytes + "xy", "input").notes,
                  "glb: 2 bytes after the last chunk ignored"));
 }

@@ -60,7 +60,7 @@ TEST_CASE("pcd: points compressed by LZF, field by field") {
   CHECK(contains(read_error(file(27)), "2 points"));
   std::string damaged = file(28);
   damaged[damaged.size() - 6] = 100;  // the reference is to bytes before the first byte
-  CHECK(contains(read_error(damaged), "the compressed data of PCD is damaged"));
+  CHECK(contains(read_error(damaged), "the compressed PCD data is damaged"));
 }
 
 TEST_CASE("pcd: headers that make no sense") {

@@ -48,14 +48,14 @@ TEST_CASE("ply: malformed headers are refused with their line") {
   CHECK(error_of("format binary 1.0\nend_header\n") ==
         "PLY is ascii, binary_little_endian or binary_big_endian, not 'binary' (input line 2)");
   CHECK(error_of("format ascii 2.0\nend_header\n") ==
-        "only version 1.0 of PLY is known, not '2.0' (input line 2)");
+        "only PLY version 1.0 is supported, not '2.0' (input line 2)");
   CHECK(error_of("format ascii 1.0\nelement vertex -1\nend_header\n") ==
         "'element NAME COUNT' needs a name and a count of 0 or more, not 'element vertex -1' "
         "(input line 3)");
   CHECK(contains(error_of("format ascii 1.0\nelement vertex 99999999999999999999\nend_header\n"),
                  "a count of 0 or more"));
   CHECK(error_of("format ascii 1.0\nproperty float x\nend_header\n") ==
-        "a property before the first element (input line 3)");
+        "there is a property before the first element (input line 3)");
   CHECK(contains(error_of("format ascii 1.0\nelement vertex 1\nproperty half x\nend_header\n"),
                  "unknown type 'half'"));
   CHECK(contains(error_of("format ascii 1.0\nelement face 1\nproperty list float int "

@@ -45,7 +45,7 @@ TEST_CASE("arrays of NumPy: doubles and floats, both byte orders, rows or column
 
 TEST_CASE("arrays of NumPy: damage is refused") {
   const std::string data = test::bytes_of<double>({1, 2, 3, 4, 5, 6});
-  CHECK(refuses("PK", "not an array"));
+  CHECK(refuses("PK", "not a NumPy array"));
   CHECK(refuses(test::npy("<i8", "(6,)", data), "'<i8'"));
   CHECK(refuses(test::npy("|O", "(6,)", data), "not of floats"));
   CHECK(refuses(test::npy("<f8", "(7,)", data), "cut off"));

@@ -87,7 +87,7 @@ TEST_CASE("the box tightly bounds the space that projects into all rectangles") 
 TEST_CASE("unbounded objects are refused") {
   const std::vector<Vec3> front = {{600, 0, 0}};
   CHECK_THROWS_WITH_AS(silhouette_box(views_of_ball(front, Vec3::Zero(), 40)),
-                       doctest::Contains("name its box"), InputError);
+                       doctest::Contains("give its box"), InputError);
 
   // A silhouette that reaches the border of its image does not bound the object on this side.
   std::vector<View> views =

@@ -101,7 +101,7 @@ TEST_CASE("a JPEG that claims what its bytes cannot hold, or scans without end, 
   REQUIRE(frame != std::string::npos);
   std::string claim = bytes;
   claim.replace(frame + 5, 4, "\x4e\x20\x4e\x20");
-  CHECK(image_refusal(claim).find("cannot have 20000 x 20000 pixels") != std::string::npos);
+  CHECK(image_refusal(claim).find("20000 x 20000 pixels cannot be stored in") != std::string::npos);
   claim.replace(frame + 5, 4, "\xff\xdc\xff\xdc");
   CHECK(image_refusal(claim).find("too large") != std::string::npos);
   claim.replace(frame + 5, 4, std::string(4, '\0'));

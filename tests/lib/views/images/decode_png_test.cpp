@@ -61,5 +61,5 @@ TEST_CASE("a PNG that claims more pixels than its bytes can hold is refused") {
   // The width and its check sum, of 20000 x 20000.
   bytes.replace(16, 8, std::string("\0\0\x4e\x20\0\0\x4e\x20", 8));
   bytes.replace(29, 4, "\x6c\x12\xd1\x6e");
-  CHECK(image_refusal(bytes).find("cannot have 20000 x 20000 pixels") != std::string::npos);
+  CHECK(image_refusal(bytes).find("20000 x 20000 pixels cannot be stored in") != std::string::npos);
 }
