@@ -10,9 +10,9 @@
 namespace transformesh {
 namespace {
 
-/// Largest distance of a strip's corners from the border edge, in spacings. Cutting by a plane moves
-/// vertices by up to one spacing. The border moves farther where the surface is nearly parallel to
-/// the plane. docs/design/open-meshes.md has results with and without strips.
+/// Largest distance of a strip's corners from the border edge, in spacings. Cutting by a plane
+/// moves vertices by up to one spacing. The border moves farther where the surface is nearly
+/// parallel to the plane. docs/design/open-meshes.md has results with and without strips.
 constexpr double strip_spacings = 64;
 
 double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
