@@ -65,13 +65,16 @@ value() { awk -v key="\"$1\":" '$1 == key { gsub(",", "", $2); print $2 }' "$2";
   done
 }
 
-@test "refused: a texture on a pipe or in OFF, and a mesh that no photograph shows" {
+@test "refused: a texture on a pipe or in a format without textures, and a mesh that no photograph shows" {
   run --separate-stderr "${color[@]}" --texture "$scene/truth.ply"
   assert_status 2
   [[ $stderr == *"-o NAME.obj"* ]]
-  run --separate-stderr "${color[@]}" --texture "$scene/truth.ply" -o a.off
-  assert_status 2
-  [[ $stderr == *"not for off"* ]]
+  for format in off stl vtp 3mf xyz; do
+    run --separate-stderr "${color[@]}" --texture "$scene/truth.ply" -o "a.$format"
+    assert_status 2
+    [[ $stderr == *"not for $format"* ]]
+    [ ! -e "a.$format" ] && [ ! -e a.png ]
+  done
   tm-stitch --flip "$scene/truth.ply" -o inside_out.ply
   run --separate-stderr "${color[@]}" inside_out.ply
   assert_status 3

@@ -18,6 +18,11 @@ Format output_format(const Run& run) {
   return format_for(Format::ply_little, run.program().common.format, run.out().name());
 }
 
+/// True if place_picture() can add a texture to a mesh in this format.
+bool can_have_texture(Format format) {
+  return format == Format::obj || format == Format::glb || is_ply(format);
+}
+
 std::string with_ending(const std::string& path, const char* ending) {
   return std::filesystem::path(path).replace_extension(ending).string();
 }
@@ -75,16 +80,9 @@ void check_texture(const ColorChoices& choices, const Run& run) {
     throw UsageError(
         "--texture needs -o NAME.obj, NAME.glb or NAME.ply, because the picture is written beside "
         "the mesh");
-  switch (const Format format = output_format(run); format) {
-    case Format::off:
-    case Format::stl_ascii:
-    case Format::stl_binary:
-    case Format::vtp:
-      throw UsageError("--texture is for .obj, .glb and .ply, not for " +
-                       std::string(name_of(format)));
-    default:
-      break;
-  }
+  if (const Format format = output_format(run); !can_have_texture(format))
+    throw UsageError("--texture is for .obj, .glb and .ply, not for " +
+                     std::string(name_of(format)));
 }
 
 void color(Document& document, std::span<const PictureView> views, const ColorChoices& choices,
