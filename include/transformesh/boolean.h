@@ -2,12 +2,12 @@
 /// difference, in one arrangement of all operands. An operand is the solid { p : w(p) >= 1 }, where
 /// w is its own winding number. Operands may overlap themselves, touch, and be nested or equal.
 ///
-/// Guarantees: the result is closed, oriented outwards and manifold. It is exactly the boundary of
-/// that region, without walls of zero thickness. Rounded to `coordinate`, it has no
-/// self-intersection and no face without area. Faces that meet no other operand keep coordinates,
-/// columns and order, unless `merge_flat` retriangulates their flat region. Faces of subtracted
-/// operands are reversed. Parts of cut faces keep its columns; columns.h defines missing values. An
-/// empty region gives an empty mesh. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh
+/// Guarantees: the result is exactly the boundary of that region: closed, oriented outwards and
+/// manifold. Rounded to `coordinate`, it has no self-intersection and no face without area. Faces
+/// that meet no other operand keep coordinates, columns and order, unless `merge_flat`
+/// retriangulates their flat region. Faces of subtracted operands are reversed. Of coincident
+/// faces, at most one stays. Parts of a cut face keep its columns; columns.h defines missing
+/// values. An empty region gives an empty mesh. Reference: Zhou, Grinspun, Zorin & Jacobson, "Mesh
 /// arrangements for solid geometry", ACM TOG 35(4), 2016. Throws InputError, naming the operand, if
 /// one is not closed and oriented, and GoalError if rounding cannot be repaired. Deterministic.
 /// Cost: that of clean(); more for `exclude` and if one of several operands intersects itself.

@@ -83,6 +83,26 @@ volume_of() {
   done
 }
 
+# sources_of COMMAND MESH...: prints for each mesh of the result's faces its number and how many faces it has.
+sources_of() {
+  tm-boolean "$@" --source-operand --format ply-ascii -o result.ply
+  tail -n "$(tm-info --get faces result.ply)" result.ply | awk '{ print $NF }' | sort -n | uniq -c |
+    awk '{ printf "%s%s:%s", (NR > 1 ? " " : ""), $2, $1 }'
+}
+
+@test "where faces coincide, one is left, from the first mesh with a face in its direction" {
+  cube 0 1 >a.off
+  cube 0 2 >large.off # three of its faces contain faces of a.off
+  tm-transform --translate 1,0,0 a.off -o beside.off
+  [ "$(sources_of union a.off a.off)" = 0:12 ]
+  [ "$(sources_of intersection a.off large.off)" = 0:12 ]
+  [ "$(sources_of intersection large.off a.off)" = "0:6 1:6" ]
+  # The face at x = 1 has the direction of a.off, and of beside.off reversed.
+  [ "$(sources_of difference a.off beside.off)" = 0:12 ]
+  # Only beside.off has a face in the direction of the result at x = 1.
+  [ "$(sources_of xor a.off a.off beside.off)" = 2:12 ]
+}
+
 @test "an empty result is a mesh without faces, which a note says" {
   cube 0 1 >a.off
   cube 2 3 >b.off
