@@ -1,18 +1,18 @@
 /// Computes the boundary of { p : w(p) >= winding level } (TransforMesh, paper 3), where w(p) is
-/// the winding number of a closed oriented mesh. It is a closed 2-manifold that is oriented
-/// outwards. Level 1 removes every self-intersection, inverted region and overlap; surfaces merge,
-/// split, open and close.
+/// the winding number of a closed oriented mesh. It is a closed 2-manifold, oriented outwards.
+/// Level 1 removes every self-intersection, inverted region and overlap; surfaces merge and split.
 ///
 /// Guarantees: every output face is an input face or a part of one. Faces without intersection keep
 /// coordinates, columns and order, except near faces that rounding breaks. A manifold with nothing
 /// to clean is unchanged. Vertices at equal positions count as one. Rounded to `coordinate`, the
 /// output has no self-intersection (coincident vertices and edges may touch) and no face without
-/// area. In a mesh with borders, the closed part is cleaned as if it were alone. Open components
-/// lose their parts inside the closed part, and parts behind another open component that intersects
-/// them (docs/design/open-meshes.md). Throws InputError if the mesh is not oriented, and UsageError
-/// for static_test on an open mesh. Throws GoalError if no point reaches the level, if rounding
-/// cannot be repaired, or if `refuse` forbids a change. Deterministic. Cost: O(n log n + k log k)
-/// for n faces with k intersecting pairs.
+/// area. Rounding the output and repairing it moves no part of the surface farther than
+/// `rounding_displacement` (clean_result.h). In a mesh with borders, the closed part is cleaned as
+/// if it were alone. Open components lose their parts inside the closed part, and parts behind
+/// another open component that intersects them (docs/design/open-meshes.md). Throws InputError if
+/// the mesh is not oriented, and UsageError for static_test on an open mesh. Throws GoalError if no
+/// point reaches the level, if rounding cannot be repaired, or if `refuse` forbids a change.
+/// Deterministic. Cost: O(n log n + k log k) for n faces with k intersecting pairs.
 ///
 /// A `box` restricts cleaning to faces whose first vertex is in it (paper 4.6). A box includes its
 /// lower sides and excludes its upper ones. The results of adjacent boxes together form the cleaned

@@ -26,7 +26,7 @@ bool is_late_scale(double scale);
 struct SweepVerdict {
   bool is_done = false;  ///< true if the sweeps at this scale are finished
   /// True if vertices hardly move or the dissimilarity hardly falls, no vertices enter silhouettes
-  /// from outside, and the topology did not change.
+  /// from outside, the topology did not change, and `is_lost` is false.
   bool is_at_rest = false;
   /// True if fewer pixels are compared than in the first sweep of the scale: their fraction of the
   /// visible pixels fell by a tenth, or their number fell by half. Photographs may then agree only
@@ -37,10 +37,11 @@ struct SweepVerdict {
   bool is_late = false;
 };
 
-/// Decides after each sweep whether the scale is finished. It is finished if vertices move by less
-/// than 1.5 % of an edge on average, or if the dissimilarity falls by less than 1 % from one sweep
-/// to the next. Otherwise it is finished after `sweeps` sweeps. If vertices enter silhouettes from
-/// outside or the topology changes, it is only finished after `2 * sweeps` sweeps.
+/// Decides after each sweep whether the scale is finished. It is finished after `sweeps` sweeps. If
+/// vertices enter silhouettes from outside or the topology changes, it is only finished after `2 *
+/// sweeps` sweeps. It is finished earlier if SweepVerdict::is_at_rest is true. Vertices hardly move
+/// if they move by less than 1.5 % of an edge on average. The dissimilarity hardly falls if it
+/// falls by less than 1 % from one sweep to the next.
 class ScaleRule {
  public:
   explicit ScaleRule(std::size_t sweeps = 4) : sweeps_(sweeps) {}

@@ -1,4 +1,5 @@
-/// Parallel loops on the allowed threads. Results must not depend on the number of threads: write
+/// Parallel loops on the allowed threads. The innermost ThreadLimit (control.h) sets their number;
+/// without a limit, there is one per core. Results must not depend on the number of threads: write
 /// to slots indexed by the loop variable, and reduce in index order afterwards. The ranges depend
 /// on the number of threads, so do not add up floating-point numbers per range.
 #pragma once
