@@ -16,10 +16,11 @@ namespace {
 constexpr double strip_spacings = 64;
 
 double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0 ? std::clamp((point - a).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (point - (a + t * along)).norm();
+  const Vec3 way = point - a;
+  const double length = (b - a).stableNorm();
+  if (length == 0) return way.stableNorm();
+  const Vec3 direction = (b - a) / length;
+  return (way - std::clamp(way.dot(direction), 0.0, length) * direction).stableNorm();
 }
 
 class StripFinder {
@@ -54,7 +55,7 @@ class StripFinder {
     return strip_spacings * spacing_around(at(point), coordinate_);
   }
   bool is_short(Index h) const {
-    return (at(target(h)) - at(source(h))).norm() <= tolerance_at(target(h));
+    return (at(target(h)) - at(source(h))).stableNorm() <= tolerance_at(target(h));
   }
 
   // Takes the pieces beside a border halfedge that are near its edge.
@@ -67,7 +68,7 @@ class StripFinder {
       const Index piece = h / 3, apex = target(next(h));
       if (piece < arrangement_.whole_pieces || strips_.is_strip[piece]) continue;
       if (!arrangement_.pieces[piece].is_open) continue;
-      if (distance_to_segment(at(apex), a, b) > tolerance_at(apex)) continue;
+      if (!(distance_to_segment(at(apex), a, b) <= tolerance_at(apex))) continue;
       strips_.is_strip[piece] = 1;
       for (const Index side : {next(h), next(next(h))})
         if (connected_[side] != no_index) entered.push_back(connected_[side]);

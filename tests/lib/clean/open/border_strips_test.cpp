@@ -45,6 +45,17 @@ TEST_CASE("rounded borders in common planes do not keep the hidden parts of two 
   }
 }
 
+TEST_CASE("strips are found at tiny and huge scales") {
+  test::Random random(6);
+  const Mesh both = rotated(test::joined(arch(-0.5, 0), arch(0.5, 0)), random);
+  const Mesh cleaned = clean(both).mesh;
+  for (const int exponent : {-700, -560, 560, 700}) {
+    CAPTURE(exponent);
+    const double scale = std::ldexp(1.0, exponent);
+    CHECK(clean(test::scaled(both, scale)).mesh.faces == cleaned.faces);
+  }
+}
+
 TEST_CASE("a curve that ends away from the border separates nothing") {
   const Mesh both = test::joined(arch(-0.5, 0), arch(0.5, 1e-6));
   CHECK(surface_area(clean(both).mesh) == doctest::Approx(surface_area(both)));
