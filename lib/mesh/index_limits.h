@@ -3,10 +3,10 @@
 
 namespace transformesh {
 
-/// A mesh has less than `no_index` vertices (mesh.h).
+/// A mesh has fewer than `no_index` vertices (mesh.h).
 inline constexpr const char* too_many_vertices =
     "more than 4294967294 vertices are not supported: split the input into smaller files";
-/// A mesh has less than `no_index / 3` faces, so that indices of halfedges are below `no_index`.
+/// A mesh has fewer than `no_index / 3` faces, so that indices of halfedges are below `no_index`.
 inline constexpr const char* too_many_triangles =
     "more than 1431655764 triangles are not supported: split the input into smaller files";
 

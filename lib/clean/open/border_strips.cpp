@@ -1,19 +1,18 @@
 #include "clean/open/border_strips.h"
 
 #include <algorithm>
-#include <array>
-#include <span>
 
 #include "clean/exterior/angular_order.h"
 #include "mesh/coordinate_spacing.h"
+#include "mesh/corners.h"
 
 namespace transformesh {
 namespace {
 
 /// Largest distance of a strip's corners from the border edge, in spacings. Cutting by a plane
 /// moves vertices by up to one spacing. The border moves farther where the surface is nearly
-/// parallel to the plane. docs/design/open-meshes.md has results with and without strips.
-constexpr double strip_spacings = 64;
+/// parallel to the plane. docs/design/open-meshes.md has results for other values.
+constexpr double strip_spacings = 16;
 
 double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b) {
   const Vec3 way = point - a;
@@ -27,11 +26,13 @@ class StripFinder {
  public:
   StripFinder(const Arrangement& arrangement, const Edges& edges, Scalar coordinate,
               std::vector<Index>& connected)
-      : arrangement_(arrangement), edges_(edges), coordinate_(coordinate), connected_(connected) {
-    strips_.is_strip.assign(arrangement.pieces.size(), 0);
-  }
+      : arrangement_(arrangement),
+        edges_(edges),
+        coordinate_(coordinate),
+        connected_(connected),
+        is_strip_(arrangement.pieces.size(), 0) {}
 
-  BorderStrips run() {
+  std::vector<StripSide> run() {
     std::vector<char> is_border_point(arrangement_.point_count(), 0);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const auto halfedges = edges_.halfedges(e);
@@ -43,11 +44,10 @@ class StripFinder {
     disconnect_strips();
     for (Index h = 3 * arrangement_.whole_pieces; h < connected_.size(); ++h)
       if (connected_[h] != no_index && is_border_point[target(h)] && is_short(h)) disconnect(h);
-    return std::move(strips_);
+    return std::move(sides_);
   }
 
  private:
-  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   Index source(Index h) const { return halfedge_source(arrangement_.pieces, h); }
   Index target(Index h) const { return halfedge_target(arrangement_.pieces, h); }
   const Vec3& at(Index point) const { return arrangement_.position(point); }
@@ -65,22 +65,22 @@ class StripFinder {
     while (!entered.empty()) {
       const Index h = entered.back();
       entered.pop_back();
-      const Index piece = h / 3, apex = target(next(h));
-      if (piece < arrangement_.whole_pieces || strips_.is_strip[piece]) continue;
+      const Index piece = h / 3, apex = target(next_edge(h));
+      if (piece < arrangement_.whole_pieces || is_strip_[piece]) continue;
       if (!arrangement_.pieces[piece].is_open) continue;
       if (!(distance_to_segment(at(apex), a, b) <= tolerance_at(apex))) continue;
-      strips_.is_strip[piece] = 1;
-      for (const Index side : {next(h), next(next(h))})
+      is_strip_[piece] = 1;
+      for (const Index side : {next_edge(h), previous_edge(h)})
         if (connected_[side] != no_index) entered.push_back(connected_[side]);
     }
   }
 
   void disconnect_strips() {
     for (Index h = 0; h < connected_.size(); ++h) {
-      if (connected_[h] == no_index || !strips_.is_strip[h / 3]) continue;
+      if (connected_[h] == no_index || !is_strip_[h / 3]) continue;
       const Index beside = connected_[h] / 3;
-      if (strips_.is_strip[beside]) continue;
-      strips_.sides.emplace_back(h / 3, beside);
+      if (is_strip_[beside]) continue;
+      sides_.push_back({h / 3, beside});
       disconnect(h);
     }
   }
@@ -94,13 +94,14 @@ class StripFinder {
   const Edges& edges_;
   Scalar coordinate_;
   std::vector<Index>& connected_;
-  BorderStrips strips_;
+  std::vector<char> is_strip_;  ///< 1 for each piece of a strip
+  std::vector<StripSide> sides_;
 };
 
 }  // namespace
 
-BorderStrips disconnect_border_strips(const Arrangement& arrangement, const Edges& edges,
-                                      Scalar coordinate, std::vector<Index>& connected) {
+std::vector<StripSide> disconnect_border_strips(const Arrangement& arrangement, const Edges& edges,
+                                                Scalar coordinate, std::vector<Index>& connected) {
   return StripFinder(arrangement, edges, coordinate, connected).run();
 }
 

@@ -9,7 +9,6 @@
 /// Reference: none. Cost: O(number of pieces). Deterministic; independent of the order of faces.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "clean/arrange/arrange.h"
@@ -18,18 +17,17 @@
 
 namespace transformesh {
 
-struct BorderStrips {
-  std::vector<char> is_strip;  ///< 1 for each piece of a strip
-  /// Pieces of strips and the pieces that were connected to them, but are not in a strip.
-  std::vector<std::pair<Index, Index>> sides;
+/// A piece of a strip, and a piece outside of strips that was connected to it.
+struct StripSide {
+  Index strip_piece, beside;
 };
 
 /// Finds the strips, and disconnects their pieces from all other pieces. A strip consists of pieces
-/// of cut faces whose corners are all within 64 spacings of the same border edge. The spacing is
+/// of cut faces whose corners are all within 16 spacings of the same border edge. The spacing is
 /// that of numbers of type `coordinate`. Edges shorter than this that end at the border connect no
 /// pieces either. `connected` has, for every halfedge of a piece, the halfedge of the piece that is
-/// connected to it across their edge, or `no_index`.
-BorderStrips disconnect_border_strips(const Arrangement& arrangement, const Edges& edges,
-                                      Scalar coordinate, std::vector<Index>& connected);
+/// connected to it across their edge, or `no_index`. Returns the disconnected pairs.
+std::vector<StripSide> disconnect_border_strips(const Arrangement& arrangement, const Edges& edges,
+                                                Scalar coordinate, std::vector<Index>& connected);
 
 }  // namespace transformesh

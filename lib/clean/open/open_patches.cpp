@@ -68,7 +68,8 @@ class PatchFinder {
   void measure_curves();
   int front_of(const Piece& piece) const;
   void decide();
-  void decide_strips();
+  void find_strips(const Edges& edges);
+  void drop_strips();
   bool drop_unpaired(const Edges& edges);
   void drop(const std::set<Index>& patches);
 
@@ -80,7 +81,8 @@ class PatchFinder {
   DisjointSets sets_;  ///< sets of connected pieces; in the end each set is a patch
   ComponentWinding winding_;
   OwnNumbers own_numbers_;
-  BorderStrips strips_;
+  /// For each strip along a border (a set of pieces), the pieces beside it.
+  std::map<Index, std::vector<Index>> strips_;
   std::vector<Crossing> crossings_;
   CutPatches patches_;
   OpenPatches result_;
@@ -185,31 +187,41 @@ int PatchFinder::front_of(const Piece& piece) const {
   return piece.multiplicity == 1 ? winding_level_ - 1 : piece.front;
 }
 
+// Joins connected pieces to patches and strips.
+void PatchFinder::find_strips(const Edges& edges) {
+  const auto sides = disconnect_border_strips(arrangement_, edges, coordinate_, connected_);
+  for (Index h = 0; h < connected_.size(); ++h)
+    if (connected_[h] != no_index) sets_.join(h / 3, connected_[h] / 3);
+  for (const auto& [piece, beside] : sides) strips_[sets_.find(piece)].push_back(beside);
+}
+
 OpenPatches PatchFinder::find() {
   const auto& pieces = arrangement_.pieces;
   std::vector<char> counts(pieces.size());
   for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = pieces[p].multiplicity != 0 ? 1 : 0;
   const Edges edges = piece_edges(arrangement_, counts);
   for (std::size_t e = 0; e < edges.size(); ++e) visit_edge(edges.halfedges(e));
-  strips_ = disconnect_border_strips(arrangement_, edges, coordinate_, connected_);
-  for (Index h = 0; h < connected_.size(); ++h)
-    if (connected_[h] != no_index) sets_.join(h / 3, connected_[h] / 3);
+  find_strips(edges);
   measure_curves();
   for (Index p = 0; p < pieces.size(); ++p)
     if (counts[p]) patches_.pieces[sets_.find(p)].push_back(p);
 
   decide();
-  decide_strips();
-  while (drop_unpaired(edges)) decide_strips();
+  drop_strips();
+  while (drop_unpaired(edges)) drop_strips();
   return std::move(result_);
 }
 
 void PatchFinder::decide() {
   const auto& pieces = arrangement_.pieces;
   result_.kept.assign(pieces.size(), 0);
-  result_.patches = patches_.pieces.size();
+  result_.patches = patches_.pieces.size() - strips_.size();
   PatchNumbers numbers(patches_, winding_, own_numbers_);
   for (const auto& [patch, members] : patches_.pieces) {
+    if (strips_.contains(patch)) {
+      for (const Index p : members) result_.kept[p] = 1;
+      continue;
+    }
     const auto [count, is_by_winding] = numbers.hiding(patch);
     result_.decided_by_number += is_by_winding ? 1 : 0;
     for (const Index p : members) {
@@ -222,14 +234,13 @@ void PatchFinder::decide() {
   result_.least_margin = numbers.least_margin();
 }
 
-// Keeps a strip only if all pieces beside it are kept. Otherwise it could be a needle along the
-// border.
-void PatchFinder::decide_strips() {
-  std::map<Index, char> are_kept;
-  for (const auto& [piece, beside] : strips_.sides)
-    are_kept.try_emplace(sets_.find(piece), 1).first->second &= result_.kept[beside];
-  for (const auto& [strip, is_kept] : are_kept)
-    for (const Index p : patches_.pieces.at(strip)) result_.kept[p] = is_kept;
+// Drops strips beside dropped pieces. Such a strip could be a needle along the border.
+void PatchFinder::drop_strips() {
+  const auto is_dropped = [&](Index piece) { return !result_.kept[piece]; };
+  std::set<Index> dropped;
+  for (const auto& [strip, beside] : strips_)
+    if (std::ranges::any_of(beside, is_dropped)) dropped.insert(strip);
+  drop(dropped);
 }
 
 // Drops patches at edges of more than two pieces where two or more kept pieces, and more pieces

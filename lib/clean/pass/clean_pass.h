@@ -52,7 +52,7 @@ struct CleanPassOptions {
   std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
   /// The clean pass ends early if more pairs of faces than this intersect.
   std::size_t most_pairs = std::numeric_limits<std::size_t>::max();
-  /// Number type of the positions, of the input and of the result.
+  /// Number type of the input, in which the result will be stored after the clean pass.
   Scalar coordinate = Scalar::float64;
 };
 

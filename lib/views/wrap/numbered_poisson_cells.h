@@ -3,8 +3,8 @@
 /// CGAL's refinement keeps bad cells in a map that is ordered by cell handles. It compares the
 /// handles by memory addresses, unless the cells have time stamps. On points of a sphere many
 /// cells are equally bad, so that the result would depend on the addresses. This specialization
-/// of CGAL's cell adds the time stamp: the number of cells that were made before.
-/// Reference: CGAL manual, concept `TriangulationDataStructure_3::Cell`, `Has_timestamp`.
+/// of CGAL's cell has a time stamp, which CGAL sets to a number in the order of creation.
+/// Reference: Time_stamper.h and Compact_container.h of CGAL 5.5.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

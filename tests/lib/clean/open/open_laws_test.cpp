@@ -14,6 +14,7 @@
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
+#include "transformesh/select.h"
 
 namespace transformesh {
 namespace {
@@ -216,6 +217,30 @@ TEST_CASE("law 5: a body with a hole is united as if the hole were filled") {
     ++tested;
   }
   CHECK(2 * tested > rounds());
+}
+
+TEST_CASE("law 5: cleaning balls that a tilted plane cuts gives the cut of the cleaned balls") {
+  test::Random random(29);
+  int compared = 0;
+  for (int round = 0; round < rounds(); ++round) {
+    CAPTURE(round);
+    Mesh cut;
+    CutPlane plane{random.point(-1, 1).normalized(), 1};
+    for (int i = 0; i < 2; ++i) {
+      const Vec3 center = random.point(-0.5, 0.5);
+      const double radius = random.uniform(0.6, 1.2);
+      cut = test::joined(cut, test::moved(test::scaled(test::icosphere(2), radius), center));
+      // More than half of each ball is left, so that both are bodies with holes.
+      plane.offset = std::min(plane.offset, plane.normal.dot(center) - 0.2 * radius);
+    }
+    Mesh expected = clean(cut).mesh;
+    cut_open(expected, plane);
+    cut_open(cut, plane);
+    if (find_intersections(cut).empty()) continue;  // law 2: a ball inside another one stays
+    ++compared;
+    CHECK(surface_area(clean(cut).mesh) == doctest::Approx(surface_area(expected)).epsilon(1e-9));
+  }
+  CHECK(2 * compared > rounds());
 }
 
 }  // namespace transformesh
