@@ -24,8 +24,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 using Function = CGAL::Poisson_reconstruction_function<Kernel>;
-static_assert(Function::Triangulation::Cell::Has_timestamp::value,
-              "the result would depend on memory addresses");
+// Otherwise the result would depend on memory addresses (numbered_poisson_cells.h).
+static_assert(Function::Triangulation::Cell::Has_timestamp::value);
 using PointMap = CGAL::First_of_pair_property_map<Oriented>;
 using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
 
