@@ -49,7 +49,7 @@ struct ReconstructionOptions {
   double momentum = 0.7;      ///< fraction of the last movement that a step adds; [0, 1)
   PhotoStepOptions step;      ///< only its `stiffness`, `damping`, `alpha` are used
   bool spends_views = false;  ///< crop and finally clear the views, to save memory
-  double robust = 1;  ///< last sweeps: CorrelationOptions::robust relative to the mean of 1 - cc
+  double robust = 1;      ///< CorrelationOptions::robust of the last sweeps over the mean 1 - cc
   double crumbs = 0.001;  ///< drop components below this fraction of the largest volume; [0, 1]
   double handles = 5;     ///< longest loop around a removed handle, in final edges; 0: remove none
   std::function<void(const std::string& message)> on_sweep = {};   ///< called after each sweep

@@ -27,7 +27,8 @@ struct ShortLoop {
 };
 
 /// Returns non-separating loops of at most `max_length`: at most one for each vertex at an edge
-/// with a nonzero word. The shortest loops come first; ties are decided by the vertex indices.
+/// whose number in homology.h is not 0. The shortest loops come first; ties are decided by the
+/// vertex indices.
 std::vector<ShortLoop> short_loops(const Mesh& mesh, const HalfedgeStars& stars, double max_length,
                                    const Progress& progress = Progress());
 

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "clean/intersect/disjoint_faces.h"
 #include "transformesh/control.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 
@@ -14,8 +16,14 @@ struct WeldedMesh;
 
 /// Finds the pairs that find_intersections() of intersect.h finds. Copies are faces with the same
 /// three points. Only the first of several copies appears in the result, and pairs of copies of one
-/// face are not listed.
-std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress);
+/// face are not listed. Two faces of `disjoint` are not tested with each other.
+std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress,
+                                   const DisjointFaces& disjoint = {});
+
+/// Returns what find_intersections() of intersect.h returns. Two faces of `disjoint` are not tested
+/// with each other.
+std::vector<FacePair> find_intersections(const Mesh& mesh, const DisjointFaces& disjoint,
+                                         const Progress& progress);
 
 /// Returns the number of intersecting pairs of faces. Coincident faces, which `meetings` lists
 /// once, are counted separately, and intersect each other.

@@ -168,9 +168,30 @@ std::vector<std::vector<Meeting>> box_meetings(const WeldedMesh& welded, const B
 
 }  // namespace
 
-std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress) {
+namespace {
+
+// Gives all faces of `disjoint` one region, because no two of them intersect. Points of other faces
+// become seams.
+void join_regions(const WeldedMesh& welded, const DisjointFaces& disjoint,
+                  IntersectionFreeRegions& regions) {
+  const auto joined = static_cast<Index>(welded.faces.size());  // other numbers are those of faces
+  const std::vector<char> is_disjoint = disjoint.find(welded.points, welded.faces);
+  for (Index f = 0; f < welded.faces.size(); ++f) {
+    if (is_disjoint[f]) {
+      regions.of_face[f] = joined;
+    } else {
+      for (const Index point : welded.faces[f]) regions.is_seam[point] = 1;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& progress,
+                                   const DisjointFaces& disjoint) {
   progress("intersect");
   IntersectionFreeRegions regions = find_intersection_free_regions(welded);
+  if (!disjoint.empty()) join_regions(welded, disjoint, regions);
   RawVector<Index> faces = find_faces_to_search(welded, regions.of_face);
   const SimplexLinks links = find_simplex_links(welded.points, welded.faces);
   const std::vector<char> is_crowded = HighValenceStars::crowded_points(welded, links);
@@ -214,9 +235,14 @@ std::size_t count_pairs(const WeldedMesh& welded, const std::vector<Meeting>& me
 }
 
 std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress) {
+  return find_intersections(mesh, {}, progress);
+}
+
+std::vector<FacePair> find_intersections(const Mesh& mesh, const DisjointFaces& disjoint,
+                                         const Progress& progress) {
   const WeldedMesh welded = weld(mesh);
   std::vector<FacePair> pairs;
-  for (const Meeting& meeting : find_meetings(welded, progress))
+  for (const Meeting& meeting : find_meetings(welded, progress, disjoint))
     pairs.emplace_back(meeting.first, meeting.second);
   pairs = pairs_of_copies(welded, std::move(pairs));
   // Welded faces are in the order of the mesh faces, so the pairs stay sorted.

@@ -5,6 +5,8 @@
 #include <bit>
 #include <utility>
 
+#include "mesh/position_hash.h"
+#include "support/first_of_equal.h"
 #include "support/numbered_selection.h"
 #include "support/parallel.h"
 #include "support/raw_vector.h"
@@ -15,19 +17,6 @@ namespace {
 
 /// If there are at most this many hashes, one thread adds all of them. Affects time only.
 constexpr std::size_t few_hashes = 4096;
-
-std::uint64_t hash(const Vec3& p) {
-  std::uint64_t h = 0x9e3779b97f4a7c15ULL;
-  for (int i = 0; i < 3; ++i) {
-    h ^= std::bit_cast<std::uint64_t>(p[i] + 0.0);  // adding 0 turns -0 into 0
-    h *= 0xff51afd7ed558ccdULL;
-    h ^= h >> 32;
-  }
-  // Without a further multiplication, points that differ only in the sign of z would have hashes
-  // with the same lower bits.
-  h *= 0xc4ceb9fe1a85ec53ULL;
-  return h ^ h >> 32;
-}
 
 Face sorted(Face face) {
   std::sort(face.begin(), face.end());
@@ -85,31 +74,10 @@ class SingleHashes {
   std::vector<std::uint64_t> once_, twice_;
 };
 
-/// Finds the first of equal items by a hash table with open addressing, whose slots hold item
-/// numbers.
-class FirstOfEqual {
- public:
-  explicit FirstOfEqual(std::size_t count) : slots_(std::bit_ceil(2 * count + 1), no_index) {}
-
-  /// Returns the number of the first item that is equal to `thing`. Inserts `thing` if there is
-  /// none.
-  template <class IsEqual>
-  Index find(std::uint64_t hash, Index thing, const IsEqual& is_equal) {
-    std::size_t slot = (hash >> 20) & (slots_.size() - 1);
-    while (slots_[slot] != no_index && !is_equal(slots_[slot]))
-      slot = (slot + 1) & (slots_.size() - 1);
-    if (slots_[slot] == no_index) slots_[slot] = thing;
-    return slots_[slot];
-  }
-
- private:
-  std::vector<Index> slots_;
-};
-
 // Lists the points that may have duplicates, ascending.
 RawVector<Index> find_repeated(const std::vector<Vec3>& points) {
   RawVector<std::uint64_t> hash_of(points.size());
-  parallel_for_each(points.size(), [&](Index i) { hash_of[i] = hash(points[i]); });
+  parallel_for_each(points.size(), [&](Index i) { hash_of[i] = position_hash(points[i]); });
   const SingleHashes hashes(hash_of);
   const NumberedSelection repeated(points.size(),
                                    [&](std::size_t i) { return !hashes.is_single(hash_of[i]); });
@@ -125,8 +93,9 @@ std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions, bool&
   parallel_for_each(first.size(), [&](Index v) { first[v] = v; });
   has_repeats = false;
   for (const Index v : repeated) {
-    first[v] = vertices.find(hash(positions[v]), v,
-                             [&](Index other) { return positions[other] == positions[v]; });
+    first[v] = vertices.find_or_insert(position_hash(positions[v]), v, [&](Index other) {
+      return positions[other] == positions[v];
+    });
     has_repeats |= first[v] != v;
   }
   return first;
@@ -192,7 +161,7 @@ void find_copies(WeldedMesh& welded) {
   parallel_for_each(faces.size(), [&](Index f) { welded.first_copy[f] = f; });
   for (const Index f : repeated) {
     const auto is_copy = [&](Index other) { return sorted(faces[other]) == sorted(faces[f]); };
-    welded.first_copy[f] = copies.find(hash(faces[f]), f, is_copy);
+    welded.first_copy[f] = copies.find_or_insert(hash(faces[f]), f, is_copy);
     welded.has_copies |= welded.first_copy[f] != f;
   }
 }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "clean/arrange/arrange.h"
+#include "clean/intersect/disjoint_faces.h"
 #include "clean/pass/piece_chooser.h"
 #include "clean/stitch/assemble.h"
 #include "transformesh/clean.h"
@@ -52,6 +53,9 @@ struct CleanPassOptions {
   std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
   /// The clean pass ends early if more pairs of faces than this intersect.
   std::size_t most_pairs = std::numeric_limits<std::size_t>::max();
+  /// Faces that are not tested with each other, because an earlier search has done that. May be
+  /// null.
+  const DisjointFaces* disjoint = nullptr;
   /// Number type of the input, in which the result will be stored after the clean pass.
   Scalar coordinate = Scalar::float64;
 };

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "clean/intersect/disjoint_faces.h"
 #include "clean/stitch/assemble.h"
 
 namespace transformesh {
@@ -14,11 +15,14 @@ struct BrokenFaces {
   /// Broken faces, ascending; only intersections with at least one new face count.
   std::vector<Index> faces;
   std::size_t pairs = 0;  ///< number of intersecting pairs with at least one new face
+  /// Faces of which no two intersect: those that were searched or are in `known`, without faces
+  /// that intersect another face.
+  std::vector<Index> disjoint;
 };
 
 /// Finds the broken faces. Faces that are whole faces of the input must not intersect each other.
-/// Cost: O(n log n).
-BrokenFaces find_broken_faces(const Assembly& assembly);
+/// Two faces of `known` are not tested with each other. Cost: O(n log n).
+BrokenFaces find_broken_faces(const Assembly& assembly, const DisjointFaces& known = {});
 
 /// Returns `faces` and all faces that share a corner with them, in ascending order.
 std::vector<Index> with_faces_around(const Mesh& mesh, const std::vector<Index>& faces);

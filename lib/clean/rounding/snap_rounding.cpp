@@ -95,6 +95,7 @@ class SnapRounder {
   void repair();
   void take_rounds(bool is_begun);
   bool repair_round(bool is_first);
+  BrokenFaces find_broken();
   bool is_in_vain(std::size_t broken);
   void note_broken(const std::vector<Index>& broken);
   void begin_anew();
@@ -114,6 +115,7 @@ class SnapRounder {
   Progress repair_progress_;
   Assembly assembly_;
   VertexGrids grids_;
+  DisjointFaces disjoint_;       ///< faces of which the latest search found no intersections
   std::vector<char> is_broken_;  ///< 1 for each input face of which rounding broke a part
   /// Number of broken faces in the previous round; 0 in the first round.
   std::size_t broken_before_ = 0;
@@ -145,6 +147,14 @@ void SnapRounder::drop_collapsed() {
   }
 }
 
+// Finds the broken faces, and keeps the others for the next search unless there will be none.
+BrokenFaces SnapRounder::find_broken() {
+  BrokenFaces broken = find_broken_faces(assembly_, disjoint_);
+  const bool is_done = broken.faces.empty() && result_.repairs == 0 && !options_.is_open;
+  if (!is_done) disjoint_ = DisjointFaces(assembly_.mesh, broken.disjoint);
+  return broken;
+}
+
 // Tries in turn to move vertices to their grids, to remove vertices in flat surroundings, and to
 // flip slivers, until no face is broken. After the first restart, vertices do not move to their
 // grids. These are coarse then, and the movement can turn faces so far that they pass neighboring
@@ -154,7 +164,7 @@ void SnapRounder::mend() {
   const auto is_mended = [&](bool is_changed) {
     if (is_changed) {
       drop_collapsed();
-      broken = find_broken_faces(assembly_);
+      broken = find_broken();
     }
     return broken.faces.empty();
   };
@@ -174,6 +184,7 @@ bool SnapRounder::clean_again(bool gives_cells, int winding_level, const PieceCh
   const std::size_t most_pairs = most_pairs_share * (first_.pairs + mesh_.faces.size());
   CleanPassOptions options{winding_level, options_.method, false, chooser, {}, most_pairs};
   options.coordinate = options_.coordinate;
+  options.disjoint = &disjoint_;
   const std::vector<std::uint8_t> levels = grids_.levels_of_faces(assembly_.mesh);
   bool is_given = false;
   if (gives_cells && !options_.is_open)
@@ -238,7 +249,7 @@ void SnapRounder::note_broken(const std::vector<Index>& broken) {
 bool SnapRounder::repair_round(bool is_first) {
   progress_("round");
   result_.displacement += round_new_vertices(assembly_, options_.coordinate);
-  const BrokenFaces found = find_broken_faces(assembly_);
+  const BrokenFaces found = find_broken();
   const std::vector<Index>& broken = found.faces;
   const bool is_whole = broken.empty();
   if (is_whole && is_first && !options_.is_open) return true;

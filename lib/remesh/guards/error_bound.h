@@ -34,7 +34,8 @@ class ErrorBound {
   /// Call after the mesh was changed by the last allowed patch.
   void commit(const Patch& patch);
   std::size_t refused() const { return refused_; }
-  /// Returns a certified upper bound of the distance between both surfaces; at most the error.
+  /// Returns a certified upper bound of the distance between both surfaces. It is at most the error
+  /// that the constructor allowed.
   double certified();
 
  private:

@@ -11,7 +11,8 @@ namespace transformesh {
 /// that it halves. If the guard or the shape of the triangles forbids the movement, the vertex
 /// moves half of the way or not at all. Edges that splits have made are split in further rounds.
 /// Before each round, vertices move, and edges are flipped by `rule` within `limits`. The flips
-/// divide a face of three long edges in four, so that no median is split. No other vertex moves.
+/// usually turn a face whose three edges were split into four similar triangles. Without them, the
+/// next round would split medians of the face. No other vertex moves.
 /// Adds the number of flips to `flips`.
 SafeSplits split_onto_curves(EditableMesh& mesh, SafeSplitOptions options, FlipRule rule,
                              const EdgeLimits& limits, std::size_t& flips,

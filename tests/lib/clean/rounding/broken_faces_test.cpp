@@ -16,22 +16,41 @@ namespace transformesh {
 TEST_CASE("intersecting faces are broken where one of them is new, and faces without area always") {
   Assembly assembly =
       test::assembly_of(test::joined(test::cube(), test::moved(test::cube(), {0.5, 0.4, 0.3})));
-  const auto [all, pairs] = find_broken_faces(assembly);
-  CHECK(all.size() > 6);
-  CHECK(pairs == test::count_self_intersections(assembly.mesh));
+  const BrokenFaces all = find_broken_faces(assembly);
+  CHECK(all.faces.size() > 6);
+  CHECK(all.pairs == test::count_self_intersections(assembly.mesh));
+  CHECK(all.disjoint.size() + all.faces.size() == 24);
   assembly.face_is_new.assign(24, 0);
   CHECK(find_broken_faces(assembly).faces.empty());
-  assembly.face_is_new[all.front()] = 1;
-  const auto [some, some_pairs] = find_broken_faces(assembly);
-  CHECK(std::find(some.begin(), some.end(), all.front()) != some.end());
+  const Index first = all.faces.front();
+  assembly.face_is_new[first] = 1;
+  const BrokenFaces some = find_broken_faces(assembly);
+  CHECK(std::find(some.faces.begin(), some.faces.end(), first) != some.faces.end());
   // All pairs contain the one new face.
-  CHECK(some_pairs == some.size() - 1);
-  CHECK(some_pairs > 0);
+  CHECK(some.pairs == some.faces.size() - 1);
+  CHECK(some.pairs > 0);
 
   Assembly flat = test::assembly_of(test::cube());
   CHECK(find_broken_faces(flat).faces.empty());
   flat.mesh.positions[1] = flat.mesh.positions[0];
   CHECK(!find_broken_faces(flat).faces.empty());
+}
+
+TEST_CASE("a search that knows disjoint faces finds the same broken faces after others moved") {
+  Mesh mesh = test::joined(test::icosphere(2), test::moved(test::icosphere(2), {2.05, 0, 0}));
+  Assembly assembly = test::assembly_of(mesh);
+  const BrokenFaces before = find_broken_faces(assembly);
+  CHECK(before.faces.empty());
+  CHECK(before.disjoint.size() == mesh.faces.size());
+  const DisjointFaces known(assembly.mesh, before.disjoint);
+  for (Vec3& position : assembly.mesh.positions)
+    if (position.x() > 0.8) position.x() += position.x() < 1.025 ? 0.05 : -0.05;
+  const BrokenFaces all = find_broken_faces(assembly);
+  const BrokenFaces quick = find_broken_faces(assembly, known);
+  CHECK(all.pairs > 0);
+  CHECK(quick.faces == all.faces);
+  CHECK(quick.pairs == all.pairs);
+  CHECK(quick.disjoint == all.disjoint);
 }
 
 TEST_CASE("broken faces with common corners count as one place") {
