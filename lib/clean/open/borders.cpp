@@ -16,6 +16,10 @@
 namespace transformesh {
 namespace {
 
+/// Two faces at an edge overlap if their angle is below 5e-5, of which this is the cosine. Rounding
+/// tilts faces of a common plane by less, also in floats. Surfaces have larger angles.
+constexpr double cosine_of_overlap = 1 - 1e-9;
+
 // Maps the start point of each border edge to its end point, in the direction of the face.
 using BorderEdges = std::multimap<Index, Index>;
 
@@ -44,27 +48,46 @@ Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
   return result;
 }
 
+// Returns the direction from the edge of a halfedge into its face, perpendicular to the edge.
+Vec3 direction_into_face(const Mesh& mesh, Index h) {
+  const Vec3& from = mesh.positions[halfedge_source(mesh, h)];
+  const Vec3 along = (mesh.positions[halfedge_target(mesh, h)] - from).stableNormalized();
+  const Vec3 inwards = (mesh.positions[mesh.faces[h / 3][(h + 2) % 3]] - from).stableNormalized();
+  return (inwards - inwards.dot(along) * along).stableNormalized();
+}
+
+// True if two faces at coinciding border edges do not overlap, so that they may be neighbors in one
+// surface.
+bool may_be_neighbors(const Mesh& mesh, const std::vector<Index>& halfedges) {
+  for (const Index h : halfedges)
+    for (const Index other : halfedges)
+      if (h < other &&
+          direction_into_face(mesh, h).dot(direction_into_face(mesh, other)) < cosine_of_overlap)
+        return true;
+  return false;
+}
+
 // True if there is a connected set of border edges in which every edge coincides with another
-// border edge. Then the surface inside this border has the wrong orientation.
+// border edge, and some faces at them do not overlap. Then the surface inside this border has the
+// wrong orientation. If all of them overlap, they belong to bodies that end at the same border, for
+// instance to boxes with a common corner that was cut off.
 bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
-  const std::vector<Index> border = check_manifold(mesh).border_halfedges;
-  const auto ends_of = [&](Index h) {
-    return std::minmax(
-        {welded.point_of[halfedge_source(mesh, h)], welded.point_of[halfedge_target(mesh, h)]});
-  };
-  std::map<std::pair<Index, Index>, int> borders_at;
+  std::map<std::pair<Index, Index>, std::vector<Index>> borders_at;
   DisjointSets rims(welded.points.size());
-  for (const Index h : border) {
-    ++borders_at[ends_of(h)];
-    rims.join(ends_of(h).first, ends_of(h).second);
+  for (const Index h : check_manifold(mesh).border_halfedges) {
+    const auto ends = std::minmax(
+        {welded.point_of[halfedge_source(mesh, h)], welded.point_of[halfedge_target(mesh, h)]});
+    borders_at[ends].push_back(h);
+    rims.join(ends.first, ends.second);
   }
 
-  std::set<Index> free_somewhere;
-  for (const auto& [ends, count] : borders_at)
-    if (count == 1) free_somewhere.insert(rims.find(ends.first));
-  return std::any_of(borders_at.begin(), borders_at.end(), [&](const auto& edge) {
-    return !free_somewhere.contains(rims.find(edge.first.first));
-  });
+  std::set<Index> free_somewhere, apart_somewhere;
+  for (const auto& [ends, halfedges] : borders_at) {
+    if (halfedges.size() == 1) free_somewhere.insert(rims.find(ends.first));
+    if (may_be_neighbors(mesh, halfedges)) apart_somewhere.insert(rims.find(ends.first));
+  }
+  return std::any_of(apart_somewhere.begin(), apart_somewhere.end(),
+                     [&](Index rim) { return !free_somewhere.contains(rim); });
 }
 
 // True if border edges coincide in the same direction only because several sheets (sets of

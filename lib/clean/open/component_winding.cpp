@@ -84,10 +84,32 @@ ComponentWinding::ComponentWinding(const Arrangement& arrangement) : arrangement
   }
 }
 
+Index ComponentWinding::component_of_face(Index face) const {
+  return arrangement_.welded->is_open(face) ? arrangement_.welded->open_component[face]
+                                            : closed_part;
+}
+
 Index ComponentWinding::component_of(Index piece) const {
   const Piece& p = arrangement_.pieces[piece];
   if (!p.is_open) return closed_part;
-  return arrangement_.welded->open_component[arrangement_.sources_of(p).front().face];
+  const auto sources = arrangement_.sources_of(p);
+  const auto first = std::ranges::find_if(sources, [](const auto& s) { return !s.reversed; });
+  return component_of_face((first == sources.end() ? sources.front() : *first).face);
+}
+
+std::set<Index> ComponentWinding::components_of(Index piece) const {
+  std::set<Index> result;
+  for (const PieceSource& source : arrangement_.sources_of(arrangement_.pieces[piece]))
+    if (!source.reversed) result.insert(component_of_face(source.face));
+  return result;
+}
+
+std::optional<bool> ComponentWinding::is_reverse_of(const std::vector<Index>& pieces,
+                                                    Index component) const {
+  for (const Index p : pieces)
+    for (const PieceSource& source : arrangement_.sources_of(arrangement_.pieces[p]))
+      if (component_of_face(source.face) == component) return source.reversed;
+  return std::nullopt;
 }
 
 // Adds areas in ascending order, so that the sum does not depend on the order of the pieces.

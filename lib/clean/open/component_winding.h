@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "clean/arrange/arrange.h"
@@ -20,8 +21,16 @@ class ComponentWinding {
   explicit ComponentWinding(const Arrangement& arrangement);
 
   static constexpr Index closed_part = no_index;
-  /// Returns the open component of a piece, or `closed_part`.
+  /// Returns the open component of a welded face, or `closed_part`.
+  Index component_of_face(Index face) const;
+  /// Returns the open component of a piece, or `closed_part`. If the piece is part of several
+  /// faces, the first one with the direction of the piece decides.
   Index component_of(Index piece) const;
+  /// Returns the components of all faces that contain a piece and have its direction.
+  std::set<Index> components_of(Index piece) const;
+  /// True if a face of the component contains one of the pieces and has the opposite direction;
+  /// false if it has the same direction; nothing if there is no such face.
+  std::optional<bool> is_reverse_of(const std::vector<Index>& pieces, Index component) const;
   const Mesh& mesh_of(Index component) const { return meshes_[component]; }
 
   double area_of(Index component);

@@ -46,17 +46,15 @@ class PatchFinder {
   OpenPatches find();
 
  private:
-  /// An edge at which two components intersect each other. Each component has two pieces there, on
-  /// different sides of the other component.
+  /// An edge at which a component passes through another one.
   struct Crossing {
-    /// Pieces of the first component, in front of and behind the other component.
+    /// Pieces of one component, in front of and behind the other component.
     Index front, back;
-    /// Pieces of the other component, in front of and behind the first component.
-    Index other_front, other_back;
-    Index other;
+    Index one, other;
     double length;
   };
   Index component(Index piece) const { return winding_.component_of(piece); }
+  std::set<std::pair<Index, bool>> components_at(Index halfedge) const;
   bool is_cut(Index halfedge) const { return halfedge / 3 >= arrangement_.whole_pieces; }
   void connect(Index halfedge, Index other);
   void visit_edge(std::span<const Index> halfedges);
@@ -88,7 +86,11 @@ class PatchFinder {
   OpenPatches result_;
 };
 
+// Connects two pieces, except pieces of faces that cancel each other out.
 void PatchFinder::connect(Index halfedge, Index other) {
+  if (arrangement_.pieces[halfedge / 3].multiplicity == 0 ||
+      arrangement_.pieces[other / 3].multiplicity == 0)
+    return;
   connected_[halfedge] = other;
   connected_[other] = halfedge;
 }
@@ -102,14 +104,29 @@ void PatchFinder::visit_edge(std::span<const Index> halfedges) {
     connect(halfedges[0], halfedges[1]);
 }
 
+// Returns the components that contain the piece of a halfedge, with the direction in which their
+// face traverses the edge: true if it is forward. Coplanar faces of several components have common
+// pieces.
+std::set<std::pair<Index, bool>> PatchFinder::components_at(Index halfedge) const {
+  const Piece& piece = arrangement_.pieces[halfedge / 3];
+  const bool is_piece_forward = is_forward(arrangement_.pieces, halfedge);
+  std::set<std::pair<Index, bool>> result;
+  for (const PieceSource& source : arrangement_.sources_of(piece))
+    result.emplace(winding_.component_of_face(source.face), is_piece_forward != source.reversed);
+  return result;
+}
+
 // Finds the components that have exactly one forward and one backward piece at an edge. `sorted`
 // has the halfedges in angular order. A forward piece has its front towards the next piece in this
 // order, and a backward piece has its front towards the previous piece.
 std::vector<Passage> PatchFinder::find_passages(const std::vector<Index>& sorted) {
   std::map<Index, std::array<std::vector<std::size_t>, 2>> places;
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-    places[component(sorted[i] / 3)][is_forward(arrangement_.pieces, sorted[i]) ? 0 : 1].push_back(
-        i);
+  std::set<Index> own;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    for (const auto& [component, is_forward] : components_at(sorted[i]))
+      places[component][is_forward ? 0 : 1].push_back(i);
+    own.insert(component(sorted[i] / 3));
+  }
   std::vector<Passage> passages;
   for (const auto& [component, of_component] : places) {
     const auto& [forward, backward] = of_component;
@@ -119,8 +136,9 @@ std::vector<Passage> PatchFinder::find_passages(const std::vector<Index>& sorted
                std::any_of(sorted.begin(), sorted.end(), [&](Index h) { return is_cut(h); })) {
       patches_.self_intersecting.insert(component);
     }
-    if (component != closed_part) own_numbers_.add_edge(sorted, component);
   }
+  own.erase(closed_part);
+  for (const Index component : own) own_numbers_.add_edge(sorted, component);
   return passages;
 }
 
@@ -131,39 +149,43 @@ void PatchFinder::visit_curve(std::span<const Index> halfedges) {
     bool is_crossed = false;
     for (const Passage& other : passages)
       if (other.component != one.component) is_crossed |= cross(sorted, one, other);
-    if (!is_crossed) connect(sorted[one.forward], sorted[one.backward]);
+    const Index forward = sorted[one.forward], backward = sorted[one.backward];
+    if (!is_crossed && component(forward / 3) == one.component &&
+        component(backward / 3) == one.component)
+      connect(forward, backward);
   }
 }
 
-/// Returns the piece of component `one` in front of component `other`, and the piece behind it.
-/// Returns nothing if both pieces of `one` are on the same side of `other`.
+/// Returns the piece of component `one` in front of component `other`, and the piece behind it. A
+/// piece of both components counts as in front if their faces have the same direction, and as
+/// behind otherwise, because its front side is behind `other` then. Returns nothing if both pieces
+/// of `one` are on the same side of `other`.
 std::optional<FrontAndBack> PatchFinder::find_sides(const std::vector<Index>& sorted,
                                                     const Passage& one, const Passage& other) {
-  // In angular order, the pieces from the forward piece of `other` to its backward piece are in
+  // In angular order, the pieces between the forward piece of `other` and its backward piece are in
   // front of `other`.
   const std::size_t n = sorted.size();
-  const auto is_in_front = [&](std::size_t p) {
-    return (p + n - other.forward) % n < (other.backward + n - other.forward) % n;
-  };
-  const bool forward_is = is_in_front(one.forward), backward_is = is_in_front(one.backward);
+  const auto from_other = [&](std::size_t p) { return (p + n - other.forward) % n; };
+  const std::size_t end = from_other(other.backward), backward = from_other(one.backward);
+  const bool forward_is = from_other(one.forward) < end;
+  const bool backward_is = 0 < backward && backward <= end;
   if (forward_is == backward_is) return std::nullopt;
   return FrontAndBack{sorted[forward_is ? one.forward : one.backward] / 3,
                       sorted[forward_is ? one.backward : one.forward] / 3};
 }
 
-// Records that two components intersect each other at an edge. Returns true if the pieces of `one`
-// are on different sides of `other`.
+// Returns true if the pieces of `one` at an edge are on different sides of `other`. Records this if
+// `other` is open.
 bool PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
                         const Passage& other) {
-  const auto sides = find_sides(sorted, one, other), others = find_sides(sorted, other, one);
-  if (!sides || !others) return sides.has_value();
+  const auto sides = find_sides(sorted, one, other);
+  if (!sides) return false;
   if (other.component == closed_part) return true;
   const Index h = sorted.front();
   const double length = (arrangement_.position(halfedge_target(arrangement_.pieces, h)) -
                          arrangement_.position(halfedge_source(arrangement_.pieces, h)))
                             .stableNorm();
-  crossings_.push_back(
-      {sides->front, sides->back, others->front, others->back, other.component, length});
+  crossings_.push_back({sides->front, sides->back, one.component, other.component, length});
   return true;
 }
 
@@ -175,7 +197,7 @@ void PatchFinder::measure_curves() {
     if (front == back) continue;
     patches_.curves[{front, c.other}].front += c.length;
     patches_.curves[{back, c.other}].behind += c.length;
-    patches_.intersecting[component(c.front)].insert(c.other);
+    patches_.intersecting[c.one].insert(c.other);
   }
 }
 
@@ -199,8 +221,10 @@ OpenPatches PatchFinder::find() {
   const auto& pieces = arrangement_.pieces;
   std::vector<char> counts(pieces.size());
   for (std::size_t p = 0; p < counts.size(); ++p) counts[p] = pieces[p].multiplicity != 0 ? 1 : 0;
+  // Components also pass through edges at pieces that cancel each other out.
+  const Edges all = piece_edges(arrangement_, std::vector<char>(pieces.size(), 1));
+  for (std::size_t e = 0; e < all.size(); ++e) visit_edge(all.halfedges(e));
   const Edges edges = piece_edges(arrangement_, counts);
-  for (std::size_t e = 0; e < edges.size(); ++e) visit_edge(edges.halfedges(e));
   find_strips(edges);
   measure_curves();
   for (Index p = 0; p < pieces.size(); ++p)

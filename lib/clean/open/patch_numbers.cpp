@@ -41,16 +41,21 @@ PatchNumbers::Number PatchNumbers::hiding(Index patch) {
   return {count, is_by_winding_};
 }
 
+// A patch of coincident faces is hidden by each component that intersects one of their components.
 int PatchNumbers::count_others(Index patch) {
-  const auto others = patches_.intersecting.find(component(patch));
-  if (others == patches_.intersecting.end()) return 0;
-  return static_cast<int>(std::count_if(others->second.begin(), others->second.end(),
+  std::set<Index> others;
+  for (const Index own : winding_.components_of(patches_.pieces.at(patch).front()))
+    if (const auto found = patches_.intersecting.find(own); found != patches_.intersecting.end())
+      others.insert(found->second.begin(), found->second.end());
+  others.erase(component(patch));
+  return static_cast<int>(std::count_if(others.begin(), others.end(),
                                         [&](Index other) { return is_behind(patch, other); }));
 }
 
 // A patch that is behind a component along their curves can extend beyond the component's border or
 // through its holes to places far from it. Hence curves alone decide only if the component is at
-// least as large as the patch.
+// least as large as the patch. A patch in faces of the component is behind them if they have the
+// opposite direction, because the front of the patch is there.
 bool PatchNumbers::is_behind(Index patch, Index other) {
   if (component(patch) == ComponentWinding::closed_part && !winding_.is_body(other)) return false;
   const std::vector<Index>& pieces = patches_.pieces.at(patch);
@@ -58,6 +63,8 @@ bool PatchNumbers::is_behind(Index patch, Index other) {
     const auto& [front, behind] = curves->second;
     if (behind <= (1 + rounding) * front) return false;
     if (winding_.area_of(other) >= (1 - rounding) * winding_.area_of(pieces)) return true;
+  } else if (const auto is_reverse = winding_.is_reverse_of(pieces, other)) {
+    return *is_reverse;
   }
   return round(winding_.median(other, pieces)) > 0;
 }

@@ -126,10 +126,11 @@ class SnapRounder {
 };
 
 void SnapRounder::give_up() const {
-  const bool is_float = options_.coordinate == Scalar::float32;
+  const ErrorKind kind = options_.coordinate == Scalar::float32 ? ErrorKind::float_rounding_failed
+                         : options_.is_open                     ? ErrorKind::not_closed
+                                                                : ErrorKind::double_rounding_failed;
   const Vec3 place = place_.value_or(Vec3::Zero());
-  throw GoalError(is_float ? ErrorKind::float_rounding_failed : ErrorKind::double_rounding_failed,
-                  "rounding leaves faces that intersect near " + point_text(place),
+  throw GoalError(kind, "rounding leaves faces that intersect near " + point_text(place),
                   {.position = position_data(place)});
 }
 

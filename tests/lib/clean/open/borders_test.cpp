@@ -9,6 +9,7 @@
 #include "helpers/shapes.h"
 #include "transformesh/clean.h"
 #include "transformesh/errors.h"
+#include "transformesh/measure.h"
 #include "transformesh/stitch.h"
 
 namespace transformesh {
@@ -38,6 +39,14 @@ Mesh fan_of_three() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 2, 0}, {-1, -2, 0}};
   mesh.faces = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}};
+  return mesh;
+}
+
+/// The open body with x, y, z > 0 and 1 < x + y + z < size, without its face at x + y + z = 1.
+Mesh body_with_open_corner(double size) {
+  Mesh mesh;
+  mesh.positions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
+  mesh.faces = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}, {3, 4, 5}};
   return mesh;
 }
 
@@ -127,6 +136,25 @@ TEST_CASE("refused: a reversed face; the error names two faces and the remedy") 
   options.orient = true;
   stitch(mesh, options);
   CHECK(refusal(mesh).empty());
+}
+
+TEST_CASE("two bodies may end at the same border, but not with a reversed part") {
+  const Mesh two = test::joined(body_with_open_corner(2), body_with_open_corner(3));
+  CHECK(refusal(two).empty());
+  CHECK(surface_area(clean(two).mesh) ==
+        doctest::Approx(surface_area(body_with_open_corner(3))).epsilon(1e-12));
+
+  // A flat pyramid with a reversed base: all faces meet the base at small angles.
+  Mesh pyramid = test::tetrahedron();
+  pyramid.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.01}};
+  for (Face& face : pyramid.faces)
+    if (std::find(face.begin(), face.end(), 3) == face.end()) std::swap(face[0], face[1]);
+  Mesh base = pyramid;
+  std::erase_if(base.faces,
+                [](const Face& f) { return std::find(f.begin(), f.end(), 3) != f.end(); });
+  std::erase_if(pyramid.faces,
+                [](const Face& f) { return std::find(f.begin(), f.end(), 3) == f.end(); });
+  CHECK(refusal(test::joined(pyramid, base)).ends_with(": the mesh is not oriented"));
 }
 
 TEST_CASE("refused: an edge with more than one face left over") {

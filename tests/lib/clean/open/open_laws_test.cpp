@@ -2,6 +2,7 @@
 /// triangles.
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -239,6 +240,41 @@ TEST_CASE("law 5: cleaning balls that a tilted plane cuts gives the cut of the c
     if (find_intersections(cut).empty()) continue;  // law 2: a ball inside another one stays
     ++compared;
     CHECK(surface_area(clean(cut).mesh) == doctest::Approx(surface_area(expected)).epsilon(1e-9));
+  }
+  CHECK(2 * compared > rounds());
+}
+
+TEST_CASE(
+    "law 5: cleaning boxes with common planes that a plane cuts gives the cut of the cleaned") {
+  test::Random random(31);
+  const auto whole = [&](double low, double high) { return std::floor(random.uniform(low, high)); };
+  int compared = 0;
+  for (int round = 0; round < rounds(); ++round) {
+    CAPTURE(round);
+    Mesh cut;
+    std::vector<Eigen::AlignedBox2d> sides;
+    for (int i = 0; i < 4; ++i) {
+      const Vec3 low(whole(0, 5), whole(0, 5), -random.uniform(1, 3));
+      const Vec3 high = low + Vec3(whole(1, 5), whole(1, 5), -low.z() + random.uniform(1, 3));
+      cut = test::joined(cut, test::cuboid(low, high));
+      sides.emplace_back(low.head<2>(), high.head<2>());
+    }
+    // Law 2: walls that a body merely surrounds stay.
+    const auto surrounds = [](const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
+      return (a.min().array() < b.min().array()).all() && (b.max().array() < a.max().array()).all();
+    };
+    bool is_surrounded = false;
+    for (const auto& a : sides)
+      for (const auto& b : sides) is_surrounded |= surrounds(a, b);
+    if (is_surrounded) continue;
+    const CutPlane plane{{0, 0, round % 2 == 0 ? 1. : -1.}, 0};
+    Mesh expected = clean(cut).mesh;
+    cut_open(expected, plane);
+    cut_open(cut, plane);
+    CHECK(surface_area(clean(cut).mesh) == doctest::Approx(surface_area(expected)).epsilon(1e-9));
+    std::reverse(cut.faces.begin(), cut.faces.end());
+    CHECK(surface_area(clean(cut).mesh) == doctest::Approx(surface_area(expected)).epsilon(1e-9));
+    ++compared;
   }
   CHECK(2 * compared > rounds());
 }
