@@ -61,41 +61,62 @@ Vec3 direction_into_face(const Mesh& mesh, Index h) {
 bool may_be_neighbors(const Mesh& mesh, const std::vector<Index>& halfedges) {
   for (const Index h : halfedges)
     for (const Index other : halfedges)
-      if (h < other &&
-          direction_into_face(mesh, h).dot(direction_into_face(mesh, other)) < cosine_of_overlap)
-        return true;
+      if (h < other && !overlap(mesh, h, other)) return true;
   return false;
+}
+
+// The border halfedges of a mesh at each edge, which is named by its two points in ascending order.
+using BorderHalfedges = std::map<std::pair<Index, Index>, std::vector<Index>>;
+
+BorderHalfedges border_halfedges(const WeldedMesh& welded, const Mesh& mesh,
+                                 const ManifoldReport& report) {
+  BorderHalfedges result;
+  for (const Index h : report.border_halfedges)
+    result[std::minmax({welded.point_of[halfedge_source(mesh, h)],
+                        welded.point_of[halfedge_target(mesh, h)]})]
+        .push_back(h);
+  return result;
 }
 
 // True if there is a connected set of border edges in which every edge coincides with another
 // border edge, and some faces at them do not overlap. Then the surface inside this border has the
 // wrong orientation. If all of them overlap, they belong to bodies that end at the same border, for
 // instance to boxes with a common corner that was cut off.
-bool has_reversed_patch(const WeldedMesh& welded, const Mesh& mesh) {
-  std::map<std::pair<Index, Index>, std::vector<Index>> borders_at;
+bool has_reversed_patch(const BorderHalfedges& borders, const WeldedMesh& welded,
+                        const Mesh& mesh) {
   DisjointSets rims(welded.points.size());
-  for (const Index h : check_manifold(mesh).border_halfedges) {
-    const auto ends = std::minmax(
-        {welded.point_of[halfedge_source(mesh, h)], welded.point_of[halfedge_target(mesh, h)]});
-    borders_at[ends].push_back(h);
-    rims.join(ends.first, ends.second);
-  }
-
+  for (const auto& [ends, halfedges] : borders) rims.join(ends.first, ends.second);
   std::set<Index> free_somewhere, apart_somewhere;
-  for (const auto& [ends, halfedges] : borders_at) {
+  for (const auto& [ends, halfedges] : borders) {
     if (halfedges.size() == 1) free_somewhere.insert(rims.find(ends.first));
     if (may_be_neighbors(mesh, halfedges)) apart_somewhere.insert(rims.find(ends.first));
   }
-  return std::any_of(apart_somewhere.begin(), apart_somewhere.end(),
-                     [&](Index rim) { return !free_somewhere.contains(rim); });
+  return std::ranges::any_of(apart_somewhere,
+                             [&](Index rim) { return !free_somewhere.contains(rim); });
 }
 
-// True if border edges coincide in the same direction only because several sheets (sets of
-// connected faces) end at another sheet. Cleaning creates such meshes, and reversing sheets cannot
-// make them oriented. Hence returns false if reversing sheets makes the mesh oriented.
-bool ends_at_sheets(const WeldedMesh& welded, const Mesh& mesh, const Borders& borders) {
-  return is_stitched(mesh, borders) &&
-         !(has_reversed_patch(welded, mesh) && can_be_oriented(with_joined_vertices(welded, mesh)));
+// True if borders coincide in opposite directions, and their faces do not overlap. Then the surface
+// continues there, although its faces have separate vertices.
+bool has_gap(const BorderHalfedges& borders, const WeldedMesh& welded, const Mesh& mesh) {
+  const auto start = [&](Index h) { return welded.point_of[halfedge_source(mesh, h)]; };
+  return std::ranges::any_of(borders, [&](const auto& edge) {
+    for (const Index h : edge.second)
+      for (const Index other : edge.second)
+        if (start(h) < start(other) && !overlap(mesh, h, other)) return true;
+    return false;
+  });
+}
+
+// True if the vertex indices define an oriented manifold, and border edges coincide only because
+// several sheets (sets of connected faces) end at another sheet, or because bodies touch. Cleaning
+// and plane cuts create such meshes, and reversing sheets cannot make them oriented. Hence returns
+// false if reversing sheets makes the mesh oriented.
+bool is_oriented_by_indices(const WeldedMesh& welded, const Mesh& mesh) {
+  const ManifoldReport report = check_manifold(mesh);
+  if (!report.is_manifold() || !report.is_oriented()) return false;
+  const BorderHalfedges borders = border_halfedges(welded, mesh, report);
+  return !has_gap(borders, welded, mesh) && !(has_reversed_patch(borders, welded, mesh) &&
+                                              can_be_oriented(with_joined_vertices(welded, mesh)));
 }
 
 // True if find_oriented_borders() accepts the mesh after stitch(), which gives sheets (sets of
@@ -105,7 +126,7 @@ bool can_be_stitched(const Mesh& mesh) {
   stitch(stitched);
   const WeldedMesh welded = weld(stitched);
   const Borders borders = find_borders(welded, stitched);
-  return borders.is_oriented || ends_at_sheets(welded, stitched, borders);
+  return borders.is_oriented || is_oriented_by_indices(welded, stitched);
 }
 
 // Throws the InputError for a mesh that is not oriented. The kind of the error tells whether
@@ -123,6 +144,11 @@ bool can_be_stitched(const Mesh& mesh) {
 }
 
 }  // namespace
+
+bool overlap(const Mesh& mesh, Index halfedge, Index other) {
+  return direction_into_face(mesh, halfedge).dot(direction_into_face(mesh, other)) >=
+         cosine_of_overlap;
+}
 
 std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh) {
   std::vector<Face> faces;
@@ -158,7 +184,7 @@ Borders find_borders(const WeldedMesh& welded, const Mesh& mesh) {
 
 Borders find_oriented_borders(const WeldedMesh& welded, const Mesh& mesh) {
   Borders borders = find_borders(welded, mesh);
-  if (!borders.is_oriented && !ends_at_sheets(welded, mesh, borders))
+  if (!borders.is_oriented && !is_oriented_by_indices(welded, mesh))
     refuse_orientation(welded, mesh);
   return borders;
 }

@@ -21,15 +21,19 @@ struct Borders {
 /// it in one direction than in the other.
 Borders find_borders(const WeldedMesh& welded, const Mesh& mesh);
 
+/// True if the faces of two halfedges with equal ends lie on each other near the edge. Then they
+/// are not neighbors in one surface, but belong to bodies that touch, or end at the same border.
+bool overlap(const Mesh& mesh, Index halfedge, Index other);
+
 /// Returns all mesh faces with welded points as corners. This includes faces without area, which
 /// the welded mesh does not contain. A face without area that refers to a point twice creates no
 /// border, because it traverses the same edge in both directions.
 std::vector<Face> faces_by_points(const WeldedMesh& welded, const Mesh& mesh);
 
 /// Returns the borders of a mesh. Throws InputError if the mesh is not oriented, and thus cannot be
-/// cleaned. The error names the place, and the kind of error tells which remedy works. In a
-/// stitched mesh, borders of different sheets may have the same positions; such a mesh counts as
-/// oriented.
+/// cleaned. The error names the place, and the kind of error tells which remedy works. In an
+/// oriented manifold by vertex indices, borders of different sheets may have the same positions;
+/// such a mesh counts as oriented.
 Borders find_oriented_borders(const WeldedMesh& welded, const Mesh& mesh);
 
 /// True if the vertex indices define an oriented manifold with exactly the borders that equal

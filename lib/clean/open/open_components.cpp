@@ -31,6 +31,7 @@ class Decomposition {
 
  private:
   void connect(const Edges& edges);
+  bool only_touch(Index halfedge, Index other) const;
   void connect_by_vertices(std::vector<Index>& halfedges);
   bool open_one_sided();
   bool has_surplus() const;
@@ -47,12 +48,20 @@ class Decomposition {
   std::vector<char> is_open_;  ///< 1 for each set of connected faces that is an open component
 };
 
+// True if two halfedges coincide without common vertices, because two bodies touch there.
+bool Decomposition::only_touch(Index halfedge, Index other) const {
+  return halfedge_source(mesh_, halfedge) != halfedge_target(mesh_, other) &&
+         halfedge_target(mesh_, halfedge) != halfedge_source(mesh_, other) &&
+         overlap(mesh_, halfedge, other);
+}
+
 void Decomposition::connect(const Edges& edges) {
   std::vector<std::vector<Index>> loose;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto halfedges = edges.halfedges(e);
     if (halfedges.size() == 2 &&
-        is_forward(faces_, halfedges[0]) != is_forward(faces_, halfedges[1])) {
+        is_forward(faces_, halfedges[0]) != is_forward(faces_, halfedges[1]) &&
+        !only_touch(halfedges[0], halfedges[1])) {
       sets_.join(halfedges[0] / 3, halfedges[1] / 3);
       continue;
     }
