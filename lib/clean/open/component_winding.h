@@ -28,8 +28,8 @@ class ComponentWinding {
   Index component_of(Index piece) const;
   /// Returns the components of all faces that contain a piece and have its direction.
   std::set<Index> components_of(Index piece) const;
-  /// True if a face of the component contains one of the pieces and has the opposite direction;
-  /// false if it has the same direction; nothing if there is no such face.
+  /// Returns whether the face of the component that contains one of the pieces has the opposite
+  /// direction, or nothing if there is no such face.
   std::optional<bool> is_reverse_of(const std::vector<Index>& pieces, Index component) const;
   const Mesh& mesh_of(Index component) const { return meshes_[component]; }
 
