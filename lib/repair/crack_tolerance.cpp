@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clean/stitch/border_edges.h"
+#include "clean/stitch/split_border_edges.h"
 #include "clean/stitch/weld.h"
 #include "mesh/coordinate_spacing.h"
 #include "mesh/edges.h"
@@ -31,16 +32,29 @@ constexpr double lost_edges = 0.1;
 /// a larger angle, sharp edges would count as rims of plates.
 constexpr double folded_back = 0.9;
 
-/// Returns the mesh with one vertex index for all positions within `tolerance`. Faces that lose a
-/// corner are removed.
-Mesh welded(const Mesh& mesh, double tolerance) {
-  const std::vector<Index> joined = weld_positions(mesh.positions, tolerance);
-  Mesh result{mesh.positions, mesh.faces, {}, {}};
-  for (Face& face : result.faces) {
-    for (Index& v : face) v = joined[v];
+/// A mesh whose positions within a tolerance are one vertex. Faces that lose a corner are removed.
+struct JoinedMesh {
+  Mesh mesh;
+  std::vector<Index> face_source;  ///< for each face the face before joining
+};
+
+JoinedMesh joined(const Mesh& mesh, double tolerance) {
+  const std::vector<Index> first = weld_positions(mesh.positions, tolerance);
+  JoinedMesh result{{mesh.positions, {}, {}, {}}, {}};
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto& [a, b, c] = mesh.faces[f];
+    const Face face = {first[a], first[b], first[c]};
+    if (is_collapsed(face)) continue;
+    result.mesh.faces.push_back(face);
+    result.face_source.push_back(f);
   }
-  result.faces = without_collapsed(result.faces);
   return result;
+}
+
+/// Splits border edges at vertices that lie on them.
+void split_borders(JoinedMesh& joined, double tolerance) {
+  for (const Index f : split_border_edges(joined.mesh, tolerance).face_source)
+    joined.face_source.push_back(joined.face_source[f]);
 }
 
 struct Distance {
@@ -116,29 +130,33 @@ Vec3 direction_into(const Mesh& mesh, Index halfedge) {
   return (c - a - along * along.dot(c - a)).stableNormalized();
 }
 
-/// True if the surface continues across at least half of the border edges that were closed. At the
-/// other edges the two faces fold back, as at the rim of a thin plate.
-bool continues(const Edges& edges_before, const Mesh& after) {
-  std::vector<char> was_border(3 * after.faces.size(), 0);
-  for (std::size_t e = 0; e < edges_before.size(); ++e) {
-    if (edges_before.halfedges(e).size() == 1) was_border[edges_before.halfedges(e)[0]] = 1;
-  }
-  const Edges edges(after);
+bool share_edge(const Face& f, const Face& g) {
+  const auto is_shared = [&](Index v) { return std::ranges::find(g, v) != g.end(); };
+  return std::ranges::count_if(f, is_shared) >= 2;
+}
+
+/// True if the surface continues across at least half of the border edges that joining closes, and
+/// joining closes any. At the other edges the two faces fold back, as at the rim of a thin plate,
+/// or where bodies touch.
+bool continues(const Mesh& before, const JoinedMesh& after) {
+  const Edges edges(after.mesh);
   std::size_t straight = 0, folded = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto halfedges = edges.halfedges(e);
-    if (halfedges.size() != 2 || !was_border[halfedges[0]]) continue;
+    if (halfedges.size() != 2) continue;
+    const Index f = after.face_source[halfedges[0] / 3], g = after.face_source[halfedges[1] / 3];
+    if (share_edge(before.faces[f], before.faces[g])) continue;
     const double cosine =
-        direction_into(after, halfedges[0]).dot(direction_into(after, halfedges[1]));
+        direction_into(after.mesh, halfedges[0]).dot(direction_into(after.mesh, halfedges[1]));
     ++(cosine > folded_back ? folded : straight);
   }
-  return straight >= folded;
+  return straight > 0 && straight >= folded;
 }
 
 }  // namespace
 
 Cracks find_cracks(const Mesh& mesh) {
-  const Mesh exact = welded(mesh, 0);
+  const Mesh exact = joined(mesh, 0).mesh;
   const BorderEdges borders(exact);
   if (borders.vertices().size() < 2) return {};
   const double diagonal = diagonal_of(bounding_box(mesh));
@@ -146,8 +164,10 @@ Cracks find_cracks(const Mesh& mesh) {
   const Lengths lengths{lengths_of(exact, edges),
                         border_distances(exact, borders, clear_gap * widest_crack * diagonal)};
   const Cracks found = widest_clear(lengths, coordinate_spacing(mesh), diagonal);
-  if (found.tolerance == 0 || !continues(edges, welded(mesh, found.tolerance))) return {};
-  return found;
+  if (found.tolerance == 0) return {};
+  JoinedMesh closed = joined(exact, found.tolerance);
+  split_borders(closed, found.tolerance);
+  return continues(exact, closed) ? found : Cracks();
 }
 
 }  // namespace transformesh

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "clean/open/borders.h"
 #include "clean/stitch/double_sided.h"
 #include "clean/stitch/outward_bodies.h"
 #include "geometry/search/closest_point.h"
@@ -30,9 +31,8 @@ constexpr double small_hole = 0.1;
 /// the second round fills holes that cleaning leaves. More rounds have never helped.
 constexpr int most_rounds = 3;
 
-bool is_oriented_manifold(const ManifoldReport& found) {
-  return found.isolated_vertices.empty() && found.is_manifold() && found.is_oriented() &&
-         found.touching_borders == 0;
+bool is_oriented_manifold(const Mesh& mesh) {
+  return check_manifold(mesh).isolated_vertices.empty() && is_oriented_by_indices(weld(mesh), mesh);
 }
 
 bool is_solid(const MeshCheck& check, bool may_be_open) {
@@ -107,8 +107,7 @@ void Repair::join() {
   options.one_side = needs_one_side(mesh);
   options.orient = !options.one_side;
   options.outwards = options.drop_copies = true;
-  const bool needs_none =
-      cracks.tolerance == 0 && !options.one_side && is_oriented_manifold(check_manifold(mesh));
+  const bool needs_none = cracks.tolerance == 0 && !options.one_side && is_oriented_manifold(mesh);
   if (!needs_none) stitch(options);
   if (steps_.mesh().faces.empty())
     throw GoalError(

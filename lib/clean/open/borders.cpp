@@ -66,15 +66,17 @@ bool may_be_neighbors(const Mesh& mesh, const std::vector<Index>& halfedges) {
 }
 
 // The border halfedges of a mesh at each edge, which is named by its two points in ascending order.
+// Edges without length are left out.
 using BorderHalfedges = std::map<std::pair<Index, Index>, std::vector<Index>>;
 
 BorderHalfedges border_halfedges(const WeldedMesh& welded, const Mesh& mesh,
                                  const ManifoldReport& report) {
   BorderHalfedges result;
-  for (const Index h : report.border_halfedges)
-    result[std::minmax({welded.point_of[halfedge_source(mesh, h)],
-                        welded.point_of[halfedge_target(mesh, h)]})]
-        .push_back(h);
+  for (const Index h : report.border_halfedges) {
+    const auto ends = std::minmax(
+        {welded.point_of[halfedge_source(mesh, h)], welded.point_of[halfedge_target(mesh, h)]});
+    if (ends.first != ends.second) result[ends].push_back(h);
+  }
   return result;
 }
 
@@ -107,18 +109,6 @@ bool has_gap(const BorderHalfedges& borders, const WeldedMesh& welded, const Mes
   });
 }
 
-// True if the vertex indices define an oriented manifold, and border edges coincide only because
-// several sheets (sets of connected faces) end at another sheet, or because bodies touch. Cleaning
-// and plane cuts create such meshes, and reversing sheets cannot make them oriented. Hence returns
-// false if reversing sheets makes the mesh oriented.
-bool is_oriented_by_indices(const WeldedMesh& welded, const Mesh& mesh) {
-  const ManifoldReport report = check_manifold(mesh);
-  if (!report.is_manifold() || !report.is_oriented()) return false;
-  const BorderHalfedges borders = border_halfedges(welded, mesh, report);
-  return !has_gap(borders, welded, mesh) && !(has_reversed_patch(borders, welded, mesh) &&
-                                              can_be_oriented(with_joined_vertices(welded, mesh)));
-}
-
 // True if find_oriented_borders() accepts the mesh after stitch(), which gives sheets (sets of
 // connected faces) that end at another sheet their own vertices.
 bool can_be_stitched(const Mesh& mesh) {
@@ -144,6 +134,14 @@ bool can_be_stitched(const Mesh& mesh) {
 }
 
 }  // namespace
+
+bool is_oriented_by_indices(const WeldedMesh& welded, const Mesh& mesh) {
+  const ManifoldReport report = check_manifold(mesh);
+  if (!report.is_manifold() || !report.is_oriented()) return false;
+  const BorderHalfedges borders = border_halfedges(welded, mesh, report);
+  return !has_gap(borders, welded, mesh) && !(has_reversed_patch(borders, welded, mesh) &&
+                                              can_be_oriented(with_joined_vertices(welded, mesh)));
+}
 
 bool overlap(const Mesh& mesh, Index halfedge, Index other) {
   return direction_into_face(mesh, halfedge).dot(direction_into_face(mesh, other)) >=

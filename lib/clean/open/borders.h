@@ -21,6 +21,12 @@ struct Borders {
 /// it in one direction than in the other.
 Borders find_borders(const WeldedMesh& welded, const Mesh& mesh);
 
+/// True if the vertex indices define an oriented manifold, and border edges coincide only because
+/// several sheets (sets of connected faces) end at another sheet, or because bodies touch. Cleaning
+/// and plane cuts create such meshes. False if the surface continues across coincident borders, or
+/// if reversing sheets makes the mesh oriented.
+bool is_oriented_by_indices(const WeldedMesh& welded, const Mesh& mesh);
+
 /// True if the faces of two halfedges with equal ends lie on each other near the edge. Then they
 /// are not neighbors in one surface, but belong to bodies that touch, or end at the same border.
 bool overlap(const Mesh& mesh, Index halfedge, Index other);

@@ -12,6 +12,7 @@
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
 #include "transformesh/manifold.h"
+#include "transformesh/select.h"
 
 namespace transformesh {
 namespace {
@@ -131,6 +132,20 @@ TEST_CASE("a mesh that is a single point is refused") {
                        GoalError);
   mesh.faces = {{0, 1, 2}};
   CHECK_THROWS_WITH_AS(repair(mesh), doctest::Contains("they have no area"), GoalError);
+}
+
+TEST_CASE("open boxes that touch or overlap at their borders stay separate bodies") {
+  const auto open_box = [](const Vec3& low, const Vec3& high) {
+    Mesh box = test::cuboid(low, high);
+    cut_open(box, {{0, 0, 1}, 0});
+    return box;
+  };
+  // The second box touches the first one at x = 2. The third one has a border edge in common with
+  // the first one, in the same direction.
+  const Mesh boxes =
+      test::joined(test::joined(open_box({0, 0, -1}, {2, 2, 2}), open_box({2, 0, -2}, {3, 1, 2})),
+                   open_box({1, -1, -1}, {2, 2, 1}));
+  CHECK(test::signed_volume(repair(boxes).mesh) == doctest::Approx(8 + 2 + 1).epsilon(1e-12));
 }
 
 TEST_CASE("walls between cubes that touch are no second side of a surface") {
