@@ -20,9 +20,10 @@ struct TrialStep {
 double largest_share(std::span<const Vec3> vectors, std::span<const double> scales);
 
 /// Returns the next step, whose span is at most `remaining` and `longest`. If `options.span` > 0,
-/// the step has that span. Otherwise no vertex moves by more than `options.max_move` times the mean
-/// length of its edges (`edge_means`), and the error is at most `options.tolerance`. Throws
-/// GoalError if that requires a span shorter than 1e-12 of `options.end`.
+/// the step has that span, unless it would be longer than these. Otherwise no vertex moves by more
+/// than `options.max_move` times the mean length of its edges (`edge_means`), and the error is at
+/// most `options.tolerance`. Throws GoalError if that requires a span shorter than 1e-12 of
+/// `options.end`.
 TrialStep chosen_step(const Integration& integration, const TimeOptions& options, double remaining,
                       double longest, std::span<const double> edge_means);
 
