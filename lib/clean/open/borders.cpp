@@ -102,10 +102,11 @@ bool has_reversed_patch(const BorderHalfedges& borders, const WeldedMesh& welded
 bool has_gap(const BorderHalfedges& borders, const WeldedMesh& welded, const Mesh& mesh) {
   const auto start = [&](Index h) { return welded.point_of[halfedge_source(mesh, h)]; };
   return std::ranges::any_of(borders, [&](const auto& edge) {
-    for (const Index h : edge.second)
-      for (const Index other : edge.second)
-        if (start(h) < start(other) && !overlap(mesh, h, other)) return true;
-    return false;
+    return std::ranges::any_of(edge.second, [&](Index h) {
+      return std::ranges::any_of(edge.second, [&](Index other) {
+        return start(h) < start(other) && !overlap(mesh, h, other);
+      });
+    });
   });
 }
 

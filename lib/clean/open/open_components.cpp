@@ -70,6 +70,7 @@ void Decomposition::connect(const Edges& edges) {
   }
   for (const std::vector<Index>& halfedges : loose) {
     std::vector<LooseHalfedge> edge;
+    edge.reserve(halfedges.size());
     for (const Index h : halfedges)
       edge.push_back({sets_.find(h / 3), is_forward(faces_, h) ? 1 : -1});
     if (!edge.empty()) loose_.push_back(std::move(edge));

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "clean/open/border_strips.h"
 #include "clean/open/component_winding.h"
 #include "clean/open/own_numbers.h"
+#include "clean/open/passages.h"
 #include "clean/open/patch_numbers.h"
 #include "mesh/disjoint_sets.h"
 
@@ -21,17 +21,6 @@ namespace {
 constexpr Index closed_part = ComponentWinding::closed_part;
 /// Areas whose relative difference is smaller than this count as equal.
 constexpr double rounding = 1e-9;
-
-/// A component with exactly two halfedges at an edge, in opposite directions.
-struct Passage {
-  Index component;
-  /// Positions of the two halfedges in the angular order at the edge.
-  std::size_t forward, backward;
-};
-
-struct FrontAndBack {
-  Index front, back;
-};
 
 class PatchFinder {
  public:
@@ -54,20 +43,18 @@ class PatchFinder {
     double length;
   };
   Index component(Index piece) const { return winding_.component_of(piece); }
-  std::set<std::pair<Index, bool>> components_at(Index halfedge) const;
   bool is_cut(Index halfedge) const { return halfedge / 3 >= arrangement_.whole_pieces; }
   void connect(Index halfedge, Index other);
   void visit_edge(std::span<const Index> halfedges);
   void visit_curve(std::span<const Index> halfedges);
-  std::vector<Passage> find_passages(const std::vector<Index>& sorted);
-  static std::optional<FrontAndBack> find_sides(const std::vector<Index>& sorted,
-                                                const Passage& one, const Passage& other);
+  std::vector<Passage> passages_at(std::span<const Index> sorted);
   bool cross(const std::vector<Index>& sorted, const Passage& one, const Passage& other);
   void measure_curves();
   int front_of(const Piece& piece) const;
   void decide();
   void find_strips(const Edges& edges);
   void drop_strips();
+  int unpaired_direction(std::span<const Index> halfedges) const;
   bool drop_unpaired(const Edges& edges);
   void drop(const std::set<Index>& patches);
 
@@ -104,47 +91,22 @@ void PatchFinder::visit_edge(std::span<const Index> halfedges) {
     connect(halfedges[0], halfedges[1]);
 }
 
-// Returns the components that contain the piece of a halfedge, with the direction in which their
-// face traverses the edge: true if it is forward. Coplanar faces of several components have common
-// pieces.
-std::set<std::pair<Index, bool>> PatchFinder::components_at(Index halfedge) const {
-  const Piece& piece = arrangement_.pieces[halfedge / 3];
-  const bool is_piece_forward = is_forward(arrangement_.pieces, halfedge);
-  std::set<std::pair<Index, bool>> result;
-  for (const PieceSource& source : arrangement_.sources_of(piece))
-    result.emplace(winding_.component_of_face(source.face), is_piece_forward != source.reversed);
-  return result;
-}
-
-// Finds the components that have exactly one forward and one backward piece at an edge. `sorted`
-// has the halfedges in angular order. A forward piece has its front towards the next piece in this
-// order, and a backward piece has its front towards the previous piece.
-std::vector<Passage> PatchFinder::find_passages(const std::vector<Index>& sorted) {
-  std::map<Index, std::array<std::vector<std::size_t>, 2>> places;
+// Finds the passages at an edge. Notes the components that intersect themselves there.
+std::vector<Passage> PatchFinder::passages_at(std::span<const Index> sorted) {
+  Passages passages = find_passages(arrangement_, winding_, sorted);
+  if (std::ranges::any_of(sorted, [&](Index h) { return is_cut(h); }))
+    for (const Index component : passages.multiple)
+      if (component != closed_part) patches_.self_intersecting.insert(component);
   std::set<Index> own;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    for (const auto& [component, is_forward] : components_at(sorted[i]))
-      places[component][is_forward ? 0 : 1].push_back(i);
-    own.insert(component(sorted[i] / 3));
-  }
-  std::vector<Passage> passages;
-  for (const auto& [component, of_component] : places) {
-    const auto& [forward, backward] = of_component;
-    if (forward.size() == 1 && backward.size() == 1) {
-      passages.push_back({component, forward[0], backward[0]});
-    } else if (forward.size() > 1 && backward.size() > 1 && component != closed_part &&
-               std::any_of(sorted.begin(), sorted.end(), [&](Index h) { return is_cut(h); })) {
-      patches_.self_intersecting.insert(component);
-    }
-  }
+  for (const Index h : sorted) own.insert(component(h / 3));
   own.erase(closed_part);
   for (const Index component : own) own_numbers_.add_edge(sorted, component);
-  return passages;
+  return std::move(passages.single);
 }
 
 void PatchFinder::visit_curve(std::span<const Index> halfedges) {
   const std::vector<Index> sorted = sort_around_edge(arrangement_, halfedges);
-  const std::vector<Passage> passages = find_passages(sorted);
+  const std::vector<Passage> passages = passages_at(sorted);
   for (const Passage& one : passages) {
     bool is_crossed = false;
     for (const Passage& other : passages)
@@ -156,29 +118,11 @@ void PatchFinder::visit_curve(std::span<const Index> halfedges) {
   }
 }
 
-/// Returns the piece of component `one` in front of component `other`, and the piece behind it. A
-/// piece of both components counts as in front if their faces have the same direction, and as
-/// behind otherwise, because its front side is behind `other` then. Returns nothing if both pieces
-/// of `one` are on the same side of `other`.
-std::optional<FrontAndBack> PatchFinder::find_sides(const std::vector<Index>& sorted,
-                                                    const Passage& one, const Passage& other) {
-  // In angular order, the pieces between the forward piece of `other` and its backward piece are in
-  // front of `other`.
-  const std::size_t n = sorted.size();
-  const auto from_other = [&](std::size_t p) { return (p + n - other.forward) % n; };
-  const std::size_t end = from_other(other.backward), backward = from_other(one.backward);
-  const bool forward_is = from_other(one.forward) < end;
-  const bool backward_is = 0 < backward && backward <= end;
-  if (forward_is == backward_is) return std::nullopt;
-  return FrontAndBack{sorted[forward_is ? one.forward : one.backward] / 3,
-                      sorted[forward_is ? one.backward : one.forward] / 3};
-}
-
 // Returns true if the pieces of `one` at an edge are on different sides of `other`. Records this if
 // `other` is open.
 bool PatchFinder::cross(const std::vector<Index>& sorted, const Passage& one,
                         const Passage& other) {
-  const auto sides = find_sides(sorted, one, other);
+  const auto sides = sides_of(sorted, one, other);
   if (!sides) return false;
   if (other.component == closed_part) return true;
   const Index h = sorted.front();
@@ -267,24 +211,32 @@ void PatchFinder::drop_strips() {
   drop(dropped);
 }
 
-// Drops patches at edges of more than two pieces where two or more kept pieces, and more pieces
-// than in the input, have no partner of opposite direction. At each such edge drops the smallest
-// patch of the prevailing direction, and all that are as small. Returns true if it dropped any.
+// Returns the direction in which kept pieces traverse an edge without partners of opposite
+// direction: 1 for forward, -1 for backward. Returns 0 if there are fewer than two such pieces, or
+// not more than in the input.
+int PatchFinder::unpaired_direction(std::span<const Index> halfedges) const {
+  std::ptrdiff_t before = 0, after = 0;
+  for (const Index h : halfedges) {
+    const int direction = is_forward(arrangement_.pieces, h) ? 1 : -1;
+    before += direction;
+    if (result_.kept[h / 3]) after += direction;
+  }
+  if (std::abs(after) < 2 || std::abs(after) <= std::abs(before)) return 0;
+  return after > 0 ? 1 : -1;
+}
+
+// Drops patches at edges of more than two pieces where pieces have no partners. At each such edge
+// drops the smallest patch of the prevailing direction, and all that are as small. Returns true if
+// it dropped any.
 bool PatchFinder::drop_unpaired(const Edges& edges) {
   std::set<Index> dropped;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto halfedges = edges.halfedges(e);
-    if (halfedges.size() <= 2) continue;
-    std::ptrdiff_t before = 0, after = 0;
-    for (const Index h : halfedges) {
-      const int direction = is_forward(arrangement_.pieces, h) ? 1 : -1;
-      before += direction;
-      if (result_.kept[h / 3]) after += direction;
-    }
-    if (std::abs(after) < 2 || std::abs(after) <= std::abs(before)) continue;
+    const int direction = halfedges.size() > 2 ? unpaired_direction(halfedges) : 0;
+    if (direction == 0) continue;
     std::map<Index, double> areas;
     for (const Index h : halfedges)
-      if (result_.kept[h / 3] && is_forward(arrangement_.pieces, h) == (after > 0))
+      if (result_.kept[h / 3] && is_forward(arrangement_.pieces, h) == (direction > 0))
         areas[sets_.find(h / 3)] = winding_.area_of(patches_.pieces.at(sets_.find(h / 3)));
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [patch, area] : areas) least = std::min(least, area);

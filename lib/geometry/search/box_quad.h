@@ -14,8 +14,8 @@ struct alignas(16) BoxQuad {
   std::array<std::array<float, 4>, 3> maximum;
 
   FloatBox box(unsigned lane) const {
-    return FloatBox(Eigen::Vector3f(minimum[0][lane], minimum[1][lane], minimum[2][lane]),
-                    Eigen::Vector3f(maximum[0][lane], maximum[1][lane], maximum[2][lane]));
+    return {Eigen::Vector3f(minimum[0][lane], minimum[1][lane], minimum[2][lane]),
+            Eigen::Vector3f(maximum[0][lane], maximum[1][lane], maximum[2][lane])};
   }
 
   void set(unsigned lane, const FloatBox& box) {
@@ -33,7 +33,7 @@ struct alignas(16) GroupQuad {
 
 inline constexpr float unused = std::numeric_limits<float>::quiet_NaN();
 inline FloatBox unused_box() {
-  return FloatBox(Eigen::Vector3f::Constant(unused), Eigen::Vector3f::Constant(unused));
+  return {Eigen::Vector3f::Constant(unused), Eigen::Vector3f::Constant(unused)};
 }
 
 }  // namespace transformesh
