@@ -149,24 +149,24 @@ void note_operands(const std::vector<Operand>& operands, const std::vector<Windi
 
 }  // namespace
 
-BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& given,
+BooleanResult boolean(BooleanOperation operation, const std::vector<Operand>& operands,
                       const BooleanOptions& options, const Progress& progress) {
   std::deque<Mesh> rounded;
-  const std::vector<Operand> operands = rounded_operands(given, options.coordinate, rounded);
-  JoinedOperands joined = join_operands(operation, operands);
+  const std::vector<Operand> solids = rounded_operands(operands, options.coordinate, rounded);
+  JoinedOperands joined = join_operands(operation, solids);
   if (joined.mesh.faces.empty()) return empty_result(joined.mesh);
   const bool intersects = operation == BooleanOperation::intersect;
-  std::vector<WindingSigns> signs(operands.size(), {true, false});
-  const SolidChooser chooser(operation, operands, joined, signs);
+  std::vector<WindingSigns> signs(solids.size(), {true, false});
+  const SolidChooser chooser(operation, solids, joined, signs);
   try {
     BooleanResult result = clean_joined(
-        joined, chooser, intersects ? static_cast<int>(operands.size()) : 1, options, progress);
-    if (operands.size() == 1 && result.reason) signs[0] = signs_of_one(*result.reason);
-    note_operands(operands, signs, result);
+        joined, chooser, intersects ? static_cast<int>(solids.size()) : 1, options, progress);
+    if (solids.size() == 1 && result.reason) signs[0] = signs_of_one(*result.reason);
+    note_operands(solids, signs, result);
     return result;
   } catch (const InputError&) {
     // If an operand is not closed or not oriented, throws an error that names it.
-    check_solids(operands);
+    check_solids(solids);
     throw;
   }
 }

@@ -32,7 +32,7 @@ class NestedCells {
   void find_points();
   void find_cells();
   void add_patch(Cell& cell, Index patch, bool is_behind) const;
-  bool is_within(const Cell& cell, const Vec3& point) const;
+  static bool is_within(const Cell& cell, const Vec3& point);
   const Cell* find_container(const Cell& unbounded) const;
 
   const Arrangement& arrangement_;
@@ -84,7 +84,7 @@ void NestedCells::find_cells() {
   for (Cell& cell : cells_) cell.surface.positions = points_;
 }
 
-bool NestedCells::is_within(const Cell& cell, const Vec3& point) const {
+bool NestedCells::is_within(const Cell& cell, const Vec3& point) {
   return cell.box.contains(point) && SolidAngleWinding(cell.surface)(point).rounded() == 1;
 }
 

@@ -44,7 +44,7 @@ Mesh prism_in_front(const CutPlane& plane, const Box& box) {
   Mesh prism;
   for (const double top : {0.0, std::abs(height) + size})
     for (const auto& [x, y] : {std::pair(-2.0, -1.0), std::pair(2.0, -1.0), std::pair(0.0, 2.0)})
-      prism.positions.push_back(center + reach * size * (x * u + y * v) + top * normal);
+      prism.positions.emplace_back(center + reach * size * (x * u + y * v) + top * normal);
   prism.faces = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
                  {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
   return prism;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "mesh/triangle.h"
 
@@ -13,7 +14,7 @@ namespace transformesh {
 class AxisPath {
  public:
   /// Coordinates of `to` may be infinite if the coordinates of `from` are finite.
-  AxisPath(const Vec3& from, const Vec3& to) : from_(from), to_(to) {}
+  AxisPath(Vec3 from, Vec3 to) : from_(std::move(from)), to_(std::move(to)) {}
 
   /// Adds a face. Faces without area are ignored.
   void add(const Triangle& triangle);

@@ -500,9 +500,8 @@ PlanarTriangulation::Collection PlanarTriangulation::collect(
   for (Index facet = 0; facet < marked.size(); ++facet) {
     if (!marked[facet]) continue;
     Face v = facets_[facet].v;
-    const auto least =
-        std::min_element(v.begin(), v.end(), [&](Index a, Index b) { return is_before(a, b); });
-    std::rotate(v.begin(), least, v.end());
+    const auto is_less = [&](Index a, Index b) { return is_before(a, b); };
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end(), is_less), v.end());
     result.facets.push_back(v);
     result.numbers.push_back(facet);
   }

@@ -87,8 +87,7 @@ bool BoundingSubsegments::find_windings() {
 std::optional<int> BoundingSubsegments::winding_beside(Index s) const {
   const Index start = segment(s).from, edge = in_.edge_of[start];
   const Index partner = partner_at(start, s);
-  for (Index i = 0; i < known_.size(); ++i) {
-    const KnownWinding& known = known_[i];
+  for (const KnownWinding& known : known_) {
     if (side(s, known.at) == 0 || (partner != no_index && side(partner, known.at) == 0)) continue;
     const bool is_at_edge =
         edge != no_index && known.corner != no_index && known.corner != previous_corner(edge);
