@@ -16,6 +16,10 @@ inline Vec3 face_middle(const Mesh& mesh, Index face) {
   return mesh.positions[a] / 3 + mesh.positions[b] / 3 + mesh.positions[c] / 3;
 }
 
+/// Returns the unit vector in the plane of a face, perpendicular to a halfedge, into the face.
+/// The face must have an area.
+Vec3 direction_into_face(const Mesh& mesh, Index halfedge);
+
 /// Returns a third of the area of the faces around each vertex.
 std::vector<double> vertex_areas(const Mesh& mesh);
 

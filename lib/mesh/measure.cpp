@@ -90,6 +90,14 @@ void extend(Box& box, const Vec3& a, const Vec3& b, const Vec3& c) {
 
 double diagonal_of(const Box& box) { return box.isEmpty() ? 0 : length_of(box.max() - box.min()); }
 
+Vec3 direction_into_face(const Mesh& mesh, Index halfedge) {
+  const Vec3& from = mesh.positions[halfedge_source(mesh, halfedge)];
+  const Vec3& apex = mesh.positions[halfedge_source(mesh, previous_halfedge(halfedge))];
+  const Vec3 along = (mesh.positions[halfedge_target(mesh, halfedge)] - from).stableNormalized();
+  const Vec3 inwards = (apex - from).stableNormalized();
+  return (inwards - inwards.dot(along) * along).stableNormalized();
+}
+
 std::vector<Vec3> used_positions(const Mesh& mesh) {
   std::vector<bool> is_used(mesh.positions.size(), false);
   for (const Face& face : mesh.faces)

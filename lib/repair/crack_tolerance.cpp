@@ -8,6 +8,7 @@
 #include "clean/stitch/weld.h"
 #include "mesh/coordinate_spacing.h"
 #include "mesh/edges.h"
+#include "mesh/local_measures.h"
 #include "transformesh/measure.h"
 
 namespace transformesh {
@@ -121,15 +122,6 @@ Cracks widest_clear(const Lengths& lengths, double least, double diagonal) {
   return found;
 }
 
-/// Returns the unit vector in the plane of a face, perpendicular to a halfedge, into the face.
-Vec3 direction_into(const Mesh& mesh, Index halfedge) {
-  const Vec3& a = mesh.positions[halfedge_source(mesh, halfedge)];
-  const Vec3& b = mesh.positions[halfedge_target(mesh, halfedge)];
-  const Vec3& c = mesh.positions[halfedge_source(mesh, previous_halfedge(halfedge))];
-  const Vec3 along = (b - a).stableNormalized();
-  return (c - a - along * along.dot(c - a)).stableNormalized();
-}
-
 bool share_edge(const Face& f, const Face& g) {
   const auto is_shared = [&](Index v) { return std::ranges::find(g, v) != g.end(); };
   return std::ranges::count_if(f, is_shared) >= 2;
@@ -146,8 +138,8 @@ bool continues(const Mesh& before, const JoinedMesh& after) {
     if (halfedges.size() != 2) continue;
     const Index f = after.face_source[halfedges[0] / 3], g = after.face_source[halfedges[1] / 3];
     if (share_edge(before.faces[f], before.faces[g])) continue;
-    const double cosine =
-        direction_into(after.mesh, halfedges[0]).dot(direction_into(after.mesh, halfedges[1]));
+    const double cosine = direction_into_face(after.mesh, halfedges[0])
+                              .dot(direction_into_face(after.mesh, halfedges[1]));
     ++(cosine > folded_back ? folded : straight);
   }
   return straight > 0 && straight >= folded;

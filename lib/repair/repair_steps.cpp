@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "clean/stitch/join_soup.h"
+#include "clean/open/join_soup.h"
 #include "io/document/round_as_written.h"
 #include "repair/losses.h"
 #include "support/counted.h"

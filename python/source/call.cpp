@@ -4,7 +4,7 @@
 #include <iterator>
 #include <variant>
 
-#include "clean/stitch/join_soup.h"
+#include "clean/open/join_soup.h"
 #include "io/comments.h"
 #include "io/length_basis.h"
 #include "support/counted.h"

@@ -1,7 +1,7 @@
 #include "frame/inputs.h"
 
 #include "clean/box/tile.h"
-#include "clean/stitch/join_soup.h"
+#include "clean/open/join_soup.h"
 #include "io/formats/file_format.h"
 #include "io/streams/expand.h"
 #include "mesh/touching_borders.h"
@@ -68,12 +68,10 @@ void Inputs::treat_soup(Mesh& mesh, const std::string& name, bool is_noted) {
     if (result.dropped_faces > 0)
       messages_.note(name + ": " + counted(result.dropped_faces, "face") +
                      " with two corners in one place dropped");
-  } else if (program_.input.soups == Soups::reported && !is_noted) {
-    const std::size_t count = count_touching_borders(mesh);
-    if (count > 0)
-      messages_.note(
-          Problem{ErrorKind::not_joined, name + ": " + counted(count, "border edge") +
-                                             " coincide: the faces share no vertices there"});
+  } else if (program_.input.soups == Soups::reported && !is_noted && is_soup(mesh)) {
+    messages_.note(Problem{ErrorKind::not_joined,
+                           name + ": " + counted(count_touching_borders(mesh), "border edge") +
+                               " coincide: the faces share no vertices there"});
   }
 }
 

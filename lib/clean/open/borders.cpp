@@ -9,6 +9,7 @@
 #include "clean/stitch/orientation_check.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
+#include "mesh/local_measures.h"
 #include "transformesh/errors.h"
 #include "transformesh/manifold.h"
 #include "transformesh/stitch.h"
@@ -16,8 +17,10 @@
 namespace transformesh {
 namespace {
 
-/// Two faces at an edge overlap if their angle is below 5e-5, of which this is the cosine. Rounding
-/// tilts faces of a common plane by less, also in floats. Surfaces have larger angles.
+/// Two faces at an edge overlap if their angle is below 5e-5, of which this is the cosine. Values
+/// from 1 - 1e-12 to 0 give the same results for 280 sets of cut boxes, in doubles and floats. With
+/// 1 - 1e-15, one set in floats is refused. Flat parts that are reversed must not count as
+/// overlapping, so the angle is small.
 constexpr double cosine_of_overlap = 1 - 1e-9;
 
 // Maps the start point of each border edge to its end point, in the direction of the face.
@@ -46,14 +49,6 @@ Mesh with_joined_vertices(const WeldedMesh& welded, const Mesh& mesh) {
     for (Index& v : face) v = welded.vertex_of[welded.point_of[v]];
   }
   return result;
-}
-
-// Returns the direction from the edge of a halfedge into its face, perpendicular to the edge.
-Vec3 direction_into_face(const Mesh& mesh, Index h) {
-  const Vec3& from = mesh.positions[halfedge_source(mesh, h)];
-  const Vec3 along = (mesh.positions[halfedge_target(mesh, h)] - from).stableNormalized();
-  const Vec3 inwards = (mesh.positions[mesh.faces[h / 3][(h + 2) % 3]] - from).stableNormalized();
-  return (inwards - inwards.dot(along) * along).stableNormalized();
 }
 
 // True if two faces at coinciding border edges do not overlap, so that they may be neighbors in one

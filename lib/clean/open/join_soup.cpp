@@ -1,5 +1,6 @@
-#include "clean/stitch/join_soup.h"
+#include "clean/open/join_soup.h"
 
+#include "clean/open/borders.h"
 #include "mesh/touching_borders.h"
 #include "transformesh/errors.h"
 
@@ -16,8 +17,12 @@ namespace {
 
 }  // namespace
 
+bool is_soup(const Mesh& mesh) {
+  return count_touching_borders(mesh) > 0 && !is_oriented_by_indices(weld(mesh), mesh);
+}
+
 StitchResult join_soup(Mesh& mesh) {
-  if (count_touching_borders(mesh) == 0) return {};
+  if (!is_soup(mesh)) return {};
   Mesh joined = mesh;
   const StitchResult result = stitch(joined);
   if (result.misoriented_edges > 0) refuse_orientation(std::move(joined), result.misorientation);

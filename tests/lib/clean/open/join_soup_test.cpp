@@ -1,8 +1,11 @@
-#include "clean/stitch/join_soup.h"
+#include "clean/open/join_soup.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "helpers/shapes.h"
+#include "mesh/touching_borders.h"
 #include "transformesh/errors.h"
 #include "transformesh/manifold.h"
 
@@ -28,6 +31,19 @@ TEST_CASE("closed bodies that touch keep their own vertices") {
   const std::size_t before = bodies.positions.size();
   CHECK(join_soup(bodies).joined_vertices == 0);
   CHECK(bodies.positions.size() == before);
+}
+
+TEST_CASE("open bodies that touch at their borders keep their own vertices") {
+  Mesh box = test::cube();
+  std::erase_if(box.faces, [&](const Face& f) {
+    return std::ranges::all_of(f, [&](Index v) { return box.positions[v].z() == 1; });
+  });
+  CHECK(box.faces.size() == 10);
+  Mesh bodies = test::joined(box, test::moved(box, {1, 0, 0}));
+  CHECK(count_touching_borders(bodies) > 0);
+  const std::vector<Face> faces = bodies.faces;
+  CHECK(join_soup(bodies).joined_vertices == 0);
+  CHECK(bodies.faces == faces);
 }
 
 TEST_CASE("inconsistently oriented faces are refused") {
