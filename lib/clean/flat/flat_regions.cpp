@@ -86,6 +86,7 @@ std::vector<Index> RegionFinder::seeds() const {
   }
   std::sort(faces.begin(), faces.end());
   std::vector<Index> seeds;
+  seeds.reserve(faces.size());
   for (const auto& [area, face] : faces) seeds.push_back(face);
   return seeds;
 }

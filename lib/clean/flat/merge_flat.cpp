@@ -151,7 +151,7 @@ bool FlatMerger::give_up_double_edges(const Plan& plan) {
   struct Edge {
     std::array<Index, 2> ends;
     Index region;
-    auto operator<=>(const Edge&) const = default;
+    auto operator<=>(const Edge&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm
   };
   std::vector<char> is_at_region(mesh_.positions.size(), 0);
   for (const Face& face : plan.faces)

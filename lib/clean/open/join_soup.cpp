@@ -24,7 +24,7 @@ bool is_soup(const Mesh& mesh) {
 StitchResult join_soup(Mesh& mesh) {
   if (!is_soup(mesh)) return {};
   Mesh joined = mesh;
-  const StitchResult result = stitch(joined);
+  StitchResult result = stitch(joined);
   if (result.misoriented_edges > 0) refuse_orientation(std::move(joined), result.misorientation);
   mesh = std::move(joined);
   return result;

@@ -82,7 +82,7 @@ void LabeledCells::spread_labels(const std::vector<char>& kept) {
   const auto is_kept = [&](Index side) { return kept[patches_.pieces[side / 2].front()] != 0; };
   for (Index side = 0; side < cell_of_.size(); ++side)
     if (is_kept(side)) label(cell_of_[side], static_cast<char>(side % 2));
-  for (std::size_t i = 0; i < queue.size(); ++i)
+  for (std::size_t i = 0; i < queue.size(); ++i)  // NOLINT: label() adds to queue
     for (const Index side : sides_[queue[i]])
       if (!is_kept(side)) label(cell_of_[side ^ 1U], is_inside_[queue[i]]);
 }
