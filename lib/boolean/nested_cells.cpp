@@ -10,7 +10,7 @@ namespace {
 
 /// A region of space that is bounded by a connected set of patches (parts of the surface between
 /// intersection curves). Other sets of patches are ignored.
-struct Cell {
+struct PatchCell {
   Index side = no_index;  ///< one side of a patch; represents the cell in `sides_`
   /// One side of a patch; represents the connected set of patches in `sets_`.
   Index set = no_index;
@@ -31,17 +31,17 @@ class NestedCells {
  private:
   void find_points();
   void find_cells();
-  void add_patch(Cell& cell, Index patch, bool is_behind) const;
-  static bool is_within(const Cell& cell, const Vec3& point);
-  const Cell* find_container(const Cell& unbounded) const;
+  void add_patch(PatchCell& cell, Index patch, bool is_behind) const;
+  static bool is_within(const PatchCell& cell, const Vec3& point);
+  const PatchCell* find_container(const PatchCell& unbounded) const;
 
   const Arrangement& arrangement_;
   const Patches& patches_;
   DisjointSets& sides_;
   DisjointSets sets_;
   std::vector<Vec3> points_;
-  std::vector<Cell> cells_;      ///< the bounded cells of all connected sets of patches
-  std::vector<Cell> unbounded_;  ///< the unbounded cell of each connected set of patches
+  std::vector<PatchCell> cells_;      ///< the bounded cells of all connected sets of patches
+  std::vector<PatchCell> unbounded_;  ///< the unbounded cell of each connected set of patches
 };
 
 // Copies the points, divided by the largest coordinate so that no volume overflows.
@@ -54,7 +54,7 @@ void NestedCells::find_points() {
   for (Vec3& point : points_) point /= size;
 }
 
-void NestedCells::add_patch(Cell& cell, Index patch, bool is_behind) const {
+void NestedCells::add_patch(PatchCell& cell, Index patch, bool is_behind) const {
   for (const Index p : patches_.pieces[patch]) {
     const auto& [a, b, c] = arrangement_.pieces[p].corners;
     cell.surface.faces.push_back(is_behind ? Face{a, b, c} : Face{a, c, b});
@@ -65,37 +65,37 @@ void NestedCells::add_patch(Cell& cell, Index patch, bool is_behind) const {
 }
 
 void NestedCells::find_cells() {
-  std::vector<Cell> of_side(2 * patches_.size());
+  std::vector<PatchCell> of_side(2 * patches_.size());
   for (Index side = 0; side < of_side.size(); ++side) {
-    Cell& cell = of_side[sides_.find(side)];
+    PatchCell& cell = of_side[sides_.find(side)];
     cell.side = sides_.find(side);
     cell.set = sets_.find(side);
     add_patch(cell, side / 2, side % 2 == 1);
   }
-  std::vector<Cell*> least(of_side.size(), nullptr);
-  for (Cell& cell : of_side) {
+  std::vector<PatchCell*> least(of_side.size(), nullptr);
+  for (PatchCell& cell : of_side) {
     if (cell.side == no_index) continue;
-    Cell*& best = least[cell.set];
+    PatchCell*& best = least[cell.set];
     if (best == nullptr || cell.volume < best->volume) best = &cell;
   }
-  for (Cell& cell : of_side)
+  for (PatchCell& cell : of_side)
     if (cell.side != no_index)
       (least[cell.set] == &cell ? unbounded_ : cells_).push_back(std::move(cell));
-  for (Cell& cell : cells_) cell.surface.positions = points_;
+  for (PatchCell& cell : cells_) cell.surface.positions = points_;
 }
 
-bool NestedCells::is_within(const Cell& cell, const Vec3& point) {
+bool NestedCells::is_within(const PatchCell& cell, const Vec3& point) {
   return cell.box.contains(point) && SolidAngleWinding(cell.surface)(point).rounded() == 1;
 }
 
 // Returns the smallest bounded cell of other connected sets that contains the set with the outer
 // cell `unbounded`, or null. Cells that contain this set are nested, so the smallest one surrounds
 // it directly.
-const Cell* NestedCells::find_container(const Cell& unbounded) const {
+const PatchCell* NestedCells::find_container(const PatchCell& unbounded) const {
   const auto& [a, b, c] = unbounded.surface.faces.front();
   const Vec3 point = (points_[a] + points_[b] + points_[c]) / 3;
-  const Cell* best = nullptr;
-  for (const Cell& cell : cells_) {
+  const PatchCell* best = nullptr;
+  for (const PatchCell& cell : cells_) {
     if (cell.set == unbounded.set || (best != nullptr && best->volume <= cell.volume)) continue;
     if (is_within(cell, point)) best = &cell;
   }
@@ -106,8 +106,8 @@ Index NestedCells::join() {
   find_points();
   find_cells();
   std::optional<Index> outermost;
-  for (const Cell& cell : unbounded_) {
-    const Cell* container = find_container(cell);
+  for (const PatchCell& cell : unbounded_) {
+    const PatchCell* container = find_container(cell);
     if (container == nullptr && !outermost) outermost = cell.side;
     sides_.join(cell.side, container == nullptr ? *outermost : container->side);
   }

@@ -19,7 +19,7 @@ namespace {
 
 /// Number of sample points per surface. With more points, smaller disagreements are found; time is
 /// proportional to their number.
-constexpr std::size_t samples = 40000;
+constexpr std::size_t agreement_samples = 40000;
 
 bool is_closed_manifold(const Mesh& mesh) {
   const ManifoldReport found = check_manifold(mesh);
@@ -71,7 +71,7 @@ Agreement agreement(const Mesh& mesh, const Topology& topology, const TargetQuer
   const Target& target = query.target();
   if (!target.is_mesh()) return {};
   progress("farthest point");
-  const CompareOptions options{.samples = samples};
+  const CompareOptions options{.samples = agreement_samples};
   const ClosestPointQuery& surface = query.surface();
   Farthest of_mesh, of_target;
   parallel_invoke(

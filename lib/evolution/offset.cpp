@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t points_per_task = 512;  ///< affects time only
 /// Number of sample points per surface for measuring the deviation. With more points, smaller
 /// deviations are found; time is proportional to their number.
-constexpr std::size_t samples = 40000;
+constexpr std::size_t distance_samples = 40000;
 
 /// Iterations end if the root mean square distance of the vertices from the offset surface is at
 /// most this fraction of an edge.
@@ -136,7 +136,7 @@ OffsetDeviation Offset::deviation(const Mesh& mesh, const Progress& progress) co
 // vertices. Vertices were moved onto the offset surface, so that deviations are larger between
 // them.
 void Offset::measure_excess(const Mesh& mesh, OffsetDeviation& result) const {
-  const std::vector<Vec3> points = surface_samples(mesh, samples, 1);
+  const std::vector<Vec3> points = surface_samples(mesh, distance_samples, 1);
   std::vector<double> off(points.size() + mesh.positions.size());
   parallel_for(off.size(), points_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
@@ -153,7 +153,7 @@ void Offset::measure_excess(const Mesh& mesh, OffsetDeviation& result) const {
 // source are left out.
 void Offset::measure_missed(const Mesh& mesh, OffsetDeviation& result) const {
   const ClosestPointQuery to_result(mesh);
-  std::vector<Vec3> goals = surface_samples(source_, samples, 2);
+  std::vector<Vec3> goals = surface_samples(source_, distance_samples, 2);
   std::vector<double> missed(goals.size(), 0);
   parallel_for(goals.size(), points_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-std::vector<Index> checked_opposites(const Mesh& mesh) {
+std::vector<Index> opposites_for_handles(const Mesh& mesh) {
   if (auto opposites = closed_opposites(mesh, opposite_halfedges(mesh))) return *opposites;
   throw InputError(prefixed("handles are removed only from closed oriented manifolds, but ",
                             manifold_problem(mesh, check_manifold(mesh), true)));
@@ -21,7 +21,7 @@ std::vector<Index> checked_opposites(const Mesh& mesh) {
 /// neighboring vertices in common, so that no cut changes the surface around another one. Their
 /// loops are homologically independent (homology.h), so that each cut removes a handle.
 HandleResult remove_round(Mesh& mesh, const HandleOptions& options, const Progress& progress) {
-  LoopCutter cutter(mesh, options.coordinate, checked_opposites(mesh));
+  LoopCutter cutter(mesh, options.coordinate, opposites_for_handles(mesh));
   HandleResult result;
   IndependentWords removed;
   for (const ShortLoop& loop : short_loops(mesh, cutter.stars(), options.max_length, progress)) {

@@ -10,14 +10,14 @@
 namespace transformesh {
 namespace {
 
-std::vector<Index> checked_opposites(const Mesh& mesh) {
+std::vector<Index> opposites_for_necks(const Mesh& mesh) {
   if (auto opposites = closed_opposites(mesh, opposite_halfedges(mesh))) return *opposites;
   throw InputError(prefixed("necks are cut only in closed oriented manifolds, but ",
                             manifold_problem(mesh, check_manifold(mesh), true)));
 }
 
 NeckResult cut_round(Mesh& mesh, double max_length, Scalar coordinate, const Progress& progress) {
-  LoopCutter cutter(mesh, coordinate, checked_opposites(mesh));
+  LoopCutter cutter(mesh, coordinate, opposites_for_necks(mesh));
   NeckTest test(mesh, cutter.stars());
   NeckResult result;
   for (const NeckLoop& loop : narrow_loops(mesh, cutter.stars(), max_length, progress)) {

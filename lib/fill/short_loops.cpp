@@ -13,7 +13,7 @@
 namespace transformesh {
 namespace {
 
-struct Surface {
+struct SurfaceAndWords {
   const Mesh& mesh;
   const HalfedgeStars& stars;
   const std::vector<HomologyWord>& words;
@@ -29,7 +29,7 @@ struct Surface {
 /// the largest length of a loop.
 class Paths {
  public:
-  Paths(const Surface& surface, Index base, double max_length);
+  Paths(const SurfaceAndWords& surface, Index base, double max_length);
 
   std::optional<ShortLoop> shortest_loop() const;
 
@@ -45,7 +45,7 @@ class Paths {
   void close(Index halfedge, const Reached& here, const Reached& there);
   std::vector<Index> path_from(Index vertex) const;
 
-  const Surface& surface_;
+  const SurfaceAndWords& surface_;
   /// Length of the shortest loop found so far; initially the largest allowed length.
   double shortest_;
   Index closing_ = no_index;
@@ -56,7 +56,7 @@ class Paths {
 
 // Grows the paths. Paths longer than half of the shortest loop found so far cannot close a shorter
 // loop.
-Paths::Paths(const Surface& surface, Index base, double max_length)
+Paths::Paths(const SurfaceAndWords& surface, Index base, double max_length)
     : surface_(surface), shortest_(max_length) {
   reached_[base] = {};
   queue_.emplace(0, base);
@@ -117,7 +117,7 @@ std::optional<ShortLoop> Paths::shortest_loop() const {
 
 /// Returns the vertices at edges with nonzero words (homology.h), at which the search for loops
 /// starts.
-std::vector<Index> bases_of(const Surface& surface) {
+std::vector<Index> bases_of(const SurfaceAndWords& surface) {
   std::vector<Index> bases;
   for (Index h = 0; h < surface.words.size(); ++h)
     if (surface.words[h] != 0) bases.push_back(halfedge_source(surface.mesh, h));
@@ -131,7 +131,7 @@ std::vector<Index> bases_of(const Surface& surface) {
 std::vector<ShortLoop> short_loops(const Mesh& mesh, const HalfedgeStars& stars, double max_length,
                                    const Progress& progress) {
   const std::vector<HomologyWord> words = homology_words(mesh, stars.opposites());
-  const Surface surface{mesh, stars, words};
+  const SurfaceAndWords surface{mesh, stars, words};
   const std::vector<Index> bases = bases_of(surface);
   std::vector<std::optional<ShortLoop>> found(bases.size());
   constexpr std::size_t at_once = 256;  // number of vertices between two reports of progress

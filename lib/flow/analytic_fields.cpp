@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The values sin(pi x) and cos(pi x) of a coordinate x.
 struct HalfWave {

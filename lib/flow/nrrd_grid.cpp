@@ -92,7 +92,8 @@ class NrrdReader {
       result.push_back(value);
     }
     if (first != last || result.size() != count)
-      source_.fail("the NRRD field " + quoted(name) + " does not hold " + counted(count, "number"));
+      source_.fail("the NRRD field " + in_quotes(name) + " does not hold " +
+                   counted(count, "number"));
     return result;
   }
 
@@ -100,9 +101,10 @@ class NrrdReader {
     if (!field("data file").empty() || !field("datafile").empty())
       source_.fail("NRRD data in a separate file is not supported");
     if (field("encoding") != "raw")
-      source_.fail("the NRRD encoding is " + quoted(field("encoding")) + "; only raw is supported");
+      source_.fail("the NRRD encoding is " + in_quotes(field("encoding")) +
+                   "; only raw is supported");
     if (field("type") != "float" && field("type") != "double")
-      source_.fail("the NRRD type is " + quoted(field("type")) +
+      source_.fail("the NRRD type is " + in_quotes(field("type")) +
                    "; only float and double are supported");
     if (field("endian") != "little" && field("endian") != "big")
       source_.fail(

@@ -22,7 +22,7 @@ class VtiReader {
   FlowGrid read() const {
     const std::string type = xml_.root().attribute("type").value();
     if (type != "ImageData")
-      source_.fail("VTK data of type " + quoted(type) +
+      source_.fail("VTK data of type " + in_quotes(type) +
                    " is not supported as a grid: only ImageData is");
     const Node image = xml_.root().child("ImageData");
     const Node piece = only_piece(image);

@@ -52,7 +52,7 @@ bool is_beyond(const Triangle& triangle, const Vec3& point, const Vec3& normal, 
   return std::min({a, b, c}) >= distance || std::max({a, b, c}) <= -distance;
 }
 
-Vec3 unit_normal(const Triangle& triangle) {
+Vec3 normal_to_keep(const Triangle& triangle) {
   return normal_of(triangle[0], triangle[1], triangle[2]).stableNormalized();
 }
 
@@ -120,14 +120,14 @@ KeepOut::KeepOut(const KeepOutOptions& options)
     throw UsageError("the gap to the surface that the mesh must keep away from must be above 0");
   normals_.reserve(surface_->faces.size());
   for (Index f = 0; f < surface_->faces.size(); ++f)
-    normals_.push_back(unit_normal(triangle_of(*surface_, f)));
+    normals_.push_back(normal_to_keep(triangle_of(*surface_, f)));
 }
 
 double KeepOut::distance(const Triangle& triangle, double bound) const {
   Box box;
   extend(box, {&triangle, 1});
   double least = bound;
-  const Vec3 normal = unit_normal(triangle);
+  const Vec3 normal = normal_to_keep(triangle);
   bvh_.visit_overlaps(widened(box, bound), [&](Index face) {
     if (!is_apart(triangle, normal, face, least))
       least = std::min(least, distance_of(triangle, triangle_of(*surface_, face)));
@@ -159,7 +159,7 @@ double KeepOut::least_distance(Triangles triangles, const std::vector<Index>& fa
                                double enough) const {
   double least = enough;
   for (const Triangle& triangle : triangles) {
-    const Vec3 normal = unit_normal(triangle);
+    const Vec3 normal = normal_to_keep(triangle);
     for (const Index face : faces)
       if (!is_apart(triangle, normal, face, least))
         least = std::min(least, distance_of(triangle, triangle_of(*surface_, face)));

@@ -6,7 +6,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 4;  ///< affects time only
+constexpr std::size_t points_per_winding_task = 4;  ///< affects time only
 
 }  // namespace
 
@@ -33,7 +33,7 @@ BoundedWindingNumber SolidAngleWinding::operator()(const Vec3& point) const {
 std::vector<BoundedWindingNumber> SolidAngleWinding::operator()(
     std::span<const Vec3> points) const {
   std::vector<BoundedWindingNumber> windings(points.size());
-  parallel_for(points.size(), points_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(points.size(), points_per_winding_task, [&](std::size_t first, std::size_t last) {
     std::vector<Vec3> directions;
     for (std::size_t i = first; i < last; ++i) windings[i] = sum(points[i], directions);
   });

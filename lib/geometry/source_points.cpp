@@ -15,7 +15,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t places_per_task = 1024;  ///< affects time only
+constexpr std::size_t located_per_task = 1024;  ///< affects time only
 constexpr const char* face_name = source_point_names[0];
 constexpr const char* u_name = source_point_names[1];
 constexpr const char* v_name = source_point_names[2];
@@ -112,7 +112,7 @@ void write(Columns& columns, std::span<const SourcePoint> places) {
 template <typename PlaceOf>
 std::vector<SourcePoint> places_of_all(std::size_t count, const PlaceOf& place_of) {
   std::vector<SourcePoint> places(count);
-  parallel_for(count, places_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(count, located_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) places[i] = place_of(static_cast<Index>(i));
   });
   return places;

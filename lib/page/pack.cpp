@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using HeaderJson = nlohmann::ordered_json;
 
 // The largest integer of 16 bits.
 constexpr double most = 65535;
@@ -147,10 +147,10 @@ void add_columns(const Mesh& mesh, const Order& order, PackedMesh& packed, Strea
   add_colors(mesh.vertex_columns, order, packed, streams);
 }
 
-Json vector_json(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+HeaderJson corner_json(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 std::string header_of(const PackedMesh& packed) {
-  Json columns = Json::array();
+  HeaderJson columns = HeaderJson::array();
   for (const PackedColumn& column : packed.columns) {
     constexpr std::array names{"vertex", "face", "color"};
     columns.push_back({{"name", column.name},
@@ -158,12 +158,12 @@ std::string header_of(const PackedMesh& packed) {
                        {"low", column.low},
                        {"high", column.high}});
   }
-  const Json json = {{"vertices", packed.vertices},
-                     {"faces", packed.faces},
-                     {"low", vector_json(packed.low)},
-                     {"high", vector_json(packed.high)},
-                     {"columns", columns}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const HeaderJson json = {{"vertices", packed.vertices},
+                           {"faces", packed.faces},
+                           {"low", corner_json(packed.low)},
+                           {"high", corner_json(packed.high)},
+                           {"columns", columns}};
+  return json.dump(-1, ' ', false, HeaderJson::error_handler_t::replace);
 }
 
 std::string size_bytes(std::size_t size) {

@@ -42,7 +42,7 @@ Json columns_json(const PageRun& run) {
   return columns;
 }
 
-std::string name_of(const char* what, std::size_t run, std::size_t index) {
+std::string numbered_name(const char* what, std::size_t run, std::size_t index) {
   return std::string(what) + '-' + std::to_string(run) + '-' + std::to_string(index);
 }
 
@@ -50,11 +50,11 @@ constexpr const char *mesh_prefix = "mesh", *target_prefix = "target";
 
 std::string block_name(const PageMesh& mesh, const char* prefix, std::size_t run,
                        std::size_t index) {
-  return mesh.block.empty() ? name_of(prefix, run, index) : mesh.block;
+  return mesh.block.empty() ? numbered_name(prefix, run, index) : mesh.block;
 }
 
 std::string photograph_name(std::size_t run, const PageViews& views, std::size_t index) {
-  return name_of("photograph", run, views.number) + '-' + std::to_string(index);
+  return numbered_name("photograph", run, views.number) + '-' + std::to_string(index);
 }
 
 Json mesh_json(const PageMesh& mesh, const std::string& block) {

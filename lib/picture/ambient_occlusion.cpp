@@ -15,9 +15,7 @@ namespace transformesh {
 namespace {
 
 constexpr int directions = 128;  ///< more directions reduce noise and take proportionally more time
-/// Least distance of occluders from a vertex, as a fraction of the bounding box's diagonal.
-constexpr double least_distance = 1e-5;
-constexpr std::size_t vertices_per_task = 256;
+constexpr std::size_t vertices_per_task = 256;  ///< affects time only
 
 /// Returns one of evenly distributed directions: equidistant heights, rotated by the golden angle.
 Vec3 direction(int i) {
@@ -92,6 +90,8 @@ class ParallelRays {
 
 void set_openness(Mesh& mesh, const std::string& column, const Progress& progress) {
   const std::vector<Vec3> normals = vertex_normals(mesh);
+  // Least distance of occluders from a vertex, as a fraction of the bounding box's diagonal.
+  constexpr double least_distance = 1e-5;
   const double least = least_distance * diagonal_of(bounding_box(mesh));
   const std::size_t count = mesh.positions.size();
   std::vector<double> reached(count, 0.0);

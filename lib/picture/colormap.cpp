@@ -70,10 +70,6 @@ double place_between(double low, double high, double value) {
   return std::clamp((value / 2 - low / 2) / extent, 0.0, 1.0);
 }
 
-bool is_number_column(const Column* column) {
-  return column != nullptr && !column->list_count_type;
-}
-
 /// Returns the names of number columns, for messages.
 std::string names_of(std::span<const Mesh* const> meshes, Columns Mesh::*columns) {
   std::vector<std::string> names;

@@ -28,6 +28,11 @@ struct ColorScale {
   Color at(double value) const;
 };
 
+/// True if the column exists and is not a list column.
+inline bool is_number_column(const Column* column) {
+  return column != nullptr && !column->list_count_type;
+}
+
 /// Return the column of this name: of the faces, and of the vertices if the faces have none. Return
 /// null if there is no such column, or if it is a list column.
 const Column* number_column_of_faces(const Mesh& mesh, const std::string& name);

@@ -19,7 +19,6 @@ constexpr int strip_rows = glyph_rows + 2 * margin;  ///< height of the legend
 constexpr int least_width = 120;     ///< pixels; chosen by hand: a smaller picture gets no legend
 constexpr int least_height = 60;     ///< pixels; chosen by hand: a smaller picture gets no legend
 constexpr int pixels_per_dot = 300;  ///< pixels of the shorter image side per dot of the font
-constexpr int digits = 4;            ///< significant digits of the numbers
 
 struct Glyph {
   char character;
@@ -87,6 +86,7 @@ void draw_legend(const ColorScale& scale, const Background& background, Image& i
   fill(image, 0, top, image.width, rows, behind);
 
   // The bar is half as wide as the picture, or narrower if the numbers need the space.
+  constexpr int digits = 4;  // significant digits of the numbers
   const std::string low = significant(scale.low, digits);
   const std::string high = significant(scale.high, digits);
   const int room = advance * dot * static_cast<int>(std::max(low.size(), high.size()));

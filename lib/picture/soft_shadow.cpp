@@ -17,8 +17,8 @@ namespace {
 
 /// Positions on the lamp; more make smoother shadows and take more time.
 constexpr int places = 48;
-constexpr int size = 512;         ///< width and height of the depth images in pixels
-constexpr double distance = 500;  ///< distance of the lamp, in radii of the mesh
+constexpr int depth_image_side = 512;  ///< width and height of the depth images in pixels
+constexpr double distance = 500;       ///< distance of the lamp, in radii of the mesh
 /// Tangent of half the angle of the disc, 4 degrees.
 constexpr double tangent = 0.069926811943510415;
 /// Least and largest distance by which points are lifted off the surface, in pixels of the depth
@@ -59,10 +59,10 @@ Camera camera_at(const Vec3& eye, const Ball& ball) {
   const Vec3 right = forward.unitOrthogonal();
   const Vec3 down = forward.cross(right);
   const double away = (ball.middle - eye).norm() / ball.radius;
-  const double focal = (size / 2.0 - 1) * std::sqrt(away * away - 1);
-  constexpr double middle = (size - 1) / 2.0;  // center of the image in pixels
+  const double focal = (depth_image_side / 2.0 - 1) * std::sqrt(away * away - 1);
+  constexpr double middle = (depth_image_side - 1) / 2.0;  // center of the image in pixels
   Camera camera;
-  camera.width = camera.height = size;
+  camera.width = camera.height = depth_image_side;
   camera.projection.row(0).head<3>() = focal * right + middle * forward;
   camera.projection.row(1).head<3>() = focal * down + middle * forward;
   camera.projection.row(2).head<3>() = forward;
@@ -81,7 +81,7 @@ Raster<float> depths_of(const FaceBuffer& seen) {
 
 SoftShadow::SoftShadow(const Mesh& mesh, const Vec3& towards_lamp) : towards_lamp_(towards_lamp) {
   const Ball ball = ball_around(mesh);
-  pixel_ = 2 * ball.radius / size;
+  pixel_ = 2 * ball.radius / depth_image_side;
   const double away = distance * ball.radius;
   const Vec3 across = towards_lamp.unitOrthogonal();
   const Vec3 along = towards_lamp.cross(across);
@@ -97,7 +97,7 @@ SoftShadow::SoftShadow(const Mesh& mesh, const Vec3& towards_lamp) : towards_lam
 float SoftShadow::share_in_front(const Place& place, const Vec3& point) {
   const Vec3 seen = place.camera.project(point);
   const double x = seen.x() / seen.z(), y = seen.y() / seen.z();
-  if (!(x >= 0 && y >= 0 && x < size - 1 && y < size - 1)) return 1;
+  if (!(x >= 0 && y >= 0 && x < depth_image_side - 1 && y < depth_image_side - 1)) return 1;
   const int column = static_cast<int>(x), row = static_cast<int>(y);
   const auto right = static_cast<float>(x - column), below = static_cast<float>(y - row);
   const auto depth = static_cast<float>(seen.z());

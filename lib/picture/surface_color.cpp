@@ -9,10 +9,6 @@ const Color default_front = color_of_srgb(0.66, 0.75, 0.86);
 const Color back = color_of_srgb(0.66, 0.30, 0.30);
 const Color highlighted = color_of_srgb(0.98, 0.60, 0.10);
 
-bool is_number_column(const Column* column) {
-  return column != nullptr && !column->list_count_type;
-}
-
 double full_intensity(Scalar type) {
   switch (type) {
     case Scalar::float32:

@@ -11,10 +11,7 @@ namespace transformesh {
 namespace {
 
 constexpr std::size_t items_per_task = 4096;  ///< affects time only
-/// A point is behind a face if it is farther from the camera by more than this fraction of the
-/// face's distance.
-constexpr double least_distance = 1e-6;
-constexpr double least_determinant = 1e-9;  ///< relative; faces observed edge-on hide nothing
+constexpr double least_determinant = 1e-9;    ///< relative; faces observed edge-on hide nothing
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The part of a segment on which linear functions are not negative. Its ends are parameters in [0,
@@ -82,6 +79,9 @@ Interval hidden_by(const EdgeFunctions& face, const Vec3& a, const Vec3& b) {
     sum_a += at_a;
     sum_b += at_b;
   }
+  // A point is behind a face if it is farther from the camera by more than this fraction of the
+  // face's distance.
+  constexpr double least_distance = 1e-6;
   const double at_face = (1 + least_distance) * face.depth_numerator;
   hidden.keep(sum_a - at_face, sum_b - at_face);
   return hidden;

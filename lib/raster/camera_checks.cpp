@@ -55,7 +55,7 @@ void check_translation(const TextRows& rows, const Vec3& translation, const std:
 }
 
 void check_read_again(const CameraRecord& record, const PinholeCamera& again) {
-  const std::string who = quoted(record.name);
+  const std::string who = in_quotes(record.name);
   std::string problem = intrinsics_problem(again.intrinsics, who);
   if (problem.empty()) problem = translation_problem(again.translation, who);
   if (!problem.empty()) throw InputError(problem + " (" + record.place + ")");

@@ -16,7 +16,7 @@ std::string size_text(int width, int height) {
 
 void CameraRecord::set_size(int columns, int rows, const std::string& image) {
   if (width != 0 && (width != columns || height != rows)) {
-    throw InputError("the camera of " + quoted(name) + " is for an image of " +
+    throw InputError("the camera of " + in_quotes(name) + " is for an image of " +
                      size_text(width, height) + " pixels, but " + image + " has " +
                      size_text(columns, rows) + " (" + place + ")");
   }

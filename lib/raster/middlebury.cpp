@@ -37,7 +37,7 @@ CameraRecord read_camera(TextRows& rows, const Source& source) {
   CameraRecord record;
   record.name = rows.word();
   record.place = place_of(rows, source);
-  const std::string who = quoted(record.name);
+  const std::string who = in_quotes(record.name);
   record.camera.intrinsics = read_matrix(rows, 'k', who);
   record.camera.rotation = read_matrix(rows, 'r', who);
   for (int i = 0; i < 3; ++i) {
@@ -98,7 +98,7 @@ std::string write_middlebury(const CameraList& list) {
   for (const CameraRecord& record : list.cameras) {
     if (record.name.find_first_of(" \t#") != std::string::npos) {
       throw InputError("a name in a Middlebury camera file must not contain blanks or #: " +
-                       quoted(record.name) + " (" + record.place + ")");
+                       in_quotes(record.name) + " (" + record.place + ")");
     }
     check_read_again(record, record.camera);
     text.add(record.name);

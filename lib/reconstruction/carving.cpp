@@ -38,7 +38,7 @@ struct CarvedSurface {
   double score() const { return confirmed * (1 - contradicted_share / 2); }
 };
 
-CarvedSurface measured(const Mesh& mesh, const CarvingEvidence& evidence) {
+CarvedSurface measured_surface(const Mesh& mesh, const CarvingEvidence& evidence) {
   const std::vector<WindowSums> around =
       spread(evidence.of_vertex, UniformLaplacian(mesh), doubt_rings);
   const std::vector<double> areas = vertex_areas(mesh);
@@ -79,12 +79,12 @@ bool carve_and_settle(Document& document, CarvingEvidence& evidence, const Carvi
 
 void carve(Document& document, const CarvingStages& stages) {
   CarvingEvidence evidence = stages.measure(document.mesh);
-  CarvedSurface best = measured(document.mesh, evidence);
+  CarvedSurface best = measured_surface(document.mesh, evidence);
   const double least_outline = best.outline - most_outline_lost;
   for (int i = 0; i < most_settlings && best.contradicted_share > least_share; ++i) {
     Document carved = document;
     if (!carve_and_settle(carved, evidence, stages)) break;
-    const CarvedSurface now = measured(carved.mesh, evidence);
+    const CarvedSurface now = measured_surface(carved.mesh, evidence);
     if (now.score() <= least_improvement * best.score() || now.outline <= least_outline) break;
     best = now;
     document = std::move(carved);

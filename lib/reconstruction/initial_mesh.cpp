@@ -37,7 +37,7 @@ void find_silhouettes(std::vector<View>& views, const InitialMeshOptions& option
 
 bool has_masks(const std::vector<View>& views) { return !views.front().silhouette.empty(); }
 
-void append(Mesh& mesh, const Mesh& other) {
+void append_mesh(Mesh& mesh, const Mesh& other) {
   const auto offset = static_cast<Index>(mesh.positions.size());
   mesh.vertex_columns.concatenate(other.vertex_columns, offset, other.positions.size());
   mesh.face_columns.concatenate(other.face_columns, mesh.faces.size(), other.faces.size());
@@ -73,7 +73,7 @@ bool is_within_masks(const Mesh& mesh, const std::vector<View>& views) {
 
 // Replaces the mesh by its exact intersection with the hull.
 void clip(Document& document, const Mesh& hull, const std::string& name, const Progress& progress) {
-  append(document.mesh, hull);
+  append_mesh(document.mesh, hull);
   document.style.coordinate = Scalar::float64;
   try {
     document.mesh = clean(document.mesh, {.winding_level = 2, .outermost = true}, progress).mesh;

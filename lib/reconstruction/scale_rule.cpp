@@ -21,8 +21,6 @@ constexpr double entering_share = 0.9;
 /// rounded.
 constexpr double late_scale = 1.99;
 
-double real(std::size_t count) { return static_cast<double>(count); }
-
 }  // namespace
 
 bool is_late_scale(double scale) { return scale < late_scale; }
@@ -36,11 +34,12 @@ SweepVerdict ScaleRule::add(const Sweep& sweep) {
   }
   SweepVerdict verdict;
   verdict.is_lost = last.coverage < least_coverage_kept * coverage_ ||
-                    real(last.pixels) < least_pixels_kept * real(pixels_);
+                    real_count(last.pixels) < least_pixels_kept * real_count(pixels_);
   const bool is_slow = last.mean_share < share_at_rest ||
                        (!is_first && last.dissimilarity > improvement * before_.dissimilarity);
-  const bool enters = real(last.outside) > outside_share * real(sweep.mesh.vertices) &&
-                      (is_first || real(last.outside) < entering_share * real(before_.outside));
+  const bool enters =
+      real_count(last.outside) > outside_share * real_count(sweep.mesh.vertices) &&
+      (is_first || real_count(last.outside) < entering_share * real_count(before_.outside));
   const bool is_other = !is_first && sweep.mesh.topology != before_.topology;
   const bool changes = enters || is_other;
   verdict.is_at_rest = !verdict.is_lost && is_slow && !changes;

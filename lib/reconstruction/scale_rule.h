@@ -23,6 +23,9 @@ struct Sweep {
 /// thin parts are visible in photographs from scale 2 on.
 bool is_late_scale(double scale);
 
+/// Returns a count as a real number, for comparison with a fraction of another count.
+inline double real_count(std::size_t count) { return static_cast<double>(count); }
+
 struct SweepVerdict {
   bool is_done = false;  ///< true if the sweeps at this scale are finished
   /// True if vertices hardly move or the dissimilarity hardly falls, no vertices enter silhouettes

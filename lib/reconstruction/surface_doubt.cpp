@@ -16,8 +16,8 @@ namespace {
 constexpr double least_area_px = 25;
 constexpr double thin_px = 6;
 
-DoubtfulPlace measured(const Mesh& mesh, const std::vector<Index>& vertices,
-                       const std::vector<double>& areas, double pixel) {
+DoubtfulPlace measured_place(const Mesh& mesh, const std::vector<Index>& vertices,
+                             const std::vector<double>& areas, double pixel) {
   DoubtfulPlace place;
   double area = 0;
   for (const Index v : vertices) {
@@ -43,7 +43,7 @@ void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vecto
   for (Index v = 0; v < is_doubtful.size(); ++v) {
     if (!is_doubtful[v]) continue;
     const std::vector<Index> vertices = take_connected(v, laplacian, is_doubtful);
-    DoubtfulPlace place = measured(mesh, vertices, areas, pixel);
+    DoubtfulPlace place = measured_place(mesh, vertices, areas, pixel);
     if (place.area < least_area_px) continue;
     if (thickness.empty())
       thickness = local_thickness(make_target(mesh), 2 * thin_px * pixel, progress);

@@ -13,8 +13,6 @@ constexpr std::size_t exploded_components = 100;
 constexpr double exploded_share = 0.3;
 constexpr double wide_deg = 40;
 
-double real(std::size_t count) { return static_cast<double>(count); }
-
 }  // namespace
 
 int WindowRadii::at(double scale) const { return is_late_scale(scale) ? fine : coarse; }
@@ -33,7 +31,7 @@ bool is_wide(std::span<const ViewPair> pairs) {
 }
 
 bool is_torn(std::size_t initial_pixels, std::size_t pixels_now) {
-  return real(pixels_now) < 0.95 * real(initial_pixels);
+  return real_count(pixels_now) < 0.95 * real_count(initial_pixels);
 }
 
 bool is_exploded(const Sweep& sweep, std::size_t initial_components) {
@@ -41,7 +39,7 @@ bool is_exploded(const Sweep& sweep, std::size_t initial_components) {
   const PhotoStepResult& last = sweep.steps.last;
   const std::size_t components = sweep.mesh.topology.components;
   if (components > exploded_components && components > 10 * initial_components) return true;
-  if (real(last.outside) > exploded_share * real(sweep.mesh.vertices) &&
+  if (real_count(last.outside) > exploded_share * real_count(sweep.mesh.vertices) &&
       last.outside > first.outside)
     return true;
   return last.coverage < exploded_share && last.coverage < first.coverage / 2;

@@ -16,9 +16,9 @@ namespace {
 /// the final edges would have many vertices in each cell, and each test would take long.
 constexpr double stage_share = 0.4;
 /// Edges of a stage may be this many times as long as those of equilateral triangles that cover the
-/// area. The factor grows by stage_growth after each stage that does not reach its goal.
+/// area. The factor grows by allowance_growth after each stage that does not reach its goal.
 constexpr double longest_edge = 5;
-constexpr double stage_growth = 1.6;
+constexpr double allowance_growth = 1.6;
 /// The weight of planes at borders and sharp edges, relative to the planes of faces. Larger weights
 /// preserve borders and sharp edges better, and faces less well.
 constexpr double border_weight = 10;
@@ -192,7 +192,7 @@ DecimateResult Decimator::run() {
     const std::size_t removed = before - result_.faces;
     if (removed == 0 && allowance > longest_edge * 1000) break;
     if (bound_ && std::max(removed, too_long) <= before / few_share) break;
-    allowance *= stage_growth;
+    allowance *= allowance_growth;
   }
   if (bound_) {
     progress_("measure");

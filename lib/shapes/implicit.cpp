@@ -19,7 +19,7 @@ namespace {
 
 // A choice: more iterations give rounder triangles and take longer.
 constexpr int relax_iterations = 20;
-constexpr std::size_t vertices_per_task = 1024;
+constexpr std::size_t vertices_per_projection_task = 1024;
 // A choice: more attempts come closer to the wanted number of faces and take longer.
 constexpr int march_attempts = 16;
 constexpr double good_enough = 0.01;  // relative error of the number of faces that ends the search
@@ -115,10 +115,11 @@ Mesh mesh_implicit(const ImplicitSolid& solid, std::size_t faces, const Progress
   // projection below takes more steps.
   const auto roughly = [&](const Vec3& point) { return projected(solid, point, 1); };
   relax(*mesh, roughly, relax_iterations, progress);
-  parallel_for(mesh->positions.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v)
-      mesh->positions[v] = projected(solid, mesh->positions[v], 6);
-  });
+  parallel_for(mesh->positions.size(), vertices_per_projection_task,
+               [&](std::size_t first, std::size_t last) {
+                 for (std::size_t v = first; v < last; ++v)
+                   mesh->positions[v] = projected(solid, mesh->positions[v], 6);
+               });
   return std::move(*mesh);
 }
 

@@ -14,7 +14,7 @@ namespace {
 // Number of steps in which vertices move along their current normals. A choice: fewer steps follow
 // the changing normals less closely, more take longer.
 constexpr int noise_steps = 10;
-constexpr std::size_t vertices_per_task = 2048;
+constexpr std::size_t vertices_per_noise_task = 2048;
 
 // The twelve directions to the midpoints of a cube's edges, four of them repeated.
 constexpr std::array<std::array<double, 3>, 16> gradients = {{{1, 1, 0},
@@ -72,7 +72,7 @@ void add_noise(Mesh& mesh, double amplitude, double wavelength, std::uint64_t se
   // The noise of each vertex is computed once and moves with it.
   std::vector<double> step(mesh.positions.size());
   const std::uint64_t field = mixed(seed);
-  parallel_for(step.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(step.size(), vertices_per_noise_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v)
       step[v] = amplitude / noise_steps * smooth_noise(mesh.positions[v] / wavelength, field);
   });

@@ -9,7 +9,7 @@
 namespace transformesh::shapes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Joins rings of `around` vertices from the lower pole to the upper one.
 class PinchBuilder {

@@ -10,7 +10,7 @@
 namespace transformesh::shapes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Vertices on a circle around the axis, at equal angles; a single vertex if the radius is 0.
 struct Ring {

@@ -10,7 +10,7 @@
 namespace transformesh::shapes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Vec2 = Eigen::Vector2d;
 
 /// Approximate signed distance in the plane from the outline of a plate with holes.

@@ -12,7 +12,7 @@
 namespace transformesh::shapes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Height of a row of triangles with unit edges.
 constexpr double row_height = std::numbers::sqrt3 / 2;
 

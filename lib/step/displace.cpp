@@ -15,7 +15,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t vertices_per_task = 4096;  ///< affects time only
+constexpr std::size_t moved_per_task = 4096;  ///< affects time only
 
 void check(const Mesh& mesh, std::span<const Vec3> velocities, const DisplaceOptions& options) {
   if (!std::isfinite(options.time_step)) throw UsageError("the time step is not a finite number");
@@ -74,7 +74,7 @@ AxisDirections clamped_ways(std::span<const Vec3> velocities, const HalfedgeLeng
   const std::size_t count = velocities.size();
   AxisDirections ways{std::vector<double>(count), std::vector<Vec3>(count),
                       std::vector<char>(count, 0)};
-  parallel_for(count, vertices_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(count, moved_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       ways.limits[v] = options.alpha * edges.vertex_mean[v];
       const Step step = clamped_step(velocities[v], options.time_step, ways.limits[v]);
@@ -88,7 +88,7 @@ AxisDirections clamped_ways(std::span<const Vec3> velocities, const HalfedgeLeng
 /// Moves the vertices. Returns 1 for each vertex whose position changed.
 std::vector<char> move(Mesh& mesh, const std::vector<Vec3>& displacements, Scalar coordinate) {
   std::vector<char> is_moved(displacements.size(), 0);
-  parallel_for(is_moved.size(), vertices_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(is_moved.size(), moved_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const Vec3 goal = moved_position(mesh.positions[v], displacements[v], coordinate);
       is_moved[v] = goal != mesh.positions[v];

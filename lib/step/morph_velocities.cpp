@@ -26,7 +26,7 @@ constexpr std::size_t planes_of_points = 12;
 /// more accurate and takes more time.
 constexpr std::size_t most_vertices_of_target = 1024;
 
-constexpr double wide = std::numeric_limits<double>::infinity();
+constexpr double unlimited_room = std::numeric_limits<double>::infinity();
 
 /// Results of the searches from all vertices of the mesh.
 struct Found {
@@ -37,7 +37,7 @@ struct Found {
 
 std::vector<double> room_for_thickness(const Mesh& mesh, const Target& target) {
   std::vector<double> room;
-  if (!target.thickness.empty()) room.assign(mesh.positions.size(), wide);
+  if (!target.thickness.empty()) room.assign(mesh.positions.size(), unlimited_room);
   return room;
 }
 

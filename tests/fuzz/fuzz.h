@@ -36,8 +36,8 @@ inline void demand_same(const std::string& first, const std::string& second,
   if (first == second) return;
   const auto places = std::mismatch(first.begin(), first.end(), second.begin(), second.end());
   const auto start = static_cast<std::size_t>(places.first - first.begin());
-  fail(what + ": " + quoted(std::string_view(first).substr(start)) + " and then " +
-       quoted(std::string_view(second).substr(start)) + " at byte " + std::to_string(start));
+  fail(what + ": " + in_quotes(std::string_view(first).substr(start)) + " and then " +
+       in_quotes(std::string_view(second).substr(start)) + " at byte " + std::to_string(start));
 }
 
 /// Reads bytes as choices; returns zero if none is left.

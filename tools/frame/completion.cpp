@@ -41,7 +41,7 @@ std::string replaced(std::string text, const std::string& characters, const std:
   return text;
 }
 
-std::string in_quotes(const std::string& text) {
+std::string in_shell_quotes(const std::string& text) {
   std::string quoted = "'";
   for (const char character : text)
     quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
@@ -66,22 +66,23 @@ std::string bash_values(const Option& option) {
   const std::string letter = letter_of(option);
   std::string line = "    " + (letter.empty() ? "" : "-" + letter + " | ") + "--" + option.name();
   std::string kinds = candidates.are_files ? " -f" : candidates.are_folders ? " -d" : "";
-  if (!candidates.words.empty()) kinds += " -W " + in_quotes(candidates.words);
+  if (!candidates.words.empty()) kinds += " -W " + in_shell_quotes(candidates.words);
   if (kinds.empty()) return line + ") return ;;\n";
   return line + ") _tm_offer" + kinds + " -- \"$word\"; return ;;\n";
 }
 
 std::string bash_arguments(const Program& program) {
   if (program.reads_mesh()) {
-    std::string text = program.has_command()
-                           ? "  _tm_offer -W " + in_quotes(words_of(program)) + " -- \"$word\"\n"
-                           : "";
+    std::string text =
+        program.has_command()
+            ? "  _tm_offer -W " + in_shell_quotes(words_of(program)) + " -- \"$word\"\n"
+            : "";
     for (const char* ending : {"ply", "off", "obj", "stl"})
       text += std::string("  _tm_offer -f -X '!*.") + ending + "' -- \"$word\"\n";
     return text + "  _tm_offer -d -- \"$word\"\n";
   }
   if (!program.words.choices.empty())
-    return "  _tm_offer -W " + in_quotes(words_of(program)) + " -- \"$word\"\n";
+    return "  _tm_offer -W " + in_shell_quotes(words_of(program)) + " -- \"$word\"\n";
   if (program.words.are_folders) return "  _tm_offer -d -- \"$word\"\n";
   return program.reads_input() ? "  _tm_offer -f -- \"$word\"\n" : "";
 }
@@ -109,7 +110,7 @@ std::string bash(const Program& program) {
          "  esac\n"
          "  if [[ $word == -* ]]; then\n"
          "    _tm_offer -W " +
-         in_quotes(names) +
+         in_shell_quotes(names) +
          " -- \"$word\"\n"
          "    return\n"
          "  fi\n" +
@@ -133,9 +134,9 @@ std::string zsh_option(const Option& option) {
     rest += ":";
     rest += replaced(option.placeholder, ":\\", "\\") + ":" + zsh_action(candidates_of(option));
   }
-  if (letter.empty()) return "  " + in_quotes(name + rest) + " \\\n";
-  return "  '(-" + letter + " " + name + ")'{-" + letter + "," + name + "}" + in_quotes(rest) +
-         " \\\n";
+  if (letter.empty()) return "  " + in_shell_quotes(name + rest) + " \\\n";
+  return "  '(-" + letter + " " + name + ")'{-" + letter + "," + name + "}" +
+         in_shell_quotes(rest) + " \\\n";
 }
 
 std::string zsh(const Program& program) {
@@ -158,18 +159,18 @@ std::string fish_option(const Program& program, const Option& option) {
   if (!letter.empty()) line += " -s " + letter;
   if (!option.is_flag()) line += candidates.are_files || candidates.are_folders ? " -rF" : " -x";
   if (candidates.are_folders) line += " -a '(__fish_complete_directories)'";
-  if (!candidates.words.empty()) line += " -a " + in_quotes(candidates.words);
-  return line + " -d " + in_quotes(replaced(option.help, "\\", "\\")) + "\n";
+  if (!candidates.words.empty()) line += " -a " + in_shell_quotes(candidates.words);
+  return line + " -d " + in_shell_quotes(replaced(option.help, "\\", "\\")) + "\n";
 }
 
 std::string fish(const Program& program) {
   const std::string start = "complete -c " + program.name + " ";
   std::string text = "# fish completion of " + program.name + "\n" + start + "-f\n";
   if (program.reads_mesh()) {
-    if (program.has_command()) text += start + "-a " + in_quotes(words_of(program)) + "\n";
+    if (program.has_command()) text += start + "-a " + in_shell_quotes(words_of(program)) + "\n";
     text += start + "-ka '(__fish_complete_suffix .ply .off .obj .stl)'\n";
   } else if (!program.words.choices.empty()) {
-    text += start + "-a " + in_quotes(words_of(program)) + "\n";
+    text += start + "-a " + in_shell_quotes(words_of(program)) + "\n";
   } else if (program.words.are_folders) {
     text += start + "-a '(__fish_complete_directories)'\n";
   } else if (program.reads_input()) {

@@ -171,7 +171,7 @@ bool is_in_provenance(const Option& option) {
 
 // Quotes a word for a shell. Replaces control characters, because the word becomes part of a
 // one-line comment of the output, which a line break would end.
-std::string shell_word(std::string word) {
+std::string provenance_word(std::string word) {
   for (char& character : word) {
     if (static_cast<unsigned char>(character) < ' ' || character == '\x7f') character = '?';
   }
@@ -207,11 +207,11 @@ std::string provenance(const Program& program) {
   std::string line = program.name + " " TM_VERSION;
   if (!program.word.empty()) line += ' ' + program.word;
   if (program.input.reads == Reads::words)
-    for (const std::string& word : program.inputs) line += ' ' + shell_word(word);
+    for (const std::string& word : program.inputs) line += ' ' + provenance_word(word);
   for (const Option& option : program.options) {
     if (!is_in_provenance(option)) continue;
     line += " --" + option.name();
-    if (!option.is_flag()) line += ' ' + shell_word(option.text());
+    if (!option.is_flag()) line += ' ' + provenance_word(option.text());
   }
   return line;
 }

@@ -29,10 +29,10 @@ constexpr auto bar_interval = 100ms;
 constexpr auto line_interval = 5s;
 constexpr const char* erase_line = "\r\033[K";
 
-using Messages = std::map<int, std::string>;
+using SignalMessages = std::map<int, std::string>;
 // Messages for signal handlers. The table is complete before signal handlers can access it, and is
 // never freed.
-std::atomic<const Messages*> messages{nullptr};
+std::atomic<const SignalMessages*> messages{nullptr};
 std::string time_message;
 std::atomic<pid_t> child_group{0};
 std::atomic<bool> bar_stands{false};
@@ -103,7 +103,7 @@ void set_child_group(pid_t group) { child_group = group; }
 void limit_time(const std::string& program, double seconds) {
   time_message =
       program + ": stopped after " + shortest_text(seconds) + " s, the limit of --max-time";
-  messages = new Messages{{SIGALRM, time_message + "; nothing is written\n"}};
+  messages = new SignalMessages{{SIGALRM, time_message + "; nothing is written\n"}};
   struct sigaction action {};
   action.sa_handler = end_process;
   sigfillset(&action.sa_mask);
@@ -130,7 +130,7 @@ void report_interruption(const std::string& program, const std::string& advice) 
   const auto message = [&](const char* name) {
     return program + ": interrupted by " + name + advice + '\n';
   };
-  messages = new Messages{
+  messages = new SignalMessages{
       {SIGINT, message("SIGINT")},
       {SIGTERM, message("SIGTERM")},
       {SIGHUP, message("SIGHUP")},

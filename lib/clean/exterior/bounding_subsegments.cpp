@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr int unknown = std::numeric_limits<int>::min();
+constexpr int unknown_left = std::numeric_limits<int>::min();
 
 class BoundingSubsegments {
  public:
@@ -19,7 +19,7 @@ class BoundingSubsegments {
         in_(in),
         known_(known),
         crossings_(geometry, in),
-        left_(in.segments.size(), unknown) {}
+        left_(in.segments.size(), unknown_left) {}
 
   // Each of these functions returns false if it fails, so that the face has to be cut along all
   // segments.
@@ -75,11 +75,11 @@ bool BoundingSubsegments::join_ends() {
 
 bool BoundingSubsegments::find_windings() {
   for (Index s = 0; s < in_.segments.size(); ++s) {
-    if (left_[s] != unknown) continue;
+    if (left_[s] != unknown_left) continue;
     const std::optional<int> w = winding_beside(s);
     if (w && !spread(s, *w)) return false;
   }
-  return std::find(left_.begin(), left_.end(), unknown) == left_.end();
+  return std::find(left_.begin(), left_.end(), unknown_left) == left_.end();
 }
 
 // Returns the winding number w just to the left of the start of segment `s`. Follows a path from
@@ -168,7 +168,7 @@ bool BoundingSubsegments::spread(Index seed, int w) {
     int w_at_end = left_[s];
     for (const Crossing& crossing : crossings_.of(s)) {
       w_at_end += crossings_.jump_over(crossing);
-      if (left_[crossing.other] == unknown && !spread_over(crossing)) return false;
+      if (left_[crossing.other] == unknown_left && !spread_over(crossing)) return false;
     }
     if (!continue_at(segment(s).from, s, left_[s]) || !continue_at(segment(s).to, s, w_at_end))
       return false;
@@ -207,7 +207,7 @@ bool BoundingSubsegments::spread_over(const Crossing& crossing) {
 }
 
 bool BoundingSubsegments::visit(Index s, int left) {
-  if (left_[s] != unknown) return left_[s] == left;
+  if (left_[s] != unknown_left) return left_[s] == left;
   left_[s] = left;
   stack_.push_back(s);
   return true;

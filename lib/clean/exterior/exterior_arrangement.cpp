@@ -12,8 +12,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t planes_per_task = 4;  ///< planes cut in one task; affects time only
-constexpr int unknown = std::numeric_limits<int>::min();
+constexpr std::size_t planes_per_cutting_task = 4;  ///< planes cut in one task; affects time only
+constexpr int unknown_winding = std::numeric_limits<int>::min();
 
 /// True if exactly one of the winding numbers in front and behind is below the winding level.
 bool parts(int front, int behind, int winding_level) {
@@ -53,7 +53,7 @@ class FacetChooser {
 };
 
 std::vector<char> FacetChooser::choose(const PlaneFacets& facets, Index first_face) {
-  front_.assign(facets.size(), unknown);
+  front_.assign(facets.size(), unknown_winding);
   is_chosen_.assign(facets.size(), 0);
   open_.assign(facets.size(), {false, 0});
   for (Index i = 0; i < 3; ++i) {
@@ -64,7 +64,7 @@ std::vector<char> FacetChooser::choose(const PlaneFacets& facets, Index first_fa
     if (!facets.is_covered(facet)) continue;
     if (facets.multiplicity(facet) == 0 && !facets.has_open_face(facet)) continue;
     has_surface_ = true;
-    if (front_[facet] == unknown) {
+    if (front_[facet] == unknown_winding) {
       spread(facets, facet, ray_.in_front_of(facets.corners(facet), first_face));
       ++rays_;
     }
@@ -89,7 +89,7 @@ std::vector<OpenFacet> FacetChooser::describe(const std::vector<Index>& facets) 
 }
 
 void FacetChooser::spread(const PlaneFacets& facets, Index seed, int w) {
-  if (front_[seed] != unknown) return;
+  if (front_[seed] != unknown_winding) return;
   front_[seed] = w;
   stack_.push_back(seed);
   while (!stack_.empty()) {
@@ -97,7 +97,7 @@ void FacetChooser::spread(const PlaneFacets& facets, Index seed, int w) {
     stack_.pop_back();
     for (Index i = 0; i < 3; ++i) {
       const Index next = facets.neighbor(facet, i);
-      if (next == no_index || !facets.is_covered(next) || front_[next] != unknown) continue;
+      if (next == no_index || !facets.is_covered(next) || front_[next] != unknown_winding) continue;
       front_[next] = front_[facet] + facets.jump(facet, i);
       stack_.push_back(next);
     }
@@ -238,7 +238,7 @@ std::vector<char> ExteriorArranger::find_kept(const Arrangement& arrangement) co
 
 ExteriorArrangement ExteriorArranger::arrange(const Progress& progress) {
   progress("arrange", 0.2);
-  parallel_for(cuts_.size(), planes_per_task,
+  parallel_for(cuts_.size(), planes_per_cutting_task,
                [&](std::size_t first, std::size_t last) { cut_planes(first, last); });
   progress("arrange", 0.9);
 

@@ -11,7 +11,7 @@ namespace {
 /// Number of points that are tried in a cell. A point is rejected if the path to it touches an edge
 /// of the mesh. This happens only by coincidence, so a second point is rarely needed. Exception: a
 /// cell that is only a few coordinate spacings wide.
-constexpr int most_attempts = 16;
+constexpr int points_per_cell = 16;
 
 /// Returns the cells that share a side with a cell.
 std::array<Cell, 6> neighbors_of(Cell cell) {
@@ -34,9 +34,9 @@ std::optional<ReferencePoint> LocalReferences::near(const Vec3& place, int attem
   const std::lock_guard lock(mutex_);
   for (const Cell cell : cells) {
     if (!around_.covered.has(cell)) continue;
-    const std::optional<ReferencePoint> first = known(cell);
+    std::optional<ReferencePoint> first = known(cell);
     if (!first || attempt == 0) return first;
-    return find_in(core_of(around_.grid, cell), attempt * most_attempts, *first);
+    return find_in(core_of(around_.grid, cell), attempt * points_per_cell, *first);
   }
   return std::nullopt;
 }
@@ -83,7 +83,7 @@ bool LocalReferences::enter(Cell cell) const {
 
 std::optional<ReferencePoint> LocalReferences::find_in(const Eigen::AlignedBox3d& box, int first,
                                                        const ReferencePoint& from) const {
-  for (int i = 0; i < most_attempts; ++i) {
+  for (int i = 0; i < points_per_cell; ++i) {
     const Vec3 point = spread_point(box, first + i);
     if (const std::optional<int> sum = change(from.position, point))
       return ReferencePoint{point, from.winding + *sum};

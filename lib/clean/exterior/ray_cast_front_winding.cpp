@@ -12,7 +12,7 @@ namespace transformesh {
 namespace {
 
 // Limit of points tried on a piece; its square fits into an int.
-constexpr int most_attempts = 20000;
+constexpr int most_points_on_piece = 20000;
 constexpr std::size_t faces_per_task = 4096;  ///< affects time only
 /// Up to this number of rays, no tree is built; affects time only.
 constexpr std::size_t few_rays = 8;
@@ -137,16 +137,16 @@ int RayCastFrontWinding::in_front_of(const std::array<ExactPoint, 3>& part,
   // projection of this edge to the piece. The projection is a segment, which intersects the conic
   // at most twice. Hence each edge makes at most two attempts fail. The same holds for segments
   // from a reference point outside the plane of the piece.
-  for (int attempt = 1; attempt <= most_attempts; ++attempt) {
+  for (int attempt = 1; attempt <= most_points_on_piece; ++attempt) {
     const ExactPoint origin = geometry.mean(part[0], part[1], part[2], weights(attempt));
     if (crossings) crossings->clear();
     const Count count = cast(origin, source, crossings);
     if (!count.grazes) return count.winding;
   }
   const int axis = axis_and_direction(source).first;
-  throw GoalError("more than " + std::to_string(most_attempts / 2) + " edges line up along the " +
-                  "xyz"[axis] + " axis at " + point_text(geometry.position(part[0])) +
-                  ": rotate the mesh slightly");
+  throw GoalError("more than " + std::to_string(most_points_on_piece / 2) +
+                  " edges line up along the " + "xyz"[axis] + " axis at " +
+                  point_text(geometry.position(part[0])) + ": rotate the mesh slightly");
 }
 
 RayCastFrontWinding::Count RayCastFrontWinding::cast(const ExactPoint& origin,

@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t planes_per_task = 256;  ///< affects time only
+constexpr std::size_t planes_per_counting_task = 256;  ///< affects time only
 /// Up to this number of rays, testing all faces costs less than building a hierarchy. After the
 /// first `few` rays, a hierarchy for `many` rays is built. Both numbers are choices and affect only
 /// the time.
@@ -28,7 +28,7 @@ RegionGrowingWinding::RegionGrowingWinding(const WeldedMesh& welded, const Plane
       !open.empty() && std::find(open.begin(), open.end(), no_index) == open.end();
   if (has_no_closed_face_) return;
   cut_faces_.resize(planes.size());
-  parallel_for(planes.size(), planes_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(planes.size(), planes_per_counting_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) cut_faces_[i] = trace(planes[i]);
   });
   front_.assign(3 * planes.size(), unknown);

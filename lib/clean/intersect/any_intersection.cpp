@@ -14,12 +14,12 @@ namespace {
 /// Meshes with at most this number of faces are searched without sampling. The number is a choice:
 /// a full search of so few faces is fast.
 constexpr std::size_t few_faces = 20000;
-/// Number of sampled faces. `cells_per_axis` is the resolution of the grid in which the faces near
-/// the sampled faces are found. Both are choices: with more samples or larger cells, the first
-/// search takes longer, and it detects rarer self-intersections.
+/// Number of sampled faces. `sampled_cells_per_axis` is the resolution of the grid in which the
+/// faces near the sampled faces are found. Both are choices: with more samples or larger cells, the
+/// first search takes longer, and it detects rarer self-intersections.
 constexpr std::size_t sampled_faces = 1024;
 constexpr std::size_t things_per_task = 8192;  ///< affects time only
-constexpr unsigned cells_per_axis = 128;
+constexpr unsigned sampled_cells_per_axis = 128;
 /// A face that overlaps more grid cells than this is large, and counts as near every sample.
 constexpr std::size_t many_cells = 64;
 
@@ -82,7 +82,7 @@ std::vector<Index> faces_near_samples(const Mesh& mesh, const CornerCells& cells
 }
 
 bool samples_intersect(const Mesh& mesh) {
-  const CornerCells cells(mesh.positions, cells_per_axis);
+  const CornerCells cells(mesh.positions, sampled_cells_per_axis);
   if (!cells.is_usable()) return false;
   const std::vector<Index> faces = faces_near_samples(mesh, cells);
   // Do not search the sample if it contains more than a quarter of all faces: the search of all

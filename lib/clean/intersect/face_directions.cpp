@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "geometry/numbers/machine_epsilon.h"
+
 namespace transformesh {
 namespace {
 
 /// Upper bound of the rounding error of a projected triangle's area. The area is the difference of
 /// two products, and the bound is relative to the sum of their absolute values.
 constexpr double area_error = 1e-15;
-constexpr double underflow_guard = 1e-280;  ///< products below this may have lost bits to underflow
 /// Squared cosine of 60 degrees, the largest angle between a face's normal and the axis directions
 /// in `leans`. Each normal is within 54.7 degrees of some axis direction, so each face has an
 /// entry. A choice: a smaller angle gives smaller intersection-free regions with simpler outlines.

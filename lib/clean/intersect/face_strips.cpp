@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t faces_per_task = 4096;  ///< affects time only
+constexpr std::size_t strips_per_task = 4096;  ///< affects time only
 /// A face is thin, and gets a strip, if its longest edge is at least this multiple of its height.
 /// If all faces get strips, cleaning two overlapping spheres and a folded sphere takes a tenth
 /// longer.
@@ -52,7 +52,7 @@ FaceStrips::Strip FaceStrips::strip_of(const Triangle& t, const Vec3& largest) {
 
 FaceStrips::FaceStrips(const WeldedMesh& welded, std::span<const Index> faces)
     : welded_(welded), faces_(faces), place_of_(faces.size()) {
-  parallel_for(faces.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(faces.size(), strips_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
       place_of_[i] = is_thin(welded.triangle(faces[i])) ? 0 : no_index;
   });
@@ -65,7 +65,7 @@ FaceStrips::FaceStrips(const WeldedMesh& welded, std::span<const Index> faces)
   if (thin.empty()) return;
   const Vec3 largest = largest_coordinates(welded.points);
   strips_.resize(thin.size());
-  parallel_for(thin.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(thin.size(), strips_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
       strips_[i] = strip_of(welded.triangle(thin[i]), largest);
   });

@@ -9,7 +9,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t faces_per_task = 1024;  ///< affects time only
+constexpr std::size_t pairs_per_task = 1024;  ///< affects time only
 
 /// True if `to` and `from` are on the same side of the center. The projections of the three points
 /// must be collinear.
@@ -107,7 +107,7 @@ HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& 
   const Vec3& center = welded_->points[star.center];
   const int u = star.projection.u, v = star.projection.v;
   std::array<Index, 3> corners;
-  const auto end = std::copy_if(face.begin(), face.end(), corners.begin(), [&](Index p) {
+  auto* const end = std::copy_if(face.begin(), face.end(), corners.begin(), [&](Index p) {
     return welded_->points[p][u] != center[u] || welded_->points[p][v] != center[v];
   });
   if (end - corners.begin() < 2) return all;
@@ -135,12 +135,13 @@ HighValenceStars::Range HighValenceStars::sectors(const Star& star, const Face& 
   return {(first + count - 1) % count, std::min(count, steps + 2)};
 }
 
-void HighValenceStars::add_pairs(Index number, Index face, std::vector<Bvh::Pair>& pairs) const {
-  const Star& star = stars_[number];
+void HighValenceStars::add_pairs(Index star_number, Index face,
+                                 std::vector<Bvh::Pair>& pairs) const {
+  const Star& star = stars_[star_number];
   const auto [first, count] = sectors(star, welded_->faces[face]);
   for (std::size_t i = 0; i < count; ++i) {
     const Index other = star.faces[(first + i) % star.faces.size()];
-    if (star_of_[other] == number && boxes_[other].intersects(boxes_[face]))
+    if (star_of_[other] == star_number && boxes_[other].intersects(boxes_[face]))
       pairs.emplace_back(std::min(face, other), std::max(face, other));
   }
 }
@@ -165,10 +166,10 @@ std::vector<Bvh::Pair> HighValenceStars::find_pairs(std::span<const Index> other
       return true;
     });
   }
-  std::vector<std::vector<Bvh::Pair>> lists(near.size() / faces_per_task + 1);
-  parallel_for(near.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+  std::vector<std::vector<Bvh::Pair>> lists(near.size() / pairs_per_task + 1);
+  parallel_for(near.size(), pairs_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      add_pairs(near[i].first, near[i].second, lists[first / faces_per_task]);
+      add_pairs(near[i].first, near[i].second, lists[first / pairs_per_task]);
   });
   return joined(lists);
 }

@@ -57,7 +57,7 @@ class HighValenceStars {
   bool is_ahead(const Star& star, Index from, Index to) const;
   std::size_t sector(const Star& star, Index point) const;
   Range sectors(const Star& star, const Face& face) const;
-  void add_pairs(Index star, Index face, std::vector<Bvh::Pair>& pairs) const;
+  void add_pairs(Index star_number, Index face, std::vector<Bvh::Pair>& pairs) const;
 
   const WeldedMesh* welded_ = nullptr;
   std::vector<Index> star_of_;   ///< star of each face, or no_index; empty if there are no stars

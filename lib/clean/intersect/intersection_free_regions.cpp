@@ -31,7 +31,7 @@ constexpr std::size_t least_block = 32768;
 /// consecutive faces of the mesh are not neighbors, all regions within blocks are smaller. Then one
 /// thread grows the regions in the whole mesh.
 constexpr std::size_t least_in_block = 16;
-constexpr std::size_t faces_per_task = 8192;  ///< affects time only
+constexpr std::size_t tested_faces_per_task = 8192;  ///< affects time only
 
 /// The regions found so far. Several threads write to this object.
 struct SharedRegions {
@@ -194,7 +194,7 @@ IntersectionFreeRegions find_intersection_free_regions(const WeldedMesh& welded)
                       }).list();
     if (!rest.empty()) RegionFinder(welded, shared).find(rest, 0, faces, 0);
   }
-  parallel_for(faces, faces_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(faces, tested_faces_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f)
       if (shared.of_face[f] == no_index)
         for (const Index corner : welded.faces[f]) shared.mark_seam(corner);

@@ -25,7 +25,7 @@ constexpr std::size_t least_samples = 15;
 constexpr std::size_t samples_per_task = 4;  ///< affects time only
 
 /// Sums of areas whose relative difference is smaller than this count as equal.
-constexpr double rounding = 1e-9;
+constexpr double sum_rounding = 1e-9;
 
 /// An open component is a body with holes if its number on itself is at least this. The number is 0
 /// for a flat sheet, 1/4 for a hemisphere, and 0.35 for a sphere without 30 % of its area.
@@ -221,9 +221,9 @@ double ComponentWinding::median_of(const std::vector<Number>& numbers) {
   std::optional<double> lower;
   for (const Number& n : numbers) {
     sum += n.area;
-    if (2 * sum < (1 - rounding) * total) continue;
+    if (2 * sum < (1 - sum_rounding) * total) continue;
     if (!lower) lower = n.number;
-    if (2 * sum > (1 + rounding) * total) return (*lower + n.number) / 2;
+    if (2 * sum > (1 + sum_rounding) * total) return (*lower + n.number) / 2;
   }
   return lower.value_or(0);
 }
@@ -240,7 +240,7 @@ ComponentWinding::Fraction ComponentWinding::fraction_of(const std::vector<Numbe
       const double difference = n.number - candidate.number;
       sum += n.area * std::abs(difference - std::round(difference));
     }
-    if (sum >= (1 - rounding) * total * result.deviation) continue;
+    if (sum >= (1 - sum_rounding) * total * result.deviation) continue;
     result = {candidate.number - std::floor(candidate.number), sum / total};
   }
   return result;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr Index closed_part = ComponentWinding::closed_part;
 /// Areas whose relative difference is smaller than this count as equal.
-constexpr double rounding = 1e-9;
+constexpr double area_rounding = 1e-9;
 
 class PatchFinder {
  public:
@@ -241,7 +241,7 @@ bool PatchFinder::drop_unpaired(const Edges& edges) {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [patch, area] : areas) least = std::min(least, area);
     for (const auto& [patch, area] : areas)
-      if (area <= (1 + rounding) * least) dropped.insert(patch);
+      if (area <= (1 + area_rounding) * least) dropped.insert(patch);
   }
   drop(dropped);
   return !dropped.empty();

@@ -8,9 +8,9 @@ namespace {
 
 /// Winding numbers whose difference is smaller than this count as equal. Lengths and areas whose
 /// relative difference is smaller than this count as equal.
-constexpr double rounding = 1e-9;
+constexpr double number_rounding = 1e-9;
 
-double rounded_number(double number) { return std::floor(number + 0.5 + rounding); }
+double rounded_number(double number) { return std::floor(number + 0.5 + number_rounding); }
 
 /// Returns the distance of a number from the nearest value at which it would be rounded otherwise.
 double margin_of(double number) {
@@ -61,8 +61,8 @@ bool PatchNumbers::is_behind(Index patch, Index other) {
   const std::vector<Index>& pieces = patches_.pieces.at(patch);
   if (const auto curves = patches_.curves.find({patch, other}); curves != patches_.curves.end()) {
     const auto& [front, behind] = curves->second;
-    if (behind <= (1 + rounding) * front) return false;
-    if (winding_.area_of(other) >= (1 - rounding) * winding_.area_of(pieces)) return true;
+    if (behind <= (1 + number_rounding) * front) return false;
+    if (winding_.area_of(other) >= (1 - number_rounding) * winding_.area_of(pieces)) return true;
   } else if (const auto is_reverse = winding_.is_reverse_of(pieces, other)) {
     return *is_reverse;
   }

@@ -16,9 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Size of the output buffer, in bytes. A choice without influence on the result.
-constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
+constexpr std::size_t bytes_per_write = std::size_t{1} << 20;
 
-std::string in_quotes(const std::string& path) { return "'" + path + "'"; }
+std::string path_in_quotes(const std::string& path) { return "'" + path + "'"; }
 
 /// Returns the hash of the split mesh and the number of its tiles. They are read from the comment
 /// of the first tile file found in the folder.
@@ -34,7 +34,7 @@ TileName find_split(const std::string& folder) {
         return *cleaned;
   }
   if (error) throw InputError(folder + ": cannot be read: " + error.message());
-  throw InputError("the folder " + in_quotes(folder) + " has no tiles");
+  throw InputError("the folder " + path_in_quotes(folder) + " has no tiles");
 }
 
 bool have_same_properties(const PlyElement& a, const PlyElement& b) {
@@ -79,7 +79,7 @@ PlyRows Joiner::open(std::size_t tile) const {
   const std::string path = cleaned_tile_path(folder_, tile, split_.count);
   if (!fs::exists(path))
     throw InputError("tile " + std::to_string(tile) + " of " + std::to_string(split_.count) +
-                     " has not been cleaned: " + in_quotes(path) + " is missing");
+                     " has not been cleaned: " + path_in_quotes(path) + " is missing");
   return PlyRows(path);
 }
 
@@ -91,12 +91,12 @@ void Joiner::read_seams() {
     const PlyRows rows = open(tile);
     const std::string path = cleaned_tile_path(folder_, tile, split_.count);
     if (cleaned_tile_of(rows.header().style.comments) != TileName{split_.mesh, tile, split_.count})
-      throw InputError(in_quotes(path) + " does not hold clean faces of tile " +
+      throw InputError(path_in_quotes(path) + " does not hold clean faces of tile " +
                        std::to_string(tile) + " of the same mesh as the other tiles");
     if (!have_same_properties(rows.vertex_element(), first.vertex_element()) ||
         !have_same_properties(rows.face_element(), first.face_element()) ||
         rows.header().style.format != first.header().style.format)
-      throw InputError(in_quotes(path) + " does not have the properties of the first tile");
+      throw InputError(path_in_quotes(path) + " does not have the properties of the first tile");
     std::vector<Face> faces(rows.face_count());
     for (std::size_t f = 0; f < faces.size(); ++f) faces[f] = rows.face(f);
     seams_.add(faces, rows.vertex_count(), [&](Index v) { return rows.position(v); });
@@ -132,7 +132,7 @@ void Joiner::write_vertices(std::size_t tile) {
   const std::vector<bool> is_repeated = seams_.is_repeated(tile);
   for (std::size_t v = 0; v < is_repeated.size(); ++v) {
     if (!is_repeated[v]) rows.append_vertex(v, bytes_);
-    flush(buffer_bytes);
+    flush(bytes_per_write);
   }
 }
 
@@ -144,7 +144,7 @@ void Joiner::write_faces(std::size_t tile) {
     Face face = rows.face(f);
     for (Index& v : face) v = numbers[v];
     rows.append_face(f, face, index_type_, bytes_);
-    flush(buffer_bytes);
+    flush(bytes_per_write);
   }
 }
 

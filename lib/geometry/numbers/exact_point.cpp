@@ -9,14 +9,13 @@
 #include <utility>
 
 #include "geometry/numbers/exact_coordinates.h"
+#include "geometry/numbers/machine_epsilon.h"
 #include "geometry/numbers/point_fraction.h"
 
 namespace transformesh {
 namespace {
 
 using Interval = CGAL::Interval_nt<false>;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // Sets coordinate `i` of the ball that contains the point: the center of the interval [low, high],
 // and a radius that includes the rounding errors.
@@ -29,7 +28,7 @@ void set_ball(ExactPoint& point, int i, double low, double high) {
   const double center = low + (high - low) / 2;
   const double radius = std::max(high - center, center - low);
   point.center[i] = center;
-  point.radius[i] = radius == 0 ? 0 : radius * (1 + 4 * epsilon) + 1e-300;
+  point.radius[i] = radius == 0 ? 0 : radius * (1 + 4 * machine_epsilon) + 1e-300;
 }
 
 bool has_sign(const Interval& number) { return !number.do_overlap(Interval(0)); }
@@ -181,7 +180,8 @@ std::array<Index, 10> ExactGeometry::vertices_of(const PointDefinition& definiti
 }
 
 Vec3 ExactGeometry::position(const ExactPoint& point) const {
-  if ((point.radius.array() <= epsilon / 2 * point.center.array().abs()).all()) return point.center;
+  if ((point.radius.array() <= machine_epsilon / 2 * point.center.array().abs()).all())
+    return point.center;
   const ExactCoordinates& e = exact(point);
   return {quotient(e.x[0], e.w), quotient(e.x[1], e.w), quotient(e.x[2], e.w)};
 }
@@ -197,9 +197,9 @@ ExactPoint ExactGeometry::mean(const ExactPoint& a, const ExactPoint& b, const E
     const double share = static_cast<double>(weights[k]) / total;
     result.center += share * points[k]->center;
     result.radius += share * points[k]->radius;
-    result.radius += 8 * epsilon * points[k]->center.cwiseAbs();
+    result.radius += 8 * machine_epsilon * points[k]->center.cwiseAbs();
   }
-  result.radius = result.radius * (1 + 16 * epsilon) + Vec3::Constant(1e-300);
+  result.radius = result.radius * (1 + 16 * machine_epsilon) + Vec3::Constant(1e-300);
 
   // Compute the exact coordinates over the common denominator of all weights.
   const ExactCoordinates &ea = exact(a), &eb = exact(b), &ec = exact(c);

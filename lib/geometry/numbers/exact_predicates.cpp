@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "geometry/numbers/exact_coordinates.h"
+#include "geometry/numbers/machine_epsilon.h"
 #include "geometry/numbers/number_vector.h"
 
 namespace transformesh {
@@ -12,10 +13,6 @@ namespace {
 
 template <class Number>
 using Vector = NumberVector<Number>;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Value that exceeds the error of a product that underflows.
-constexpr double underflow_guard = 1e-280;
 
 BoundedNumber bounded(const ExactPoint& point, int i) { return {point.center[i], point.radius[i]}; }
 
@@ -173,10 +170,11 @@ int ExactGeometry::orient3d(const ExactPlane& plane, const ExactPoint& point) co
   const Vec3 n = b.cross(c);
   const Vec3 d = point.center - t[0];
   const double size = b.norm() * c.norm();
-  const double error = 16 * epsilon * size * d.norm() +
-                       (n.cwiseAbs() + Vec3::Constant(8 * epsilon * size)).dot(point.radius);
+  const double error =
+      16 * machine_epsilon * size * d.norm() +
+      (n.cwiseAbs() + Vec3::Constant(8 * machine_epsilon * size)).dot(point.radius);
   const double value = n.dot(d);
-  const double bound = error * (1 + 64 * epsilon) + underflow_guard;
+  const double bound = error * (1 + 64 * machine_epsilon) + underflow_guard;
   if (value > bound) return 1;
   if (value < -bound) return -1;
   if (leaves_double_range(size * d.norm())) {
@@ -203,7 +201,7 @@ int ExactGeometry::orient3d(const ExactPlane& plane, const ExactPoint& point) co
 
 int ExactGeometry::compare_coordinate(const ExactPoint& a, const ExactPoint& b, int i) const {
   const double value = a.center[i] - b.center[i];
-  const double error = (a.radius[i] + b.radius[i]) * (1 + 4 * epsilon);
+  const double error = (a.radius[i] + b.radius[i]) * (1 + 4 * machine_epsilon);
   if (value > error) return 1;
   if (value < -error) return -1;
   if (a.radius[i] == 0 && b.radius[i] == 0) return 0;

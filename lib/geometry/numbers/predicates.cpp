@@ -8,6 +8,7 @@
 #include "geometry/numbers/exact_number.h"
 #include "geometry/numbers/fixed_integer.h"
 #include "geometry/numbers/homogeneous.h"
+#include "geometry/numbers/machine_epsilon.h"
 #include "geometry/numbers/monomial_sum.h"
 #include "geometry/numbers/multiprecision_ball.h"
 #include "geometry/numbers/number_vector.h"
@@ -21,12 +22,9 @@ namespace {
 
 using Exact = ExactNumber;
 
-// Machine epsilon of doubles: twice that of Shewchuk, so the bounds hold in any rounding mode.
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double bound_3d = (7.0 + 64.0 * epsilon) * epsilon;
-constexpr double bound_2d = (3.0 + 16.0 * epsilon) * epsilon;
-// If a product is smaller than this, it may have lost bits to underflow. Then no filter decides.
-constexpr double underflow_guard = 1e-280;
+// Error bounds of Shewchuk 1997, relative to the sums of absolute products.
+constexpr double bound_3d = (7.0 + 64.0 * machine_epsilon) * machine_epsilon;
+constexpr double bound_2d = (3.0 + 16.0 * machine_epsilon) * machine_epsilon;
 
 // Returns the sign of a computed determinant, or 0 if its error bound is too large.
 int filtered_sign(double determinant, double bound) {
@@ -280,7 +278,7 @@ int normals_dot(const Triangle& first, const Triangle& second) {
   // The error of a normal's coordinate is at most 4 epsilon times the product of two edge lengths.
   const double size = (first[1] - first[0]).norm() * (first[2] - first[0]).norm() *
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
-  const int sign = filtered_sign(n.dot(m), 32 * epsilon * size + underflow_guard);
+  const int sign = filtered_sign(n.dot(m), 32 * machine_epsilon * size + underflow_guard);
   if (sign != 0) return sign;
   return sign_by_normals(first, second, [](const auto& u, const auto& v) { return dot(u, v); });
 }
@@ -290,7 +288,8 @@ int normals_cross(const Triangle& first, const Triangle& second, int coordinate)
   const Vec3 m = (second[1] - second[0]).cross(second[2] - second[0]);
   const double size = (first[1] - first[0]).norm() * (first[2] - first[0]).norm() *
                       (second[1] - second[0]).norm() * (second[2] - second[0]).norm();
-  const int sign = filtered_sign(n.cross(m)[coordinate], 32 * epsilon * size + underflow_guard);
+  const int sign =
+      filtered_sign(n.cross(m)[coordinate], 32 * machine_epsilon * size + underflow_guard);
   if (sign != 0) return sign;
   const auto i = static_cast<std::size_t>(coordinate);
   return sign_by_normals(first, second,

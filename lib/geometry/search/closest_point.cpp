@@ -11,7 +11,8 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t bucket_size = 2;  ///< number of faces per leaf of the tree; affects time only
+constexpr std::size_t faces_per_leaf =
+    2;  ///< number of faces per leaf of the tree; affects time only
 
 /// An angle between normals counts as less than 90 degrees if its cosine exceeds this value, which
 /// is larger than the rounding error of a right angle.
@@ -76,12 +77,12 @@ TrianglePoint closest_point_of_triangle(const Vec3& query, const Vec3& a, const 
 }
 
 std::vector<Index> spatial_face_order(const Mesh& mesh) {
-  return MedianTree(face_boxes(mesh), bucket_size).order();
+  return MedianTree(face_boxes(mesh), faces_per_leaf).order();
 }
 
 ClosestPointQuery::ClosestPointQuery(const Mesh& mesh, FaceOrder order)
     : mesh_(&checked(mesh)),
-      tree_(face_boxes(mesh), bucket_size,
+      tree_(face_boxes(mesh), faces_per_leaf,
             order == FaceOrder::spatial ? BoxOrder::of_tree : BoxOrder::any),
       faces_at_(mesh) {}
 

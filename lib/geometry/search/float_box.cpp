@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t boxes_per_task = 4096;  ///< affects time only
+constexpr std::size_t points_per_task = 4096;  ///< affects time only
 /// Largest number of points from which quantiles are estimated. A choice: the quantiles determine
 /// the origin of boxes, which affects time only.
 constexpr std::size_t most_sampled_points = 1024;
@@ -57,13 +57,13 @@ Vec3 exponents(const Vec3& p) {
 // Returns half of the largest distance of a point from the origin along an axis. Halves are
 // computed because they do not overflow.
 double half_extent(std::span<const Vec3> points, const Vec3& origin) {
-  std::vector<double> largest((points.size() + boxes_per_task - 1) / boxes_per_task, 0);
+  std::vector<double> largest((points.size() + points_per_task - 1) / points_per_task, 0);
   parallel_for(largest.size(), 1, [&](std::size_t from, std::size_t to) {
     for (std::size_t b = from; b < to; ++b) {
-      const std::size_t first = b * boxes_per_task;
+      const std::size_t first = b * points_per_task;
       double size = 0;
       for (const Vec3& point :
-           points.subspan(first, std::min(boxes_per_task, points.size() - first)))
+           points.subspan(first, std::min(points_per_task, points.size() - first)))
         size = std::max(size, (point / 2 - origin / 2).cwiseAbs().maxCoeff());
       largest[b] = size;
     }
@@ -111,7 +111,7 @@ FloatBox BoxFrame::wide_box(const Vec3& minimum, const Vec3& maximum) const {
 
 std::vector<FloatBox> face_boxes(const Mesh& mesh) {
   std::vector<FloatBox> boxes(mesh.faces.size());
-  parallel_for(boxes.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(boxes.size(), points_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) {
       const auto& [a, b, c] = mesh.faces[f];
       boxes[f] = box_of_corners(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
@@ -122,7 +122,7 @@ std::vector<FloatBox> face_boxes(const Mesh& mesh) {
 
 std::vector<FloatBox> face_boxes(const Mesh& mesh, std::span<const Index> faces) {
   std::vector<FloatBox> boxes(faces.size());
-  parallel_for(boxes.size(), boxes_per_task, [&](std::size_t first, std::size_t last) {
+  parallel_for(boxes.size(), points_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const auto& [a, b, c] = mesh.faces[faces[i]];
       boxes[i] = box_of_corners(mesh.positions[a], mesh.positions[b], mesh.positions[c]);

@@ -9,7 +9,7 @@ namespace transformesh {
 namespace {
 
 /// Largest number of points per leaf of the tree; affects time only.
-constexpr std::size_t bucket_size = 8;
+constexpr std::size_t points_per_leaf = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Candidate {
@@ -91,12 +91,12 @@ std::vector<Vec3> in_order(std::span<const Vec3> points, std::span<const Index> 
 }  // namespace
 
 KdTree::KdTree(std::span<const Vec3> points)
-    : tree_(point_boxes(points), bucket_size),
+    : tree_(point_boxes(points), points_per_leaf),
       order_(tree_.order()),
       points_(in_order(points, order_)) {}
 
 KdTree::KdTree(std::span<const Vec3> points, std::span<const Index> order)
-    : tree_(point_boxes(in_order(points, order)), bucket_size, BoxOrder::of_tree),
+    : tree_(point_boxes(in_order(points, order)), points_per_leaf, BoxOrder::of_tree),
       order_(order.begin(), order.end()),
       points_(in_order(points, order)) {}
 

@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t boxes_per_task = 8192;  ///< affects time only
+constexpr std::size_t most_boxes_per_task = 8192;  ///< affects time only
 
 void extend(FloatBox& box, const FloatBox& by) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -101,7 +101,7 @@ FloatBox MedianTree::build(std::span<const FloatBox> boxes, std::vector<Center>&
   const auto right = [&] {
     right_box = build(boxes, centers, {cell.middle(), cell.last, child + 1, 0});
   };
-  if (size > boxes_per_task) {
+  if (size > most_boxes_per_task) {
     parallel_invoke(left, right);
   } else {
     left();

@@ -22,7 +22,7 @@ class Losses {
                    const std::string& element) {
     for (const Column& column : columns.columns) {
       const bool is_kept = std::find(kept.begin(), kept.end(), column.name) != kept.end();
-      if (!is_kept) add(element + " property " + quoted(column.name));
+      if (!is_kept) add(element + " property " + in_quotes(column.name));
     }
   }
 
@@ -41,7 +41,7 @@ std::vector<std::string> losses(const Document& document, const Keeps& keeps) {
   losses.add_columns(document.mesh.vertex_columns, keeps.vertex_columns, "vertex");
   losses.add_columns(document.mesh.face_columns, keeps.face_columns, "face");
   for (const OtherElement& other : document.other_elements) {
-    losses.add("element " + quoted(other.name));
+    losses.add("element " + in_quotes(other.name));
   }
   const std::vector<std::string>& comments = document.style.comments;
   const auto own = std::count_if(comments.begin(), comments.end(), is_own_comment);

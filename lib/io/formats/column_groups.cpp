@@ -9,9 +9,9 @@
 namespace transformesh {
 namespace {
 
-using Names = std::initializer_list<std::string_view>;
+using NameList = std::initializer_list<std::string_view>;
 
-ColumnGroup group_of(const Columns& columns, Names names) {
+ColumnGroup group_of(const Columns& columns, NameList names) {
   if (!has_columns(columns, names)) return {};
   ColumnGroup group;
   for (const std::string_view name : names) {
@@ -21,8 +21,8 @@ ColumnGroup group_of(const Columns& columns, Names names) {
   return group;
 }
 
-ColumnGroup first_group_of(const Columns& columns, std::initializer_list<Names> choices) {
-  for (const Names& names : choices)
+ColumnGroup first_group_of(const Columns& columns, std::initializer_list<NameList> choices) {
+  for (const NameList& names : choices)
     if (ColumnGroup group = group_of(columns, names); !group.empty()) return group;
   return {};
 }

@@ -11,6 +11,7 @@
 #include "io/formats/pcd.h"
 #include "io/formats/point_table.h"
 #include "io/formats/point_text.h"
+#include "io/formats/stl.h"
 #include "io/formats/text_rows.h"
 #include "io/formats/vtk.h"
 #include "io/formats/vtk_xml.h"
@@ -24,8 +25,6 @@ namespace {
 
 /// Size of the header in bytes: 80 bytes of text and the number of facets.
 constexpr std::size_t stl_header_size = 84;
-/// Size of a facet in bytes: 12 floats and a 16-bit attribute.
-constexpr std::size_t stl_facet_size = 50;
 
 std::string lower_case(std::string_view text) {
   std::string result(text);
@@ -178,7 +177,7 @@ FileKind detect_format(const Source& source) {
 void refuse_unknown_format(const Source& source) {
   throw InputError(
       ErrorKind::unknown_format,
-      "unknown mesh format, starting with " + quoted(source.bytes.substr(0, 16)) +
+      "unknown mesh format, starting with " + in_quotes(source.bytes.substr(0, 16)) +
           ": PLY, OFF, OBJ, STL, glTF, 3MF, VTK, VTP, PCD and points as text are read" + " (" +
           source.name + ")",
       {.name = source.name});

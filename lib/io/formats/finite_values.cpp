@@ -14,7 +14,7 @@ using Group = std::vector<Column*>;
 
 /// Returns the floating-point columns with these names. Returns an empty group if one of the
 /// columns is missing, is a list or has an integer type.
-Group group_of(Columns& columns, std::initializer_list<std::string_view> names) {
+Group floating_group(Columns& columns, std::initializer_list<std::string_view> names) {
   Group group;
   for (const std::string_view name : names) {
     Column* column = columns.find(name);
@@ -83,9 +83,9 @@ void drop_points_not_finite(Mesh& mesh, std::size_t dropped_faces, const std::st
 
 void zero_values_not_finite(Columns& columns, const Source& source, const std::string& element,
                             const std::string& format, std::vector<std::string>& notes) {
-  zero_group(group_of(columns, {"nx", "ny", "nz"}), source, "normal", element, format, notes);
-  Group color = group_of(columns, {"red", "green", "blue"});
-  const Group alpha = group_of(columns, {"alpha"});
+  zero_group(floating_group(columns, {"nx", "ny", "nz"}), source, "normal", element, format, notes);
+  Group color = floating_group(columns, {"red", "green", "blue"});
+  const Group alpha = floating_group(columns, {"alpha"});
   if (!color.empty()) color.insert(color.end(), alpha.begin(), alpha.end());
   zero_group(color, source, "color", element, format, notes);
 }

@@ -15,8 +15,6 @@
 namespace transformesh {
 namespace {
 
-using Json = GltfFile::Json;
-
 class GlbReader {
  public:
   GlbReader(const Source& source, const std::string& folder)
@@ -43,10 +41,10 @@ class GlbReader {
   void note(const std::string& text) { result_.notes.push_back("glb: " + text); }
 
   void read_comments() {
-    const Json& json = file_.json();
+    const GltfJson& json = file_.json();
     const auto list = json["asset"].find("extras");
     if (list == json["asset"].end() || !list->is_object() || !list->contains("comments")) return;
-    for (const Json& comment : list->at("comments"))
+    for (const GltfJson& comment : list->at("comments"))
       if (comment.is_string())
         result_.document.style.comments.push_back(comment.get<std::string>());
   }

@@ -20,15 +20,15 @@
 namespace transformesh {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // Primitive modes and other constants of the glTF standard.
-constexpr int as_points = 0;
-constexpr int as_triangles = 4;
+constexpr int points_mode = 0;
+constexpr int triangles_mode = 4;
 constexpr int array_buffer = 34962;
 constexpr int element_array_buffer = 34963;
-constexpr std::uint32_t json_chunk = 0x4e4f534a;
-constexpr std::uint32_t binary_chunk = 0x004e4942;
+constexpr std::uint32_t json_chunk_type = 0x4e4f534a;
+constexpr std::uint32_t binary_chunk_type = 0x004e4942;
 
 constexpr int component_type(std::uint8_t /*of*/) { return 5121; }
 constexpr int component_type(std::uint32_t /*of*/) { return 5125; }
@@ -105,7 +105,7 @@ class GlbWriter {
   }
 
   WriteResult write() {
-    Json json = {{"asset", asset()}};
+    OrderedJson json = {{"asset", asset()}};
     if (!mesh_.positions.empty()) add_scene(json);
     WriteResult result{file_of(json), losses(document_, {"GLB", kept_, kept_of_faces_})};
     result.notes.insert(result.notes.end(), notes_.begin(), notes_.end());
@@ -113,17 +113,17 @@ class GlbWriter {
   }
 
  private:
-  Json asset() const {
-    Json asset = {{"version", "2.0"}, {"generator", "tm"}};
+  OrderedJson asset() const {
+    OrderedJson asset = {{"version", "2.0"}, {"generator", "tm"}};
     const std::vector<std::string>& comments = document_.style.comments;
     if (!comments.empty()) asset["extras"] = {{"comments", comments}};
     return asset;
   }
 
-  void add_scene(Json& json) {
-    Json primitive = {{"attributes", attributes()}};
+  void add_scene(OrderedJson& json) {
+    OrderedJson primitive = {{"attributes", attributes()}};
     if (!mesh_.faces.empty()) primitive["indices"] = add_indices();
-    primitive["mode"] = mesh_.faces.empty() ? as_points : as_triangles;
+    primitive["mode"] = mesh_.faces.empty() ? points_mode : triangles_mode;
     primitive["material"] = 0;
     json["scene"] = 0;
     json["scenes"] = {{{"nodes", {0}}}};
@@ -139,7 +139,7 @@ class GlbWriter {
     json["buffers"] = {{{"byteLength", binary_.size()}}};
   }
 
-  void add_picture(Json& json) {
+  void add_picture(OrderedJson& json) {
     const std::size_t start = binary_.size();
     binary_ += document_.texture;
     views_.push_back(
@@ -147,20 +147,20 @@ class GlbWriter {
     binary_.resize((binary_.size() + 3) / 4 * 4);
     json["images"] = {{{"bufferView", views_.size() - 1}, {"mimeType", "image/png"}}};
     json["textures"] = {{{"source", 0}}};
-    Json& material = json["materials"][0];
+    OrderedJson& material = json["materials"][0];
     material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-    material["extensions"] = {{"KHR_materials_unlit", Json::object()}};
+    material["extensions"] = {{"KHR_materials_unlit", OrderedJson::object()}};
     json["extensionsUsed"].push_back("KHR_materials_unlit");
   }
 
   /// Adds the primitive of EXT_mesh_manifold. Its accessor has the indices of the drawn primitive,
   /// and a sparse part that replaces vertices repeated for their texture coordinates.
-  void add_manifold(const Json& primitive, Json& json) {
+  void add_manifold(const OrderedJson& primitive, OrderedJson& json) {
     const std::size_t indices = primitive["indices"];
-    Json manifold = {{"attributes", {{"POSITION", primitive["attributes"]["POSITION"]}}},
-                     {"indices", indices},
-                     {"mode", as_triangles}};
-    Json extension;
+    OrderedJson manifold = {{"attributes", {{"POSITION", primitive["attributes"]["POSITION"]}}},
+                            {"indices", indices},
+                            {"mode", triangles_mode}};
+    OrderedJson extension;
     std::vector<std::uint32_t> places, values;
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -171,7 +171,7 @@ class GlbWriter {
       }
     if (!places.empty()) {
       const std::size_t at = add(places, 1, 0), with = add(values, 1, 0);
-      Json merged = accessors_[indices];
+      OrderedJson merged = accessors_[indices];
       const auto view = [&](std::size_t accessor) { return accessors_[accessor]["bufferView"]; };
       merged["sparse"] = {
           {"count", places.size()},
@@ -187,8 +187,8 @@ class GlbWriter {
     json["extensionsUsed"].push_back("EXT_mesh_manifold");
   }
 
-  Json attributes() {
-    Json attributes = {{"POSITION", add_positions()}};
+  OrderedJson attributes() {
+    OrderedJson attributes = {{"POSITION", add_positions()}};
     const Columns& columns = mesh_.vertex_columns;
     add_normals(normal_group(columns), attributes);
     add_colors(color_group(columns), attributes);
@@ -221,7 +221,7 @@ class GlbWriter {
     return add(values, 1, element_array_buffer);
   }
 
-  void add_normals(const ColumnGroup& group, Json& attributes) {
+  void add_normals(const ColumnGroup& group, OrderedJson& attributes) {
     if (group.empty()) return;
     std::vector<float> values;
     for (std::size_t row = 0; row < mesh_.positions.size(); ++row) {
@@ -234,7 +234,7 @@ class GlbWriter {
     attributes["NORMAL"] = add(values, 3, array_buffer);
   }
 
-  void add_colors(const ColumnGroup& group, Json& attributes) {
+  void add_colors(const ColumnGroup& group, OrderedJson& attributes) {
     if (group.empty()) return;
     if (group[0]->type == Scalar::uint8) {
       attributes["COLOR_0"] = add_color_rows<std::uint8_t>(group, 255);
@@ -258,7 +258,7 @@ class GlbWriter {
     return add(values, channels, array_buffer);
   }
 
-  void add_texture(const ColumnGroup& group, Json& attributes) {
+  void add_texture(const ColumnGroup& group, OrderedJson& attributes) {
     if (group.empty() || !is_stored_in_floats(*group[0]) || !is_stored_in_floats(*group[1])) return;
     std::vector<float> values;
     for (std::size_t row = 0; row < mesh_.positions.size(); ++row) {
@@ -269,15 +269,14 @@ class GlbWriter {
     attributes["TEXCOORD_0"] = add(values, 2, array_buffer);
   }
 
-  void add_scalar(const Column& column, Json& attributes) {
+  void add_scalar(const Column& column, OrderedJson& attributes) {
     const bool is_kept = std::find(kept_.begin(), kept_.end(), column.name) != kept_.end();
     const std::string name = '_' + upper_case(column.name);
     if (is_kept || attributes.contains(name) || !is_stored_in_floats(column)) return;
     const std::vector<double>& values = column.values;
     if (std::any_of(values.begin(), values.end(),
                     [](double value) { return round_to_single(value) != value; }))
-      notes_.push_back("glb: vertex property " + transformesh::quoted(column.name) +
-                       " is rounded to float");
+      notes_.push_back("glb: vertex property " + in_quotes(column.name) + " is rounded to float");
     keep({&column});
     attributes[name] = add(std::vector<float>(values.begin(), values.end()), 1, array_buffer);
   }
@@ -314,14 +313,14 @@ class GlbWriter {
     return accessors_.size() - 1;
   }
 
-  std::string file_of(const Json& json) const {
+  std::string file_of(const OrderedJson& json) const {
     constexpr std::size_t header_size = 12;  // bytes, by the standard
     std::string chunks;
-    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string text = json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     if (text.size() + binary_.size() > std::numeric_limits<std::uint32_t>::max() - 64)
       throw GoalError("a GLB file holds 4 GB at most, and this mesh takes more: write PLY or VTP");
-    append_chunk(json_chunk, text, ' ', chunks);
-    if (!binary_.empty()) append_chunk(binary_chunk, binary_, '\0', chunks);
+    append_chunk(json_chunk_type, text, ' ', chunks);
+    if (!binary_.empty()) append_chunk(binary_chunk_type, binary_, '\0', chunks);
     std::string bytes = "glTF";
     append_u32(2, bytes);
     append_u32(static_cast<std::uint32_t>(header_size + chunks.size()), bytes);
@@ -332,8 +331,8 @@ class GlbWriter {
   Mesh mesh_;
   bool is_manifold_;
   std::string binary_;
-  Json views_ = Json::array();
-  Json accessors_ = Json::array();
+  OrderedJson views_ = OrderedJson::array();
+  OrderedJson accessors_ = OrderedJson::array();
   std::vector<std::string_view> kept_;
   std::vector<std::string_view> kept_of_faces_;
   std::vector<std::string> notes_;

@@ -12,8 +12,6 @@
 namespace transformesh {
 namespace {
 
-using Json = GltfFile::Json;
-
 /// Calls f with a zero of the C++ type for a component type (a number) of the glTF standard.
 /// Returns false for numbers that are no component type.
 template <class Function>
@@ -82,14 +80,13 @@ class AccessorReader {
         type != entry_.end() && type->is_string() ? type->get<std::string>() : "";
     for (const auto& [name, width] : widths)
       if (name == text) return width;
-    file_.fail(name_ + " has the type " + transformesh::quoted(text) +
-               ", not a scalar or a vector");
+    file_.fail(name_ + " has the type " + in_quotes(text) + ", not a scalar or a vector");
   }
 
   void read_dense() {
     const std::size_t view = file_.whole(entry_, "bufferView", name_);
     const std::size_t start = file_.whole(entry_, "byteOffset", name_, 0);
-    const Json& view_entry = file_.element("bufferViews", view);
+    const GltfJson& view_entry = file_.element("bufferViews", view);
     const std::size_t stride = file_.whole(view_entry, "byteStride", name_, 0);
     const auto keep = [&](std::size_t i, std::size_t c, double value) {
       numbers_.values[i * numbers_.width + c] = value;
@@ -97,8 +94,8 @@ class AccessorReader {
     load(file_.view(view), start, stride, count_, type_, numbers_.width, is_normalized_, keep);
   }
 
-  void read_sparse(const Json& sparse) {
-    const auto part = [&](const char* key) -> const Json& {
+  void read_sparse(const GltfJson& sparse) {
+    const auto part = [&](const char* key) -> const GltfJson& {
       const auto found = sparse.find(key);
       if (found == sparse.end() || !found->is_object())
         file_.fail("the sparse part of " + name_ + " has no " + key);
@@ -108,7 +105,7 @@ class AccessorReader {
     const std::size_t count = file_.whole(sparse, "count", name_);
     if (count > count_) file_.fail("the sparse part of " + name_ + " is larger than the whole");
     std::vector<std::size_t> places(count);
-    const Json& indices = part("indices");
+    const GltfJson& indices = part("indices");
     load(file_.view(file_.whole(indices, "bufferView", name_)),
          file_.whole(indices, "byteOffset", name_, 0), 0, count,
          file_.whole(indices, "componentType", name_), 1, false,
@@ -117,7 +114,7 @@ class AccessorReader {
              file_.fail("the sparse part of " + name_ + " has an index out of range");
            places[i] = static_cast<std::size_t>(value);
          });
-    const Json& values = part("values");
+    const GltfJson& values = part("values");
     load(file_.view(file_.whole(values, "bufferView", name_)),
          file_.whole(values, "byteOffset", name_, 0), 0, count, type_, numbers_.width,
          is_normalized_, [&](std::size_t i, std::size_t c, double value) {
@@ -155,7 +152,7 @@ class AccessorReader {
   }
 
   const GltfFile& file_;
-  const Json& entry_;
+  const GltfJson& entry_;
   std::string name_;
   std::size_t count_ = 0;
   std::size_t type_ = 0;

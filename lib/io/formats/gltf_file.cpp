@@ -15,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t header_size = 12;       ///< size of the GLB header in bytes, by the standard
 constexpr std::size_t chunk_header_size = 8;  ///< size of a chunk header in bytes, by the standard
 constexpr std::string_view json_chunk = "JSON";
 constexpr std::string_view binary_chunk("BIN\0", 4);
@@ -91,6 +90,7 @@ void GltfFile::read_container() {
                  std::to_string(bytes.size()) + ": the file is cut off");
   rest_ = bytes.size() - end;
   bool has_json = false;
+  constexpr std::size_t header_size = 12;  // size of the GLB header in bytes, by the standard
   for (std::size_t at = header_size; at < end;) {
     const std::size_t size = number(at);
     number(at + 4);
@@ -107,8 +107,8 @@ void GltfFile::read_container() {
 
 void GltfFile::parse(std::string_view text) {
   try {
-    json_ = Json::parse(text);
-  } catch (const Json::parse_error& error) {
+    json_ = GltfJson::parse(text);
+  } catch (const GltfJson::parse_error& error) {
     const std::size_t at = std::min(error.byte, text.size());
     source_.fail_at_byte(text.data() + (at > 0 ? at - 1 : 0), "the glTF JSON is malformed");
   }
@@ -122,7 +122,7 @@ void GltfFile::check_version() const {
   if (!has_version) fail("the JSON has no asset with a version");
   const std::string version = (*asset)["version"];
   if (!version.starts_with("2."))
-    fail("version " + transformesh::quoted(version) + " is not supported, only 2");
+    fail("version " + in_quotes(version) + " is not supported, only 2");
 }
 
 /// Throws InputError if the file requires an extension that is not supported. Extensions that are
@@ -130,15 +130,14 @@ void GltfFile::check_version() const {
 void GltfFile::check_extensions() const {
   const auto list = json_.find("extensionsRequired");
   if (list == json_.end() || !list->is_array()) return;
-  for (const Json& entry : *list) {
+  for (const GltfJson& entry : *list) {
     const std::string name = entry.is_string() ? entry.get<std::string>() : "";
     if (is_about_looks(name)) continue;
     const std::string compression = compression_name(name);
     if (!compression.empty())
       fail("meshes are compressed by " + compression + " (" + name +
            "), which is not supported: write the file without compression");
-    fail("the file requires the extension " + transformesh::quoted(name) +
-         ", which is not supported");
+    fail("the file requires the extension " + in_quotes(name) + ", which is not supported");
   }
 }
 
@@ -149,25 +148,25 @@ std::size_t GltfFile::count(const char* array) const {
   return found != json_.end() && found->is_array() ? found->size() : 0;
 }
 
-const GltfFile::Json& GltfFile::element(const char* array, std::size_t index) const {
+const GltfJson& GltfFile::element(const char* array, std::size_t index) const {
   if (index >= count(array))
     fail("element " + std::to_string(index) + " of " + array + " is used, but " +
          there_are(count(array), "element"));
-  const Json& found = json_.find(array)->at(index);
+  const GltfJson& found = json_.find(array)->at(index);
   if (!found.is_object())
     fail("element " + std::to_string(index) + " of " + array + " is not an object");
   return found;
 }
 
-std::size_t GltfFile::whole(const Json& object, const std::string& key, const std::string& what,
+std::size_t GltfFile::whole(const GltfJson& object, const std::string& key, const std::string& what,
                             std::optional<std::size_t> fallback) const {
   const auto found = object.find(key);
   if (found == object.end()) {
     if (fallback) return *fallback;
-    fail(what + " has no " + transformesh::quoted(key));
+    fail(what + " has no " + in_quotes(key));
   }
   if (!found->is_number_unsigned())
-    fail(transformesh::quoted(key) + " of " + what + " is not a whole number of 0 or more");
+    fail(in_quotes(key) + " of " + what + " is not a whole number of 0 or more");
   return found->get<std::size_t>();
 }
 
@@ -176,7 +175,7 @@ std::size_t GltfFile::whole(const Json& object, const std::string& key, const st
 void GltfFile::read_buffers() {
   buffers_.resize(count("buffers"));
   for (std::size_t i = 0; i < buffers_.size(); ++i) {
-    const Json& entry = element("buffers", i);
+    const GltfJson& entry = element("buffers", i);
     const auto uri = entry.find("uri");
     if (uri == entry.end()) continue;
     if (!uri->is_string()) fail("uri of buffer " + std::to_string(i) + " is not a string");
@@ -202,24 +201,23 @@ std::string GltfFile::read_beside(const std::string& name) const {
   const bool leaves = path.is_absolute() || name.find("://") != std::string::npos ||
                       std::find(path.begin(), path.end(), "..") != path.end() ||
                       name.find('\0') != std::string::npos;
-  if (leaves)
-    fail("the buffer " + transformesh::quoted(name) + " is not in the folder of the file");
+  if (leaves) fail("the buffer " + in_quotes(name) + " is not in the folder of the file");
   if (folder_.empty())
-    fail("the buffer " + transformesh::quoted(name) +
+    fail("the buffer " + in_quotes(name) +
          " is in another file, which can be read only if the input is given by its file name");
   std::error_code error;
   const fs::path folder = fs::canonical(folder_, error);
   const fs::path place = fs::canonical(folder / path, error);
   if (error || !fs::is_regular_file(place, error))
-    fail("the buffer " + transformesh::quoted(name) + " is missing beside the file");
+    fail("the buffer " + in_quotes(name) + " is missing beside the file");
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
   if (end != folder.end())
-    fail("the buffer " + transformesh::quoted(name) + " is not in the folder of the file");
+    fail("the buffer " + in_quotes(name) + " is not in the folder of the file");
   return std::string(read_all(place.string()).view());
 }
 
 std::string_view GltfFile::buffer(std::size_t index) const {
-  const Json& entry = element("buffers", index);
+  const GltfJson& entry = element("buffers", index);
   const std::string what = "buffer " + std::to_string(index);
   const bool is_binary_chunk = !entry.contains("uri");
   if (is_binary_chunk && (index != 0 || !has_binary_)) fail(what + " has no data");
@@ -232,7 +230,7 @@ std::string_view GltfFile::buffer(std::size_t index) const {
 }
 
 std::string_view GltfFile::view(std::size_t index) const {
-  const Json& entry = element("bufferViews", index);
+  const GltfJson& entry = element("bufferViews", index);
   const std::string what = "bufferView " + std::to_string(index);
   const std::string_view bytes = buffer(whole(entry, "buffer", what));
   const std::size_t start = whole(entry, "byteOffset", what, 0);

@@ -12,16 +12,17 @@
 
 namespace transformesh {
 
+/// JSON of a glTF file.
+using GltfJson = nlohmann::json;
+
 class GltfFile {
  public:
-  using Json = nlohmann::json;
-
   /// Reads the container and the buffers. External files are read from `folder` and its subfolders;
   /// if `folder` is empty, they are rejected. Throws InputError.
   GltfFile(const Source& source, std::string folder);
 
   const Source& source() const { return source_; }
-  const Json& json() const { return json_; }
+  const GltfJson& json() const { return json_; }
   /// Returns the number of bytes that follow the end of the file as stated in the GLB header.
   std::size_t rest() const { return rest_; }
 
@@ -29,11 +30,11 @@ class GltfFile {
   std::size_t count(const char* array) const;
   /// Returns an element of a top-level JSON array such as "nodes". Throws InputError if the element
   /// is missing or is not an object.
-  const Json& element(const char* array, std::size_t index) const;
+  const GltfJson& element(const char* array, std::size_t index) const;
   /// Returns the member `key` of an object as a nonnegative integer, or `fallback` if the member is
   /// missing. Throws InputError if the member is something else, or if it is missing and there is
   /// no fallback. `what` is the name of the object in messages.
-  std::size_t whole(const Json& object, const std::string& key, const std::string& what,
+  std::size_t whole(const GltfJson& object, const std::string& key, const std::string& what,
                     std::optional<std::size_t> fallback = {}) const;
   /// Returns the bytes of a buffer view. Throws InputError if the view exceeds its buffer.
   std::string_view view(std::size_t index) const;
@@ -52,7 +53,7 @@ class GltfFile {
 
   Source source_;
   std::string folder_;
-  Json json_;
+  GltfJson json_;
   std::string_view binary_;  ///< bytes of the binary chunk of GLB
   bool has_binary_ = false;
   std::vector<std::string> buffers_;  ///< bytes of the buffers other than the binary chunk

@@ -13,22 +13,20 @@
 namespace transformesh {
 namespace {
 
-using Json = GltfFile::Json;
-
 // Primitive modes of the glTF standard: 0 for points, 1 to 3 for lines, 4 to 6 for triangles.
 constexpr std::size_t as_points = 0;
 constexpr std::size_t as_triangles = 4;
 constexpr std::size_t as_strip = 5;
 constexpr std::size_t as_fan = 6;
 
-std::string lower_case(std::string text) {
+std::string lower_case_key(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return text;
 }
 
-const Json& member(const Json& object, const char* key) {
-  static const Json nothing = Json::object();
+const GltfJson& member(const GltfJson& object, const char* key) {
+  static const GltfJson nothing = GltfJson::object();
   const auto found = object.is_object() ? object.find(key) : object.end();
   return found != object.end() && found->is_object() ? *found : nothing;
 }
@@ -46,7 +44,7 @@ class MeshReader {
     const auto primitives = entry_.find("primitives");
     if (primitives == entry_.end() || !primitives->is_array())
       file_.fail(name_ + " has no primitives");
-    for (const Json& primitive : *primitives) {
+    for (const GltfJson& primitive : *primitives) {
       if (!primitive.is_object()) file_.fail("a primitive of " + name_ + " is not an object");
       read_primitive(primitive);
     }
@@ -56,7 +54,7 @@ class MeshReader {
   }
 
  private:
-  void read_primitive(const Json& primitive) {
+  void read_primitive(const GltfJson& primitive) {
     const std::size_t mode = file_.whole(primitive, "mode", name_, as_triangles);
     if (mode > as_fan)
       file_.fail("a primitive of " + name_ + " has the unknown mode " + std::to_string(mode));
@@ -64,7 +62,7 @@ class MeshReader {
       ++losses_.line_primitives;
       return;
     }
-    const Json& attributes = member(primitive, "attributes");
+    const GltfJson& attributes = member(primitive, "attributes");
     // Add vertices only if they differ from those of the previous primitive, because primitives of
     // several materials often share vertices.
     if (attributes != attributes_ || mesh_.positions.empty()) add_vertices(attributes);
@@ -75,7 +73,7 @@ class MeshReader {
 
   // --- Vertices ----------------------------------------------------------------------------------
 
-  void add_vertices(const Json& attributes) {
+  void add_vertices(const GltfJson& attributes) {
     attributes_ = attributes;
     first_ = mesh_.positions.size();
     Mesh part;
@@ -91,22 +89,22 @@ class MeshReader {
     mesh_.positions.insert(mesh_.positions.end(), part.positions.begin(), part.positions.end());
   }
 
-  GltfNumbers numbers(const Json& attributes, const std::string& key, std::size_t most) {
+  GltfNumbers numbers(const GltfJson& attributes, const std::string& key, std::size_t most) {
     const std::size_t accessor = file_.whole(attributes, key, "a primitive of " + name_);
     constexpr std::size_t bytes = 8;  // size of a double; bytes
-    const Json& entry = file_.element("accessors", accessor);
+    const GltfJson& entry = file_.element("accessors", accessor);
     const std::size_t count = file_.whole(entry, "count", "accessor " + std::to_string(accessor));
     budget_.spend(bytes * std::min<std::size_t>(count, no_index) * 3);
     return gltf_numbers(file_, accessor, most);
   }
 
-  void add_columns(const Json& attributes, Mesh& part) {
+  void add_columns(const GltfJson& attributes, Mesh& part) {
     const std::size_t rows = part.positions.size();
     for (const auto& [key, value] : attributes.items()) {
       if (key == "POSITION") continue;
       const GltfNumbers found = numbers(attributes, key, rows);
       if (found.size() != rows)
-        file_.fail("the attribute " + transformesh::quoted(key) + " of " + name_ + " has " +
+        file_.fail("the attribute " + in_quotes(key) + " of " + name_ + " has " +
                    counted(found.size(), "element") + ", but " + there_are(rows, "vertex"));
       add_attribute(key, found, part.vertex_columns);
     }
@@ -122,7 +120,7 @@ class MeshReader {
       // Convert v, which runs downwards in glTF.
       for (double& value : columns.find("t")->values) value = 1 - value;
     } else if (key.starts_with('_') && key.size() > 1 && found.width == 1) {
-      const std::string name = column_name(lower_case(key.substr(1)));
+      const std::string name = column_name(lower_case_key(key.substr(1)));
       add_group({name.c_str()}, found, columns);
     } else {
       ++losses_.unread_attributes;
@@ -157,7 +155,7 @@ class MeshReader {
 
   // --- Faces -------------------------------------------------------------------------------------
 
-  std::vector<Index> corners(const Json& primitive) {
+  std::vector<Index> corners(const GltfJson& primitive) {
     const std::size_t count = mesh_.positions.size() - first_;
     std::vector<Index> result(count);
     std::iota(result.begin(), result.end(), static_cast<Index>(first_));
@@ -165,7 +163,7 @@ class MeshReader {
     return indices(primitive, count);
   }
 
-  std::vector<Index> indices(const Json& primitive, std::size_t vertices) {
+  std::vector<Index> indices(const GltfJson& primitive, std::size_t vertices) {
     const GltfNumbers found = numbers(primitive, "indices", 3 * std::size_t{no_index / 3});
     std::vector<Index> result;
     result.reserve(found.values.size());
@@ -179,7 +177,7 @@ class MeshReader {
     return result;
   }
 
-  void add_faces(const Json& primitive, std::size_t mode) {
+  void add_faces(const GltfJson& primitive, std::size_t mode) {
     const std::vector<Index> list = corners(primitive);
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       mesh_.faces.push_back({list[a], list[b], list[c]});
@@ -203,12 +201,12 @@ class MeshReader {
 
   using Color = std::array<double, 4>;
 
-  Color color_of(const Json& primitive) const {
+  Color color_of(const GltfJson& primitive) const {
     Color color{1, 1, 1, 1};
     if (!primitive.contains("material")) return color;
-    const Json& material =
+    const GltfJson& material =
         file_.element("materials", file_.whole(primitive, "material", "a primitive of " + name_));
-    const Json& looks = member(material, "pbrMetallicRoughness");
+    const GltfJson& looks = member(material, "pbrMetallicRoughness");
     const auto factor = looks.find("baseColorFactor");
     if (factor == looks.end() || !factor->is_array() || factor->size() != color.size())
       return color;
@@ -236,10 +234,10 @@ class MeshReader {
   /// Takes the corners of the EXT_mesh_manifold primitive: those of all primitives in order, but
   /// with repeated vertices replaced by one of them.
   void merge() {
-    const Json& extension = member(member(entry_, "extensions"), "EXT_mesh_manifold");
-    const Json& primitive = member(extension, "manifoldPrimitive");
+    const GltfJson& extension = member(member(entry_, "extensions"), "EXT_mesh_manifold");
+    const GltfJson& primitive = member(extension, "manifoldPrimitive");
     if (!primitive.contains("indices")) return;
-    const Json& attributes = member(primitive, "attributes");
+    const GltfJson& attributes = member(primitive, "attributes");
     const bool shares_vertices = first_ == 0 && attributes_.contains("POSITION") &&
                                  attributes.contains("POSITION") &&
                                  attributes["POSITION"] == attributes_["POSITION"];
@@ -298,11 +296,11 @@ class MeshReader {
   }
 
   const GltfFile& file_;
-  const Json& entry_;
+  const GltfJson& entry_;
   std::string name_;
   ExpansionBudget& budget_;
   GltfLosses& losses_;
-  Json attributes_;        ///< attributes of the primitive whose vertices were read last
+  GltfJson attributes_;    ///< attributes of the primitive whose vertices were read last
   std::size_t first_ = 0;  ///< index in the mesh of the first of the vertices that were read last
   bool are_triangles_ = true;
   std::vector<Color> face_colors_;

@@ -5,11 +5,9 @@
 namespace transformesh {
 namespace {
 
-using Json = GltfFile::Json;
-
 template <std::size_t size>
-std::array<double, size> numbers_of(const GltfFile& file, const Json& node, const char* key,
-                                    std::array<double, size> fallback) {
+std::array<double, size> member_numbers(const GltfFile& file, const GltfJson& node, const char* key,
+                                        std::array<double, size> fallback) {
   const auto found = node.find(key);
   if (found == node.end()) return fallback;
   bool is_fit = found->is_array() && found->size() == size;
@@ -25,18 +23,18 @@ std::array<double, size> numbers_of(const GltfFile& file, const Json& node, cons
 
 /// Returns the transformation of a node. The file has a matrix by columns, or translation times
 /// rotation times scale.
-Eigen::Affine3d transform_of(const GltfFile& file, const Json& node) {
+Eigen::Affine3d transform_of(const GltfFile& file, const GltfJson& node) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
   if (node.contains("matrix")) {
-    const auto m = numbers_of<16>(file, node, "matrix", {});
+    const auto m = member_numbers<16>(file, node, "matrix", {});
     for (std::size_t i = 0; i < 12; ++i)
       transform(static_cast<Eigen::Index>(i % 3), static_cast<Eigen::Index>(i / 3)) =
           m[i / 3 * 4 + i % 3];
     return transform;
   }
-  const auto t = numbers_of<3>(file, node, "translation", {0, 0, 0});
-  const auto r = numbers_of<4>(file, node, "rotation", {0, 0, 0, 1});
-  const auto s = numbers_of<3>(file, node, "scale", {1, 1, 1});
+  const auto t = member_numbers<3>(file, node, "translation", {0, 0, 0});
+  const auto r = member_numbers<4>(file, node, "rotation", {0, 0, 0, 1});
+  const auto s = member_numbers<3>(file, node, "scale", {1, 1, 1});
   transform.translate(Eigen::Vector3d(t[0], t[1], t[2]));
   // Normalize the quaternion, because its floats do not have length 1 exactly.
   const Eigen::Quaterniond rotation(r[3], r[0], r[1], r[2]);
@@ -66,12 +64,12 @@ class Walk {
     Eigen::Affine3d parent;
   };
 
-  std::vector<std::size_t> indices_in(const Json& object, const char* key) const {
+  std::vector<std::size_t> indices_in(const GltfJson& object, const char* key) const {
     std::vector<std::size_t> indices;
     const auto list = object.find(key);
     if (list == object.end()) return indices;
     if (!list->is_array()) file_.fail(std::string(key) + " of the scene is not an array");
-    for (const Json& index : *list) {
+    for (const GltfJson& index : *list) {
       if (!index.is_number_unsigned()) file_.fail("the index of a node is not a whole number");
       indices.push_back(index.get<std::size_t>());
     }
@@ -99,7 +97,7 @@ class Walk {
   }
 
   void visit(std::size_t index, const Eigen::Affine3d& parent) {
-    const Json& node = file_.element("nodes", index);
+    const GltfJson& node = file_.element("nodes", index);
     if (is_visited_[index] != 0)
       file_.fail("node " + std::to_string(index) +
                  " is reached twice: the nodes of a scene must be a tree");

@@ -41,7 +41,7 @@ class FreeNumbers {
   long next_ = 1;
 };
 
-std::vector<long> numbers_of(const std::vector<std::string>& names, std::string_view none) {
+std::vector<long> label_numbers(const std::vector<std::string>& names, std::string_view none) {
   std::set<long> taken;
   for (const std::string& name : names)
     if (const auto number = number_named(name)) taken.insert(*number);
@@ -136,7 +136,7 @@ void ObjLabelReader::set(std::uint32_t row, std::string_view name) {
 
 void ObjLabelReader::move_into(const ObjLabelKind& kind, std::uint32_t rows, Document& document) {
   std::erase_if(starts_, [&](const auto& start) { return start.first >= rows; });
-  const std::vector<long> numbers = numbers_of(names_, kind.none);
+  const std::vector<long> numbers = label_numbers(names_, kind.none);
   if (std::none_of(starts_.begin(), starts_.end(),
                    [&](const auto& start) { return numbers[start.second] != 0; }))
     return;

@@ -73,7 +73,7 @@ class ObjReader {
   }
 
   std::string unknown_statement() const {
-    return "an OBJ file has no lines that start with " + quoted(first_unknown_);
+    return "an OBJ file has no lines that start with " + in_quotes(first_unknown_);
   }
 
   void read_vertex() {
@@ -135,7 +135,7 @@ class ObjReader {
     const std::string_view others(first, static_cast<std::size_t>(last - first));
     const bool is_clean = others.find_first_not_of("/0123456789-") == std::string_view::npos;
     if (!is_number || !is_clean || !(first == last || has_others)) {
-      rows_.fail("a corner of " + face_name() + " is not an index: " + quoted(word));
+      rows_.fail("a corner of " + face_name() + " is not an index: " + in_quotes(word));
     }
     texture_corners_.push_back(has_others ? texture_number(first + 1, last) : 0);
     const auto known = static_cast<std::int64_t>(mesh().positions.size());
@@ -224,7 +224,7 @@ class ObjReader {
     }
     if (unknown_lines_ > 0) {
       notes.push_back("obj: " + counted(unknown_lines_, "unknown statement") +
-                      " skipped; the first is " + quoted(first_unknown_) + " in line " +
+                      " skipped; the first is " + in_quotes(first_unknown_) + " in line " +
                       std::to_string(source_.line_of(first_unknown_.data())));
     }
     if (weights_ > 0)

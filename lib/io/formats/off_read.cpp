@@ -80,7 +80,7 @@ class OffReader {
       glued = variant_.rest;
     } else if (keyword.find_first_not_of("0123456789") != std::string_view::npos) {
       rows_.fail("an OFF file starts with the word OFF (or COFF, NOFF, STOFF), not " +
-                 quoted(keyword));
+                 in_quotes(keyword));
     }
     if (rows_.peek() == "BINARY")
       rows_.fail("binary OFF is not supported: convert it to text or PLY");
@@ -101,7 +101,7 @@ class OffReader {
     std::uint64_t count = 0;
     const char* last = first + text.size();
     if (parse_number(first, last, count) != Parsed::ok || first != last) {
-      rows_.fail("the count of vertices is not a number: " + quoted(text));
+      rows_.fail("the count of vertices is not a number: " + in_quotes(text));
     }
     return count;
   }

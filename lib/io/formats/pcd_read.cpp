@@ -17,8 +17,6 @@
 namespace transformesh {
 namespace {
 
-constexpr TextRows::Rules rules{'#', false};
-
 struct Field {
   std::string name;
   /// Kind of numbers: F for floating point, I for signed and U for unsigned integers.
@@ -48,7 +46,8 @@ bool with_type(const Field& field, const Function& f) {
 
 class PcdReader {
  public:
-  explicit PcdReader(const Source& source) : source_(source), rows_(source, 0, rules) {}
+  explicit PcdReader(const Source& source)
+      : source_(source), rows_(source, 0, rules_with_comments) {}
 
   ReadResult read() {
     Style& style = result_.document.style;
@@ -102,11 +101,11 @@ class PcdReader {
       // use, have a few hundred.
       constexpr std::size_t most_numbers = 1U << 16U;
       if (field.count > most_numbers)
-        rows_.fail("the PCD field " + transformesh::quoted(field.name) + " has " +
+        rows_.fail("the PCD field " + in_quotes(field.name) + " has " +
                    counted(field.count, "number"));
       field.offset = point_size_;
       if (!with_type(field, [](auto) {}))
-        rows_.fail("the PCD field " + quoted(field.name) + " has a type that is not supported");
+        rows_.fail("the PCD field " + in_quotes(field.name) + " has a type that is not supported");
       point_size_ += field.size();
     }
     for (const char* name : {"x", "y", "z"})
@@ -179,7 +178,7 @@ class PcdReader {
       return load(bytes, point_size_, 1);
     }
     if (encoding_ != "binary_compressed")
-      source_.fail("PCD data of the encoding " + quoted(encoding_) + " is not supported");
+      source_.fail("PCD data of the encoding " + in_quotes(encoding_) + " is not supported");
     load(expanded(bytes), 0, points_);
   }
 
@@ -238,7 +237,7 @@ class PcdReader {
     if (is_padding || (field.name.size() == 1 && field.name[0] >= 'x' && field.name[0] <= 'z'))
       return;
     if (field.count != 1) {
-      result_.notes.push_back("pcd: field " + quoted(field.name) + " of " +
+      result_.notes.push_back("pcd: field " + in_quotes(field.name) + " of " +
                               counted(field.count, "number") + " left out");
     } else if (field.is_color()) {
       add_colors(field, columns);
@@ -283,7 +282,7 @@ class PcdReader {
 
 bool is_pcd(std::string_view bytes) {
   const Source start{bytes.substr(0, 4096), ""};
-  TextRows rows(start, 0, rules);
+  TextRows rows(start, 0, rules_with_comments);
   if (!rows.next_row()) return false;
   const std::string_view word = rows.word();
   return word == "VERSION" ? !rows.peek().empty() : word == "FIELDS" && rows.words_left() >= 3;

@@ -14,7 +14,7 @@ class HeaderReader {
 
   PlyHeader read() {
     next_line();
-    if (!is_line("ply")) fail("a PLY file starts with the line 'ply', not " + quoted(line_));
+    if (!is_line("ply")) fail("a PLY file starts with the line 'ply', not " + in_quotes(line_));
     for (next_line(); !is_line("end_header"); next_line()) read_line();
     if (!has_format_) {
       fail(
@@ -85,7 +85,7 @@ class HeaderReader {
   /// comment without keyword. After the first element, it may describe data, so it is an error.
   void read_unknown(std::string_view keyword) {
     if (source_.is_strict || !header_.elements.empty())
-      fail("unknown word in the PLY header: " + quoted(keyword));
+      fail("unknown word in the PLY header: " + in_quotes(keyword));
     header_.style.comments.emplace_back(line_);
     ++header_.unmarked_comments;
   }
@@ -100,10 +100,10 @@ class HeaderReader {
     } else if (encoding == "binary_big_endian") {
       format = Format::ply_big;
     } else {
-      fail("PLY is ascii, binary_little_endian or binary_big_endian, not " + quoted(encoding));
+      fail("PLY is ascii, binary_little_endian or binary_big_endian, not " + in_quotes(encoding));
     }
     const std::string_view version = next_word();
-    if (version != "1.0") fail("only PLY version 1.0 is supported, not " + quoted(version));
+    if (version != "1.0") fail("only PLY version 1.0 is supported, not " + in_quotes(version));
     has_format_ = true;
   }
 
@@ -119,10 +119,10 @@ class HeaderReader {
     const char* last = first + count.size();
     const Parsed parsed = parse_number(first, last, element.rows);
     if (element.name.empty() || parsed != Parsed::ok || first != last) {
-      fail("'element NAME COUNT' needs a name and a count of 0 or more, not " + quoted(line_));
+      fail("'element NAME COUNT' needs a name and a count of 0 or more, not " + in_quotes(line_));
     }
     if (!names_.insert(element.name).second)
-      fail("the element " + quoted(element.name) + " is listed twice");
+      fail("the element " + in_quotes(element.name) + " is listed twice");
     header_.elements.push_back(std::move(element));
   }
 
@@ -147,7 +147,7 @@ class HeaderReader {
       if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     const auto type = scalar_of_name(lower);
     if (!type || (source_.is_strict && lower != name)) {
-      fail("unknown type " + quoted(name) +
+      fail("unknown type " + in_quotes(name) +
            "; PLY has char uchar short ushort int uint float double");
     }
     if (scalar_name(*type, true) == lower) header_.style.sized_type_names = true;

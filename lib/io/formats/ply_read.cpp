@@ -55,9 +55,9 @@ class PlyReader {
       const std::size_t axis = std::string_view("xyz").find(property.name);
       if (property.name.size() != 1 || axis > 2) continue;
       if (property.count_type)
-        source_.fail("vertex property " + quoted(property.name) + " must not be a list");
+        source_.fail("vertex property " + in_quotes(property.name) + " must not be a list");
       if (found[axis])
-        source_.fail("vertex property " + quoted(property.name) + " is listed twice");
+        source_.fail("vertex property " + in_quotes(property.name) + " is listed twice");
       found[axis] = true;
       table.targets[i] = {PlyTable::Target::coordinate, axis};
       if (property.type != Scalar::float32) style.coordinate = Scalar::float64;
@@ -98,7 +98,7 @@ class PlyReader {
         });
     if (list != element.properties.end()) {
       if (!list->count_type || is_floating(list->type)) {
-        source_.fail("face property " + quoted(list->name) + " must be a list of integers");
+        source_.fail("face property " + in_quotes(list->name) + " must be a list of integers");
       }
       style.face_list = list->name;
       style.face_list_count = *list->count_type;
@@ -214,7 +214,7 @@ class PlyReader {
   void note_long_rows(const PlyTable& table) {
     if (table.long_rows == 0) return;
     result_.notes.push_back("ply: " + counted(table.long_rows, "row") + " of element " +
-                            quoted(table.element.name) +
+                            in_quotes(table.element.name) +
                             " with more values than the header announces, from line " +
                             std::to_string(source_.line_of(table.first_long_row)) +
                             " on; the extra values are left out");
@@ -230,7 +230,7 @@ class PlyReader {
     const std::uint64_t rows = table.element.rows;
     if (size > 0 && rows > (left + (is_text ? 1 : 0)) / size) {
       source_.fail_at_byte(place, "the header announces " + std::to_string(rows) +
-                                      " rows of element " + quoted(table.element.name) +
+                                      " rows of element " + in_quotes(table.element.name) +
                                       ", but only " + counted(left, "byte") +
                                       " follow: the file is cut off or its header is wrong");
     }
@@ -238,7 +238,7 @@ class PlyReader {
     const Index least_refused = is_face ? no_index / 3 : no_index;
     if (size > 0 && rows >= least_refused) {
       source_.fail("more than " + std::to_string(least_refused - 1) + " rows of element " +
-                   quoted(table.element.name) +
+                   in_quotes(table.element.name) +
                    " are not supported: split the input into smaller files");
     }
   }
@@ -283,11 +283,11 @@ std::string PlyTable::row_name(std::size_t row) const {
   if (element.name == "vertex" || element.name == "face") {
     return element.name + ' ' + std::to_string(row);
   }
-  return "row " + std::to_string(row) + " of element " + quoted(element.name);
+  return "row " + std::to_string(row) + " of element " + in_quotes(element.name);
 }
 
 std::string PlyTable::value_name(std::size_t row, const PlyProperty& property) const {
-  return "property " + quoted(property.name) + " of " + row_name(row);
+  return "property " + in_quotes(property.name) + " of " + row_name(row);
 }
 
 std::string PlyTable::bad_index(std::size_t row, double index) const {

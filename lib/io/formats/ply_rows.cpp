@@ -29,7 +29,7 @@ void store(Scalar type, double value, bool is_swapped, std::string& bytes) {
   });
 }
 
-bool is_corner_list(const PlyProperty& property) {
+bool is_corner_list_property(const PlyProperty& property) {
   return property.count_type &&
          (property.name == "vertex_indices" || property.name == "vertex_index");
 }
@@ -56,7 +56,8 @@ PlyRows::PlyRows(const std::string& path) : file_(path), source_{file_.bytes(), 
 PlyRows::Table& PlyRows::table_of(const std::string& name) {
   if (name == "vertex") return vertices_;
   if (name == "face") return faces_;
-  source_.fail("only vertices and faces can be read row by row, not the element " + quoted(name));
+  source_.fail("only vertices and faces can be read row by row, not the element " +
+               in_quotes(name));
 }
 
 void PlyRows::place_tables() {
@@ -66,13 +67,13 @@ void PlyRows::place_tables() {
     Table& table = table_of(element.name);
     table.element = i;
     for (const PlyProperty& property : element.properties) {
-      if (property.count_type && (element.name != "face" || !is_corner_list(property)))
-        source_.fail("the list " + quoted(property.name) + " cannot be read row by row");
+      if (property.count_type && (element.name != "face" || !is_corner_list_property(property)))
+        source_.fail("the list " + in_quotes(property.name) + " cannot be read row by row");
       table.stride += size_of(property);
     }
     if (element.rows >= no_index || element.rows > source_.bytes.size())
       source_.fail("the header announces " + std::to_string(element.rows) + " rows of element " +
-                   quoted(element.name) + ", but the file ends before them");
+                   in_quotes(element.name) + ", but the file ends before them");
     table.count = static_cast<std::size_t>(element.rows);
     table.first = source_.begin() + place;
     place += table.count * table.stride;
@@ -102,12 +103,12 @@ void PlyRows::find_coordinates() {
 
 void PlyRows::find_corners() {
   const auto& properties = face_element().properties;
-  const auto list = std::find_if(properties.begin(), properties.end(), is_corner_list);
+  const auto list = std::find_if(properties.begin(), properties.end(), is_corner_list_property);
   if (list == properties.end()) source_.fail("the faces need a property list vertex_indices");
-  if (std::find_if(list + 1, properties.end(), is_corner_list) != properties.end())
+  if (std::find_if(list + 1, properties.end(), is_corner_list_property) != properties.end())
     source_.fail("the faces have two lists of corners");
   if (is_floating(list->type))
-    source_.fail("face property " + quoted(list->name) + " must be a list of integers");
+    source_.fail("face property " + in_quotes(list->name) + " must be a list of integers");
   list_ = static_cast<std::size_t>(list - properties.begin());
   for (auto before = properties.begin(); before != list; ++before) list_offset_ += size_of(*before);
 }

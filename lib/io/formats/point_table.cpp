@@ -13,8 +13,7 @@
 namespace transformesh {
 namespace {
 
-constexpr TextRows::Rules rules{'#', false};
-using Names = std::vector<std::string>;
+using ColumnNames = std::vector<std::string>;
 
 bool separates(char c) { return c == ',' || c == ';'; }
 
@@ -41,25 +40,25 @@ std::string column_of(std::string_view word) {
   return name;
 }
 
-Names words_of(TextRows& rows) {
-  Names words;
+ColumnNames words_of(TextRows& rows) {
+  ColumnNames words;
   while (rows.has_more()) words.emplace_back(rows.word());
   return words;
 }
 
 /// Returns the column names in the first line, or default names if the line is a number of points.
-Names header_of(const std::string& text) {
+ColumnNames column_names_in_header(const std::string& text) {
   const Source source{text, ""};
-  TextRows rows(source, 0, rules);
+  TextRows rows(source, 0, rules_with_comments);
   if (!rows.next_row()) return {};
-  Names names = words_of(rows);
+  ColumnNames names = words_of(rows);
   if (!rows.next_row() || !is_number(rows.peek())) return {};
   if (names.size() == 1 && names[0].find_first_not_of("0123456789") == std::string::npos) {
     const std::size_t width = rows.words_left();
     names = {"x", "y", "z"};
     if (width == 4 || width == 7) names.emplace_back("intensity");
     if (width == 6 || width == 7) names.insert(names.end(), {"red", "green", "blue"});
-    return names.size() == width ? names : Names();
+    return names.size() == width ? names : ColumnNames();
   }
   if (std::any_of(names.begin(), names.end(), is_number)) return {};
   for (std::string& name : names) name = column_of(name);
@@ -80,8 +79,8 @@ class TableReader {
   explicit TableReader(const Source& source)
       : text_(with_blanks(source.bytes)),
         source_{text_, source.name, source.is_strict},
-        rows_(source_, 0, rules),
-        names_(header_of(text_)),
+        rows_(source_, 0, rules_with_comments),
+        names_(column_names_in_header(text_)),
         values_(names_.size()) {}
 
   ReadResult read() {
@@ -130,7 +129,7 @@ class TableReader {
   std::string text_;
   Source source_;
   TextRows rows_;
-  Names names_;
+  ColumnNames names_;
   std::vector<std::vector<double>> values_;
   ReadResult result_;
 };
@@ -142,7 +141,8 @@ bool is_point_table(const Source& source) {
   // header are longer, it is not recognized.
   constexpr std::size_t searched = 4096;
   const std::string_view start = source.bytes.substr(0, searched);
-  return start.find('\0') == std::string_view::npos && !header_of(with_blanks(start)).empty();
+  return start.find('\0') == std::string_view::npos &&
+         !column_names_in_header(with_blanks(start)).empty();
 }
 
 ReadResult read_point_table(const Source& source) { return TableReader(source).read(); }

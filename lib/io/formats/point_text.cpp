@@ -14,7 +14,6 @@
 namespace transformesh {
 namespace {
 
-constexpr TextRows::Rules rules{'#', false};
 constexpr std::array<const char*, 6> value_names{"x", "y", "z", "nx", "ny", "nz"};
 
 bool has_off_name(const Source& source) {
@@ -68,7 +67,7 @@ bool are_colors(const std::array<std::vector<double>, 3>& columns) {
 
 bool is_point_text(const Source& source) {
   if (source.bytes.substr(0, 4096).find('\0') != std::string_view::npos) return false;
-  TextRows rows(source, 0, rules);
+  TextRows rows(source, 0, rules_with_comments);
   if (!rows.next_row()) return false;
   const std::size_t length = rows.words_left();
   if (length != 6 && (length != 3 || has_off_name(source))) return false;
@@ -80,14 +79,14 @@ bool is_point_text(const Source& source) {
 
 void check_point_text(const Source& source) {
   if (source.bytes.substr(0, 4096).find('\0') != std::string_view::npos) return;
-  TextRows rows(source, 0, rules);
+  TextRows rows(source, 0, rules_with_comments);
   if (!rows.next_row()) return;
   std::string words(rows.skip_row());
   const bool has_commas = words.find_first_of(",;") != std::string::npos;
   std::replace_if(
       words.begin(), words.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
   const Source spaced{words, source.name};
-  TextRows numbers(spaced, 0, rules);
+  TextRows numbers(spaced, 0, rules_with_comments);
   if (!numbers.next_row()) return;
   const std::size_t length = numbers.words_left();
   while (numbers.has_more())
@@ -106,7 +105,7 @@ ReadResult read_point_text(const Source& source) {
   result.document.style.element_order = {"vertex"};
   Mesh& mesh = result.document.mesh;
   std::array<std::vector<double>, 3> normals;
-  TextRows rows(source, 0, rules);
+  TextRows rows(source, 0, rules_with_comments);
   std::size_t length = 0;
   while (rows.next_row()) {
     if (length == 0) length = row_length(rows);

@@ -9,6 +9,9 @@
 
 namespace transformesh {
 
+/// Size of a facet of binary STL in bytes: 12 floats and a 16-bit attribute.
+inline constexpr std::size_t stl_facet_size = 50;
+
 /// Readers of text and binary STL, which work as read_mesh() does, and a writer, which works as
 /// write_mesh() does.
 ReadResult read_stl_text(const Source& source);

@@ -12,11 +12,9 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t header_size = 80;  ///< size of the header in bytes: 80 bytes of text
+constexpr std::size_t header_text_size = 80;  ///< size of the header in bytes: 80 bytes of text
 /// Offset of the first facet in bytes, after the header and the number of facets.
 constexpr std::size_t facets_start = 84;
-/// Size of a facet in bytes: 12 floats and a 16-bit attribute.
-constexpr std::size_t facet_size = 50;
 /// Largest number of facets for which vertex indices are valid: each facet gets three new vertices.
 constexpr std::size_t most_facets = no_index / 3;
 constexpr const char* too_many_facets =
@@ -77,7 +75,8 @@ class TextReader {
 
   void expect(std::string_view word) {
     if (word_ == word) return;
-    rows_.fail(quoted(word) + " is missing in " + place_name() + ", which has " + quoted(word_));
+    rows_.fail(in_quotes(word) + " is missing in " + place_name() + ", which has " +
+               in_quotes(word_));
   }
 
   void need(std::string_view word) {
@@ -153,11 +152,11 @@ class TextReader {
   ReadResult result_;
 };
 
-constexpr bool swapped = !host_is_little;
+constexpr bool is_stl_swapped = !host_is_little;
 
 /// Returns the text of the header without padding, or an empty text if it is not ASCII.
 std::string header_text(const Source& source) {
-  std::string text(source.bytes.substr(0, header_size));
+  std::string text(source.bytes.substr(0, header_text_size));
   text.resize(std::min(text.find('\0'), text.size()));
   while (!text.empty() && text.back() == ' ') text.pop_back();
   const bool is_text =
@@ -171,17 +170,18 @@ std::size_t checked_facet_count(const Source& source, std::vector<std::string>& 
   if (source.bytes.size() < facets_start) {
     source.fail("not an STL file: neither the word 'solid' nor a binary header of 84 bytes");
   }
-  const auto count = std::size_t{load_scalar<std::uint32_t>(source.begin() + header_size, swapped)};
-  const std::size_t present = (source.bytes.size() - facets_start) / facet_size;
+  const auto count =
+      std::size_t{load_scalar<std::uint32_t>(source.begin() + header_text_size, is_stl_swapped)};
+  const std::size_t present = (source.bytes.size() - facets_start) / stl_facet_size;
   if (count > present) {
-    source.fail_at_byte(source.begin() + header_size,
+    source.fail_at_byte(source.begin() + header_text_size,
                         "the header announces " + counted(count, "facet") + ", but only " +
                             std::to_string(present) + " follow: the file is cut off or not STL");
   }
   if (count == 0 && present > 0) {
     const std::string claim = "the header announces 0 facets, but " + std::to_string(present) +
                               (present == 1 ? " follows" : " follow");
-    if (source.is_strict) source.fail_at_byte(source.begin() + header_size, claim);
+    if (source.is_strict) source.fail_at_byte(source.begin() + header_text_size, claim);
     notes.push_back("stl: " + claim + " and " + (present == 1 ? "is" : "are") + " read");
   }
   const std::size_t read = count == 0 ? present : count;
@@ -190,7 +190,7 @@ std::size_t checked_facet_count(const Source& source, std::vector<std::string>& 
 }
 
 const char* facet_at(const Source& source, std::size_t row) {
-  return source.begin() + facets_start + row * facet_size;
+  return source.begin() + facets_start + row * stl_facet_size;
 }
 
 /// Appends the corners of a facet to `positions`, and returns true if they are finite. If they are
@@ -202,7 +202,7 @@ bool read_facet(const Source& source, std::size_t row, std::vector<Vec3>& positi
   for (std::size_t corner = 0; corner < 3; ++corner) {
     Vec3& position = positions.emplace_back();
     for (const Eigen::Index axis : {0, 1, 2}) {
-      position[axis] = static_cast<double>(load_scalar<float>(place, swapped));
+      position[axis] = static_cast<double>(load_scalar<float>(place, is_stl_swapped));
       is_finite = is_finite && std::isfinite(position[axis]);
       if (source.is_strict && !is_finite)
         source.fail_at_byte(
@@ -236,8 +236,8 @@ void read_attributes(const Source& source, const std::vector<std::uint32_t>& row
   values.reserve(rows.size());
   bool is_used = false;
   for (const std::uint32_t row : rows) {
-    const char* place = facet_at(source, row) + facet_size - sizeof(std::uint16_t);
-    values.push_back(load_scalar<std::uint16_t>(place, swapped));
+    const char* place = facet_at(source, row) + stl_facet_size - sizeof(std::uint16_t);
+    values.push_back(load_scalar<std::uint16_t>(place, is_stl_swapped));
     is_used = is_used || values.back() != 0;
   }
   if (!is_used) return;
@@ -262,7 +262,7 @@ ReadResult read_stl_binary(const Source& source) {
   if (!text.empty()) result.document.style.comments.push_back(text);
   note_bad_facets(count - rows.size(), result.notes);
   note_soup(result);
-  const std::size_t rest = source.bytes.size() - facets_start - count * facet_size;
+  const std::size_t rest = source.bytes.size() - facets_start - count * stl_facet_size;
   if (rest > 0)
     result.notes.push_back("stl: " + counted(rest, "byte") + " after the last facet ignored");
   return result;

@@ -34,13 +34,13 @@ Facet facet_of(const Mesh& mesh, const Face& face) {
   return facet;
 }
 
-bool is_blank(char c) { return c == ' ' || (c >= '\0' && c < ' '); }
+bool is_blank_or_control(char c) { return c == ' ' || (c >= '\0' && c < ' '); }
 
 /// Returns the comment as a name for the header: without surrounding blanks, and without a leading
 /// `solid`. Many readers assume that a file that starts with `solid` is text.
 std::string as_name(std::string comment) {
   constexpr std::string_view word = "solid";
-  std::replace_if(comment.begin(), comment.end(), is_blank, ' ');
+  std::replace_if(comment.begin(), comment.end(), is_blank_or_control, ' ');
   std::string_view name = comment;
   while (!name.empty() && (name.front() == ' ' || name.starts_with(word)))
     name.remove_prefix(name.front() == ' ' ? 1 : word.size());
@@ -49,7 +49,7 @@ std::string as_name(std::string comment) {
 }
 
 /// Returns the first comment that is neither a comment of this suite nor looks like one.
-std::string name_of(const Document& document) {
+std::string header_name_of(const Document& document) {
   for (const std::string& comment : document.style.comments) {
     std::string name = as_name(comment);
     if (!is_own_comment(comment) && !is_own_comment(name)) return name;
@@ -67,7 +67,7 @@ void add_point(std::string_view keyword, const Eigen::Vector3f& point, TextBuffe
 }
 
 std::string text_of(const Document& document) {
-  const std::string name = name_of(document);
+  const std::string name = header_name_of(document);
   const std::string ending = (name.empty() ? "" : " ") + name + '\n';
   TextBuffer text;
   text.add("solid" + ending);
@@ -94,10 +94,9 @@ char* store_point(const Eigen::Vector3f& point, char* to) {
 std::string bytes_of(const Document& document, const Column* attribute) {
   constexpr bool swapped = !host_is_little;
   constexpr std::size_t header_size = 80;  // size of the header: 80 bytes of text
-  constexpr std::size_t facet_size = 50;   // bytes of 12 floats and a 16-bit attribute
   const std::vector<Face>& faces = document.mesh.faces;
-  std::string bytes(header_size + sizeof(std::uint32_t) + facet_size * faces.size(), '\0');
-  name_of(document).copy(bytes.data(), header_size);
+  std::string bytes(header_size + sizeof(std::uint32_t) + stl_facet_size * faces.size(), '\0');
+  header_name_of(document).copy(bytes.data(), header_size);
   char* to = bytes.data() + header_size;
   store_scalar(to, static_cast<std::uint32_t>(faces.size()), swapped);
   to += sizeof(std::uint32_t);

@@ -118,12 +118,12 @@ void TextRows::keep_comment(const char* mark) {
 }
 
 void TextRows::fail_rest(const std::string& row) {
-  fail(row + " has more values than it should, beginning with " + quoted(word()));
+  fail(row + " has more values than it should, beginning with " + in_quotes(word()));
 }
 
 void TextRows::fail_number(const std::string& what, const char* needed, Parsed problem) {
   next_ = place_;
-  const std::string text = quoted(word());
+  const std::string text = in_quotes(word());
   if (problem == Parsed::out_of_range) fail(what + " is out of range: " + text);
   fail(what + " is not " + needed + ": " + text);
 }

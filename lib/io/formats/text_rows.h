@@ -92,6 +92,11 @@ class TextRows {
   const char* line_end_;  ///< end of the line of text, after any comment
 };
 
+/// Rules for text in which # starts a comment.
+inline constexpr TextRows::Rules rules_with_comments{'#', false};
+/// Rules for text in which no character starts a comment, because names in it may contain #.
+inline constexpr TextRows::Rules rules_without_comments{'\0', false};
+
 inline const char* TextRows::word_start(const char* from) const {
   while (from != row_end_ && separates(*from)) ++from;
   return from;

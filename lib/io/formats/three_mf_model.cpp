@@ -73,7 +73,7 @@ class ModelReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    source_.fail(quoted(part_) + ' ' + what);
+    source_.fail(in_quotes(part_) + ' ' + what);
   }
 
   void check_extensions(const Node& root) const {
@@ -84,7 +84,7 @@ class ModelReader {
       prefixes.remove_prefix(std::min(blank + 1, prefixes.size()));
       const std::string_view name_space = root.attribute(("xmlns:" + prefix).c_str()).value();
       if (!prefix.empty() && !is_read(name_space))
-        fail("requires the extension " + quoted(name_space) + ", which is not supported");
+        fail("requires the extension " + in_quotes(name_space) + ", which is not supported");
     }
   }
 
@@ -110,7 +110,7 @@ class ModelReader {
       ++model_.other_metadata;
     } else if (kind == "object") {
       const auto [place, is_new] = model_.objects.emplace(id, ThreeMfObject());
-      if (!is_new) fail("has two objects " + quoted(id));
+      if (!is_new) fail("has two objects " + in_quotes(id));
       read_object(node, id, place->second);
     } else {
       ++model_.unread_properties;
@@ -120,13 +120,13 @@ class ModelReader {
   void read_colors(const Node& node, const char* key, std::vector<ByteColor>& colors) const {
     for (const Node& entry : node.children()) {
       const auto color = color_in(attribute(entry, key));
-      if (!color) fail("has the color " + quoted(attribute(entry, key)) + ", not #RRGGBB");
+      if (!color) fail("has the color " + in_quotes(attribute(entry, key)) + ", not #RRGGBB");
       colors.push_back(*color);
     }
   }
 
   void read_object(const Node& node, const std::string& id, ThreeMfObject& object) {
-    object_ = "object " + quoted(id);
+    object_ = "object " + in_quotes(id);
     const std::string_view type = attribute(node, "type");
     object.is_other = type == "support" || type == "solidsupport" || type == "other";
     const Node mesh = child(node, "mesh");
@@ -143,7 +143,7 @@ class ModelReader {
     double value = 0;
     const Parsed parsed = parse_number(first, text.data() + text.size(), value);
     if (parsed != Parsed::ok || first != text.data() + text.size() || !std::isfinite(value))
-      fail(std::string("has ") + key + '=' + quoted(text) + " in " + what +
+      fail(std::string("has ") + key + '=' + in_quotes(text) + " in " + what +
            ", which is not a finite number");
     return value;
   }
@@ -181,7 +181,7 @@ class ModelReader {
     std::uint64_t value = 0;
     const Parsed parsed = parse_number(first, text.data() + text.size(), value);
     if (parsed != Parsed::ok || first != text.data() + text.size() || value >= count)
-      fail("has " + quoted(text) + " as " + what() + ", but " + there_are(count, "element"));
+      fail("has " + in_quotes(text) + " as " + what() + ", but " + there_are(count, "element"));
     return static_cast<Index>(value);
   }
 

@@ -16,7 +16,7 @@ namespace {
 
 using CornerColors = std::array<std::optional<ByteColor>, 3>;
 
-constexpr ByteColor white{255, 255, 255, 255};
+constexpr ByteColor opaque_white{255, 255, 255, 255};
 
 std::string without_slash(std::string_view path) {
   return std::string(path.substr(std::min(path.find_first_not_of('/'), path.size())));
@@ -64,7 +64,7 @@ class ThreeMfReader {
     const auto found = models_.find(part);
     if (found != models_.end()) return found->second;
     const std::optional<std::string> xml = archive_.read(part);
-    if (!xml) source_.fail("the 3MF file has no part " + quoted(part));
+    if (!xml) source_.fail("the 3MF file has no part " + in_quotes(part));
     const Source source{*xml, source_.name + ": " + part, source_.is_strict};
     ThreeMfModel read = read_three_mf_model(source, part);
     unread_properties_ += read.unread_properties;
@@ -85,7 +85,7 @@ class ThreeMfReader {
   void set_unit() {
     const std::string& name = model(root_).unit;
     const Unit* unit = find_unit(name);
-    if (unit == nullptr) source_.fail("the 3MF file has the unknown unit " + quoted(name));
+    if (unit == nullptr) source_.fail("the 3MF file has the unknown unit " + in_quotes(name));
     transformesh::set_unit(result_.document, *unit);
   }
 
@@ -103,11 +103,11 @@ class ThreeMfReader {
     const auto& objects = model(part).objects;
     const auto found = objects.find(component.object);
     if (found == objects.end())
-      source_.fail("object " + quoted(component.object) + " is used, but missing in " +
-                   quoted(part));
+      source_.fail("object " + in_quotes(component.object) + " is used, but missing in " +
+                   in_quotes(part));
     const ThreeMfObject& object = found->second;
     if (!open_.insert(&object).second)
-      source_.fail("object " + quoted(component.object) + " contains itself");
+      source_.fail("object " + in_quotes(component.object) + " contains itself");
     if (open_.size() > deepest) source_.fail("components are nested more than 256 deep");
     const Eigen::Affine3d transform = to_build * component.to_parent;
     if (object.is_other) ++other_objects_;
@@ -158,7 +158,8 @@ class ThreeMfReader {
         note("corners of a vertex have several colors, of which the first is kept");
       return set_columns(of_vertices, mesh.vertex_columns);
     }
-    for (const CornerColors& colors : colors_) of_vertices.push_back(colors[0].value_or(white));
+    for (const CornerColors& colors : colors_)
+      of_vertices.push_back(colors[0].value_or(opaque_white));
     set_columns(of_vertices, mesh.face_columns);
   }
 
@@ -172,13 +173,13 @@ class ThreeMfReader {
   /// Finds a color for each vertex. Returns true if the corners at each vertex have the same color.
   bool find_vertex_colors(std::vector<ByteColor>& found) const {
     const Mesh& mesh = result_.document.mesh;
-    found.assign(mesh.positions.size(), white);
+    found.assign(mesh.positions.size(), opaque_white);
     std::vector<char> is_known(found.size(), 0);
     bool agree = true;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i) {
         const Index v = mesh.faces[f][i];
-        const ByteColor color = colors_[f][i].value_or(white);
+        const ByteColor color = colors_[f][i].value_or(opaque_white);
         agree = agree && (is_known[v] == 0 || found[v] == color);
         if (is_known[v] == 0) found[v] = color, is_known[v] = 1;
       }

@@ -32,7 +32,7 @@ constexpr std::string_view relationships =
 
 /// Escapes a text for XML. Replaces control bytes other than line feeds by question marks, because
 /// XML cannot represent them. Does the same with non-ASCII bytes, which may not be valid UTF-8.
-std::string escaped(std::string_view text) {
+std::string escaped_xml_text(std::string_view text) {
   std::string result;
   for (const char c : text) {
     if (c == '&' || c == '<' || c == '>') {
@@ -102,7 +102,7 @@ class ThreeMfWriter {
   void add_description() {
     std::string lines;
     for (const std::string& comment : document_.style.comments)
-      if (!comment.starts_with("tm:unit ")) lines += escaped(comment) + '\n';
+      if (!comment.starts_with("tm:unit ")) lines += escaped_xml_text(comment) + '\n';
     if (lines.empty()) return;
     lines.pop_back();
     text_.add("<metadata name=\"Description\">" + lines + "</metadata>\n");

@@ -50,7 +50,7 @@ class Converter {
                    Columns& columns) {
     for (const VtkArray& array : arrays) {
       if (array.values.size() != rows * array.components)
-        source_.fail("the array " + quoted(array.name) + " has " +
+        source_.fail("the array " + in_quotes(array.name) + " has " +
                      counted(array.values.size(), "number") + ", but " + there_are(rows, element) +
                      " of " + counted(array.components, "component"));
       add_array(array, rows, columns);
@@ -91,7 +91,7 @@ class Converter {
     // Largest number of values in a list whose count has 8 bits.
     constexpr std::size_t most = 255;
     if (array.components > most) {
-      note("array " + quoted(array.name) + " of " + counted(array.components, "component") +
+      note("array " + in_quotes(array.name) + " of " + counted(array.components, "component") +
            " left out");
       return;
     }

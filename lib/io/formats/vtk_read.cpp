@@ -12,10 +12,10 @@ namespace {
 constexpr std::string_view first_line = "# vtk DataFile Version ";
 
 // Numbers of cell types, as in vtkCellType.h.
-constexpr std::uint64_t triangle = 5;
-constexpr std::uint64_t triangle_strip = 6;
-constexpr std::uint64_t polygon = 7;
-constexpr std::uint64_t quadrilateral = 9;
+constexpr std::uint64_t triangle_cell = 5;
+constexpr std::uint64_t triangle_strip_cell = 6;
+constexpr std::uint64_t polygon_cell = 7;
+constexpr std::uint64_t quadrilateral_cell = 9;
 
 class VtkReader {
  public:
@@ -37,13 +37,13 @@ class VtkReader {
     title_ = stream_.line();
     const std::string encoding = stream_.word();
     if (encoding != "ascii" && encoding != "binary")
-      stream_.fail("the third line of a VTK file is ASCII or BINARY, not " + quoted(encoding));
+      stream_.fail("the third line of a VTK file is ASCII or BINARY, not " + in_quotes(encoding));
     stream_.set_binary(encoding == "binary");
     if (stream_.word() != "dataset") stream_.fail("the word DATASET is missing");
     const std::string kind = stream_.word();
     is_grid_ = kind == "unstructured_grid";
     if (kind != "polydata" && !is_grid_)
-      stream_.fail("VTK data of type " + quoted(kind) +
+      stream_.fail("VTK data of type " + in_quotes(kind) +
                    " is not supported as a surface: only POLYDATA is");
   }
 
@@ -60,7 +60,7 @@ class VtkReader {
     if (word == "point_data") return begin_data(piece_.point_arrays);
     if (word == "cell_data") return begin_data(piece_.cell_arrays);
     if (arrays_ == nullptr || !read_attribute(word))
-      stream_.fail("the VTK file has the unknown word " + quoted(word));
+      stream_.fail("the VTK file has the unknown word " + in_quotes(word));
   }
 
   void read_points() {
@@ -138,9 +138,9 @@ class VtkReader {
       source_.fail("the VTK file has " + counted(grid_.size(), "cell") + ", but " +
                    counted(types_.size(), "cell type"));
     for (std::size_t i = 0; i < types_.size(); ++i) {
-      const bool is_strip = types_[i] == triangle_strip;
-      const bool is_face =
-          types_[i] == triangle || types_[i] == polygon || types_[i] == quadrilateral;
+      const bool is_strip = types_[i] == triangle_strip_cell;
+      const bool is_face = types_[i] == triangle_cell || types_[i] == polygon_cell ||
+                           types_[i] == quadrilateral_cell;
       if (!is_face && !is_strip) {
         ++piece_.other_cells;
         continue;
@@ -250,7 +250,7 @@ class VtkReader {
       const std::uint64_t rows = checked(stream_.count("the number of rows"));
       const std::string type = stream_.word();
       if (type == "string" || type == "bit" || type == "variant")
-        stream_.fail("the array " + quoted(array.name) + " has the type " + quoted(type) +
+        stream_.fail("the array " + in_quotes(array.name) + " has the type " + in_quotes(type) +
                      ", which is not supported");
       stream_.numbers(type, rows * array.components, array);
       if (arrays_ != nullptr) arrays_->push_back(std::move(array));

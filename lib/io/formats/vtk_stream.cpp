@@ -11,7 +11,7 @@
 namespace transformesh {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool is_white_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// Calls f with a zero of the C++ type for the name of a VTK type. Returns false for other names.
 template <class Function>
@@ -32,13 +32,13 @@ bool with_vtk_type(const std::string& name, const Function& f) {
 }  // namespace
 
 void VtkStream::skip_blanks() {
-  while (place_ != source_->end() && is_blank(*place_)) ++place_;
+  while (place_ != source_->end() && is_white_space(*place_)) ++place_;
 }
 
 std::string_view VtkStream::raw_word() {
   skip_blanks();
   const char* first = place_;
-  while (place_ != source_->end() && !is_blank(*place_)) ++place_;
+  while (place_ != source_->end() && !is_white_space(*place_)) ++place_;
   return {first, static_cast<std::size_t>(place_ - first)};
 }
 
@@ -70,7 +70,7 @@ std::uint64_t VtkStream::count(const std::string& what) {
   const char* last = first + text.size();
   std::uint64_t value = 0;
   if (parse_number(first, last, value) != Parsed::ok || first != last)
-    fail(what + " must be a whole number of 0 or more, not " + quoted(text));
+    fail(what + " must be a whole number of 0 or more, not " + in_quotes(text));
   return value;
 }
 
@@ -81,12 +81,12 @@ void VtkStream::numbers(const std::string& type, std::uint64_t count, VtkArray& 
     // Least number of bytes of a number. In text, a number takes at least a digit and a blank.
     const std::size_t size = is_binary_ ? sizeof(T) : 2;
     if (count > left / size + 1)
-      fail(counted(count, "number") + " of " + quoted(array.name) + " are announced, but only " +
+      fail(counted(count, "number") + " of " + in_quotes(array.name) + " are announced, but only " +
            counted(left, "byte") + " follow: the file is cut off or its header is wrong");
     is_binary_ ? read_bytes<T>(count, array) : read_text(count, array);
     set_type(std::is_floating_point_v<T>, std::is_signed_v<T>, sizeof(T), array);
   });
-  if (!is_known) fail("numbers of the type " + quoted(type) + " are not supported");
+  if (!is_known) fail("numbers of the type " + in_quotes(type) + " are not supported");
 }
 
 void VtkStream::read_text(std::uint64_t count, VtkArray& array) {
@@ -98,7 +98,8 @@ void VtkStream::read_text(std::uint64_t count, VtkArray& array) {
     double value = 0;
     const Parsed parsed = parse_number(first, last, value);
     if (parsed == Parsed::malformed || first != last)
-      fail("number " + std::to_string(i) + " of " + quoted(array.name) + " is " + quoted(text));
+      fail("number " + std::to_string(i) + " of " + in_quotes(array.name) + " is " +
+           in_quotes(text));
     array.values.push_back(parsed == Parsed::ok ? value : std::nan(""));
   }
 }
@@ -108,7 +109,7 @@ template <class T>
 void VtkStream::read_bytes(std::uint64_t count, VtkArray& array) {
   line();
   if (count > static_cast<std::size_t>(source_->end() - place_) / sizeof(T))
-    fail("the data ends within the numbers of " + quoted(array.name));
+    fail("the data ends within the numbers of " + in_quotes(array.name));
   array.values.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     array.values.push_back(static_cast<double>(load_scalar<T>(place_, host_is_little)));

@@ -27,7 +27,7 @@ VtpEncoding VtkXml::encoding(const Source& source) const {
   const std::string_view compressor = root().attribute("compressor").value();
   encoding.is_compressed = !compressor.empty();
   if (encoding.is_compressed && compressor != "vtkZLibDataCompressor")
-    source.fail("the data is compressed by " + quoted(compressor) +
+    source.fail("the data is compressed by " + in_quotes(compressor) +
                 ", which is not supported: only vtkZLibDataCompressor is");
   encoding.appended = appended;
   encoding.is_appended_text = is_appended_text;

@@ -52,17 +52,17 @@ VtkArray VtpArrays::read(const pugi::xml_node& element) const {
   array.components = element.attribute("NumberOfComponents").as_uint(1);
   const std::string type = element.attribute("type").value();
   const std::string format = element.attribute("format").value();
-  const std::string what = "the array " + quoted(array.name);
+  const std::string what = "the array " + in_quotes(array.name);
   if (array.components == 0) source_.fail(what + " has no components");
   if (!with_xml_type(type, [](auto) {}))
-    source_.fail(what + " has the type " + quoted(type) + ", which is not supported");
+    source_.fail(what + " has the type " + in_quotes(type) + ", which is not supported");
   if (format == "ascii") {
     read_text(element, array);
     with_xml_type(type, [&](auto zero) { set_type_of<decltype(zero)>(array); });
   } else if (format == "binary" || format == "appended") {
     set_numbers(type, bytes_of(element, what), array);
   } else {
-    source_.fail(what + " has the unknown format " + quoted(format));
+    source_.fail(what + " has the unknown format " + in_quotes(format));
   }
   return array;
 }
@@ -74,7 +74,7 @@ std::vector<std::uint64_t> VtpArrays::indices(const pugi::xml_node& element) con
   constexpr double most = 9007199254740992.0;  // 2^53: doubles represent all smaller integers
   for (const double value : array.values) {
     if (!(value >= 0 && value <= most) || value != std::floor(value))
-      source_.fail("the array " + quoted(array.name) +
+      source_.fail("the array " + in_quotes(array.name) +
                    " has an index that is not a whole number of 0 or more");
     result.push_back(static_cast<std::uint64_t>(value));
   }
@@ -95,7 +95,7 @@ void VtpArrays::read_text(const pugi::xml_node& element, VtkArray& array) const 
     const Parsed parsed = parse_number(first, end, value);
     if (parsed == Parsed::malformed || first != end)
       source_.fail("number " + std::to_string(array.values.size()) + " of the array " +
-                   quoted(array.name) + " is " + quoted(word));
+                   in_quotes(array.name) + " is " + in_quotes(word));
     array.values.push_back(parsed == Parsed::ok ? value : std::nan(""));
   }
 }
@@ -189,7 +189,7 @@ void VtpArrays::set_numbers(const std::string& type, std::string_view bytes,
   with_xml_type(type, [&](auto zero) {
     using T = decltype(zero);
     if (bytes.size() % sizeof(T) != 0)
-      source_.fail("the array " + quoted(array.name) + " ends within a number");
+      source_.fail("the array " + in_quotes(array.name) + " ends within a number");
     array.values.reserve(bytes.size() / sizeof(T));
     for (std::size_t at = 0; at < bytes.size(); at += sizeof(T))
       array.values.push_back(static_cast<double>(load_scalar<T>(bytes.data() + at, swapped)));

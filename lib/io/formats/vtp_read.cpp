@@ -10,24 +10,22 @@
 namespace transformesh {
 namespace {
 
-using Node = pugi::xml_node;
-
 class VtpReader {
  public:
   explicit VtpReader(const Source& source) : source_(source), budget_(source) {}
 
   ReadResult read() {
     const VtkXml xml = parse_vtk_xml(source_);
-    const Node root = xml.root();
+    const pugi::xml_node root = xml.root();
     const std::string_view type = root.attribute("type").value();
     if (type != "PolyData")
-      source_.fail("VTK data of type " + quoted(type) +
+      source_.fail("VTK data of type " + in_quotes(type) +
                    " is not supported as a surface: only PolyData is");
     encoding_ = xml.encoding(source_);
     ReadResult result;
     result.document.style.format = Format::vtp;
     std::size_t pieces = 0;
-    for (const Node& piece : root.child("PolyData").children("Piece"))
+    for (const pugi::xml_node& piece : root.child("PolyData").children("Piece"))
       add(mesh_of_vtk(source_, read_piece(piece)), pieces++, result);
     if (pieces > 1)
       result.notes.push_back("vtk: " + counted(pieces, "piece") + " read as one mesh");
@@ -45,10 +43,10 @@ class VtpReader {
       all.notes.push_back("vtk: " + line);
   }
 
-  VtkPiece read_piece(const Node& node) const {
+  VtkPiece read_piece(const pugi::xml_node& node) const {
     const VtpArrays arrays(source_, encoding_, budget_);
     VtkPiece piece;
-    if (const Node points = node.child("Points").child("DataArray"))
+    if (const pugi::xml_node points = node.child("Points").child("DataArray"))
       piece.points = arrays.read(points);
     if (piece.points.values.size() % 3 != 0)
       source_.fail("the VTP points have " + counted(piece.points.values.size(), "number") +
@@ -69,9 +67,9 @@ class VtpReader {
     return piece;
   }
 
-  static VtkCells read_cells(const Node& node, const VtpArrays& arrays) {
+  static VtkCells read_cells(const pugi::xml_node& node, const VtpArrays& arrays) {
     VtkCells cells;
-    for (const Node& element : node.children("DataArray")) {
+    for (const pugi::xml_node& element : node.children("DataArray")) {
       const std::string_view name = element.attribute("Name").value();
       if (name == "connectivity") cells.connectivity = arrays.indices(element);
       if (name != "offsets") continue;
@@ -81,9 +79,9 @@ class VtpReader {
     return cells;
   }
 
-  static std::vector<VtkArray> read_arrays(const Node& node, const VtpArrays& arrays) {
+  static std::vector<VtkArray> read_arrays(const pugi::xml_node& node, const VtpArrays& arrays) {
     std::vector<VtkArray> result;
-    for (const Node& element : node.children("DataArray")) {
+    for (const pugi::xml_node& element : node.children("DataArray")) {
       result.push_back(arrays.read(element));
       for (const char* role : {"Normals", "TCoords", "Scalars"})
         if (result.back().name == node.attribute(role).value()) result.back().role = role;

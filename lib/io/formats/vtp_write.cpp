@@ -18,7 +18,7 @@ bool is_printable(std::string_view name) {
   return std::all_of(name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-std::string escaped(std::string_view name) {
+std::string escaped_attribute(std::string_view name) {
   std::string text;
   for (const char c : name) {
     if (c == '&' || c == '<' || c == '>' || c == '"') {
@@ -116,7 +116,7 @@ class VtpWriter {
     }
     text_.add("<DataArray");
     add_attribute("type", type);
-    add_attribute("Name", escaped(name));
+    add_attribute("Name", escaped_attribute(name));
     add_count("NumberOfComponents", components);
     add_attribute("format", "binary");
     text_.add(">\n");

@@ -51,7 +51,7 @@ std::vector<double> xml_numbers(const std::string& text, const std::string& what
   for (std::string word; words >> word;) {
     const auto number = number_in<double>(word);
     if (!number || !std::isfinite(*number))
-      source.fail(what + " has " + quoted(word) + ", which is not a finite number");
+      source.fail(what + " has " + in_quotes(word) + ", which is not a finite number");
     numbers.push_back(*number);
   }
   return numbers;

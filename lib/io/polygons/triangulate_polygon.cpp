@@ -26,7 +26,7 @@ struct Projection {
 };
 
 /// Returns Newell's normal of the polygon, for coordinates scaled to at most 1.
-Vec3 normal_of(std::span<const Vec3> positions) {
+Vec3 polygon_normal(std::span<const Vec3> positions) {
   double largest = 0;
   for (const Vec3& position : positions)
     largest = std::max(largest, position.cwiseAbs().maxCoeff());
@@ -205,14 +205,14 @@ PolygonTriangles triangulate_along(const Projection& projected, std::span<const 
 
 bool is_unfolded_fan(std::span<const Vec3> positions) {
   if (positions.size() < 3) return false;
-  return FanCheck(positions, along_axis(axis_nearest_to(normal_of(positions)))).is_fan();
+  return FanCheck(positions, along_axis(axis_nearest_to(polygon_normal(positions)))).is_fan();
 }
 
 PolygonTriangles triangulate_polygon(std::span<const Vec3> positions,
                                      std::span<const Index> vertices) {
   if (positions.size() < 3) return {};
   if (is_unfolded_fan(positions)) return fan_of(positions.size());
-  const Vec3 normal = normal_of(positions);
+  const Vec3 normal = polygon_normal(positions);
   const Eigen::Index axis = axis_nearest_to(normal);
   PolygonTriangles best = triangulate_along(along_axis(axis), positions, vertices);
   if (best.folds + best.upright == 0) return best;

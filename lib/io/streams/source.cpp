@@ -22,7 +22,7 @@ void Source::fail_at_byte(const char* place, const std::string& what) const {
   throw InputError(what + " (" + name + " byte " + std::to_string(place - begin()) + ")");
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;  // number of bytes shown, so that a message fits on a line
   constexpr std::string_view digits = "0123456789abcdef";
   std::string result = "'";

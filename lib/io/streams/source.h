@@ -29,6 +29,6 @@ struct Source {
 };
 
 /// Prepares text of the input for a message: quoted, shortened, unprintable bytes as \xNN.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace transformesh

@@ -14,8 +14,8 @@ namespace {
 
 /// Number of indices in a block of 64 KB. Smaller blocks need more system calls; larger blocks need
 /// more memory for each list.
-constexpr std::size_t block = std::size_t{1} << 14;
-constexpr std::size_t block_bytes = block * sizeof(std::uint32_t);
+constexpr std::size_t indices_per_block = std::size_t{1} << 14;
+constexpr std::size_t block_bytes = indices_per_block * sizeof(std::uint32_t);
 
 }  // namespace
 
@@ -31,7 +31,7 @@ SpilledLists::~SpilledLists() { close(descriptor_); }
 
 void SpilledLists::add(std::size_t list, std::uint32_t index) {
   lists_[list].last.push_back(index);
-  if (lists_[list].last.size() == block) write(lists_[list]);
+  if (lists_[list].last.size() == indices_per_block) write(lists_[list]);
 }
 
 void SpilledLists::write(List& list) {
@@ -49,7 +49,7 @@ void SpilledLists::write(List& list) {
 
 std::vector<std::uint32_t> SpilledLists::read(std::size_t list) const {
   const List& from = lists_[list];
-  std::vector<std::uint32_t> result(from.offsets.size() * block);
+  std::vector<std::uint32_t> result(from.offsets.size() * indices_per_block);
   char* to = reinterpret_cast<char*>(result.data());
   for (const std::uint64_t offset : from.offsets) {
     for (std::size_t done = 0; done < block_bytes;) {

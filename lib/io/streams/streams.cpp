@@ -19,7 +19,7 @@ namespace transformesh {
 namespace {
 
 // Size of reads and of pipe buffers: 1 MB, the largest pipe buffer that Linux allows by default.
-constexpr std::size_t block = std::size_t{1} << 20;
+constexpr std::size_t read_size = std::size_t{1} << 20;
 
 class Descriptor {
  public:
@@ -55,7 +55,7 @@ bool may_retry(int descriptor, short events) {
 // this fails, the buffer stays smaller.
 void widen_pipe([[maybe_unused]] int descriptor) {
 #ifdef F_SETPIPE_SZ
-  fcntl(descriptor, F_SETPIPE_SZ, static_cast<int>(block));
+  fcntl(descriptor, F_SETPIPE_SZ, static_cast<int>(read_size));
 #endif
 }
 
@@ -63,7 +63,7 @@ void widen_pipe([[maybe_unused]] int descriptor) {
 // a block for other files.
 std::size_t first_read_size(int descriptor) {
   struct stat status {};
-  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return block;
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return read_size;
   return std::min(static_cast<std::size_t>(status.st_size) + 1, std::size_t{1} << 30);
 }
 
@@ -71,9 +71,9 @@ std::size_t first_read_size(int descriptor) {
 // of bytes up to the first block that could not be read; reading continues there.
 std::size_t read_blocks(int descriptor, std::size_t size, char* to) {
   std::atomic<std::size_t> complete = size;
-  parallel_for((size + block - 1) / block, 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t place = first * block; place < std::min(size, last * block);) {
-      const std::size_t wanted = std::min(size, last * block) - place;
+  parallel_for((size + read_size - 1) / read_size, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t place = first * read_size; place < std::min(size, last * read_size);) {
+      const std::size_t wanted = std::min(size, last * read_size) - place;
       const ssize_t got = pread(descriptor, to + place, wanted, static_cast<off_t>(place));
       if (got > 0) {
         place += static_cast<std::size_t>(got);
@@ -119,7 +119,7 @@ Bytes read_all(const std::string& path) {
   widen_pipe(descriptor.number());
   Bytes bytes;
   std::size_t wanted = first_read_size(descriptor.number());
-  if (path != "-" && wanted > block) {
+  if (path != "-" && wanted > read_size) {
     const std::size_t size = wanted - 1;
     bytes.grow(read_blocks(descriptor.number(), size, bytes.reserve(wanted)));
     wanted -= bytes.view().size();
@@ -130,7 +130,7 @@ Bytes read_all(const std::string& path) {
     if (got == 0) return bytes;
     if (got > 0) bytes.grow(static_cast<std::size_t>(got));
     if (got < 0 && !may_retry(descriptor.number(), POLLIN)) throw_unreadable(path);
-    wanted = std::max(wanted - static_cast<std::size_t>(std::max<ssize_t>(got, 0)), block);
+    wanted = std::max(wanted - static_cast<std::size_t>(std::max<ssize_t>(got, 0)), read_size);
   }
 }
 

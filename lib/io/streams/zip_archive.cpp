@@ -8,10 +8,9 @@
 #include <new>
 
 namespace transformesh {
-namespace {
 
 /// A file in memory for minizip: reads from `given`, or writes to `written`.
-struct MemoryFile {
+struct ArchiveInMemory {
   std::string_view given;
   std::string written;
   bool is_written = false;
@@ -20,12 +19,14 @@ struct MemoryFile {
   std::size_t size() const { return is_written ? written.size() : given.size(); }
 };
 
-MemoryFile& memory_file(voidpf stream) { return *static_cast<MemoryFile*>(stream); }
+namespace {
+
+ArchiveInMemory& memory_file(voidpf stream) { return *static_cast<ArchiveInMemory*>(stream); }
 
 voidpf open_memory(voidpf file, const void* /*name*/, int /*mode*/) { return file; }
 
 uLong read_memory(voidpf /*opaque*/, voidpf stream, void* to, uLong size) {
-  MemoryFile& file = memory_file(stream);
+  ArchiveInMemory& file = memory_file(stream);
   const std::string_view bytes = file.is_written ? file.written : file.given;
   const std::string_view part = bytes.substr(std::min(file.place, bytes.size()), size);
   part.copy(static_cast<char*>(to), part.size());
@@ -34,7 +35,7 @@ uLong read_memory(voidpf /*opaque*/, voidpf stream, void* to, uLong size) {
 }
 
 uLong write_memory(voidpf /*opaque*/, voidpf stream, const void* from, uLong size) {
-  MemoryFile& file = memory_file(stream);
+  ArchiveInMemory& file = memory_file(stream);
   file.written.resize(std::max(file.written.size(), file.place + size));
   std::copy_n(static_cast<const char*>(from), size, file.written.data() + file.place);
   file.place += size;
@@ -44,7 +45,7 @@ uLong write_memory(voidpf /*opaque*/, voidpf stream, const void* from, uLong siz
 ZPOS64_T place_in_memory(voidpf /*opaque*/, voidpf stream) { return memory_file(stream).place; }
 
 long seek_memory(voidpf /*opaque*/, voidpf stream, ZPOS64_T offset, int origin) {
-  MemoryFile& file = memory_file(stream);
+  ArchiveInMemory& file = memory_file(stream);
   const std::size_t base = origin == ZLIB_FILEFUNC_SEEK_SET   ? 0
                            : origin == ZLIB_FILEFUNC_SEEK_CUR ? file.place
                                                               : file.size();
@@ -56,7 +57,7 @@ long seek_memory(voidpf /*opaque*/, voidpf stream, ZPOS64_T offset, int origin) 
 int close_memory(voidpf /*opaque*/, voidpf /*stream*/) { return 0; }
 int no_error(voidpf /*opaque*/, voidpf /*stream*/) { return 0; }
 
-zlib_filefunc64_def functions_for(MemoryFile& file) {
+zlib_filefunc64_def functions_for(ArchiveInMemory& file) {
   return {open_memory, read_memory,  write_memory, place_in_memory,
           seek_memory, close_memory, no_error,     &file};
 }
@@ -68,7 +69,7 @@ bool is_zip(std::string_view bytes) { return bytes.starts_with("PK\3\4"); }
 // --- Reading -------------------------------------------------------------------------------------
 
 struct ZipReader::State {
-  MemoryFile memory;
+  ArchiveInMemory memory;
   unzFile file = nullptr;
 };
 
@@ -90,7 +91,7 @@ std::optional<std::string> ZipReader::read(const std::string& name) const {
   constexpr std::size_t block = 1U << 16U;  // bytes; affects time only
   if (unzLocateFile(state_->file, name.c_str(), ignoring_case) != UNZ_OK) return std::nullopt;
   const auto fail = [&](const char* what) {
-    source_.fail(quoted(name) + " in the archive " + what);
+    source_.fail(in_quotes(name) + " in the archive " + what);
   };
   unz_file_info64 info{};
   unzGetCurrentFileInfo64(state_->file, &info, nullptr, 0, nullptr, 0, nullptr, 0);
@@ -114,7 +115,7 @@ std::optional<std::string> ZipReader::read(const std::string& name) const {
 // --- Writing -------------------------------------------------------------------------------------
 
 struct ZipWriter::State {
-  MemoryFile memory;
+  ArchiveInMemory memory;
   zipFile file = nullptr;
 };
 

@@ -12,7 +12,7 @@ constexpr double least_squared_sine = 1e-12;
 /// An edge may meet the triangle if its distance from the triangle is below this share of the
 /// triangle's size. Rounding errors of the barycentric coordinates are a tenth of this share. A
 /// larger margin only collects more faces.
-constexpr double margin = 1e-9;
+constexpr double share_margin = 1e-9;
 
 bool is_wide(const TriangleAxes& axes) {
   const double longest = std::max({axes.first.squaredNorm(), axes.second.squaredNorm(),
@@ -32,13 +32,14 @@ ProjectedFaces::ProjectedFaces(const Mesh& mesh, std::vector<Index> opposites,
 /// True if the projected edge may meet the triangle. Tests whether one of the triangle's edges or
 /// the edge itself is a separating line.
 bool ProjectedFaces::may_meet(const Place& from, const Place& to) {
-  if (std::max(from.first, to.first) < -margin || std::max(from.second, to.second) < -margin ||
-      std::max(from.rest(), to.rest()) < -margin)
+  if (std::max(from.first, to.first) < -share_margin ||
+      std::max(from.second, to.second) < -share_margin ||
+      std::max(from.rest(), to.rest()) < -share_margin)
     return false;
   const double x = to.first - from.first, y = to.second - from.second;
   const double origin = y * from.first - x * from.second;
   const double least =
-      margin * (1 + x * x + y * y + from.first * from.first + from.second * from.second);
+      share_margin * (1 + x * x + y * y + from.first * from.first + from.second * from.second);
   const auto [low, high] = std::minmax({origin, origin - y, origin + x});
   return !(low > least || high < -least);
 }
@@ -91,7 +92,8 @@ bool ProjectedFaces::meets_only_corner(const Triangle& triangle, const Vec3& end
                                        const Place& other) {
   const std::array<double, 3> shares{other.rest(), other.first, other.second};
   for (std::size_t i = 0; i < 3; ++i)
-    if (end == triangle[i]) return std::min(shares[(i + 1) % 3], shares[(i + 2) % 3]) < -margin;
+    if (end == triangle[i])
+      return std::min(shares[(i + 1) % 3], shares[(i + 2) % 3]) < -share_margin;
   return false;
 }
 

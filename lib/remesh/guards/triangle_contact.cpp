@@ -16,7 +16,7 @@ namespace {
 /// A gap between triangles must exceed this share of the sizes involved. Relative rounding errors
 /// of gaps are below 1e-14. With a larger margin, more patches are refused; with a smaller margin,
 /// contacts may be accepted.
-constexpr double margin = 1e-12;
+constexpr double contact_margin = 1e-12;
 constexpr double nearly_zero = 1e-9;
 
 /// True if there is a gap between the projections onto the axis. `size` is the largest distance of
@@ -26,7 +26,7 @@ bool is_gap(const Vec3& axis, const Triangle& first, const Triangle& second, dou
   const std::array<double, 3> t{axis.dot(second[0]), axis.dot(second[1]), axis.dot(second[2])};
   const auto [s_low, s_high] = std::minmax({s[0], s[1], s[2]});
   const auto [t_low, t_high] = std::minmax({t[0], t[1], t[2]});
-  const double least = margin * size * axis.norm();
+  const double least = contact_margin * size * axis.norm();
   return s_high + least < t_low || t_high + least < s_low;
 }
 
@@ -101,7 +101,7 @@ struct Wedges {
     }
     const Vec3 tilted = unit_axis + 0.2 * least * tilt;
     for (std::size_t i = 0; i < 4; ++i) {
-      if (side(tilted, i) < margin) return false;
+      if (side(tilted, i) < contact_margin) return false;
     }
     return true;
   }

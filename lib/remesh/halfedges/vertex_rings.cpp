@@ -7,7 +7,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t usual_valence = 6;  ///< initial capacity; affects time only
+constexpr std::size_t initial_capacity = 6;  ///< initial capacity; affects time only
 
 void append_ring(const EditableMesh& mesh, Index vertex, std::vector<Index>& ring) {
   ring.push_back(mesh.target(mesh.outgoing(vertex)));
@@ -23,7 +23,7 @@ void find_ring(const EditableMesh& mesh, Index vertex, std::vector<Index>& ring)
 
 VertexRings::Chunk VertexRings::chunk_of(const EditableMesh& mesh, Index first, Index last) {
   Chunk chunk;
-  chunk.neighbors.reserve((usual_valence + 1) * (last - first));
+  chunk.neighbors.reserve((initial_capacity + 1) * (last - first));
   chunk.ends.reserve(last - first + 1);
   chunk.ends.push_back(0);
   for (Index v = first; v < last; ++v) {

@@ -16,7 +16,7 @@ constexpr double share = 0.3;
 /// and does not move.
 constexpr double crease = 0.25;
 /// Movements shorter than this share of the edge length are skipped.
-constexpr double rest = 1e-3;
+constexpr double still = 1e-3;
 /// The squared edge length of six equal equilateral triangles if the sum of their areas is 1/2.
 constexpr double squared_edge_by_area = 0.19245008972987526;
 
@@ -72,7 +72,7 @@ void smooth_bilaplacian(EditableMesh& mesh, EmbeddingGuard& guard, const VertexR
     double sum = 0;
     mesh.for_each_neighbor(v, [&](Index neighbor, Index) { sum += vertices[neighbor].height; });
     const double way = share * (sum / vertex.valence - vertex.height);
-    if (!(std::abs(way) > rest * vertex.edge)) continue;
+    if (!(std::abs(way) > still * vertex.edge)) continue;
     star.gather(mesh, v);
     mover.move(v, star, star.center() + way * vertex.normal);
   }

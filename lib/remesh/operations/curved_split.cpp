@@ -15,12 +15,12 @@ namespace {
 /// Largest number of rounds. A round halves every edge that is too long, so 64 rounds reduce an
 /// edge from the largest extent of a mesh to the shortest edge that is split. More rounds would
 /// only repeat refused splits.
-constexpr int most_rounds = 64;
+constexpr int most_halvings = 64;
 /// A new vertex may move from the middle of its edge to the curved surface if its triangles keep at
 /// least this roundness. Other operations use the limit 0.6. Triangles that were halved twice are
 /// less round than that, so their new vertices would stay off the curved surface. Values far below
 /// 0.1 would allow slivers.
-constexpr double round_enough = 0.1;
+constexpr double round_enough_on_curve = 0.1;
 
 /// The curved midpoints of the edges that are too long, by the ends of the edges. The midpoints are
 /// computed before the splits, because splits put vertices on chords.
@@ -57,7 +57,7 @@ class CurvedMidpoints {
 
 void move_onto_curves(EditableMesh& mesh, Index first, const SafeSplits& splits,
                       const CurvedMidpoints& midpoints) {
-  VertexMover mover(mesh, *splits.guard, round_enough);
+  VertexMover mover(mesh, *splits.guard, round_enough_on_curve);
   VertexStar star;
   for (std::size_t i = 0; i < splits.ends.size(); ++i) {
     const Vec3* const place = midpoints.find(splits.ends[i]);
@@ -75,7 +75,7 @@ SafeSplits split_onto_curves(EditableMesh& mesh, SafeSplitOptions options, FlipR
                              const Progress& progress) {
   options.limits.only_given = true;
   SafeSplits all;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_halvings; ++round) {
     const CurvedMidpoints midpoints(mesh, options.limits.longest);
     if (midpoints.empty() && all.guard) break;
     const Index first = mesh.vertex_slots();

@@ -11,16 +11,16 @@ namespace {
 /// A face is a needle if its shortest edge is below this share of its longest edge; the shortest
 /// edge is then collapsed. The longest edge of other degenerate faces is flipped.
 constexpr double short_edge = 0.1;
-constexpr int most_rounds = 4;
+constexpr int most_collapse_rounds = 4;
 
 /// The shortest and the longest edge of a face.
-struct Sides {
+struct EdgesByLength {
   Index shortest;
   Index longest;
   double shortest_squared;
   double longest_squared;
 
-  Sides(const EditableMesh& mesh, Index face) : shortest(3 * face), longest(3 * face) {
+  EdgesByLength(const EditableMesh& mesh, Index face) : shortest(3 * face), longest(3 * face) {
     shortest_squared = longest_squared = mesh.squared_length(3 * face);
     for (Index h = 3 * face + 1; h < 3 * face + 3; ++h) {
       const double squared = mesh.squared_length(h);
@@ -52,7 +52,7 @@ std::vector<Index> degenerate_faces(const EditableMesh& mesh) {
 std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
                                     const VertexRoles& roles, const EdgeLimits& limits) {
   const auto mend = [&](Index face) {
-    const Sides sides(mesh, face);
+    const EdgesByLength sides(mesh, face);
     const bool may_collapse = !(roles.keeps_border() && mesh.is_border(sides.shortest));
     if (sides.is_needle() && may_collapse &&
         collapse_edge(mesh, guard, roles, sides.shortest, limits)) {
@@ -61,7 +61,7 @@ std::size_t remove_degenerate_faces(EditableMesh& mesh, EmbeddingGuard& guard,
     return flip_edge(mesh, guard, sides.longest);
   };
   std::vector<Index> faces = degenerate_faces(mesh);
-  for (int round = 0; round < most_rounds && !faces.empty(); ++round) {
+  for (int round = 0; round < most_collapse_rounds && !faces.empty(); ++round) {
     bool changed = false;
     for (const Index face : faces) {
       if (mesh.has_face(face) && is_degenerate(mesh, face)) changed |= mend(face);

@@ -19,8 +19,8 @@ constexpr double thin_share = 1e-5;
 constexpr double thin_spacings = 4;
 /// Each round moves the surface by at most two heights of slivers. All rounds therefore remain
 /// within the slack of the guard.
-constexpr int most_rounds = 16;
-constexpr double slack_heights = 4 * most_rounds;
+constexpr int most_sliver_rounds = 16;
+constexpr double slack_heights = 4 * most_sliver_rounds;
 
 double longest_edge(const Triangle& t) {
   return std::sqrt(std::max(
@@ -174,7 +174,7 @@ Slivers count_slivers(const EditableMesh& mesh, const SliverTest& is_sliver) {
 
 void remove_slivers(EditableMesh& mesh, const VertexRoles& roles, const SliverTest& is_sliver) {
   SliverRemoval removal(mesh, roles, is_sliver);
-  for (int round = 0; round < most_rounds && removal.run_round() > 0; ++round) {
+  for (int round = 0; round < most_sliver_rounds && removal.run_round() > 0; ++round) {
   }
 }
 

@@ -17,7 +17,7 @@ namespace {
 /// A midpoint that touches other faces is moved along its normal by these distances, in spacings of
 /// its largest coordinate.
 constexpr std::array<double, 3> roundings{1, 2, 4};
-constexpr int most_rounds = 4;  ///< largest number of rounds; chosen by hand, not measured
+constexpr int most_contact_rounds = 4;  ///< largest number of rounds; chosen by hand, not measured
 /// Edges shorter than this many spacings are not split. Rounding moves midpoints by up to half the
 /// square root of 3 spacings. If the edge is longer, all edges to its midpoint are shorter than the
 /// edge itself; otherwise splits might not end.
@@ -175,7 +175,7 @@ std::vector<Index> settle_midpoints(EditableMesh& mesh, EmbeddingGuard& guard, I
   for (Index v = first; v < mesh.vertex_slots(); ++v) try_to_settle(v);
 
   // Tries again, because neighbors may have moved out of contact.
-  for (int round = 0; round < most_rounds && !in_contact.empty(); ++round) {
+  for (int round = 0; round < most_contact_rounds && !in_contact.empty(); ++round) {
     const std::vector<Index> again = std::exchange(in_contact, {});
     std::for_each(again.begin(), again.end(), try_to_settle);
     if (in_contact.size() == again.size()) break;

@@ -5,9 +5,9 @@
 namespace transformesh {
 namespace {
 
-constexpr double least_turn_cosine = 0.5;  ///< cosine of 60 degrees; chosen by hand, not measured
+constexpr double least_motion_cosine = 0.5;  ///< cosine of 60 degrees; chosen by hand, not measured
 /// The normal of a triangle of at most this roundness is mostly rounding error.
-constexpr double normal_roundness = 0.02;
+constexpr double least_normal_roundness = 0.02;
 /// Triangles with a smaller squared roundness have no reliable normal (normal_cone.h).
 constexpr double thin = 1e-16;
 
@@ -30,7 +30,8 @@ double least_squared_roundness(const VertexStar& star) {
 /// Returns the normals with which new normals are compared. These are the old normals, or the
 /// normal of the whole star if the old normals are mostly rounding error.
 NormalPair normals_before(const VertexStar& star, const VertexStar::Pair& pair) {
-  const NumberPair bound = twice(normal_roundness * normal_roundness) * pair.squares * pair.squares;
+  const NumberPair bound =
+      twice(least_normal_roundness * least_normal_roundness) * pair.squares * pair.squares;
   const MaskPair has_normal = 12 * pair.squared > bound;
   if (all(has_normal)) return {pair.normal, pair.squared};
   const VectorPair mean = twice_vector(star.normal());
@@ -43,7 +44,7 @@ NormalPair normals_before(const VertexStar& star, const VertexStar::Pair& pair) 
 MaskPair turn(const NormalPair& before, const NormalPair& after) {
   const NumberPair dot = before.normal.dot(after.normal);
   const NumberPair bound =
-      twice(least_turn_cosine * least_turn_cosine) * before.squared * after.squared;
+      twice(least_motion_cosine * least_motion_cosine) * before.squared * after.squared;
   return (dot <= twice(0)) | (dot * dot < bound);
 }
 

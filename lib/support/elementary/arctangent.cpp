@@ -13,8 +13,8 @@
 namespace transformesh::elementary {
 namespace {
 
-constexpr int steps = 64;      ///< number of table intervals from 0 to 1
-constexpr int first_step = 8;  ///< below this table entry, the power series is used
+constexpr int steps_to_1 = 64;       ///< number of table intervals from 0 to 1
+constexpr int first_table_step = 8;  ///< below this table entry, the power series is used
 
 constexpr DoubleDouble arctangent_series(const DoubleDouble& x) {
   DoubleDouble sum;
@@ -23,10 +23,10 @@ constexpr DoubleDouble arctangent_series(const DoubleDouble& x) {
 }
 
 /// Entry j is atan(j/64). It is the previous entry plus atan(1 / (64 + j (j - 1) / 64)).
-constexpr auto table = [] {
-  std::array<DoubleDouble, steps + 1> angles;
-  for (int j = 1; j <= steps; ++j)
-    angles[j] = angles[j - 1] + arctangent_series(one / (steps + j * (j - 1.0) / steps));
+constexpr auto angle_table = [] {
+  std::array<DoubleDouble, steps_to_1 + 1> angles;
+  for (int j = 1; j <= steps_to_1; ++j)
+    angles[j] = angles[j - 1] + arctangent_series(one / (steps_to_1 + j * (j - 1.0) / steps_to_1));
   return angles;
 }();
 
@@ -46,20 +46,21 @@ DoubleDouble angle_by_series(double low, double high) {
 // numerator of the difference is computed without rounding its terms. For this, `high` is split:
 // `first` consists of its leading 45 bits, and tangents in the table have only 7 bits.
 DoubleDouble angle_by_table(double low, double high) {
-  const double step = nearest_integer(low / high * steps);
-  const double tangent = step / steps;
+  const double step = nearest_integer(low / high * steps_to_1);
+  const double tangent = step / steps_to_1;
   const auto first = std::bit_cast<double>(std::bit_cast<std::uint64_t>(high) & ~0xffULL);
   const double numerator = (low - tangent * first) - tangent * (high - first);
   const double x = numerator / (high + tangent * low);
   const double z = x * x;
   const double series = inverse(-3) + z * (inverse(5) - z * (inverse(7) - z * inverse(9)));
-  const DoubleDouble& nearest = table[static_cast<std::size_t>(step)];
+  const DoubleDouble& nearest = angle_table[static_cast<std::size_t>(step)];
   return fast_sum(nearest.high, x + (nearest.low + x * z * series));
 }
 
 /// Returns the angle whose tangent is low / high, for angles up to pi/4.
 DoubleDouble angle_of(double low, double high) {
-  return low * steps < high * first_step ? angle_by_series(low, high) : angle_by_table(low, high);
+  return low * steps_to_1 < high * first_table_step ? angle_by_series(low, high)
+                                                    : angle_by_table(low, high);
 }
 
 /// Returns the rounded sum a + b. The magnitude of a must not be smaller than that of b.

@@ -10,9 +10,9 @@
 namespace transformesh::elementary {
 namespace {
 
-constexpr int steps = 8;       ///< number of table intervals per unit
-constexpr double limit = 6;    ///< erf(x) rounds to 1 for larger x
-constexpr int last_step = 48;  ///< index of the last table entry, at the limit
+constexpr int steps_per_unit = 8;    ///< number of table intervals per unit
+constexpr double limit = 6;          ///< erf(x) rounds to 1 for larger x
+constexpr int last_error_step = 48;  ///< index of the last table entry, at the limit
 
 constexpr DoubleDouble two_over_root_of_pi{0x1.20dd750429b6dp+0, 0x1.1ae3a914fed80p-56};
 
@@ -41,12 +41,12 @@ constexpr DoubleDouble ratio_to_derivative(double x) {
 
 /// Entry j contains erf(x) and its derivative at x = j/8. The derivative is exp(-j^2/64) times the
 /// derivative at 0. It is computed from the derivative in the previous entry.
-constexpr auto table = [] {
-  std::array<Entry, last_step + 1> entries;
+constexpr auto error_table = [] {
+  std::array<Entry, last_error_step + 1> entries;
   entries[0].derivative = two_over_root_of_pi;
-  for (int j = 1; j <= last_step; ++j) {
+  for (int j = 1; j <= last_error_step; ++j) {
     entries[j].derivative = entries[j - 1].derivative * decay((1.0 - 2 * j) / 64);
-    entries[j].value = ratio_to_derivative(1.0 * j / steps) * entries[j].derivative;
+    entries[j].value = ratio_to_derivative(1.0 * j / steps_per_unit) * entries[j].derivative;
   }
   return entries;
 }();
@@ -68,9 +68,9 @@ double rest_of_integral(double center, double x) {
 }
 
 double erf_of_positive(double x) {
-  const double step = nearest_integer(x * steps);
-  const double center = step / steps;
-  const auto& [value, derivative] = table[static_cast<std::size_t>(step)];
+  const double step = nearest_integer(x * steps_per_unit);
+  const double center = step / steps_per_unit;
+  const auto& [value, derivative] = error_table[static_cast<std::size_t>(step)];
   const DoubleDouble integral = fast_sum(x - center, rest_of_integral(center, x - center));
   return (value + derivative * integral).value();
 }

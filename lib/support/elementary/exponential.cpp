@@ -16,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int steps = 64;                     ///< number of table intervals from 1 to 2
+constexpr int steps_per_octave = 64;          ///< number of table intervals from 1 to 2
 constexpr double largest_argument = 709.79;   ///< exp(x) overflows for larger x
 constexpr double smallest_argument = -745.2;  ///< exp(x) rounds to 0 for smaller x
 
@@ -28,8 +28,9 @@ constexpr DoubleDouble exp_series(const DoubleDouble& x) {
 
 /// Entry j is 2^(j/64).
 constexpr auto roots_of_2 = [] {
-  std::array<DoubleDouble, steps> table;
-  for (int j = 0; j < steps; ++j) table[j] = exp_series(log_of_2 * (1.0 * j / steps));
+  std::array<DoubleDouble, steps_per_octave> table;
+  for (int j = 0; j < steps_per_octave; ++j)
+    table[j] = exp_series(log_of_2 * (1.0 * j / steps_per_octave));
   return table;
 }();
 
@@ -45,9 +46,9 @@ double scaled_exp(int n, double x) {
       x + x * x *
               (inverse(2) +
                x * (inverse(6) + x * (inverse(24) + x * (inverse(120) + x * inverse(720)))));
-  const int step = ((n % steps) + steps) % steps;
+  const int step = ((n % steps_per_octave) + steps_per_octave) % steps_per_octave;
   const DoubleDouble& root = roots_of_2[step];
-  return scaled(root.high + (root.low + root.high * rest), (n - step) / steps);
+  return scaled(root.high + (root.low + root.high * rest), (n - step) / steps_per_octave);
 }
 
 double exp_of(const DoubleDouble& x) {
@@ -55,7 +56,7 @@ double exp_of(const DoubleDouble& x) {
   if (x.high > largest_argument) return infinity;
   if (x.high < smallest_argument) return 0;
   // The product of n and the first 36 bits of log(2)/64 is exact.
-  const double n = nearest_integer(x.high * (steps * inverse(log_of_2.high)));
+  const double n = nearest_integer(x.high * (steps_per_octave * inverse(log_of_2.high)));
   const double first = x.high - n * 0x1.62e42fefa0000p-7;
   return scaled_exp(static_cast<int>(n), first + (x.low - n * 0x1.cf79abc9e3b3ap-46));
 }
@@ -138,8 +139,8 @@ double exp2(double x) {
   if (std::isnan(x)) return not_a_number;
   if (x >= 1024) return infinity;
   if (x < -1080) return 0;
-  const double n = nearest_integer(x * steps);
-  return scaled_exp(static_cast<int>(n), (x - n / steps) * log_of_2.high);
+  const double n = nearest_integer(x * steps_per_octave);
+  return scaled_exp(static_cast<int>(n), (x - n / steps_per_octave) * log_of_2.high);
 }
 
 double log(double x) { return has_logarithm(x) ? log_of(x).value() : logarithm_beyond(x); }

@@ -10,11 +10,11 @@
 namespace transformesh::elementary {
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double negligible = 0x1p-27;  ///< sin(x) and tan(x) round to x if |x| is smaller
 
-constexpr int steps = 32;      ///< number of table intervals per radian
-constexpr int last_step = 26;  ///< index of the last table entry, just above pi/4
+constexpr int steps_per_radian = 32;  ///< number of table intervals per radian
+constexpr int last_sine_step = 26;    ///< index of the last table entry, just above pi/4
 
 struct SineAndCosine {
   DoubleDouble sine;
@@ -28,10 +28,10 @@ constexpr DoubleDouble alternating_series(const DoubleDouble& x, int n) {
   return sum;
 }
 
-constexpr auto table = [] {
-  std::array<SineAndCosine, last_step + 1> entries;
-  for (int j = 0; j <= last_step; ++j) {
-    const DoubleDouble x{1.0 * j / steps, 0};
+constexpr auto sine_table = [] {
+  std::array<SineAndCosine, last_sine_step + 1> entries;
+  for (int j = 0; j <= last_sine_step; ++j) {
+    const DoubleDouble x{1.0 * j / steps_per_radian, 0};
     entries[j] = {x * alternating_series(x, 1), alternating_series(x, 0)};
   }
   return entries;
@@ -40,9 +40,9 @@ constexpr auto table = [] {
 // Returns sine and cosine by addition formulas from the nearest angle of the table. The main terms
 // of a sine (table entry and difference) are added exactly, so that small sines keep their digits.
 SineAndCosine of_positive(const DoubleDouble& x) {
-  const double step = nearest_integer(x.high * steps);
-  const auto& [sine, cosine] = table[static_cast<std::size_t>(step)];
-  const double angle = x.high - step / steps;
+  const double step = nearest_integer(x.high * steps_per_radian);
+  const auto& [sine, cosine] = sine_table[static_cast<std::size_t>(step)];
+  const double angle = x.high - step / steps_per_radian;
   const double square = angle * angle;
   const double sine_rest =
       x.low + angle * square * (inverse(-6) + square * (inverse(120) - square * inverse(5040)));
@@ -82,14 +82,14 @@ SineAndCosine of_angle(double x) {
 }  // namespace
 
 double sin(double x) {
-  if (!std::isfinite(x)) return not_a_number;
+  if (!std::isfinite(x)) return undefined;
   return std::abs(x) < negligible ? x : of_angle(x).sine.value();
 }
 
-double cos(double x) { return std::isfinite(x) ? of_angle(x).cosine.value() : not_a_number; }
+double cos(double x) { return std::isfinite(x) ? of_angle(x).cosine.value() : undefined; }
 
 double tan(double x) {
-  if (!std::isfinite(x)) return not_a_number;
+  if (!std::isfinite(x)) return undefined;
   if (std::abs(x) < negligible) return x;
   const auto [sine, cosine] = of_angle(x);
   return (sine / cosine).value();

@@ -3,14 +3,12 @@
 namespace transformesh {
 namespace {
 
-constexpr TextRows::Rules rules{'\0', false};
-
-void next_row(TextRows& rows, const std::string& what) {
+void require_next_row(TextRows& rows, const std::string& what) {
   if (!rows.next_row()) rows.fail("the file ends before " + what);
 }
 
 Vec3 read_vector(TextRows& rows, const std::string& what) {
-  next_row(rows, what);
+  require_next_row(rows, what);
   Vec3 vector;
   for (int i = 0; i < 3; ++i) {
     vector[i] = rows.finite_number<double>(
@@ -22,7 +20,7 @@ Vec3 read_vector(TextRows& rows, const std::string& what) {
 
 /// Reads one camera. Converts its coordinates from Bundler's convention (looks along -z, y up) to
 /// ours (looks along z, y down).
-CameraRecord read_camera(TextRows& rows, const Source& source, std::size_t number) {
+CameraRecord read_bundler_camera(TextRows& rows, const Source& source, std::size_t number) {
   CameraRecord record;
   record.name = "camera" + std::to_string(number);
   const std::string who = "camera " + std::to_string(number);
@@ -50,20 +48,21 @@ CameraRecord read_camera(TextRows& rows, const Source& source, std::size_t numbe
 }  // namespace
 
 CameraList read_bundler(const Source& source) {
-  TextRows rows(source, 0, rules);
-  next_row(rows, "its first line");
+  TextRows rows(source, 0, rules_without_comments);
+  require_next_row(rows, "its first line");
   const std::string_view title = rows.skip_row();
   if (!title.ends_with("v0.3")) {
-    rows.fail("only Bundler files of version 0.3 are read, not " + quoted(title));
+    rows.fail("only Bundler files of version 0.3 are read, not " + in_quotes(title));
   }
-  next_row(rows, "the numbers of cameras and points");
+  require_next_row(rows, "the numbers of cameras and points");
   const auto count = rows.number<std::size_t>([] { return std::string("the number of cameras"); });
   rows.number<std::size_t>([] { return std::string("the number of points"); });
   rows.end_row([] { return std::string("the line of counts"); });
   if (count == 0) rows.fail("there is no camera in the file");
 
   CameraList list;
-  for (std::size_t i = 0; i < count; ++i) list.cameras.push_back(read_camera(rows, source, i));
+  for (std::size_t i = 0; i < count; ++i)
+    list.cameras.push_back(read_bundler_camera(rows, source, i));
   return list;
 }
 

@@ -17,8 +17,8 @@ void check_names(const CameraList& list) {
   std::set<std::string_view> names;
   for (const CameraRecord& record : list.cameras) {
     if (!names.insert(record.name).second) {
-      throw InputError("a second camera is called " + transformesh::quoted(record.name) + " (" +
-                       record.place + ")");
+      throw InputError("a second camera is called " + in_quotes(record.name) + " (" + record.place +
+                       ")");
     }
   }
 }
@@ -26,7 +26,7 @@ void check_names(const CameraList& list) {
 CameraList parse(const Source& source, const std::string& stem) {
   if (source.bytes.empty()) source.fail("the input is empty: it contains no cameras");
   if (const auto format = camera_format(source.bytes)) return reader_of(*format).read(source, stem);
-  source.fail("not a camera file, starting with " + quoted(source.bytes.substr(0, 16)) + ": " +
+  source.fail("not a camera file, starting with " + in_quotes(source.bytes.substr(0, 16)) + ": " +
               known_camera_formats());
 }
 

@@ -14,6 +14,10 @@
 
 namespace transformesh {
 
+/// In files of COLMAP, MVSNet and transforms.json, the center of the first pixel is (0.5, 0.5);
+/// ours is (0, 0).
+inline constexpr double pixel_center = 0.5;
+
 /// All readers throw InputError as described in camera_file.h.
 CameraList read_bundler(const Source& source);
 /// Names cameras after `stem`.

@@ -20,7 +20,7 @@ void check_written_name(const CameraRecord& record) {
   constexpr std::string_view refused("\n\r\t\v\f\0", 6);
   if (!is_padded && name.find_first_of(refused) == std::string::npos) return;
   throw InputError(
-      "no camera file can hold the name " + transformesh::quoted(name) + " (" + record.place +
+      "no camera file can hold the name " + in_quotes(name) + " (" + record.place +
       "): rename the image so that its name has no line breaks and no leading or trailing blanks");
 }
 
@@ -28,7 +28,7 @@ void check_complete(const CameraList& list) {
   for (const CameraRecord& record : list.cameras) {
     check_written_name(record);
     if (!record.is_centered && record.unit == IntrinsicsUnit::pixel) continue;
-    throw InputError("the principal point of " + transformesh::quoted(record.name) +
+    throw InputError("the principal point of " + in_quotes(record.name) +
                      " depends on the size of its image, which is unknown (" + record.place +
                      "): name the images");
   }
@@ -42,7 +42,7 @@ void check_undistorted(const CameraList& list, CameraFormat format) {
   for (const CameraRecord& record : list.cameras) {
     if (record.distortion.is_none()) continue;
     throw InputError(
-        "the lens of " + transformesh::quoted(record.name) + " has distortion (" + record.place +
+        "the lens of " + in_quotes(record.name) + " has distortion (" + record.place +
         "), which this format cannot hold: write a COLMAP model, or undistort the images "
         "with colmap image_undistorter");
   }
@@ -106,8 +106,8 @@ void check_files(const std::vector<CameraText>& files, const CameraList& list) {
     const std::string& name = files[i].name;
     const bool is_new = names.insert(name).second;
     if (is_new && !name.starts_with('.')) continue;
-    throw InputError("the file of " + transformesh::quoted(list.cameras[i].name) + " (" +
-                     list.cameras[i].place + ") would be in " + transformesh::quoted(name) +
+    throw InputError("the file of " + in_quotes(list.cameras[i].name) + " (" +
+                     list.cameras[i].place + ") would be in " + in_quotes(name) +
                      (is_new ? ", a hidden file" : ", which another camera uses") +
                      ": rename the image");
   }

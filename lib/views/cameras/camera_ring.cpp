@@ -19,7 +19,7 @@ constexpr double filled_share = 0.88;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-void check(const CameraRing& ring) {
+void check_ring(const CameraRing& ring) {
   if (ring.count < 1 || ring.elevations_deg.empty())
     throw UsageError("a ring needs at least one camera and one elevation");
   for (const double elevation : ring.elevations_deg)
@@ -44,7 +44,7 @@ PinholeCamera camera_towards(const CameraRing& ring, double azimuth, double elev
   return camera;
 }
 
-std::string name_of(int index) {
+std::string ring_view_name(int index) {
   const std::string number = std::to_string(index);
   return "view" + std::string(number.size() < 4 ? 4 - number.size() : 0, '0') + number;
 }
@@ -59,13 +59,13 @@ double distance_for(std::span<const Vec3> points, const CameraRing& ring) {
 }
 
 CameraList camera_ring(const CameraRing& ring) {
-  check(ring);
+  check_ring(ring);
   CameraList list;
   list.names_images = true;
   for (int i = 0; i < ring.count; ++i) {
     const auto turn = static_cast<std::size_t>(i) % ring.elevations_deg.size();
     CameraRecord record;
-    record.name = name_of(i);
+    record.name = ring_view_name(i);
     record.camera = camera_towards(ring, 2 * std::numbers::pi * i / ring.count,
                                    radians(ring.elevations_deg[turn]));
     record.width = ring.width;

@@ -8,25 +8,21 @@
 namespace transformesh {
 namespace {
 
-/// Rules for reading rows. No character begins a comment within a row, because names of images may
-/// contain #.
-constexpr TextRows::Rules rules{'\0', false};
-
 /// One camera of cameras.txt: intrinsics, and the size of the images that were taken with it.
-struct Lens {
+struct ColmapLens {
   Eigen::Matrix3d intrinsics = Eigen::Matrix3d::Identity();
   LensDistortion distortion;
   int width = 0;
   int height = 0;
 };
-using Lenses = std::map<std::string, Lens, std::less<>>;
+using Lenses = std::map<std::string, ColmapLens, std::less<>>;
 
 bool is_model(std::string_view word) {
   return !word.empty() && word[0] >= 'A' && word[0] <= 'Z' &&
          word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == std::string_view::npos;
 }
 
-bool next_row(TextRows& rows) {
+bool next_data_row(TextRows& rows) {
   while (rows.next_row()) {
     if (!rows.peek().starts_with('#')) return true;
     rows.skip_row();
@@ -46,15 +42,17 @@ int read_side(TextRows& rows, const char* name, const std::string& who) {
 
 /// A camera model of COLMAP, with the names of those parameters that follow cx and cy. Models
 /// without `has_two_focals` have one focal length.
-struct Model {
+struct SupportedModel {
   std::string_view name;
   bool has_two_focals = false;
   std::string_view parameters;
 };
-constexpr std::array models{
-    Model{"SIMPLE_PINHOLE", false, ""},  Model{"PINHOLE", true, ""},
-    Model{"SIMPLE_RADIAL", false, "k1"}, Model{"RADIAL", false, "k1k2"},
-    Model{"OPENCV", true, "k1k2p1p2"},   Model{"FULL_OPENCV", true, "k1k2p1p2k3k4k5k6"}};
+constexpr std::array supported_models{SupportedModel{"SIMPLE_PINHOLE", false, ""},
+                                      SupportedModel{"PINHOLE", true, ""},
+                                      SupportedModel{"SIMPLE_RADIAL", false, "k1"},
+                                      SupportedModel{"RADIAL", false, "k1k2"},
+                                      SupportedModel{"OPENCV", true, "k1k2p1p2"},
+                                      SupportedModel{"FULL_OPENCV", true, "k1k2p1p2k3k4k5k6"}};
 
 double& parameter(LensDistortion& distortion, std::string_view name) {
   const auto index = static_cast<std::size_t>(name[1] - '1');
@@ -63,19 +61,20 @@ double& parameter(LensDistortion& distortion, std::string_view name) {
 
 /// Reads one row of cameras.txt. Subtracts 0.5 from the principal point, because COLMAP's first
 /// pixel center is (0.5, 0.5) and ours is (0, 0).
-void read_lens(TextRows& rows, Lenses& lenses) {
+void read_colmap_lens(TextRows& rows, Lenses& lenses) {
   const std::string id(rows.word());
-  const std::string who = "camera " + quoted(id);
+  const std::string who = "camera " + in_quotes(id);
   if (!rows.has_more()) rows.fail("the model of " + who + " is missing");
   const std::string name(rows.word());
-  const auto* const model = std::find_if(models.begin(), models.end(),
-                                         [&](const Model& known) { return known.name == name; });
-  if (model == models.end()) {
-    rows.fail(who + " has the model " + quoted(name) +
+  const auto* const model =
+      std::find_if(supported_models.begin(), supported_models.end(),
+                   [&](const SupportedModel& known) { return known.name == name; });
+  if (model == supported_models.end()) {
+    rows.fail(who + " has the model " + in_quotes(name) +
               ", whose distortion is not supported (SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV "
               "are): undistort the images with colmap image_undistorter");
   }
-  Lens lens;
+  ColmapLens lens;
   lens.width = read_side(rows, "the width", who);
   lens.height = read_side(rows, "the height", who);
   Eigen::Matrix3d& k = lens.intrinsics;
@@ -92,7 +91,7 @@ void read_lens(TextRows& rows, Lenses& lenses) {
   if (!lenses.emplace(id, lens).second) rows.fail(who + " is listed twice");
 }
 
-Eigen::Matrix3d read_rotation(TextRows& rows, const std::string& who) {
+Eigen::Matrix3d read_colmap_rotation(TextRows& rows, const std::string& who) {
   Eigen::Quaterniond rotation;
   rotation.w() = read_parameter(rows, "qw", who);
   rotation.x() = read_parameter(rows, "qx", who);
@@ -108,8 +107,8 @@ Eigen::Matrix3d read_rotation(TextRows& rows, const std::string& who) {
 CameraRecord read_image(TextRows& rows, const Source& source, const Lenses& lenses) {
   CameraRecord record;
   record.place = place_of(rows, source);
-  const std::string who = "image " + quoted(rows.word());
-  record.camera.rotation = read_rotation(rows, who);
+  const std::string who = "image " + in_quotes(rows.word());
+  record.camera.rotation = read_colmap_rotation(rows, who);
   for (int i = 0; i < 3; ++i) {
     constexpr std::array names{"tx", "ty", "tz"};
     record.camera.translation[i] = read_parameter(rows, names[static_cast<std::size_t>(i)], who);
@@ -119,7 +118,7 @@ CameraRecord read_image(TextRows& rows, const Source& source, const Lenses& lens
   const std::string_view id = rows.word();
   const auto lens = lenses.find(id);
   if (lens == lenses.end())
-    rows.fail("there is no camera " + quoted(id) + ", to which " + who + " refers");
+    rows.fail("there is no camera " + in_quotes(id) + ", to which " + who + " refers");
   record.camera.intrinsics = lens->second.intrinsics;
   record.distortion = lens->second.distortion;
   record.width = lens->second.width;
@@ -142,7 +141,7 @@ void skip_points(TextRows& rows, const Source& source, const std::string& name) 
   while (are_points && rows.has_more()) are_points = is_number(rows.word());
   if (!are_points) {
     rows.fail("a line of points x y id, which may be empty, must follow the line of " +
-              quoted(name));
+              in_quotes(name));
   }
 }
 
@@ -152,7 +151,7 @@ CameraList read_images(TextRows& rows, const Source& source, const Lenses& lense
   do {
     list.cameras.push_back(read_image(rows, source, lenses));
     skip_points(rows, source, list.cameras.back().name);
-  } while (next_row(rows));
+  } while (next_data_row(rows));
   return list;
 }
 
@@ -164,9 +163,9 @@ bool at_lens(const TextRows& rows) { return colmap_section(rows) == ColmapSectio
 }
 
 Lenses read_lenses(const Source& source) {
-  TextRows rows(source, 0, rules);
+  TextRows rows(source, 0, rules_without_comments);
   Lenses lenses;
-  while (next_row(rows)) read_lens(rows, lenses);
+  while (next_data_row(rows)) read_colmap_lens(rows, lenses);
   return lenses;
 }
 
@@ -187,16 +186,16 @@ ColmapSection colmap_section(TextRows rows) {
 
 CameraList read_colmap(const Source& cameras, const Source& images) {
   const Lenses lenses = read_lenses(cameras);
-  TextRows rows(images, 0, rules);
-  if (!next_row(rows)) fail_without_images(rows);
+  TextRows rows(images, 0, rules_without_comments);
+  if (!next_data_row(rows)) fail_without_images(rows);
   return read_images(rows, images, lenses);
 }
 
 CameraList read_colmap(const Source& source) {
-  TextRows rows(source, 0, rules);
+  TextRows rows(source, 0, rules_without_comments);
   Lenses lenses;
-  bool has_row = next_row(rows);
-  for (; has_row && at_lens(rows); has_row = next_row(rows)) read_lens(rows, lenses);
+  bool has_row = next_data_row(rows);
+  for (; has_row && at_lens(rows); has_row = next_data_row(rows)) read_colmap_lens(rows, lenses);
   if (!has_row) fail_without_images(rows);
   return read_images(rows, source, lenses);
 }

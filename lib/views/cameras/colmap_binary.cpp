@@ -9,23 +9,23 @@
 namespace transformesh {
 namespace {
 
-/// A camera model of COLMAP. In `models`, its index is the number by which binary files identify
-/// it.
-struct Model {
+/// A camera model of COLMAP. In `numbered_models`, its index is the number by which binary files
+/// identify it.
+struct NumberedModel {
   const char* name;
   int parameters;
 };
-constexpr std::array models{Model{"SIMPLE_PINHOLE", 3},
-                            Model{"PINHOLE", 4},
-                            Model{"SIMPLE_RADIAL", 4},
-                            Model{"RADIAL", 5},
-                            Model{"OPENCV", 8},
-                            Model{"OPENCV_FISHEYE", 8},
-                            Model{"FULL_OPENCV", 12},
-                            Model{"FOV", 5},
-                            Model{"SIMPLE_RADIAL_FISHEYE", 4},
-                            Model{"RADIAL_FISHEYE", 5},
-                            Model{"THIN_PRISM_FISHEYE", 12}};
+constexpr std::array numbered_models{NumberedModel{"SIMPLE_PINHOLE", 3},
+                                     NumberedModel{"PINHOLE", 4},
+                                     NumberedModel{"SIMPLE_RADIAL", 4},
+                                     NumberedModel{"RADIAL", 5},
+                                     NumberedModel{"OPENCV", 8},
+                                     NumberedModel{"OPENCV_FISHEYE", 8},
+                                     NumberedModel{"FULL_OPENCV", 12},
+                                     NumberedModel{"FOV", 5},
+                                     NumberedModel{"SIMPLE_RADIAL_FISHEYE", 4},
+                                     NumberedModel{"RADIAL_FISHEYE", 5},
+                                     NumberedModel{"THIN_PRISM_FISHEYE", 12}};
 
 void copy_numbers(LittleEndianReader& numbers, int count, TextBuffer& text) {
   for (int i = 0; i < count; ++i) {
@@ -41,15 +41,15 @@ std::string cameras_text(const Source& source) {
   for (auto count = numbers.take<std::uint64_t>(); count > 0; --count) {
     text.add_number(numbers.take<std::int32_t>());
     const auto model = static_cast<std::size_t>(numbers.take<std::int32_t>());
-    if (model >= models.size())
+    if (model >= numbered_models.size())
       source.fail("COLMAP has no camera model with the number " + std::to_string(model));
     text.add(' ');
-    text.add(models[model].name);
+    text.add(numbered_models[model].name);
     for (int side = 0; side < 2; ++side) {
       text.add(' ');
       text.add_number(numbers.take<std::uint64_t>());
     }
-    copy_numbers(numbers, models[model].parameters, text);
+    copy_numbers(numbers, numbered_models[model].parameters, text);
     text.add('\n');
   }
   return text.take();
@@ -67,7 +67,7 @@ std::string images_text(const Source& source) {
     text.add(' ');
     const std::string_view name = numbers.take_name();
     if (name.empty() || name.find_first_of("\r\n") != std::string_view::npos)
-      source.fail("an image has the name " + quoted(name) + ": rename it");
+      source.fail("an image has the name " + in_quotes(name) + ": rename it");
     text.add(name);
     text.add("\n\n");
     const auto points = numbers.take<std::uint64_t>();
@@ -109,9 +109,9 @@ std::vector<std::string_view> rows_of(std::string_view text) {
 }
 
 std::int32_t number_of_model(std::string_view name) {
-  const auto* const model =
-      std::find_if(models.begin(), models.end(), [&](const Model& m) { return m.name == name; });
-  return static_cast<std::int32_t>(model - models.begin());
+  const auto* const model = std::find_if(numbered_models.begin(), numbered_models.end(),
+                                         [&](const NumberedModel& m) { return m.name == name; });
+  return static_cast<std::int32_t>(model - numbered_models.begin());
 }
 
 /// Converts rows of text to binary: the number of rows, followed by the bytes that `add` writes for

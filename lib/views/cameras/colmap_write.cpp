@@ -7,9 +7,6 @@
 namespace transformesh {
 namespace {
 
-/// The center of COLMAP's first pixel is (0.5, 0.5).
-constexpr double pixel_center = 0.5;
-
 bool is_same_lens(const CameraRecord& a, const CameraRecord& b) {
   return a.camera.intrinsics == b.camera.intrinsics && a.distortion == b.distortion &&
          a.width == b.width && a.height == b.height;
@@ -37,11 +34,11 @@ std::size_t lens_of(const CameraList& list, const CameraRecord& record) {
 void check_sized_pinhole(const CameraRecord& record, const std::string& program) {
   if (record.width == 0) {
     throw InputError(program + " needs the sizes of the images, which are not known for " +
-                     quoted(record.name) + " (" + record.place + "): name the images");
+                     in_quotes(record.name) + " (" + record.place + "): name the images");
   }
   if (record.camera.intrinsics(0, 1) != 0) {
     throw InputError("the " + program + " camera model has no skew, but the camera of " +
-                     quoted(record.name) + " has (" + record.place + ")");
+                     in_quotes(record.name) + " has (" + record.place + ")");
   }
   PinholeCamera again = record.camera;
   again.intrinsics.col(2).head<2>().array() += pixel_center;

@@ -12,7 +12,7 @@ namespace {
 /// Orientations 5 to 8 of Exif exchange width and height.
 constexpr int first_exchanging_sides = 5;
 
-std::string size_text(int width, int height) {
+std::string sides_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
@@ -23,9 +23,9 @@ void check_camera(const std::string& path, const std::string& bytes, int orienta
   if (orientation < first_exchanging_sides || camera.width == camera.height) return;
   const GrayImage stored = decode_size(bytes, path);
   if (camera.width != stored.height || camera.height != stored.width) return;
-  throw InputError(path + ": pixels are stored as " + size_text(stored.width, stored.height) +
+  throw InputError(path + ": pixels are stored as " + sides_text(stored.width, stored.height) +
                    ", but the camera was calibrated for the picture as displayed, " +
-                   size_text(camera.width, camera.height) + " (" + camera.place +
+                   sides_text(camera.width, camera.height) + " (" + camera.place +
                    "): rotate the pixels with mogrify -auto-orient");
 }
 

@@ -33,8 +33,8 @@ std::string json_text(const nlohmann::ordered_json& json, const CameraRecord& re
   try {
     return json.dump();
   } catch (const Json::exception&) {
-    throw InputError("JSON cannot hold the name " + transformesh::quoted(record.name) + " (" +
-                     record.place + "), which is not UTF-8: rename the image");
+    throw InputError("JSON cannot hold the name " + in_quotes(record.name) + " (" + record.place +
+                     "), which is not UTF-8: rename the image");
   }
 }
 

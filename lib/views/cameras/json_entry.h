@@ -15,9 +15,12 @@ namespace transformesh {
 /// are large. Throws InputError, with the position of the error in bytes, if the text is malformed.
 nlohmann::json parse_camera_json(const Source& source);
 
+/// JSON to be written, whose members keep their order.
+using OrderedJson = nlohmann::ordered_json;
+
 /// Returns the JSON as one line of text. Throws InputError, with the name of `record`, if a string
 /// in it is not UTF-8.
-std::string json_text(const nlohmann::ordered_json& json, const CameraRecord& record);
+std::string json_text(const OrderedJson& json, const CameraRecord& record);
 
 /// A value in a JSON file. The parsed JSON and its source must outlive the object. All members
 /// throw InputError, with the file and the path, if the value has another type than they return.

@@ -18,7 +18,7 @@ constexpr int focal_length_in_mm = 2;
 constexpr int ratio_of_pixels = 5;  ///< older revisions store the inverse of `pixelRatio`
 
 /// Lens parameters that several views share.
-struct Lens {
+struct MeshroomLens {
   CameraRecord record;
   std::string problem;  ///< reason why the lens is not supported, or ""
 };
@@ -47,7 +47,7 @@ Eigen::Vector2d focals_of(const JsonEntry& entry, int revision, int width) {
 }
 
 /// Returns "" if the distortion model is supported, else an error message.
-std::string read_distortion(const JsonEntry& entry, LensDistortion& distortion) {
+std::string read_meshroom_distortion(const JsonEntry& entry, LensDistortion& distortion) {
   const std::string type = entry.text("type", "pinhole");
   const std::string model =
       type == "pinhole" ? entry.text("distortionType", "none") : entry.text("type", "");
@@ -62,16 +62,15 @@ std::string read_distortion(const JsonEntry& entry, LensDistortion& distortion) 
   const bool is_read = (is_radial && k.size() <= 3) || (is_brown && k.size() == 5);
   const bool is_pinhole = model == "none" || model == "pinhole" || is_radial || is_brown;
   if (!is_pinhole || (!is_none && !is_read))
-    return "the lens model " + transformesh::quoted(model) +
-           " is not supported: undistort the images";
+    return "the lens model " + in_quotes(model) + " is not supported: undistort the images";
   k.resize(5, 0);
   distortion.radial = {k[0], k[1], k[2], 0, 0, 0};
   if (is_brown) distortion.tangential = {k[3], k[4]};
   return {};
 }
 
-Lens read_lens(const JsonEntry& entry, int revision) {
-  Lens lens;
+MeshroomLens read_meshroom_lens(const JsonEntry& entry, int revision) {
+  MeshroomLens lens;
   CameraRecord& record = lens.record;
   record.width = entry.at("width").side();
   record.height = entry.at("height").side();
@@ -82,12 +81,12 @@ Lens read_lens(const JsonEntry& entry, int revision) {
     center += Eigen::Vector2d(record.width, record.height) / 2;
   record.camera.intrinsics << focal.x(), 0, center.x(), 0, focal.y(), center.y(), 0, 0, 1;
   lens.problem = intrinsics_problem(record.camera.intrinsics, entry.place());
-  if (lens.problem.empty()) lens.problem = read_distortion(entry, record.distortion);
+  if (lens.problem.empty()) lens.problem = read_meshroom_distortion(entry, record.distortion);
   return lens;
 }
 
 /// Reads a pose. The file contains the rotation matrix column by column.
-void read_pose(const JsonEntry& transform, PinholeCamera& camera) {
+void read_meshroom_pose(const JsonEntry& transform, PinholeCamera& camera) {
   const std::vector<double> numbers = transform.at("rotation").numbers(9);
   const std::vector<double> center = transform.at("center").numbers(3);
   const Eigen::Matrix3d rotation = Eigen::Map<const Eigen::Matrix3d>(numbers.data());
@@ -101,12 +100,12 @@ CameraList read_meshroom(const Source& source) {
   const nlohmann::json json = parse_camera_json(source);
   const JsonEntry file(json, source);
   const int revision = revision_of(file);
-  std::map<std::string, Lens> lenses;
+  std::map<std::string, MeshroomLens> lenses;
   std::map<std::string, JsonEntry> poses;
   if (!file.has("poses"))
     source.fail("the Meshroom file has no poses: name the file that structure from motion wrote");
   for (const JsonEntry& entry : file.at("intrinsics").elements())
-    lenses.emplace(entry.at("intrinsicId").text(), read_lens(entry, revision));
+    lenses.emplace(entry.at("intrinsicId").text(), read_meshroom_lens(entry, revision));
   for (const JsonEntry& entry : file.at("poses").elements())
     poses.emplace(entry.at("poseId").text(), entry.at("pose").at("transform"));
   CameraList list;
@@ -122,7 +121,7 @@ CameraList read_meshroom(const Source& source) {
     CameraRecord record = lens->second.record;
     record.name = view.at("path").text();
     record.place = view.place();
-    read_pose(pose->second, record.camera);
+    read_meshroom_pose(pose->second, record.camera);
     list.cameras.push_back(std::move(record));
   }
   if (list.cameras.empty()) source.fail("no view of the Meshroom file has a pose");

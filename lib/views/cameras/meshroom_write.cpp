@@ -8,36 +8,31 @@
 namespace transformesh {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// The newest version of the format whose intrinsics are in pixels.
-const Json version{"1", "2", "0"};
-
 /// Meshroom writes all numbers as text.
-Json text_of(double value) { return shortest_text(value); }
+OrderedJson text_of(double value) { return shortest_text(value); }
 
 /// Returns the coefficients of a matrix as a list of texts, column by column.
 template <class Matrix>
-Json texts_of(const Matrix& matrix) {
-  Json list = Json::array();
+OrderedJson texts_of(const Matrix& matrix) {
+  OrderedJson list = OrderedJson::array();
   for (Eigen::Index i = 0; i < matrix.size(); ++i) list.push_back(text_of(matrix(i)));
   return list;
 }
 
-void check(const CameraRecord& record) {
+void check_for_meshroom(const CameraRecord& record) {
   check_sized_pinhole(record, "Meshroom");
   const auto& k = record.distortion.radial;
   if (k[3] == 0 && k[4] == 0 && k[5] == 0) return;
   throw InputError("Meshroom has no distortion k4, k5 and k6, but the lens of " +
-                   transformesh::quoted(record.name) + " has (" + record.place + ")");
+                   in_quotes(record.name) + " has (" + record.place + ")");
 }
 
-Json lens_json(const CameraRecord& record, const std::string& id) {
+OrderedJson intrinsics_json(const CameraRecord& record, const std::string& id) {
   const Eigen::Matrix3d& k = record.camera.intrinsics;
   const auto& radial = record.distortion.radial;
   const auto& [p1, p2] = record.distortion.tangential;
   const bool is_brown = p1 != 0 || p2 != 0;
-  Json distortion = Json::array();
+  OrderedJson distortion = OrderedJson::array();
   if (!record.distortion.is_none())
     for (std::size_t i = 0; i < 3; ++i) distortion.push_back(text_of(radial[i]));
   if (is_brown) {
@@ -59,7 +54,7 @@ Json lens_json(const CameraRecord& record, const std::string& id) {
           {"locked", "0"}};
 }
 
-Json view_json(const CameraRecord& record, const std::string& id, const std::string& lens) {
+OrderedJson view_json(const CameraRecord& record, const std::string& id, const std::string& lens) {
   return {{"viewId", id},
           {"poseId", id},
           {"intrinsicId", lens},
@@ -69,9 +64,9 @@ Json view_json(const CameraRecord& record, const std::string& id, const std::str
           {"metadata", ""}};
 }
 
-Json pose_json(const PinholeCamera& camera, const std::string& id) {
-  const Json transform{{"rotation", texts_of(camera.rotation)},
-                       {"center", texts_of(camera.center())}};
+OrderedJson pose_json(const PinholeCamera& camera, const std::string& id) {
+  const OrderedJson transform{{"rotation", texts_of(camera.rotation)},
+                              {"center", texts_of(camera.center())}};
   return {{"poseId", id}, {"pose", {{"transform", transform}, {"locked", "0"}}}};
 }
 
@@ -88,13 +83,15 @@ std::string write_meshroom(const CameraList& list) {
   std::vector<std::string> views, lenses, poses;
   for (std::size_t i = 0; i < list.cameras.size(); ++i) {
     const CameraRecord& record = list.cameras[i];
-    check(record);
+    check_for_meshroom(record);
     const std::string id = std::to_string(i);
     const std::size_t lens = lens_of(list, record);
     views.push_back(json_text(view_json(record, id, std::to_string(lens)), record));
-    if (lens == i) lenses.push_back(lens_json(record, id).dump());
+    if (lens == i) lenses.push_back(intrinsics_json(record, id).dump());
     poses.push_back(pose_json(record.camera, id).dump());
   }
+  // The newest version of the format whose intrinsics are in pixels.
+  const OrderedJson version{"1", "2", "0"};
   return "{\n  \"version\": " + version.dump() + ",\n" + member("views", views) + ",\n" +
          member("intrinsics", lenses) + ",\n" + member("poses", poses) + "\n}\n";
 }

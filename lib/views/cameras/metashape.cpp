@@ -24,7 +24,7 @@ double number(const pugi::xml_node& calibration, const char* name, const Source&
   return numbers.front();
 }
 
-int side(const pugi::xml_node& resolution, const char* name, const Source& source) {
+int resolution_side(const pugi::xml_node& resolution, const char* name, const Source& source) {
   const auto text = xml_attribute(resolution, name);
   const auto numbers = xml_numbers(text.value_or(""), name, source);
   if (numbers.size() != 1 || !(numbers[0] >= 1 && numbers[0] <= 1e9))
@@ -48,13 +48,13 @@ Sensor read_sensor(const pugi::xml_node& element, const Source& source) {
   const auto calibration = calibration_of(element);
   if (!calibration) return sensor;
   if (const auto type = xml_attribute(calibration, "type"); type && *type != "frame")
-    source.fail("a sensor is of the type " + quoted(*type) +
+    source.fail("a sensor is of the type " + in_quotes(*type) +
                 ", not 'frame': undistort its photographs");
   pugi::xml_node resolution = xml_element(calibration, "resolution");
   if (!resolution) resolution = xml_element(element, "resolution");
   if (!resolution) source.fail("a sensor has no resolution");
-  sensor.width = side(resolution, "width", source);
-  sensor.height = side(resolution, "height", source);
+  sensor.width = resolution_side(resolution, "width", source);
+  sensor.height = resolution_side(resolution, "height", source);
   const auto get = [&](const char* name) { return number(calibration, name, source); };
   const double f = get("f");
   sensor.intrinsics << f + get("b1"), get("b2"), (sensor.width - 1) / 2.0 + get("cx"),  //
@@ -90,12 +90,13 @@ PinholeCamera pose_of(const std::vector<double>& numbers, const std::string& who
   return pose;
 }
 
-CameraRecord read_camera(const pugi::xml_node& element, const pugi::xml_node& transform,
-                         const std::map<std::string, Sensor>& sensors, const Source& source) {
+CameraRecord read_metashape_camera(const pugi::xml_node& element, const pugi::xml_node& transform,
+                                   const std::map<std::string, Sensor>& sensors,
+                                   const Source& source) {
   CameraRecord record;
   record.name = xml_attribute(element, "label").value_or("");
   record.place = source.name;
-  const std::string who = "camera " + quoted(record.name);
+  const std::string who = "camera " + in_quotes(record.name);
   const auto sensor = sensors.find(xml_attribute(element, "sensor_id").value_or(""));
   if (sensor == sensors.end()) source.fail("there is no sensor of " + who);
   if (!sensor->second.is_calibrated) source.fail("the sensor of " + who + " has no calibration");
@@ -124,7 +125,7 @@ CameraList read_metashape(const Source& source) {
   for (const pugi::xml_node& element : xml_elements(chunks[0], "camera")) {
     // Skip cameras without a transform: Metashape could not determine their pose.
     if (const auto transform = xml_element(element, "transform"))
-      list.cameras.push_back(read_camera(element, transform, sensors, source));
+      list.cameras.push_back(read_metashape_camera(element, transform, sensors, source));
   }
   if (list.cameras.empty()) source.fail("no camera of the Metashape file is aligned");
   return list;

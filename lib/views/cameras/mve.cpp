@@ -68,7 +68,8 @@ void set_size(const Source& source, CameraRecord& record) {
 
 /// Reads the intrinsics. The focal length is a fraction of the image's larger side; pixels must be
 /// square. The principal point is a fraction of width and height.
-void read_lens(const Entries& entries, double focal, const Source& source, CameraRecord& record) {
+void read_mve_lens(const Entries& entries, double focal, const Source& source,
+                   CameraRecord& record) {
   const double aspect = entries.numbers("pixel_aspect", {1})[0];
   const std::vector<double> center = entries.numbers("principal_point", {0.5, 0.5});
   if (aspect != 1) source.fail("pixel_aspect is not 1: undistort the images");
@@ -99,7 +100,7 @@ CameraList read_mve(const Source& source) {
   const std::filesystem::path folder = std::filesystem::path(source.name).parent_path();
   record.name = (folder.filename() / image_name).string();
   record.place = source.name;
-  read_lens(entries, focal, source, record);
+  read_mve_lens(entries, focal, source, record);
   const auto rotation = entries.numbers("rotation", {1, 0, 0, 0, 1, 0, 0, 0, 1});
   const auto translation = entries.numbers("translation", {0, 0, 0});
   Eigen::Matrix3d r;

@@ -7,18 +7,14 @@
 namespace transformesh {
 namespace {
 
-/// Coordinates of the first pixel's center. Such files are converted from COLMAP's, with the same
-/// principal point, and COLMAP's first pixel center is (.5, .5).
-constexpr double pixel_center = 0.5;
-
-void read_title(TextRows& rows, std::string_view title) {
+void read_section_title(TextRows& rows, std::string_view title) {
   if (!rows.next_row() || rows.peek() != title)
     rows.fail("the line '" + std::string(title) + "' is missing");
   rows.word();
   rows.end_row([&] { return "the line " + std::string(title); });
 }
 
-Eigen::MatrixXd read_matrix(TextRows& rows, int size, const std::string& what) {
+Eigen::MatrixXd read_square_matrix(TextRows& rows, int size, const std::string& what) {
   Eigen::MatrixXd matrix(size, size);
   for (int i = 0; i < size; ++i) {
     const std::string row = "row " + std::to_string(i + 1) + " of " + what;
@@ -38,15 +34,16 @@ CameraList read_mvsnet(const Source& source, const std::string& stem) {
   CameraRecord record;
   record.name = stem;
   record.place = source.name;
-  read_title(rows, "extrinsic");
-  const Eigen::MatrixXd pose = read_matrix(rows, 4, "extrinsic");
+  read_section_title(rows, "extrinsic");
+  const Eigen::MatrixXd pose = read_square_matrix(rows, 4, "extrinsic");
   if (pose.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
     rows.fail("extrinsic does not end with the row 0 0 0 1");
   std::string problem =
       set_pose(pose.topLeftCorner<3, 3>(), pose.topRightCorner<3, 1>(), "extrinsic", record.camera);
   if (!problem.empty()) rows.fail(problem);
-  read_title(rows, "intrinsic");
-  Eigen::Matrix3d k = read_matrix(rows, 3, "intrinsic");
+  read_section_title(rows, "intrinsic");
+  Eigen::Matrix3d k = read_square_matrix(rows, 3, "intrinsic");
+  // Files of this format are converted from COLMAP's, with the same principal point.
   k.col(2).head<2>().array() -= pixel_center;
   problem = intrinsics_problem(k, "intrinsic");
   if (!problem.empty()) rows.fail(problem);

@@ -10,7 +10,7 @@
 namespace transformesh {
 namespace {
 
-CameraRecord read_matrix(const Source& source, const std::string& name) {
+CameraRecord read_world_matrix(const Source& source, const std::string& name) {
   const NpyArray array = read_npy(source);
   if (array.shape != std::vector<std::size_t>{4, 4})
     source.fail(name + " does not have 4x4 numbers");
@@ -33,7 +33,7 @@ CameraList read_neus(const Source& source, const std::string& stem) {
     const auto bytes = archive.read(name + ".npy");
     if (!bytes) break;
     const Source entry{*bytes, source.name + ' ' + name};
-    CameraRecord record = read_matrix(entry, name);
+    CameraRecord record = read_world_matrix(entry, name);
     record.name = std::string(stem).append("-").append(std::to_string(i + 1));
     list.cameras.push_back(std::move(record));
   }

@@ -52,7 +52,7 @@ std::vector<std::size_t> shape_of(const Source& source, std::string_view text) {
     if (word.empty()) continue;
     const auto size = number_in<std::size_t>(word);
     if (!size)
-      source.fail("the shape of the NumPy array has " + quoted(word) +
+      source.fail("the shape of the NumPy array has " + in_quotes(word) +
                   ", which is not a whole number");
     shape.push_back(*size);
   }
@@ -95,7 +95,7 @@ NpyArray read_npy(const Source& source) {
   const bool is_double = type.find("f8") != std::string_view::npos;
   const bool is_known = type.starts_with("'<f") || type.starts_with("'>f");
   if (!is_known || (!is_double && type.find("f4") == std::string_view::npos))
-    source.fail("the NumPy array is of the type " + quoted(type) + ", not of floats or doubles");
+    source.fail("the NumPy array is of the type " + in_quotes(type) + ", not of floats or doubles");
   const bool is_swapped = (type[1] == '<') != host_is_little;
   NpyArray array;
   array.shape = shape_of(source, after(source, header, "shape"));

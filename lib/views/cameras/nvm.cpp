@@ -17,8 +17,6 @@ namespace {
 /// equals this limit. At twice the limit it is more than 10 times as large.
 constexpr double most_distortion = 0.1;
 
-constexpr TextRows::Rules rules{'\0', false};
-
 /// Intrinsics that the first line of a file may state for all cameras.
 struct FixedIntrinsics {
   bool is_given = false;
@@ -30,7 +28,7 @@ double read_number(TextRows& rows, const char* name, const std::string& who) {
   return rows.finite_number<double>([&] { return name + (" of " + who); });
 }
 
-FixedIntrinsics read_title(TextRows& rows) {
+FixedIntrinsics read_fixed_intrinsics(TextRows& rows) {
   FixedIntrinsics fixed;
   rows.next_row();
   rows.word();
@@ -46,14 +44,14 @@ FixedIntrinsics read_title(TextRows& rows) {
   return fixed;
 }
 
-LensDistortion distortion_of(TextRows& rows, double r, const std::string& who) {
+LensDistortion nvm_distortion(TextRows& rows, double r, const std::string& who) {
   if (!(std::abs(r) <= most_distortion))
     rows.fail("the radial distortion of " + who + " is more than " +
               std::to_string(most_distortion) + ": undistort the images");
   return {{-r, 3 * r * r, -12 * r * r * r, 0, 0, 0}, {}};
 }
 
-Eigen::Matrix3d read_rotation(TextRows& rows, const std::string& who) {
+Eigen::Matrix3d read_nvm_rotation(TextRows& rows, const std::string& who) {
   Eigen::Quaterniond rotation;
   rotation.w() = read_number(rows, "qw", who);
   rotation.x() = read_number(rows, "qx", who);
@@ -72,17 +70,17 @@ std::string read_name(TextRows& rows) {
   return name;
 }
 
-CameraRecord read_camera(TextRows& rows, const Source& source, const FixedIntrinsics& fixed) {
+CameraRecord read_nvm_camera(TextRows& rows, const Source& source, const FixedIntrinsics& fixed) {
   CameraRecord record;
   record.name = read_name(rows);
   record.place = place_of(rows, source);
-  const std::string who = "camera " + quoted(record.name);
+  const std::string who = "camera " + in_quotes(record.name);
   const double focal = read_number(rows, "the focal length", who);
-  const Eigen::Matrix3d rotation = read_rotation(rows, who);
+  const Eigen::Matrix3d rotation = read_nvm_rotation(rows, who);
   Vec3 center;
   for (double& coordinate : center) coordinate = read_number(rows, "the center", who);
   const double distortion = read_number(rows, "the radial distortion", who);
-  record.distortion = distortion_of(rows, fixed.is_given ? fixed.distortion : distortion, who);
+  record.distortion = nvm_distortion(rows, fixed.is_given ? fixed.distortion : distortion, who);
   const std::string problem = set_pose_at(rotation, center, who, record.camera);
   if (!problem.empty()) rows.fail(problem);
   record.is_centered = !fixed.is_given;
@@ -96,8 +94,8 @@ CameraRecord read_camera(TextRows& rows, const Source& source, const FixedIntrin
 }  // namespace
 
 CameraList read_nvm(const Source& source) {
-  TextRows rows(source, 0, rules);
-  const FixedIntrinsics fixed = read_title(rows);
+  TextRows rows(source, 0, rules_without_comments);
+  const FixedIntrinsics fixed = read_fixed_intrinsics(rows);
   if (!rows.next_row()) rows.fail("the number of cameras is missing");
   const auto count = rows.number<std::size_t>([] { return std::string("the number of cameras"); });
   rows.end_row([] { return std::string("the number of cameras"); });
@@ -108,7 +106,7 @@ CameraList read_nvm(const Source& source) {
     if (!rows.next_row())
       rows.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(count) +
                 " cameras");
-    list.cameras.push_back(read_camera(rows, source, fixed));
+    list.cameras.push_back(read_nvm_camera(rows, source, fixed));
   }
   remove_common_folder(list);
   return list;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::initializer_list<const char*> intrinsics_keys{"camera_matrix", "cameraMatrix", "K",
                                                              "M"};
 
-Eigen::Matrix3d rotation_of(const Vec3& vector) {
+Eigen::Matrix3d rotation_of_vector(const Vec3& vector) {
   const double angle = vector.norm();
   if (angle == 0) return Eigen::Matrix3d::Identity();
   const Vec3 axis = vector / angle;
@@ -26,7 +26,7 @@ Eigen::Matrix3d rotation_of(const Vec3& vector) {
          (1 - elementary::cos(angle)) * cross * cross;
 }
 
-LensDistortion distortion_of(const OpencvStorage& storage) {
+LensDistortion opencv_distortion(const OpencvStorage& storage) {
   LensDistortion distortion;
   const auto found = storage.find({"distortion_coefficients", "distCoeffs", "dist_coeffs", "D"});
   if (!found) return distortion;
@@ -62,7 +62,7 @@ std::vector<PinholeCamera> poses_of(const OpencvStorage& storage) {
       storage.fail("extrinsic_parameters of the OpenCV file must have rows of 6 numbers");
     for (std::size_t i = 0; i < rows->size(); i += 6) {
       PinholeCamera pose;
-      pose.rotation = rotation_of(Vec3(rows->data() + i));
+      pose.rotation = rotation_of_vector(Vec3(rows->data() + i));
       pose.translation = Vec3(rows->data() + i + 3);
       poses.push_back(pose);
     }
@@ -75,15 +75,15 @@ std::vector<PinholeCamera> poses_of(const OpencvStorage& storage) {
   PinholeCamera pose;
   pose.translation = Vec3(t.data());
   if (r.size() == 3) {
-    pose.rotation = rotation_of(Vec3(r.data()));
+    pose.rotation = rotation_of_vector(Vec3(r.data()));
   } else {
     for (int i = 0; i < 9; ++i) pose.rotation(i / 3, i % 3) = r[static_cast<std::size_t>(i)];
   }
   return {pose};
 }
 
-void add_matrix(const char* key, int rows, int columns, const std::vector<double>& numbers,
-                TextBuffer& text) {
+void add_named_matrix(const char* key, int rows, int columns, const std::vector<double>& numbers,
+                      TextBuffer& text) {
   text.add(key);
   text.add(": !!opencv-matrix\n   rows: ");
   text.add_number(rows);
@@ -117,7 +117,7 @@ void add_cameras(const OpencvStorage& storage, const Source& source, const std::
                  CameraList& list) {
   CameraRecord record;
   record.camera.intrinsics = intrinsics_of(storage);
-  record.distortion = distortion_of(storage);
+  record.distortion = opencv_distortion(storage);
   record.width = storage.side("image_width");
   record.height = storage.side("image_height");
   if (record.width == 0 || record.height == 0) record.width = record.height = 0;
@@ -176,7 +176,7 @@ std::string write_opencv(const CameraRecord& record) {
   const PinholeCamera& camera = record.camera;
   if (camera.intrinsics(0, 1) != 0) {
     throw InputError("the OpenCV camera model has no skew, but the camera of " +
-                     quoted(record.name) + " has (" + record.place + ")");
+                     in_quotes(record.name) + " has (" + record.place + ")");
   }
   TextBuffer text;
   text.add("%YAML:1.0\n---\n");
@@ -187,12 +187,13 @@ std::string write_opencv(const CameraRecord& record) {
     text.add_number(record.height);
     text.add('\n');
   }
-  add_matrix("camera_matrix", 3, 3, numbers_of(camera.intrinsics), text);
+  add_named_matrix("camera_matrix", 3, 3, numbers_of(camera.intrinsics), text);
   const std::vector<double> distortion = numbers_of(record.distortion);
-  add_matrix("distortion_coefficients", static_cast<int>(distortion.size()), 1, distortion, text);
-  add_matrix("R", 3, 3, numbers_of(camera.rotation), text);
+  add_named_matrix("distortion_coefficients", static_cast<int>(distortion.size()), 1, distortion,
+                   text);
+  add_named_matrix("R", 3, 3, numbers_of(camera.rotation), text);
   const Vec3& t = camera.translation;
-  add_matrix("T", 3, 1, {t.x(), t.y(), t.z()}, text);
+  add_named_matrix("T", 3, 1, {t.x(), t.y(), t.z()}, text);
   return text.take();
 }
 

@@ -8,7 +8,7 @@
 namespace transformesh {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view separating_blanks = " \t\r\n";
 
 }  // namespace
 
@@ -43,7 +43,7 @@ std::vector<std::string> OpencvStorage::matrix_keys() const {
        at = source_.bytes.find(mark, at + 1)) {
     std::string_view before = source_.bytes.substr(0, at);
     before = before.substr(0, before.find_last_not_of(is_xml_ ? " \t" : " \t:") + 1);
-    const std::size_t start = before.find_last_of(is_xml_ ? "<" : blanks);
+    const std::size_t start = before.find_last_of(is_xml_ ? "<" : separating_blanks);
     if (keys.size() == most_cameras) fail("the OpenCV file has more than 1000 matrices");
     keys.emplace_back(before.substr(start == std::string_view::npos ? 0 : start + 1));
   }
@@ -56,8 +56,9 @@ std::size_t OpencvStorage::value_of(const std::string& key) const {
   for (std::size_t at = text.find(start); at != std::string_view::npos;
        at = text.find(start, at + 1)) {
     const std::size_t end = at + start.size();
-    const bool is_whole = is_xml_ ? end < text.size() && (text[end] == '>' || text[end] == ' ')
-                                  : at == 0 || blanks.find(text[at - 1]) < blanks.size();
+    const bool is_whole =
+        is_xml_ ? end < text.size() && (text[end] == '>' || text[end] == ' ')
+                : at == 0 || separating_blanks.find(text[at - 1]) < separating_blanks.size();
     if (is_whole) return is_xml_ ? text.find('>', end) + 1 : end;
   }
   return std::string_view::npos;
@@ -84,7 +85,7 @@ std::optional<std::string_view> OpencvStorage::text_of(const std::string& key) c
 
 OpencvStorage::Entries OpencvStorage::numbers_in(std::string_view text,
                                                  const std::string& key) const {
-  const std::string separators = std::string(blanks) + ',';
+  const std::string separators = std::string(separating_blanks) + ',';
   Entries entries;
   for (;;) {
     text.remove_prefix(std::min(text.find_first_not_of(separators), text.size()));
@@ -95,7 +96,7 @@ OpencvStorage::Entries OpencvStorage::numbers_in(std::string_view text,
     const bool is_read =
         parse_number(first, word.data() + word.size(), value) == Parsed::ok && std::isfinite(value);
     if (!is_read || first != word.data() + word.size())
-      source_.fail(key + " of the OpenCV file has " + quoted(word) +
+      source_.fail(key + " of the OpenCV file has " + in_quotes(word) +
                    ", which is not a finite number");
     entries.push_back(value);
     text.remove_prefix(word.size());

@@ -12,7 +12,7 @@ JsonEntry data_of(const JsonEntry& entry) { return entry.at("value").at("ptr_wra
 
 /// Reads the distortion. The name of the list in the file determines its coefficients: radial ones,
 /// followed by two tangential ones in `disto_t2`.
-void read_distortion(const JsonEntry& data, LensDistortion& distortion) {
+void read_openmvg_distortion(const JsonEntry& data, LensDistortion& distortion) {
   if (data.has("fisheye")) data.at("fisheye").fail("is not supported: undistort the images");
   if (data.has("disto_k1")) distortion.radial[0] = data.at("disto_k1").numbers(1)[0];
   if (data.has("disto_k3")) {
@@ -28,7 +28,7 @@ void read_distortion(const JsonEntry& data, LensDistortion& distortion) {
 
 /// Reads the intrinsics. The principal point needs no shift: integer coordinates are pixel centers,
 /// as in OpenMVG's features.
-CameraRecord read_lens(const JsonEntry& data) {
+CameraRecord read_openmvg_lens(const JsonEntry& data) {
   CameraRecord record;
   // Lenses with distortion may have the parameters of the pinhole camera in a nested object.
   const JsonEntry pinhole = data.has("value0") ? data.at("value0") : data;
@@ -40,11 +40,11 @@ CameraRecord read_lens(const JsonEntry& data) {
   record.camera.intrinsics << focal, 0, center[0], 0, focal, center[1], 0, 0, 1;
   const std::string problem = intrinsics_problem(record.camera.intrinsics, "the lens");
   if (!problem.empty()) pinhole.fail(": " + problem);
-  read_distortion(data, record.distortion);
+  read_openmvg_distortion(data, record.distortion);
   return record;
 }
 
-void read_pose(const JsonEntry& pose, PinholeCamera& camera) {
+void read_openmvg_pose(const JsonEntry& pose, PinholeCamera& camera) {
   Eigen::Matrix3d rotation;
   if (pose.at("rotation").elements().size() != 3) pose.at("rotation").fail("does not have 3 rows");
   for (std::size_t i = 0; i < 3; ++i) {
@@ -56,7 +56,7 @@ void read_pose(const JsonEntry& pose, PinholeCamera& camera) {
   if (!problem.empty()) pose.fail(": " + problem);
 }
 
-std::string name_of(const JsonEntry& view) {
+std::string image_name_of(const JsonEntry& view) {
   const std::string folder = view.text("local_path", "");
   const std::string name = view.at("filename").text();
   return folder.empty() ? name : folder + (folder.ends_with('/') ? "" : "/") + name;
@@ -82,10 +82,10 @@ CameraList read_openmvg(const Source& source) {
     if (pose == poses.end()) continue;
     const auto lens = lenses.find(view.at("id_intrinsic").text());
     if (lens == lenses.end()) view.at("id_intrinsic").fail("does not match any intrinsic");
-    CameraRecord record = read_lens(lens->second);
-    record.name = name_of(view);
+    CameraRecord record = read_openmvg_lens(lens->second);
+    record.name = image_name_of(view);
     record.place = view.place();
-    read_pose(pose->second, record.camera);
+    read_openmvg_pose(pose->second, record.camera);
     list.cameras.push_back(std::move(record));
   }
   if (list.cameras.empty()) source.fail("no view of the OpenMVG file has a pose");

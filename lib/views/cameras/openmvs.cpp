@@ -106,7 +106,7 @@ class Scene {
       rest_.skip(rest_.take<std::uint64_t>(), 6 * 4);  // scores of other views
     }
     if (pose == no_pose) return;
-    const std::string who = "image " + quoted(record.name);
+    const std::string who = "image " + in_quotes(record.name);
     if (platform >= platforms_.size() || camera >= platforms_[platform].cameras.size() ||
         pose >= platforms_[platform].poses.size())
       source_.fail(who + " of the OpenMVS scene has no camera");

@@ -5,9 +5,6 @@
 namespace transformesh {
 namespace {
 
-/// Version 2 of the interface, which all later versions of OpenMVS read.
-constexpr std::uint32_t version = 2;
-
 void add_text(std::string_view text, LittleEndianWriter& bytes) {
   bytes.add(std::uint64_t{text.size()});
   bytes.add(text);
@@ -62,6 +59,8 @@ std::string write_openmvs(const CameraList& list) {
   }
   LittleEndianWriter bytes;
   bytes.add(std::string_view("MVSI"));
+  // Version 2 of the interface, which all later versions of OpenMVS read.
+  constexpr std::uint32_t version = 2;
   bytes.add(version);
   bytes.add(std::uint32_t{0});
   add_counted(platforms, bytes);

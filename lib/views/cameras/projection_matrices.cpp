@@ -10,8 +10,6 @@
 namespace transformesh {
 namespace {
 
-constexpr TextRows::Rules rules{'#', false};
-
 /// Skew below this fraction of the focal length is set to 0, because it results from rounding
 /// numbers to 12 digits.
 constexpr double no_skew = 1e-11;
@@ -82,7 +80,7 @@ std::string decompose(const Projection& projection, const std::string& who, Pinh
 }
 
 CameraList read_matrices(const Source& source, const std::string& stem) {
-  TextRows rows(source, 0, rules);
+  TextRows rows(source, 0, rules_with_comments);
   CameraList list;
   while (rows.next_row()) {
     // Skip the word CONTOUR with which files of Furukawa's data sets begin.
@@ -112,7 +110,7 @@ std::string write_matrix(const CameraRecord& record) {
   const Projection projection = record.camera.projection();
   PinholeCamera again;
   const std::string problem =
-      decompose(projection, "the matrix of " + transformesh::quoted(record.name), again);
+      decompose(projection, "the matrix of " + in_quotes(record.name), again);
   if (!problem.empty()) throw InputError(problem + " (" + record.place + ")");
   TextBuffer text;
   for (int i = 0; i < 12; ++i) {

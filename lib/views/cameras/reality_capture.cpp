@@ -18,7 +18,7 @@ constexpr double film_width_mm = 36;
 
 /// Lens parameters that a table row or an XMP file contains. Lengths are fractions of the image's
 /// larger side, except for `focal_mm`.
-struct Lens {
+struct RealityCaptureLens {
   double focal_mm = 0;
   double aspect = 1;
   double skew = 0;
@@ -29,7 +29,8 @@ struct Lens {
 
 /// Returns a record with intrinsics but without pose. The distortion is Brown's model with OpenCV's
 /// coefficients, except for k4, the factor of r^8, which must be 0.
-CameraRecord record_of(const Lens& lens, const std::string& who, const Source& source) {
+CameraRecord record_of(const RealityCaptureLens& lens, const std::string& who,
+                       const Source& source) {
   CameraRecord record;
   record.place = source.name;
   const double focal = lens.focal_mm / film_width_mm;
@@ -70,7 +71,7 @@ Eigen::Matrix3d turned(double angle_deg, int axis) {
 /// Returns the rotation from the world to the camera. If all angles are 0, the camera looks down
 /// along -z, and north (y) is up in the image. Heading rotates the camera clockwise about the
 /// vertical axis. Then pitch and roll rotate it about its own x and y axes.
-Eigen::Matrix3d rotation_of(double heading, double pitch, double roll) {
+Eigen::Matrix3d rotation_of_angles(double heading, double pitch, double roll) {
   const Eigen::Matrix3d to_world = turned(-heading, 2) * turned(pitch, 0) * turned(roll, 1);
   return Vec3(1, -1, -1).asDiagonal() * to_world.transpose();
 }
@@ -107,8 +108,8 @@ class Row {
   double number(const std::string& column) const {
     const auto value = number_in<double>(text(column));
     if (value && std::isfinite(*value)) return *value;
-    source_.fail_at_line(place_,
-                         column + " is " + quoted(text(column)) + ", which is not a finite number");
+    source_.fail_at_line(
+        place_, column + " is " + in_quotes(text(column)) + ", which is not a finite number");
   }
   /// Returns the number in a column, or 0 if there is no such column.
   double optional_number(const std::string& column) const {
@@ -121,10 +122,10 @@ class Row {
   std::map<std::string, std::string> fields_;
 };
 
-CameraRecord read_row(const Row& row, const Source& source, const char* place) {
+CameraRecord read_table_row(const Row& row, const Source& source, const char* place) {
   const std::string name = row.text("#name");
-  const std::string who = "camera " + quoted(name);
-  Lens lens;
+  const std::string who = "camera " + in_quotes(name);
+  RealityCaptureLens lens;
   lens.focal_mm = row.number("f");
   lens.u = row.number("px");
   lens.v = row.number("py");
@@ -135,7 +136,7 @@ CameraRecord read_row(const Row& row, const Source& source, const char* place) {
   record.name = name;
   record.place = source.name + " line " + std::to_string(source.line_of(place));
   record.camera.rotation =
-      rotation_of(row.number("heading"), row.number("pitch"), row.number("roll"));
+      rotation_of_angles(row.number("heading"), row.number("pitch"), row.number("roll"));
   place_at({row.number("x"), row.number("y"), row.number("alt")}, who, source, record.camera);
   return record;
 }
@@ -152,7 +153,7 @@ CameraList read_table(const Source& source) {
       columns = fields_of(line);
     } else if (!line.starts_with('#') && line.find_first_not_of(" \r") != std::string_view::npos) {
       const Row row(columns, fields_of(line), source, place);
-      list.cameras.push_back(read_row(row, source, place));
+      list.cameras.push_back(read_table_row(row, source, place));
     }
     place = end == source.end() ? end : end + 1;
   }
@@ -176,8 +177,8 @@ double value(const pugi::xml_node& description, const std::string& name, double 
   return numbers.empty() ? otherwise : numbers.front();
 }
 
-Lens lens_of(const pugi::xml_node& description, const Source& source) {
-  Lens lens;
+RealityCaptureLens lens_from_description(const pugi::xml_node& description, const Source& source) {
+  RealityCaptureLens lens;
   lens.focal_mm = value(description, "xcr:FocalLength35mm", 0, source);
   lens.aspect = value(description, "xcr:AspectRatio", 1, source);
   lens.skew = value(description, "xcr:Skew", 0, source);
@@ -189,7 +190,7 @@ Lens lens_of(const pugi::xml_node& description, const Source& source) {
       xml_attribute(description, "xcr:DistortionModel").value_or("perspective");
   const bool is_plain = k == std::vector<double>(6, 0);
   if (!is_plain && !model.starts_with("brown"))
-    source.fail("the distortion model " + quoted(model) +
+    source.fail("the distortion model " + in_quotes(model) +
                 " is not supported: export with Brown3, or undistorted images");
   lens.k = {k[0], k[1], k[2], k[3]};
   lens.t = {k[4], k[5]};
@@ -203,7 +204,7 @@ CameraList read_reality_capture(const Source& source, const std::string& stem) {
   const pugi::xml_document document = parse_xml(source);
   const pugi::xml_node description = xml_element(document, "rdf:Description");
   if (!description) source.fail("the RealityCapture XMP file has no rdf:Description");
-  CameraRecord record = record_of(lens_of(description, source), "the camera", source);
+  CameraRecord record = record_of(lens_from_description(description, source), "the camera", source);
   const auto rotation = values(description, "xcr:Rotation", source);
   const auto center = values(description, "xcr:Position", source);
   if (rotation.size() != 9 || center.size() != 3)

@@ -12,9 +12,6 @@
 namespace transformesh {
 namespace {
 
-/// In these files, the center of the first pixel is (0.5, 0.5); ours is (0, 0).
-constexpr double pixel_center = 0.5;
-
 /// A frame (image) of the file. Keys that are missing in the frame are read from the top level of
 /// the file.
 struct Frame {
@@ -32,8 +29,7 @@ void check_model(const Frame& frame) {
     for (const char* known :
          {"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "PERSPECTIVE", "SIMPLE_RADIAL", "RADIAL"})
       if (model == known) return;
-    frame.at("camera_model")
-        .fail(transformesh::quoted(model) + " is not supported: undistort the images");
+    frame.at("camera_model").fail(in_quotes(model) + " is not supported: undistort the images");
   }
   if (frame.has("is_fisheye") && frame.at("is_fisheye").is_true())
     frame.at("is_fisheye").fail("is true: undistort the images");
@@ -75,7 +71,7 @@ void read_principal_point(const Frame& frame, CameraRecord& record) {
   }
 }
 
-void read_lens(const Frame& frame, CameraRecord& record) {
+void read_frame_lens(const Frame& frame, CameraRecord& record) {
   check_model(frame);
   if (frame.has("w") && frame.has("h")) {
     record.width = frame.at("w").side();
@@ -92,7 +88,7 @@ void read_lens(const Frame& frame, CameraRecord& record) {
 
 /// Reads the matrix that maps camera coordinates to world coordinates. In camera coordinates, x
 /// points to the right, y up and z backwards.
-void read_pose(const JsonEntry& matrix, CameraRecord& record) {
+void read_frame_pose(const JsonEntry& matrix, CameraRecord& record) {
   Eigen::Matrix3d to_world;
   Vec3 center;
   const std::size_t rows = matrix.elements().size();
@@ -120,8 +116,8 @@ CameraList read_transforms(const Source& source) {
     record.name = entry.at("file_path").text();
     if (record.name.starts_with("./")) record.name.erase(0, 2);
     record.place = entry.place();
-    read_lens({entry, file}, record);
-    read_pose(entry.at("transform_matrix"), record);
+    read_frame_lens({entry, file}, record);
+    read_frame_pose(entry.at("transform_matrix"), record);
     list.cameras.push_back(std::move(record));
   }
   if (list.cameras.empty()) source.fail("there is no frame in the file");

@@ -7,29 +7,24 @@
 namespace transformesh {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// In these files, the center of the first pixel is (0.5, 0.5); ours is (0, 0).
-constexpr double pixel_center = 0.5;
-
-void check(const CameraRecord& record) {
+void check_for_transforms(const CameraRecord& record) {
   check_sized_pinhole(record, "transforms.json");
   const auto& k = record.distortion.radial;
   if (k[3] == 0 && k[4] == 0 && k[5] == 0) return;
   throw InputError("transforms.json has no distortion k4, k5 and k6, but the lens of " +
-                   transformesh::quoted(record.name) + " has (" + record.place + ")");
+                   in_quotes(record.name) + " has (" + record.place + ")");
 }
 
-Json lens_json(const CameraRecord& record) {
+OrderedJson lens_json(const CameraRecord& record) {
   const Eigen::Matrix3d& k = record.camera.intrinsics;
   const LensDistortion& lens = record.distortion;
-  Json json{{"camera_model", "OPENCV"},
-            {"w", record.width},
-            {"h", record.height},
-            {"fl_x", k(0, 0)},
-            {"fl_y", k(1, 1)},
-            {"cx", k(0, 2) + pixel_center},
-            {"cy", k(1, 2) + pixel_center}};
+  OrderedJson json{{"camera_model", "OPENCV"},
+                   {"w", record.width},
+                   {"h", record.height},
+                   {"fl_x", k(0, 0)},
+                   {"fl_y", k(1, 1)},
+                   {"cx", k(0, 2) + pixel_center},
+                   {"cy", k(1, 2) + pixel_center}};
   if (lens.is_none()) return json;
   json["k1"] = lens.radial[0];
   json["k2"] = lens.radial[1];
@@ -41,18 +36,18 @@ Json lens_json(const CameraRecord& record) {
 
 /// Returns the matrix that maps camera coordinates, with y up and z backwards, to world
 /// coordinates.
-Json matrix_of(const PinholeCamera& camera) {
+OrderedJson matrix_of(const PinholeCamera& camera) {
   const Eigen::Matrix3d to_world = camera.rotation.transpose();
   const Vec3 center = camera.center();
-  Json rows = Json::array();
+  OrderedJson rows = OrderedJson::array();
   for (int i = 0; i < 3; ++i)
     rows.push_back({to_world(i, 0), -to_world(i, 1), -to_world(i, 2), center[i]});
   rows.push_back({0, 0, 0, 1});
   return rows;
 }
 
-Json frame_of(const CameraRecord& record, bool has_own_lens) {
-  Json frame{{"file_path", record.name}};
+OrderedJson frame_of(const CameraRecord& record, bool has_own_lens) {
+  OrderedJson frame{{"file_path", record.name}};
   if (has_own_lens) frame.update(lens_json(record));
   frame["transform_matrix"] = matrix_of(record.camera);
   return frame;
@@ -61,12 +56,12 @@ Json frame_of(const CameraRecord& record, bool has_own_lens) {
 }  // namespace
 
 std::string write_transforms(const CameraList& list) {
-  for (const CameraRecord& record : list.cameras) check(record);
+  for (const CameraRecord& record : list.cameras) check_for_transforms(record);
   const bool is_shared =
       std::all_of(list.cameras.begin(), list.cameras.end(),
                   [&](const CameraRecord& record) { return lens_of(list, record) == 0; });
   std::string text = "{\n";
-  const Json shared = is_shared ? lens_json(list.cameras.front()) : Json::object();
+  const OrderedJson shared = is_shared ? lens_json(list.cameras.front()) : OrderedJson::object();
   for (const auto& [key, value] : shared.items())
     text += "  \"" + key + "\": " + value.dump() + ",\n";
   text += "  \"frames\": [";

@@ -71,7 +71,7 @@ GrayImage scaled(const GrayImage& mask, int width, int height) {
   return result;
 }
 
-std::string size_text(const PackableImage& image) {
+std::string mask_size_text(const PackableImage& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels";
 }
 
@@ -81,8 +81,8 @@ bool is_size_equal(const PackableImage& first, const PackableImage& second) {
 
 void check_silhouette(const View& view, const std::string& path) {
   if (!view.image.empty() && !is_size_equal(view.image, view.silhouette)) {
-    throw InputError(path + ": the silhouette has " + size_text(view.silhouette) +
-                     ", but its image has " + size_text(view.image));
+    throw InputError(path + ": the silhouette has " + mask_size_text(view.silhouette) +
+                     ", but its image has " + mask_size_text(view.image));
   }
   for (int y = 0; y < view.silhouette.height; ++y)
     for (int x = 0; x < view.silhouette.width; ++x)

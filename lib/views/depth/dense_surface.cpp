@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "mesh/component_areas.h"
-#include "support/parallel.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
 #include "views/depth/trim_border.h"
@@ -33,15 +32,6 @@ Sizes sizes_of(std::span<const View> views, const Vec3& center, const DenseOptio
   if (options.cell) sizes.scale = std::max(1.0, *options.cell / (options.cell_px * pixel));
   sizes.cell = options.cell.value_or(options.cell_px * pixel * sizes.scale);
   return sizes;
-}
-
-std::vector<View> shrunk(std::span<const View> views, double scale) {
-  std::vector<View> result(views.size());
-  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      result[i] = at_scale({views[i].name, views[i].camera, views[i].image, {}}, scale);
-  });
-  return result;
 }
 
 std::vector<DepthMap> maps_of(std::span<const View> views, const ValueGrid& region, double scale,
@@ -94,7 +84,7 @@ DenseSurface dense_surface(std::span<const View> views, const DenseOptions& opti
   const Sizes sizes = sizes_of(views, result.box.center(), options);
   result.scale = sizes.scale;
   result.cell = sizes.cell;
-  const std::vector<View> small = shrunk(views, sizes.scale);
+  const std::vector<View> small = shrunk_photographs(views, sizes.scale);
   std::vector<DepthMap> maps = maps_of(small, region, sizes.scale, options, progress);
   count_pixels(small, maps, result);
   if (result.consistent == 0)

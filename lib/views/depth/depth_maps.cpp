@@ -96,6 +96,15 @@ class Islands {
 
 }  // namespace
 
+std::vector<View> shrunk_photographs(std::span<const View> views, double scale) {
+  std::vector<View> result(views.size());
+  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      result[i] = at_scale({views[i].name, views[i].camera, views[i].image, {}}, scale);
+  });
+  return result;
+}
+
 std::vector<DepthMap> depth_maps(std::span<const View> views, std::span<const ViewPair> pairs,
                                  const ValueGrid& hull, const DepthMapsOptions& options,
                                  const Progress& progress) {

@@ -25,6 +25,9 @@ struct DepthMapsOptions {
   std::size_t least_pixels = 20;  ///< smallest number of pixels of a patch that is kept
 };
 
+/// Returns the views without silhouettes, shrunk as by at_scale(). Parallel over views.
+std::vector<View> shrunk_photographs(std::span<const View> views, double scale);
+
 /// Returns the depth map of each view. `pairs` are from choose_pairs(). `hull`, in which the
 /// surface is searched, is negative inside. Parallel over views; the result does not depend on the
 /// number of threads.

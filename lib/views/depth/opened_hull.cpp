@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "support/parallel.h"
 #include "transformesh/pinhole_camera.h"
 #include "views/cameras/view.h"
 #include "views/hull/hull_values.h"
@@ -12,17 +11,6 @@
 
 namespace transformesh {
 namespace {
-
-std::vector<View> shrunk(std::span<const View> views, double scale) {
-  std::vector<View> result(views.size());
-  parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      View view{views[i].name, views[i].camera, views[i].image, PackableImage()};
-      result[i] = at_scale(view, scale);
-    }
-  });
-  return result;
-}
 
 /// `hull`: a visual hull as values on a grid. `opened`: the same hull after depth maps of
 /// photographs, shrunk by `scale`, have opened its hollows by fuse_depths().
@@ -63,7 +51,7 @@ Opening open_at(double size_px, std::span<const View> views, const OpenedHullOpt
   DepthMapsOptions maps = options.maps;
   maps.sweep.correlation.noise_variance /= scale * scale;
   const std::vector<ViewPair> pairs = choose_pairs(cameras, center, options.pairs);
-  const std::vector<View> small = shrunk(views, scale);
+  const std::vector<View> small = shrunk_photographs(views, scale);
   const std::vector<DepthMap> depths = depth_maps(small, pairs, opening.hull, maps, progress);
   opening.opened = fuse_depths(opening.hull, small, depths, options.fusion, progress);
   return opening;

@@ -35,7 +35,7 @@ struct SmallView {
   double scale = 1;
 };
 
-std::vector<SmallView> shrunk(std::span<const View> views) {
+std::vector<SmallView> small_photographs(std::span<const View> views) {
   std::vector<SmallView> result(views.size());
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -97,7 +97,7 @@ double highest_of_best(const std::vector<Candidate>& candidates) {
 
 double agreed_threshold(std::span<const View> views, const ThresholdOptions& options,
                         const Progress& progress) {
-  const std::vector<SmallView> small = shrunk(views);
+  const std::vector<SmallView> small = small_photographs(views);
   if (small.empty()) throw UsageError("a threshold cannot be chosen without photographs");
   std::vector<GrayImage> images;
   images.reserve(small.size());

@@ -15,8 +15,6 @@ constexpr std::int32_t no_segment = -1;
 
 using Point = Eigen::Vector2f;
 
-bool is_inside(float intensity) { return intensity > contour_intensity; }
-
 struct Segment {
   Point start, end;
 
@@ -60,7 +58,7 @@ class ContourDistance {
       const auto [bx, by] = corners[(side + 1) % 4];
       const float a = silhouette_.at(x + ax, y + ay);
       const float b = silhouette_.at(x + bx, y + by);
-      if (is_inside(a) == is_inside(b)) continue;
+      if (is_inside_contour(a) == is_inside_contour(b)) continue;
       const float share = (contour_intensity - a) / (b - a);
       const Point start(static_cast<float>(x + ax), static_cast<float>(y + ay));
       const Point end(static_cast<float>(x + bx), static_cast<float>(y + by));
@@ -113,7 +111,7 @@ class ContourDistance {
     GrayImage distances = std::move(squared_);
     for (std::size_t i = 0; i < distances.pixels.size(); ++i) {
       const float root = std::sqrt(distances.pixels[i]);
-      distances.pixels[i] = is_inside(silhouette_.pixels[i]) ? -root : root;
+      distances.pixels[i] = is_inside_contour(silhouette_.pixels[i]) ? -root : root;
     }
     return distances;
   }

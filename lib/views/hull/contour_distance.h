@@ -15,6 +15,9 @@ namespace transformesh {
 
 inline constexpr float contour_intensity = 127.5F;  ///< half-way between 0 and 255
 
+/// True if a pixel of this intensity is inside the contour.
+inline bool is_inside_contour(float intensity) { return intensity > contour_intensity; }
+
 /// Returns the distance of every pixel from the contour, in pixels, positive outside. Without a
 /// contour all distances are infinite. Distances above `limit` are replaced by `limit`. Smaller
 /// distances are not affected, except for those within a few pixels of `limit`.

@@ -197,7 +197,7 @@ class Sampler {
   Site blocks_{};
 };
 
-void check(const HullOptions& options) {
+void check_hull_options(const HullOptions& options) {
   if (options.resolution < 4 || options.resolution > 4096)
     throw UsageError("the resolution of a hull must be between 4 and 4096");
   if (options.edge && !(*options.edge > 0)) throw UsageError("the cells of a hull need a size > 0");
@@ -235,7 +235,7 @@ struct Measured {
 
 Measured measured(std::span<const View> views, const HullOptions& options,
                   const Progress& progress) {
-  check(options);
+  check_hull_options(options);
   progress("contours");
   const std::vector<Carver> carvers = make_carvers(views);
   const Box box = options.box ? *options.box : silhouette_box(views);

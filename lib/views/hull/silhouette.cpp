@@ -17,8 +17,6 @@
 namespace transformesh {
 namespace {
 
-bool is_inside(float intensity) { return intensity > contour_intensity; }
-
 /// Returns the silhouette whose contour is `offset` pixels outside the contour of `distances`.
 GrayImage offset_silhouette(GrayImage distances, float offset) {
   for (float& pixel : distances.pixels)
@@ -122,12 +120,13 @@ GrayImage threshold_silhouette(const GrayImage& image, const ThresholdOptions& o
 
 GrayImage binary_silhouette(const GrayImage& silhouette) {
   GrayImage mask = silhouette;
-  for (float& pixel : mask.pixels) pixel = is_inside(pixel) ? 255.0F : 0.0F;
+  for (float& pixel : mask.pixels) pixel = is_inside_contour(pixel) ? 255.0F : 0.0F;
   return mask;
 }
 
 double inside_share(const GrayImage& silhouette) {
-  const auto inside = std::count_if(silhouette.pixels.begin(), silhouette.pixels.end(), is_inside);
+  const auto inside =
+      std::count_if(silhouette.pixels.begin(), silhouette.pixels.end(), is_inside_contour);
   return silhouette.empty()
              ? 0.0
              : static_cast<double>(inside) / static_cast<double>(silhouette.pixels.size());
@@ -139,8 +138,8 @@ double silhouette_agreement(const GrayImage& first, const GrayImage& second) {
   std::size_t both = 0;
   std::size_t any = 0;
   for (std::size_t i = 0; i < first.pixels.size(); ++i) {
-    const bool is_in_first = is_inside(first.pixels[i]);
-    const bool is_in_second = is_inside(second.pixels[i]);
+    const bool is_in_first = is_inside_contour(first.pixels[i]);
+    const bool is_in_second = is_inside_contour(second.pixels[i]);
     both += is_in_first && is_in_second ? 1 : 0;
     any += is_in_first || is_in_second ? 1 : 0;
   }

@@ -63,7 +63,7 @@ int extent(const GrayImage& silhouette) {
 
 /// Returns the views with silhouettes and cameras shrunk by an integer factor, and without
 /// photographs. The object is then at most `side_px` pixels large.
-std::vector<View> shrunk(std::span<const View> views, int side_px) {
+std::vector<View> shrunk_silhouettes(std::span<const View> views, int side_px) {
   std::vector<View> result(views.size());
   parallel_for(views.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -180,11 +180,11 @@ std::string percent(double share) { return std::to_string(std::lround(100 * shar
 
 /// Returns "'a'", "'a' and 'b'", "'a', 'b' and 'c'", or "'a', 'b' and 2 further views".
 std::string names_of(const std::vector<std::string>& names) {
-  std::string text = quoted(names.front());
-  if (names.size() == 2) return text + " and " + quoted(names[1]);
+  std::string text = in_quotes(names.front());
+  if (names.size() == 2) return text + " and " + in_quotes(names[1]);
   if (names.size() > 2) {
-    text += ", " + quoted(names[1]) + " and " +
-            (names.size() == 3 ? quoted(names[2]) : counted(names.size() - 2, "further view"));
+    text += ", " + in_quotes(names[1]) + " and " +
+            (names.size() == 3 ? in_quotes(names[2]) : counted(names.size() - 2, "further view"));
   }
   return text;
 }
@@ -301,8 +301,8 @@ void Diagnosis::try_shifts() const {
     if (!agree(views)) continue;
     const std::size_t first = 1 - forward;
     throw InputError("all silhouettes look shifted by one relative to the cameras: that of " +
-                     quoted(views_[first].name) + " fits the camera of " +
-                     quoted(views_[forward].name) +
+                     in_quotes(views_[first].name) + " fits the camera of " +
+                     in_quotes(views_[forward].name) +
                      ", and so on; is one numbered from 0 and the other from 1?");
   }
 }
@@ -360,8 +360,8 @@ void Diagnosis::try_exchanges() const {
       std::vector<View> views = views_;
       std::swap(views[i].camera, views[j].camera);
       if (!agree(views)) continue;
-      throw InputError("the cameras of " + quoted(views_[std::min(i, j)].name) + " and " +
-                       quoted(views_[std::max(i, j)].name) +
+      throw InputError("the cameras of " + in_quotes(views_[std::min(i, j)].name) + " and " +
+                       in_quotes(views_[std::max(i, j)].name) +
                        " look swapped: if they are exchanged, all views agree");
     }
   }
@@ -373,7 +373,7 @@ void Diagnosis::fail_for_bad() const {
     throw InputError(ErrorKind::views_disagree,
                      "cameras and silhouettes disagree and may not belong together: the hull "
                      "covers " +
-                         percent(agreement_.least()) + " of the silhouette of " + quoted(worst) +
+                         percent(agreement_.least()) + " of the silhouette of " + in_quotes(worst) +
                          ", and leaving out a few views does not help",
                      {.name = worst});
   }
@@ -383,12 +383,12 @@ void Diagnosis::fail_for_bad() const {
                    (names.size() == 1 ? "the view " : "the views ") + names_of(names) +
                        (names.size() == 1 ? " disagrees" : " disagree") +
                        " with the others: the hull covers " + percent(agreement_.least()) +
-                       " of the silhouette of " + quoted(worst) +
+                       " of the silhouette of " + in_quotes(worst) +
                        " with them, and agrees with all others without them",
                    {.name = names[0]});
 }
 
-void check(const ViewCheckOptions& options) {
+void check_least_agreement(const ViewCheckOptions& options) {
   if (!(options.least_agreement >= 0 && options.least_agreement <= 1))
     throw UsageError("the least agreement of views must be between 0 and 1");
 }
@@ -402,7 +402,7 @@ std::string in_words(const BadView& view) {
 
 ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options,
                       const Progress& progress) {
-  check(options);
+  check_least_agreement(options);
   std::vector<View> seen;
   std::vector<std::size_t> place;  // index in `views` of each view that has a silhouette
   for (std::size_t i = 0; i < views.size(); ++i)
@@ -414,14 +414,14 @@ ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options,
   progress("check views");
   for (const std::size_t i : place)
     seen.push_back({views[i].name, views[i].camera, {}, views[i].silhouette});
-  std::vector<View> small = shrunk(seen, coarse.side_px);
+  std::vector<View> small = shrunk_silhouettes(seen, coarse.side_px);
   Agreement agreement = agreement_of(small, coarse);
   const bool may_be_inverted = std::all_of(small.begin(), small.end(), [](const View& view) {
     return is_border_inside(view.silhouette);
   });
   if (may_be_inverted) Diagnosis(small, agreement, options, progress).try_inverted();
   if (agreement.least() >= options.least_agreement) return {agreement.least(), {}};
-  const Agreement finer = agreement_of(shrunk(seen, fine.side_px), fine);
+  const Agreement finer = agreement_of(shrunk_silhouettes(seen, fine.side_px), fine);
   if (finer.least() >= options.least_agreement) return {finer.least(), {}};
 
   Diagnosis diagnosis(std::move(small), std::move(agreement), options, progress);
@@ -433,7 +433,7 @@ ViewCheck check_views(std::vector<View>& views, const ViewCheckOptions& options,
     views.erase(views.begin() + static_cast<std::ptrdiff_t>(place[bad[k]]));
     seen.erase(seen.begin() + static_cast<std::ptrdiff_t>(bad[k]));
   }
-  result.least_agreement = agreement_of(shrunk(seen, coarse.side_px), coarse).least();
+  result.least_agreement = agreement_of(shrunk_silhouettes(seen, coarse.side_px), coarse).least();
   return result;
 }
 

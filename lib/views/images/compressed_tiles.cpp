@@ -36,7 +36,9 @@ std::uint16_t word_at(const std::uint8_t* bytes, std::size_t i) {
   return static_cast<std::uint16_t>(bytes[2 * i] | bytes[2 * i + 1] << 8);
 }
 
-int byte_at(const std::uint8_t* bytes, std::size_t i) { return static_cast<std::int8_t>(bytes[i]); }
+int signed_byte_at(const std::uint8_t* bytes, std::size_t i) {
+  return static_cast<std::int8_t>(bytes[i]);
+}
 
 /// Returns the signed 4-bit number at index `i`.
 int half_byte_at(const std::uint8_t* bytes, std::size_t i) {
@@ -89,7 +91,7 @@ std::uint16_t CompressedTiles::at(int x, int y) const {
   const std::uint8_t* const bytes = bytes_.data() + tile.bytes;
   if (tile.bits == 16) return word_at(bytes, i);
   int value = tile.start + column * tile.across + row * tile.down;
-  if (tile.bits == 8) value += byte_at(bytes, i);
+  if (tile.bits == 8) value += signed_byte_at(bytes, i);
   if (tile.bits == 4) value += half_byte_at(bytes, i);
   return static_cast<std::uint16_t>(value);
 }
@@ -108,7 +110,7 @@ void CompressedTiles::copy_tile(const Tile& tile, std::uint16_t* words, int colu
   };
   if (tile.bits == 0) return copy([](std::size_t) { return 0; });
   if (tile.bits == 4) return copy([&](std::size_t i) { return half_byte_at(bytes, i); });
-  if (tile.bits == 8) return copy([&](std::size_t i) { return byte_at(bytes, i); });
+  if (tile.bits == 8) return copy([&](std::size_t i) { return signed_byte_at(bytes, i); });
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x)
       words[static_cast<std::ptrdiff_t>(y) * width_ + x] =

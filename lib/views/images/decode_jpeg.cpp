@@ -23,7 +23,7 @@ struct ErrorManager {
   std::array<char, JMSG_LENGTH_MAX> reason{};
 };
 
-[[noreturn]] void fail(j_common_ptr jpeg) {
+[[noreturn]] void fail_in_libjpeg(j_common_ptr jpeg) {
   auto* errors = reinterpret_cast<ErrorManager*>(jpeg->err);
   jpeg->err->format_message(jpeg, errors->reason.data());
   std::longjmp(errors->escape, 1);
@@ -49,7 +49,7 @@ void take_message(j_common_ptr jpeg, int intensity) {
     case JWRN_JPEG_EOF:
       fail_early(jpeg);
     default:
-      fail(jpeg);
+      fail_in_libjpeg(jpeg);
   }
 }
 
@@ -63,18 +63,18 @@ void count_scans(j_common_ptr jpeg) {
 }
 
 /// Owns libjpeg's structures.
-class Reader {
+class JpegReader {
  public:
-  explicit Reader(const Source& source) : source_(source) {
+  explicit JpegReader(const Source& source) : source_(source) {
     jpeg_.err = jpeg_std_error(&errors_.base);
-    errors_.base.error_exit = fail;
+    errors_.base.error_exit = fail_in_libjpeg;
     errors_.base.emit_message = take_message;
     errors_.base.output_message = ignore_message;
     progress_.progress_monitor = count_scans;
   }
-  ~Reader() { jpeg_destroy_decompress(&jpeg_); }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  ~JpegReader() { jpeg_destroy_decompress(&jpeg_); }
+  JpegReader(const JpegReader&) = delete;
+  JpegReader& operator=(const JpegReader&) = delete;
 
   SampleLayout read_layout() {
     demand([this] {
@@ -143,7 +143,7 @@ class Reader {
 }  // namespace
 
 void decode_jpeg(const Source& source, IntensityRows& rows) {
-  Reader reader(source);
+  JpegReader reader(source);
   if (rows.start(reader.read_layout())) reader.read(rows);
 }
 

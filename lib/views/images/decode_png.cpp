@@ -9,20 +9,20 @@
 namespace transformesh {
 namespace {
 
-struct Input {
+struct PngInput {
   std::string_view rest;
   std::string failure;
 };
 
-void take(png_structp png, png_bytep data, png_size_t size) {
-  auto* input = static_cast<Input*>(png_get_io_ptr(png));
+void take_png_bytes(png_structp png, png_bytep data, png_size_t size) {
+  auto* input = static_cast<PngInput*>(png_get_io_ptr(png));
   if (input->rest.size() < size) png_error(png, "the file ends too early");
   std::memcpy(data, input->rest.data(), size);
   input->rest.remove_prefix(size);
 }
 
-[[noreturn]] void fail(png_structp png, png_const_charp message) {
-  static_cast<Input*>(png_get_error_ptr(png))->failure = message;
+[[noreturn]] void fail_in_libpng(png_structp png, png_const_charp message) {
+  static_cast<PngInput*>(png_get_error_ptr(png))->failure = message;
   png_longjmp(png, 1);
 }
 
@@ -48,22 +48,23 @@ void read_header(png_structp png, png_infop info) {
 }
 
 /// Owns libpng's structures.
-class Reader {
+class PngReader {
  public:
-  explicit Reader(const Source& source)
+  explicit PngReader(const Source& source)
       : source_(source),
         input_{source.bytes, {}},
-        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &input_, fail, ignore_warning)),
+        png_(
+            png_create_read_struct(PNG_LIBPNG_VER_STRING, &input_, fail_in_libpng, ignore_warning)),
         info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
     if (info_ == nullptr) {
       png_destroy_read_struct(&png_, nullptr, nullptr);
       throw std::bad_alloc();
     }
-    png_set_read_fn(png_, &input_, take);
+    png_set_read_fn(png_, &input_, take_png_bytes);
   }
-  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
 
   SampleLayout read_layout() {
     demand([this] { read_header(png_, info_); });
@@ -116,7 +117,7 @@ class Reader {
   }
 
   const Source& source_;
-  Input input_;
+  PngInput input_;
   png_structp png_;
   png_infop info_;
   int passes_ = 1;
@@ -125,7 +126,7 @@ class Reader {
 }  // namespace
 
 void decode_png(const Source& source, IntensityRows& rows) {
-  Reader reader(source);
+  PngReader reader(source);
   const SampleLayout layout = reader.read_layout();
   if (rows.start(layout)) reader.read(layout, rows);
 }

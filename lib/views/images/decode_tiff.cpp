@@ -15,17 +15,17 @@ namespace transformesh {
 namespace {
 
 /// Bytes in memory that libtiff reads as a file.
-struct Input {
+struct TiffInput {
   std::string_view bytes;
   std::uint64_t place = 0;
   bool are_warnings_failures = false;
   std::string failure;  ///< the first error message of libtiff
 };
 
-Input& input_of(thandle_t handle) { return *static_cast<Input*>(handle); }
+TiffInput& input_of(thandle_t handle) { return *static_cast<TiffInput*>(handle); }
 
-tmsize_t take(thandle_t handle, void* data, tmsize_t size) {
-  Input& input = input_of(handle);
+tmsize_t take_tiff_bytes(thandle_t handle, void* data, tmsize_t size) {
+  TiffInput& input = input_of(handle);
   if (size <= 0 || input.place >= input.bytes.size()) return 0;
   const auto taken =
       std::min<std::size_t>(static_cast<std::size_t>(size), input.bytes.size() - input.place);
@@ -37,7 +37,7 @@ tmsize_t take(thandle_t handle, void* data, tmsize_t size) {
 tmsize_t refuse_to_write(thandle_t /*handle*/, void* /*data*/, tmsize_t /*size*/) { return -1; }
 
 toff_t seek(thandle_t handle, toff_t offset, int from) {
-  Input& input = input_of(handle);
+  TiffInput& input = input_of(handle);
   if (from == SEEK_CUR) offset += input.place;
   if (from == SEEK_END) offset += input.bytes.size();
   return input.place = offset;
@@ -51,7 +51,7 @@ int keep_failure(TIFF* /*tiff*/, void* input, const char* /*module*/, const char
                  va_list values) {
   std::array<char, 200> text{};
   std::vsnprintf(text.data(), text.size(), format, values);
-  std::string& failure = static_cast<Input*>(input)->failure;
+  std::string& failure = static_cast<TiffInput*>(input)->failure;
   if (failure.empty()) failure = text.data();
   return 1;  // libtiff prints nothing
 }
@@ -59,7 +59,7 @@ int keep_failure(TIFF* /*tiff*/, void* input, const char* /*module*/, const char
 /// Handles warnings of libtiff. When a file is opened, they concern unknown tags and are ignored.
 /// Later they concern damaged data that libtiff replaces by a guess, and are errors.
 int keep_warning(TIFF* tiff, void* input, const char* module, const char* format, va_list values) {
-  if (!static_cast<Input*>(input)->are_warnings_failures) return 1;
+  if (!static_cast<TiffInput*>(input)->are_warnings_failures) return 1;
   return keep_failure(tiff, input, module, format, values);
 }
 
@@ -68,15 +68,15 @@ struct CloseTiff {
 };
 using Tiff = std::unique_ptr<TIFF, CloseTiff>;
 
-Tiff open(Input& input) {
+Tiff open(TiffInput& input) {
   const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(
       TIFFOpenOptionsAlloc(), TIFFOpenOptionsFree);
   if (!options) throw std::bad_alloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_failure, &input);
   TIFFOpenOptionsSetWarningHandlerExtR(options.get(), keep_warning, &input);
   TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), std::numeric_limits<std::int32_t>::max());
-  return Tiff(TIFFClientOpenExt("image", "rm", &input, take, refuse_to_write, seek, close, size_of,
-                                nullptr, nullptr, options.get()));
+  return Tiff(TIFFClientOpenExt("image", "rm", &input, take_tiff_bytes, refuse_to_write, seek,
+                                close, size_of, nullptr, nullptr, options.get()));
 }
 
 /// Returns uninitialized memory for `count` samples. The system then provides physical memory only
@@ -87,9 +87,9 @@ std::unique_ptr<Sample[]> samples(std::uint64_t count) {
   return std::unique_ptr<Sample[]>(new Sample[count]);
 }
 
-class Reader {
+class TiffReader {
  public:
-  explicit Reader(const Source& source)
+  explicit TiffReader(const Source& source)
       : source_(source), input_{source.bytes, 0, false, {}}, tiff_(open(input_)) {
     if (!tiff_) refuse();
     width_ = field<std::uint32_t>(TIFFTAG_IMAGEWIDTH);
@@ -221,7 +221,7 @@ class Reader {
   }
 
   const Source& source_;
-  Input input_;
+  TiffInput input_;
   Tiff tiff_;
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
@@ -233,6 +233,6 @@ class Reader {
 
 }  // namespace
 
-void decode_tiff(const Source& source, IntensityRows& rows) { Reader(source).read(rows); }
+void decode_tiff(const Source& source, IntensityRows& rows) { TiffReader(source).read(rows); }
 
 }  // namespace transformesh

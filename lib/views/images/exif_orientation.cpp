@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t orientation_tag = 0x112;  ///< number of the tag in Exif
 
-std::uint32_t byte_at(std::string_view bytes, std::size_t at) {
+std::uint32_t unsigned_byte_at(std::string_view bytes, std::size_t at) {
   return static_cast<unsigned char>(bytes[at]);
 }
 
@@ -36,7 +36,7 @@ class TiffDirectory {
     if (at + size > bytes_.size()) return {};
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < size; ++i)
-      value = value << 8 | byte_at(bytes_, at + (is_little_ ? size - 1 - i : i));
+      value = value << 8 | unsigned_byte_at(bytes_, at + (is_little_ ? size - 1 - i : i));
     return value;
   }
 
@@ -50,9 +50,9 @@ std::string_view exif_of_jpeg(std::string_view bytes) {
   constexpr std::uint32_t application_1 = 0xe1;  // marker of the segment with Exif data
   constexpr std::uint32_t start_of_scan = 0xda;  // marker after which no Exif segment follows
   std::size_t at = 2;
-  while (at + 4 <= bytes.size() && byte_at(bytes, at) == 0xff) {
-    const std::uint32_t marker = byte_at(bytes, at + 1);
-    const std::size_t size = byte_at(bytes, at + 2) << 8 | byte_at(bytes, at + 3);
+  while (at + 4 <= bytes.size() && unsigned_byte_at(bytes, at) == 0xff) {
+    const std::uint32_t marker = unsigned_byte_at(bytes, at + 1);
+    const std::size_t size = unsigned_byte_at(bytes, at + 2) << 8 | unsigned_byte_at(bytes, at + 3);
     if (marker == start_of_scan || size < 2) break;
     const std::string_view segment = bytes.substr(at + 4, size - 2);
     if (marker == application_1 && segment.starts_with(title)) return segment.substr(title.size());

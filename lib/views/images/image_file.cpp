@@ -55,7 +55,7 @@ IntensityRows decode(std::string_view bytes, const std::string& name, IntensityR
   if (bytes.empty()) source.fail("the file is empty: it contains no image");
   const Format* format = format_of(bytes);
   if (format == nullptr) {
-    source.fail("not an image of a known format, starting with " + quoted(bytes.substr(0, 16)));
+    source.fail("not an image of a known format, starting with " + in_quotes(bytes.substr(0, 16)));
   }
   if (format->decode == nullptr) refuse_format(source, format->name);
   IntensityRows rows(kind);

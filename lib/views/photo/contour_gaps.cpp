@@ -109,8 +109,8 @@ bool is_deep_inside(const Distances& distances, int x, int y) {
 }
 
 template <class Distances>
-void add_view(const Mesh& mesh, const View& view, const VisibleDepths& depths,
-              const Distances& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
+void add_gaps_of_view(const Mesh& mesh, const View& view, const VisibleDepths& depths,
+                      const Distances& distances, SilhouetteMeaning meaning, ContourGaps& gaps) {
   const Projection projection = view.camera.projection();
   const double focal = view.camera.focal_length();
   const InnerPixels inner(depths);
@@ -155,9 +155,9 @@ ContourGaps contour_gaps(const Mesh& mesh, std::span<const View> views, const Se
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (distances[i].empty()) continue;
     if (distances[i].is_packed())
-      add_view(mesh, views[i], seen.depths(i), distances[i], meaning, gaps);
+      add_gaps_of_view(mesh, views[i], seen.depths(i), distances[i], meaning, gaps);
     else
-      add_view(mesh, views[i], seen.depths(i), distances[i].unpacked(room), meaning, gaps);
+      add_gaps_of_view(mesh, views[i], seen.depths(i), distances[i].unpacked(room), meaning, gaps);
   }
   return gaps;
 }

@@ -48,7 +48,7 @@ void sum_across(const float* __restrict in, float* __restrict out, int width) {
   }
 }
 
-enum Compared { is_seen, first, second, slope, compared_planes };
+enum ComparedPlane { is_seen, first, second, slope, compared_planes };
 enum Factor { of_first, of_second, constant, of_square, factor_planes };
 enum Moment { count, sum1, sum2, sum11, sum22, sum12, moments };
 
@@ -192,7 +192,7 @@ class Correlation {
       const Rows in = reach(factors_, static_cast<int>(plane), y);
       sum_windows([&](std::size_t k, int x) { return in[k][x]; }, factor_sums_[plane]);
     }
-    const auto row = [&](Compared plane) {
+    const auto row = [&](ComparedPlane plane) {
       return Eigen::Map<const Row>(compared_.row(plane, y), width_);
     };
     gradient_ = row(slope) * (factor_sums_[of_first] * row(first) +

@@ -68,15 +68,15 @@ class BestWindows {
   std::vector<Ranked> windows_;
 };
 
-bool is_inside(const GrayImage& depth, int x, int y) {
+bool is_inside_depth(const GrayImage& depth, int x, int y) {
   for (int i = -1; i <= 1; ++i)
     for (int j = -1; j <= 1; ++j)
       if (!(depth.at(x + j, y + i) > 0)) return false;
   return true;
 }
 
-void add_pair(const Warp& warp, const VisibleSurface& seen, double noise,
-              const PhotoconsistencyOptions& options, BestWindows& best) {
+void add_windows_of_pair(const Warp& warp, const VisibleSurface& seen, double noise,
+                         const PhotoconsistencyOptions& options, BestWindows& best) {
   const auto excess = static_cast<float>(options.correlation.noise_variance + noise);
   correlate(
       best.width(), seen.compared.first_row, seen.compared.end_row, options.correlation,
@@ -94,16 +94,16 @@ void add_pair(const Warp& warp, const VisibleSurface& seen, double noise,
 
 /// Result of comparing one reference view with its partner views. Also holds buffers that are
 /// reused for the next reference view.
-struct Compared {
+struct ComparedView {
   VisibleSurface room;
   WarpRoom warp_room;
   const VisibleSurface* seen = nullptr;
   BestWindows best;
 };
 
-void compare_with_others(std::size_t reference, const PhotoScene& scene, const SeenViews& seen,
-                         std::span<const double> noise, const PhotoconsistencyOptions& options,
-                         Compared& result) {
+void compare_windows_with_others(std::size_t reference, const PhotoScene& scene,
+                                 const SeenViews& seen, std::span<const double> noise,
+                                 const PhotoconsistencyOptions& options, ComparedView& result) {
   const VisibleSurface& from = seen.surface(reference, result.room);
   result.seen = &from;
   result.best.begin(std::max(from.compared.columns(), 0), std::max(from.compared.rows(), 0));
@@ -112,11 +112,12 @@ void compare_with_others(std::size_t reference, const PhotoScene& scene, const S
     if (pair.first != reference) continue;
     const Warp warp(scene.views[reference], from, scene.views[pair.second],
                     seen.depths(pair.second), options.depth_tolerance, result.warp_room);
-    add_pair(warp, from, (noise[reference] + noise[pair.second]) / 2, options, result.best);
+    add_windows_of_pair(warp, from, (noise[reference] + noise[pair.second]) / 2, options,
+                        result.best);
   }
 }
 
-void add_to_vertices(const Mesh& mesh, const Compared& view, Disagreement& result) {
+void add_windows_to_vertices(const Mesh& mesh, const ComparedView& view, Disagreement& result) {
   const VisibleSurface& seen = *view.seen;
   const PixelBox& box = seen.compared;
   for (int y = box.first_row; y < box.end_row; ++y) {
@@ -172,7 +173,7 @@ double noise_variance(const GrayImage& image, const GrayImage& depth) {
   std::vector<float> differences;
   for (int y = 1; y + 1 < image.height; ++y) {
     for (int x = 1; x + 1 < image.width; ++x) {
-      if (!is_inside(depth, x, y)) continue;
+      if (!is_inside_depth(depth, x, y)) continue;
       const auto second = [&](int row) {
         return image.at(x - 1, row) - 2 * image.at(x, row) + image.at(x + 1, row);
       };
@@ -196,14 +197,14 @@ Disagreement disagreement(const Mesh& mesh, const PhotoScene& scene, double leas
   Disagreement result;
   result.of_vertex.resize(mesh.positions.size());
   // To save memory, at most one view per thread is compared at the same time.
-  std::vector<Compared> compared(std::min(allowed_thread_count(), count));
+  std::vector<ComparedView> compared(std::min(allowed_thread_count(), count));
   for (std::size_t begin = 0; begin < count; begin += compared.size()) {
     const std::size_t end = std::min(compared.size(), count - begin);
     parallel_for(end, 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
-        compare_with_others(begin + i, scene, seen, noise, options, compared[i]);
+        compare_windows_with_others(begin + i, scene, seen, noise, options, compared[i]);
     });
-    for (std::size_t i = 0; i < end; ++i) add_to_vertices(mesh, compared[i], result);
+    for (std::size_t i = 0; i < end; ++i) add_windows_to_vertices(mesh, compared[i], result);
   }
   return result;
 }

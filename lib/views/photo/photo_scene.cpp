@@ -16,7 +16,7 @@ namespace {
 /// A function that reduces view `i` and adds it to the scene.
 using AddView = std::function<void(std::size_t i, PhotoScene& scene)>;
 
-void add_view(const View& view, std::size_t i, double scale, PhotoScene& scene) {
+void add_view_to_scene(const View& view, std::size_t i, double scale, PhotoScene& scene) {
   scene.views[i] = at_scale(view, scale);
   PackableImage silhouette = std::exchange(scene.views[i].silhouette, PackableImage());
   if (!silhouette.empty()) scene.distances[i] = signed_distance(silhouette);
@@ -45,13 +45,14 @@ PhotoScene make_scene(std::span<const View> views, double scale, const PairOptio
 }  // namespace
 
 PhotoScene photo_scene(std::span<const View> views, double scale, const PairOptions& pairs) {
-  return make_scene(views, scale, pairs,
-                    [&](std::size_t i, PhotoScene& scene) { add_view(views[i], i, scale, scene); });
+  return make_scene(views, scale, pairs, [&](std::size_t i, PhotoScene& scene) {
+    add_view_to_scene(views[i], i, scale, scene);
+  });
 }
 
 PhotoScene take_photo_scene(std::span<View> views, double scale, const PairOptions& pairs) {
   return make_scene(views, scale, pairs, [&](std::size_t i, PhotoScene& scene) {
-    add_view(views[i], i, scale, scene);
+    add_view_to_scene(views[i], i, scale, scene);
     views[i].image = views[i].silhouette = PackableImage();
   });
 }

@@ -15,7 +15,7 @@
 namespace transformesh {
 namespace {
 
-void check(const PhotoStepOptions& options) {
+void check_step_options(const PhotoStepOptions& options) {
   const auto check_least = [](double value, const char* name) {
     if (!(value >= 0 && std::isfinite(value)))
       throw UsageError(std::string(name) + " must be at least 0");
@@ -132,7 +132,7 @@ std::vector<Vec3> normals_off_borders(const Mesh& mesh, const UniformLaplacian& 
 
 PhotoStepResult photo_step(Mesh& mesh, const PhotoScene& scene, const PhotoStepOptions& options,
                            const Progress& progress) {
-  check(options);
+  check_step_options(options);
   progress("see");
   const SeenViews seen(mesh, scene.views, options.least_cosine);
   const Photoconsistency measured =

@@ -46,8 +46,8 @@ struct FaceSums {
   std::array<double, 3> count{};
 };
 
-void check(std::span<const View> views, std::span<const ViewPair> pairs,
-           const PhotoconsistencyOptions& options) {
+void check_pairs(std::span<const View> views, std::span<const ViewPair> pairs,
+                 const PhotoconsistencyOptions& options) {
   if (!(options.depth_tolerance >= 0)) throw UsageError("the depth tolerance must be at least 0");
   for (const ViewPair& pair : pairs) {
     if (pair.first < views.size() && pair.second < views.size()) continue;
@@ -71,8 +71,8 @@ std::size_t count_visible(const VisibleSurface& seen) {
                                                 [](float depth) { return depth > 0; }));
 }
 
-void add_pair(const Warp& warp, const VisibleSurface& seen, const PhotoconsistencyOptions& options,
-              ReferenceSums& sums) {
+void add_sums_of_pair(const Warp& warp, const VisibleSurface& seen,
+                      const PhotoconsistencyOptions& options, ReferenceSums& sums) {
   const CorrelationSums pair = correlate(
       sums.gradient.width, seen.compared.first_row, seen.compared.end_row, options.correlation,
       [&](int y, const ComparedRow& row) {
@@ -102,7 +102,7 @@ void compare_with_others(std::size_t reference, std::span<const View> views, con
     sums.visible += visible;
     const Warp warp(views[reference], from, views[pair.second], seen.depths(pair.second),
                     options.depth_tolerance, sums.warp_room);
-    add_pair(warp, from, options, sums);
+    add_sums_of_pair(warp, from, options, sums);
   }
 }
 
@@ -132,8 +132,8 @@ void add_to_faces(const ReferenceSums& sums, std::vector<FaceSums>& faces) {
   }
 }
 
-void add_to_vertices(const Mesh& mesh, const std::vector<FaceSums>& faces,
-                     Photoconsistency& result) {
+void add_sums_to_vertices(const Mesh& mesh, const std::vector<FaceSums>& faces,
+                          Photoconsistency& result) {
   result.gradient.assign(mesh.positions.size(), Vec3::Zero());
   result.curvature.assign(mesh.positions.size(), 0);
   result.coverage.assign(mesh.positions.size(), 0);
@@ -149,7 +149,8 @@ void add_to_vertices(const Mesh& mesh, const std::vector<FaceSums>& faces,
   }
 }
 
-void add_view(const ReferenceSums& sums, Photoconsistency& result, std::vector<FaceSums>& faces) {
+void add_sums_of_view(const ReferenceSums& sums, Photoconsistency& result,
+                      std::vector<FaceSums>& faces) {
   result.energy += sums.sums.energy;
   result.loss += sums.sums.loss;
   result.weight += sums.sums.weight;
@@ -164,7 +165,7 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
                                   const SeenViews& seen, std::span<const ViewPair> pairs,
                                   const PhotoconsistencyOptions& options,
                                   const Progress& progress) {
-  check(views, pairs, options);
+  check_pairs(views, pairs, options);
   progress("compare");
   Photoconsistency result;
   std::vector<FaceSums> faces(mesh.faces.size());
@@ -177,11 +178,11 @@ Photoconsistency photoconsistency(const Mesh& mesh, std::span<const View> views,
       for (std::size_t v = first; v < last; ++v)
         compare_with_others(start + v, views, seen, pairs, options, sums[v]);
     });
-    for (std::size_t v = 0; v < count; ++v) add_view(sums[v], result, faces);
+    for (std::size_t v = 0; v < count; ++v) add_sums_of_view(sums[v], result, faces);
   }
   progress("add up");
   sums = {};
-  add_to_vertices(mesh, faces, result);
+  add_sums_to_vertices(mesh, faces, result);
   return result;
 }
 

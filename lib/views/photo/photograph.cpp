@@ -15,7 +15,7 @@
 namespace transformesh {
 namespace {
 
-void check(const PhotographOptions& options) {
+void check_photograph_options(const PhotographOptions& options) {
   if (options.samples < 1 || options.samples > 8)
     throw UsageError("a pixel needs 1 to 8 samples each way");
   if (!(options.noise >= 0 && options.offset_spread >= 0))
@@ -96,7 +96,7 @@ class Exposure {
 
 Photograph take_photograph(const Mesh& mesh, const Camera& camera, const SolidTexture& texture,
                            std::uint64_t number, const PhotographOptions& options) {
-  check(options);
+  check_photograph_options(options);
   return Exposure(mesh, camera, texture, number, options).develop();
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 // Mean and standard deviation of the intensities. With 128 and 40, they use most of [0, 255] but
 // rarely exceed it.
-constexpr double middle_intensity = 128;
+constexpr double mean_intensity = 128;
 constexpr double deviation = 40;  ///< standard deviation of the intensities
 
 /// Coefficients of the Taylor series of the sine: inverse factorials of the odd numbers from 19
@@ -77,7 +77,7 @@ SolidTexture::SolidTexture(const TextureOptions& options) {
 float SolidTexture::intensity_at(const Vec3& point) const {
   double sum = 0;
   for (const Wave& wave : waves_) sum += quick_sine(wave.frequency.dot(point) + wave.phase);
-  return static_cast<float>(middle_intensity + amplitude_ * sum);
+  return static_cast<float>(mean_intensity + amplitude_ * sum);
 }
 
 }  // namespace transformesh

@@ -24,7 +24,6 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 512;  ///< points per parallel task; affects time only
 /// The default of AlphaWrapOptions::offset is the smaller of two lengths: these fractions of the
 /// bounding box's diagonal and of the point spacing (point_spacing()). For 50,000 points on a
 /// sphere with noise of .5 %, an eighth of the spacing gives a wrap with a Hausdorff distance of
@@ -60,11 +59,11 @@ constexpr double hollow_by_diagonal = hollow_by_offset * offset_by_diagonal;
 /// the sampled surface.
 constexpr double most_hollow = 0.05;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-using Cloud = std::vector<Kernel::Point_3>;
+using WrapKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface = CGAL::Surface_mesh<WrapKernel::Point_3>;
+using Cloud = std::vector<WrapKernel::Point_3>;
 
-Mesh mesh_of(const Surface& surface) {
+Mesh mesh_of_surface(const Surface& surface) {
   Mesh mesh;
   for (const auto vertex : surface.vertices()) {
     const auto& point = surface.point(vertex);
@@ -83,7 +82,7 @@ Mesh mesh_of(const Surface& surface) {
 AlphaWrap wrap(const Cloud& cloud, double alpha, double offset) {
   Surface surface;
   CGAL::alpha_wrap_3(cloud, alpha, offset, surface);
-  return {mesh_of(surface), alpha, 0, offset};
+  return {mesh_of_surface(surface), alpha, 0, offset};
 }
 
 std::vector<Vec3> distinct_points(const std::vector<Vec3>& points) {
@@ -140,6 +139,7 @@ void check_cost(const Cloud& cloud, double alpha, double offset, double diagonal
 double least_distance(const Mesh& mesh, const Cloud& cloud) {
   const ClosestPointQuery closest(mesh);
   std::vector<double> distances(cloud.size());
+  constexpr std::size_t points_per_task = 512;  // points per parallel task; affects time only
   parallel_for(cloud.size(), points_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
       distances[i] = closest(Vec3(cloud[i].x(), cloud[i].y(), cloud[i].z())).distance;

@@ -10,9 +10,6 @@
 namespace transformesh {
 namespace {
 
-constexpr std::size_t points_per_task = 512;  ///< points per parallel task; affects time only
-/// The spacing at a point is the distance to its sixth neighbor.
-constexpr std::size_t neighbors = 6;
 /// Two neighbors are connected if their distance is at most `reach` times the spacing at both.
 /// Large connected groups are bodies. Another point is an outlier if its spacing is at least `jump`
 /// times the spacing at the nearest point of a body. The table in outliers.h shows the effects of
@@ -34,6 +31,9 @@ struct Neighborhoods {
 };
 
 Neighborhoods neighborhoods_of(const std::vector<Vec3>& points) {
+  constexpr std::size_t points_per_task = 512;  // points per parallel task; affects time only
+  // The spacing at a point is the distance to its sixth neighbor.
+  constexpr std::size_t neighbors = 6;
   const KdTree tree(points);
   Neighborhoods result{std::vector<std::vector<Index>>(points.size()),
                        std::vector<double>(points.size())};

@@ -96,7 +96,7 @@ TEST_CASE("two cameras that are swapped are named, unless all views agree nevert
         CHECK(least_agreement(views) > 0.68);
         continue;
       }
-      CHECK(has(problem, quoted(name_of(i)) + " and " + quoted(name_of(j))));
+      CHECK(has(problem, in_quotes(name_of(i)) + " and " + in_quotes(name_of(j))));
       CHECK(has(problem, "swapped"));
       ++named;
     }
