@@ -40,7 +40,7 @@ struct TimeResult {
   double time = 0;            ///< time at the end of this run
   EvolveResult evolution;     ///< `is_done`: the time `end` or the rule `until` was reached
   double volume = 0;          ///< volume of the result, in cubic input units
-  double volume_drift = 0;    ///< volume change by cleaning and remeshing that was not restored
+  double volume_drift = 0;    ///< volume change by remeshing; `keep_volume`: not restored
   double max_move = 0;        ///< largest movement of a vertex in a step, relative to its mean edge
   std::size_t held_back = 0;  ///< largest number of vertices held back by other bodies in one step
   std::size_t repeated = 0;   ///< steps repeated with a shorter span, including earlier runs

@@ -7,8 +7,8 @@
 /// The result reports its deviation from the exact offset, and whether parts thinner than an edge
 /// are lost. Concave corners are rounded by about an edge. Columns are carried as by remesh().
 #pragma once
-
 #include <cstddef>
+#include <optional>
 
 #include "transformesh/iteration.h"
 
@@ -27,7 +27,6 @@ struct OffsetDeviation {
   double missed = 0;  ///< largest distance of a point on the true offset from the result
   Vec3 missed_at = Vec3::Zero();  ///< the point of the true offset at the distance `missed`
 };
-
 struct OffsetResult {
   std::size_t iterations = 0;
   bool has_arrived = false;  ///< vertices are within 1/100 edge of the offset, or came no closer
@@ -49,6 +48,7 @@ struct MiterDeviation {
   double most = 0;         ///< largest error of the distance by which a face's plane has moved
   Vec3 at = Vec3::Zero();  ///< its vertex, at which over three planes meet or a spike is cut
   bool is_large = false;   ///< `most` is over 5 % of the distance, more than on smooth surfaces
+  std::optional<Vec3> remains;  ///< place of a part turned inside out that is kept in the result
 };
 /// Offsets the planes of the faces; corners stay sharp. Cleans the result. Throws as offset().
 MiterDeviation offset_mitered(Mesh& mesh, double distance, Scalar coordinate = Scalar::float64,

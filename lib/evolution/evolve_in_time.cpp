@@ -22,6 +22,7 @@
 #include "evolution/volume_keeper.h"
 #include "mesh/local_measures.h"
 #include "mesh/surface_columns.h"
+#include "support/empty_result_error.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
 #include "transformesh/manifold.h"
@@ -105,7 +106,7 @@ class TimeLoop : public Loop {
 
   bool is_done() const override { return is_done_; }
   void finish(Document& document, const Progress& progress) override {
-    clean_all(document, progress);
+    if (!document.mesh.faces.empty()) clean_all(document, progress);
   }
 
   void remember(LoopState& loop_state) override {
@@ -189,9 +190,23 @@ class TimeLoop : public Loop {
       const std::vector<Vec3>& displacements = step.integrated.displacements;
       const DisplaceResult result = move_vertices(mesh, displacements, mean_edge);
       if (options_.keep_volume) keeper_.begin(mesh, displacements);
+      moved_volume_ = volume(mesh);
       return result;
     };
-    last_ = iterate(document, move, iteration_, progress);
+    try {
+      last_ = iterate(document, move, iteration_, progress);
+    } catch (const GoalError& error) {
+      if (!is_nothing_left(error.kind())) throw;
+      vanish(document.mesh);
+    }
+  }
+
+  /// Makes the mesh empty. A surface may shrink to nothing.
+  void vanish(Mesh& mesh) {
+    mesh = select_faces(mesh, std::vector<bool>(mesh.faces.size(), false));
+    last_.topology = {};
+    last_.faces = 0;
+    last_.was_cleaned = true;
   }
 
   void restore_volume(Document& document, const Progress& progress) {
@@ -208,6 +223,8 @@ class TimeLoop : public Loop {
     topology_ = last_.topology;
     is_done_ = is_end || mesh.faces.empty() || end_rule_.add(last_);
     measure_surface(mesh);
+    const bool is_remeshed_only = options_.bodies.empty() && is_closed_ && !last_.was_cleaned;
+    if (!options_.keep_volume && is_remeshed_only) drift_ += volume_ - moved_volume_;
   }
 
   void measure_surface(const Mesh& mesh) {
@@ -227,6 +244,7 @@ class TimeLoop : public Loop {
   double span_ = 0;       ///< time span of the last step
   double next_span_ = 0;  ///< result of next_span() for the last step that was not near an event
   double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
+  double moved_volume_ = 0;  ///< volume after the motion of the last step, before remeshing
   std::size_t repeated_ = 0, held_back_ = 0;
   bool is_closed_ = false, is_done_ = false;
 };

@@ -3,11 +3,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "geometry/search/closest_point.h"
 #include "mesh/adjacency.h"
 #include "mesh/surface_columns.h"
+#include "support/empty_result_error.h"
 #include "transformesh/clean.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -29,6 +31,10 @@ constexpr double miter_limit = 4;
 /// twice. Offsets of curved surfaces are correct at vertices, and less than 5 % too close between
 /// vertices.
 constexpr double least_distance = 0.95;
+
+/// A point is on an edge if its distance from the edge is at most this fraction of the edge.
+/// Rounding errors are smaller.
+constexpr double border_rounding = 1e-9;
 
 /// A deviation above this fraction of the distance is reported as large. On smooth surfaces,
 /// deviations of face planes are smaller. A choice.
@@ -65,7 +71,7 @@ MiterDeviation deviation_of(const Mesh& mesh, const std::vector<Vec3>& direction
     if (!(normal.squaredNorm() > 0)) continue;
     for (const Index corner : face) {
       const double difference = std::abs(distance * (normal.dot(directions[corner]) - 1));
-      if (difference > worst.most) worst = {difference, mesh.positions[corner]};
+      if (difference > worst.most) worst = {difference, mesh.positions[corner], false, {}};
     }
   }
   worst.is_large = worst.most > large_deviation * std::abs(distance);
@@ -102,25 +108,67 @@ void append_other_side(Mesh& mesh, const std::vector<Vec3>& directions, double d
   mesh.face_columns = mesh.face_columns.select(rows);
 }
 
+Vec3 center_of(const Mesh& mesh, std::size_t face) {
+  const auto [a, b, c] = mesh.faces[face];
+  return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+}
+
+[[noreturn]] void throw_too_deep() {
+  throw GoalError("no point lies that deep inside the surface");
+}
+
+/// True if a point of a face of the mesh is on a border edge of this face, up to rounding.
+bool is_on_border(const Mesh& mesh, const std::vector<Index>& opposites,
+                  const ClosestPoint& closest) {
+  for (Index h = 3 * closest.face; h < 3 * closest.face + 3; ++h) {
+    if (opposites[h] != no_index) continue;
+    const Vec3& a = mesh.positions[halfedge_source(mesh, h)];
+    const Vec3& b = mesh.positions[halfedge_target(mesh, h)];
+    const Vec3 nearest = closest_point_of_triangle(closest.point, a, b, b).point;
+    if ((nearest - closest.point).norm() <= border_rounding * (b - a).norm()) return true;
+  }
+  return false;
+}
+
+/// Returns the distance of each face's center from the source surface. It is infinite if the
+/// closest point is on a border of the source: the walls of a thick sheet are there.
+std::vector<double> distances_from(const Mesh& source, const Mesh& mesh) {
+  const ClosestPointQuery query(source);
+  const std::vector<Index> opposites = opposite_halfedges(source);
+  std::vector<double> distances;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const ClosestPoint closest = query(center_of(mesh, f));
+    const bool is_wall = is_on_border(source, opposites, closest);
+    distances.push_back(is_wall ? std::numeric_limits<double>::infinity() : closest.distance);
+  }
+  return distances;
+}
+
+/// If a part that was turned inside out remains, sets its place. Planes that miss the distance are
+/// too close as well, and are reported as such.
+void find_remains(const Mesh& mesh, const std::vector<double>& distances, double distance,
+                  MiterDeviation& deviation) {
+  const auto least = std::min_element(distances.begin(), distances.end());
+  if (deviation.is_large || *least >= least_distance * distance) return;
+  deviation.remains = center_of(mesh, static_cast<std::size_t>(least - distances.begin()));
+}
+
 /// Removes components whose faces are all closer to the source surface than `least_distance` *
-/// distance.
-void drop_remains(Mesh& mesh, const Mesh& source, double distance) {
-  const ClosestPointQuery closest(source);
+/// distance. Removes the distances of their faces as well.
+void drop_remains(Mesh& mesh, std::vector<double>& distances, double distance) {
   const Components parts = connected_components(mesh);
   std::vector<double> farthest(parts.components.size(), 0);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const Vec3 middle = (mesh.positions[mesh.faces[f][0]] + mesh.positions[mesh.faces[f][1]] +
-                         mesh.positions[mesh.faces[f][2]]) /
-                        3;
-    double& far = farthest[parts.of_face[f]];
-    far = std::max(far, closest(middle).distance);
-  }
-  std::vector<bool> keep;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    keep.push_back(farthest[parts.of_face[f]] >= least_distance * std::abs(distance));
-  if (std::ranges::find(keep, true) == keep.end())
-    throw GoalError("no point lies that deep inside the surface");
+    farthest[parts.of_face[f]] = std::max(farthest[parts.of_face[f]], distances[f]);
+  std::vector<bool> keep;
+  std::vector<double> kept;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    keep.push_back(farthest[parts.of_face[f]] >= least_distance * distance);
+    if (keep[f]) kept.push_back(distances[f]);
+  }
+  if (kept.empty()) throw_too_deep();
   mesh = select_faces(mesh, keep);
+  distances = std::move(kept);
 }
 
 Mesh cleaned(const Mesh& mesh, Scalar coordinate, const Progress& progress) {
@@ -171,10 +219,19 @@ MiterDeviation offset_mitered(Mesh& mesh, double distance, Scalar coordinate,
   Mesh moved = source;
   const std::vector<Vec3> directions = miter_directions(source);
   move(moved, directions, distance);
-  moved = cleaned(moved, coordinate, progress);
-  drop_remains(moved, source, distance);
+  try {
+    moved = cleaned(moved, coordinate, progress);
+  } catch (const GoalError& error) {
+    // All parts are thinner than the offset, so that they were turned inside out.
+    if (distance < 0 && is_nothing_left(error.kind())) throw_too_deep();
+    throw;
+  }
+  MiterDeviation deviation = deviation_of(source, directions, distance);
+  std::vector<double> distances = distances_from(source, moved);
+  drop_remains(moved, distances, std::abs(distance));
+  find_remains(moved, distances, std::abs(distance), deviation);
   mesh = std::move(moved);
-  return deviation_of(source, directions, distance);
+  return deviation;
 }
 
 MiterDeviation thicken(Mesh& mesh, double thickness, Scalar coordinate, const Progress& progress) {
@@ -183,10 +240,12 @@ MiterDeviation thicken(Mesh& mesh, double thickness, Scalar coordinate, const Pr
     throw InputError("the mesh is closed: only a sheet with a border can be thickened");
   Mesh solid = mesh;
   const std::vector<Vec3> directions = miter_directions(mesh);
-  const MiterDeviation deviation = deviation_of(mesh, directions, thickness / 2);
+  MiterDeviation deviation = deviation_of(mesh, directions, thickness / 2);
   move(solid, directions, thickness / 2);
   append_other_side(solid, directions, -thickness);
-  mesh = cleaned(solid, coordinate, progress);
+  solid = cleaned(solid, coordinate, progress);
+  find_remains(solid, distances_from(mesh, solid), thickness / 2, deviation);
+  mesh = std::move(solid);
   refresh_normals(mesh);
   return deviation;
 }

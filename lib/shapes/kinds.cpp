@@ -16,6 +16,7 @@
 #include "shapes/tubes.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
+#include "transformesh/intersect.h"
 #include "transformesh/length.h"
 
 namespace transformesh::shapes {
@@ -151,7 +152,10 @@ Mesh make_two_spheres(const ShapeOptions& options, std::size_t faces, const Prog
 Mesh make_tori(const ShapeOptions& options, std::size_t faces, const Progress&) {
   const double gap = options.gap.value_or(0.08);
   if (gap >= 0.79 || gap <= -0.79) refuse(options, "the gap must be between -0.79 and 0.79");
-  return tori(gap, faces);
+  Mesh mesh = tori(gap, faces);
+  if (gap > 0 && !find_intersections(mesh).empty())
+    refuse(options, "with so few faces both tori intersect; use more faces");
+  return mesh;
 }
 
 Mesh make_dumbbell(const ShapeOptions& options, std::size_t faces, const Progress& progress) {

@@ -103,8 +103,9 @@ Mesh revolve(const Profile& profile, double size, std::size_t faces) {
   double small = 0, large = 4 * size;
   for (int halving = 0; halving < 60; ++halving) {
     const double edge = (small + large) / 2;
-    // A lower bound of the number of faces avoids making too many rings.
-    const bool is_too_small = size * size / (edge * edge) > static_cast<double>(faces);
+    // A lower bound of the number of faces avoids making too many rings: the profile has a line of
+    // length `size`, and each of its rings adds at least three faces.
+    const bool is_too_small = size / edge > static_cast<double>(faces);
     (is_too_small || count_faces(rings_of(profile, edge)) > faces ? small : large) = edge;
   }
   const std::vector<Ring> more = rings_of(profile, small > 0 ? small : large);

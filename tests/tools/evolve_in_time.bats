@@ -214,3 +214,14 @@ END
   awk -v even="$(distance)" -v adaptive="$(distance --adaptive 0.03x)" \
     'BEGIN { exit adaptive > 0.2 || even < 2 * adaptive }'
 }
+
+@test "volume that remeshing removes is noted, and --curved keeps it" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 2 1 0.3 --faces 12 -o plate.ply
+  run --separate-stderr tm-evolve plate.ply --time 1 --flow translation -o out.ply
+  assert_status 0
+  [[ $stderr == *"remeshing changed the volume by "*": --curved keeps the volume and sharp edges"* ]]
+  run --separate-stderr tm-evolve plate.ply --time 1 --flow translation --curved -o out.ply
+  assert_status 0
+  [[ $stderr != *"remeshing changed"* ]]
+}

@@ -153,13 +153,23 @@ void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
     run.note("vertices moved by up to " + significant(result.max_move, 2) +
              " mean edges in a step; a smaller --time-step, or auto, follows the motion better");
   }
+  const double volume =
+      std::max(std::abs(result.volume), std::abs(result.volume - result.volume_drift));
+  if (!choices.options.keep_volume && result.evolution.last.faces > 0 &&
+      std::abs(result.volume_drift) > 0.01 * volume) {
+    run.note("remeshing changed the volume by " + significant(result.volume_drift, 3) +
+             (run.program().options.find("curved")->is_given
+                  ? ": use shorter edges, by --min-edge and --max-edge"
+                  : ": --curved keeps the volume and sharp edges"));
+  }
   if (choices.options.keep_volume &&
       std::abs(result.volume_drift) > 1e-9 * std::abs(result.volume)) {
     const bool is_float = run.document().style.coordinate == Scalar::float32;
     run.note("the volume differs by " + significant(result.volume_drift, 3) +
              ", which could not be restored" +
-             (is_float ? ": 32-bit coordinates are rounded; run tm-convert --double first"
-                       : ": it changed where the surface merged, split or vanished"));
+             (is_float
+                  ? ": 32-bit coordinates are rounded; run tm-convert --double first"
+                  : ": it changed where the surface merged, split, vanished or lost sharp edges"));
   }
 }
 

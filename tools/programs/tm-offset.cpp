@@ -30,6 +30,9 @@ void report_miter(const MiterDeviation& deviation, tool::Run& run) {
     run.note("planes of faces move by up to " + significant(deviation.most, 3) +
              " too much or too little, most of all at " + point_text(deviation.at) +
              ", where more than three planes meet at a vertex, or a spike is cut off");
+  if (deviation.remains)
+    run.note("the result is wrong at " + point_text(*deviation.remains) +
+             ", where a part that is thinner than the offset remains, turned inside out");
 }
 
 void offset_document(Document& document, Choices& choices, tool::Run& run) {

@@ -20,7 +20,9 @@ constexpr double sharp_deg = 60;
 constexpr double line_deg = 40;
 /// A sharp edge is intended, and not noise, if the surface beside it is smooth. For this, the edges
 /// at its ends that are not lines must turn by less than this share of the turn of the sharp edge.
-constexpr double smooth_share = 0.35;
+/// With less than 40/90, the rims of holes with 9 to 11 sides would count as noise, because the
+/// sides of these holes meet at 33 to 40 degrees.
+constexpr double smooth_share = 0.45;
 /// A mesh has sharp edges if the length of intended edges exceeds these shares of the length of all
 /// sharp edges and of all lines. With larger shares, features of noisy meshes are missed; with
 /// smaller shares, noise passes for features.

@@ -20,7 +20,7 @@ std::vector<Vec3> steady_normals(const EditableMesh& mesh);
 ///
 /// An edge is sharp if it turns by more than 60 degrees. A sharp edge is intended if the surface
 /// beside it is smooth. This means that all other edges at its ends, except edges that turn by more
-/// than 40 degrees, turn by less than 0.35 times as much. There are three conditions:
+/// than 40 degrees, turn by less than 0.45 times as much. There are three conditions:
 /// - Intended edges have at least 0.9 of the length of sharp edges.
 /// - Intended edges have at least 0.25 of the length of all edges that turn by more than 40
 /// degrees.
@@ -30,7 +30,7 @@ std::vector<Vec3> steady_normals(const EditableMesh& mesh);
 ///   where a neck broke.
 ///
 /// The first two ratios do not depend on the resolution. In 80 meshes of public collections,
-/// mechanical parts have at least 0.98 and 0.28. Scans and figures have at most 0.79 or 0.03, with
+/// mechanical parts have at least 0.98 and 0.28. Scans and figures have at most 0.88 or 0.03, with
 /// one exception, a hare of 1,252 faces. O(n).
 bool has_sharp_edges(const EditableMesh& mesh);
 

@@ -147,6 +147,30 @@ TEST_CASE("the time at which two balls touch is found within the tolerance") {
   CHECK(merged_at == doctest::Approx(0.3).epsilon(0.004));
 }
 
+TEST_CASE("a ball that shrinks to nothing vanishes at the time of its radius") {
+  Document document;
+  document.mesh = test::icosphere(3);
+  EvolveOptions options = unsmoothed();
+  options.finds_events = true;
+  const TimeResult result = evolve_in_time(document, growing(-1), {.end = 3}, options);
+  CHECK(document.mesh.faces.empty());
+  CHECK(result.evolution.is_done);
+  CHECK(result.time > 0.8);
+  CHECK(result.time <= 1);
+  REQUIRE(result.evolution.events.size() == 1);
+  CHECK(result.evolution.events[0].kind == EventKind::component_vanished);
+}
+
+TEST_CASE("volume that remeshing removes is reported") {
+  Document document;
+  document.mesh = test::cuboid(Vec3::Zero(), {2, 1, 0.3});
+  const Motion carried{[](const Mesh& mesh, const Moment&, const Progress&) {
+    return std::vector<Vec3>(mesh.positions.size(), Vec3::UnitX());
+  }};
+  const TimeResult result = evolve_in_time(document, carried, {.end = 1}, unsmoothed());
+  CHECK(volume(document.mesh) - result.volume_drift == doctest::Approx(0.6));
+}
+
 TEST_CASE("volume is kept to rounding while a sphere is carried and remeshed") {
   Mesh mesh = test::icosphere(3);
   const double before = volume(mesh);

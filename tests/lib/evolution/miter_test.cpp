@@ -7,6 +7,7 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "mesh/coordinate_spacing.h"
+#include "transformesh/boolean.h"
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
@@ -52,6 +53,31 @@ TEST_CASE("the deviation says where planes miss the distance") {
   CHECK(cut.at == Vec3(0, 0, 2));
   const double slope = 0.1 / std::hypot(0.1, 2);  // upward part of the normals of the sides
   CHECK(cut.most == Approx(0.1 - 0.4 * slope));
+}
+
+TEST_CASE("a part turned inside out is dropped, or its place is reported") {
+  // A rod on a block becomes a thin rod if its sides change places.
+  const Mesh block = test::cuboid({-2, -2, -2}, {2, 2, 2});
+  const Mesh bar = test::cuboid({-0.5, -0.5, 1}, {0.5, 0.5, 6});
+  Mesh rod = boolean(BooleanOperation::unite, {{&block}, {&bar}}).mesh;
+  const MiterDeviation turned = offset_mitered(rod, -0.6);
+  REQUIRE(turned.remains);
+  CHECK(turned.remains->z() > 1.4);
+  CHECK(turned.remains->head<2>().norm() < 0.2);
+  CHECK_THROWS_AS(offset_mitered(rod, -2), GoalError);
+
+  // The sides of a square tube. Its bore is narrower than the thickness.
+  Mesh tube;
+  for (const double z : {0.0, 3.0})
+    for (const Vec3& p : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)})
+      tube.positions.emplace_back(0.1 * p.x(), 0.1 * p.y(), z);
+  for (Index i = 0; i < 4; ++i) {
+    const Index next = (i + 1) % 4;
+    tube.faces.insert(tube.faces.end(), {{i, next, next + 4}, {i, next + 4, i + 4}});
+  }
+  Mesh wide = tube;
+  CHECK(thicken(tube, 0.3).remains);
+  CHECK(!thicken(wide, 0.1).remains);
 }
 
 TEST_CASE("a thick sheet is closed and keeps its columns") {

@@ -34,5 +34,9 @@ TEST_CASE("many faces come near the volume of the round solid, and to the number
   CHECK(volume(cylinder) == doctest::Approx(pi / 2).epsilon(0.002));
   CHECK(cylinder.faces.size() < 20600);
   CHECK(cylinder.faces.size() > 19400);
+  // Slender solids have as many faces as others.
+  CHECK(volume(shapes::cylinder(0.1, 5, 5000)) == doctest::Approx(0.05 * pi).epsilon(0.01));
+  CHECK(volume(shapes::cone(0.1, 9, 10000)) == doctest::Approx(0.03 * pi).epsilon(0.02));
+  CHECK(shapes::cylinder(0.1, 5, 500).faces.size() > 400);
   CHECK(volume(shapes::cone(0.5, 2, 20000)) == doctest::Approx(pi / 6).epsilon(0.002));
 }

@@ -8,6 +8,7 @@
 
 #include "helpers/mesh_facts.h"
 #include "helpers/shape_options.h"
+#include "transformesh/errors.h"
 #include "transformesh/shapes.h"
 
 using namespace transformesh;
@@ -29,6 +30,11 @@ TEST_CASE("plain kinds do not intersect themselves") {
     CAPTURE(*options.faces);
     CHECK(crossings(make_shape(options)).pairs == 0);
   }
+}
+
+TEST_CASE("tori whose faces are too few to keep apart are refused") {
+  CHECK_THROWS_AS(make_shape(shape("tori", 100)), UsageError);
+  CHECK(crossings(make_shape(shape("tori", 200))).pairs == 0);
 }
 
 TEST_CASE("workloads intersect themselves, in general position") {

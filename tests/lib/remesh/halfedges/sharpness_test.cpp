@@ -91,7 +91,7 @@ TEST_CASE("bodies of flat and round faces have sharp edges, however fine their m
   CHECK(is_sharp(test::cube()));
   CHECK(is_sharp(test::tetrahedron()));
   for (const std::size_t faces : {100, 1000, 10000, 100000}) CHECK(is_sharp(shape("box", faces)));
-  for (const int sides : {3, 6, 12, 24, 100}) {
+  for (const int sides : {3, 6, 8, 9, 10, 11, 12, 24, 100}) {
     CAPTURE(sides);
     CHECK(is_sharp(prism(sides, 2, false)));
     CHECK(is_sharp(prism(sides, 1, true)));
