@@ -6,6 +6,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include "mesh/color_scale.h"
+#include "mesh/coordinate_spacing.h"
+
 namespace transformesh {
 namespace {
 
@@ -75,8 +78,7 @@ Column empty_copy(const Column& column) {
 /// Returns the default of a missing value. Colors are white: black would look like a color of the
 /// mesh.
 double missing_value(const Column& column) {
-  if (!is_color(column)) return 0;
-  return is_floating(column.type) ? 1 : 255;
+  return is_color(column) ? full_intensity(column.type) : 0;
 }
 
 void append_missing(Column& column, std::size_t rows) {
@@ -87,7 +89,35 @@ void append_missing(Column& column, std::size_t rows) {
   }
 }
 
+/// Returns a type that can represent all colors of both types. If the types have different scales,
+/// only a floating type and ushort can hold the colors of the other scale.
+Scalar united_color(Scalar first, Scalar second) {
+  const Scalar type = united(first, second);
+  const bool has_same_scale = full_intensity(first) == full_intensity(second);
+  const bool is_kept = has_same_scale || is_floating(type) || type == Scalar::uint16;
+  return is_kept ? type : Scalar::float64;
+}
+
+/// Gives a color column another type. Converts its values to the scale of the type.
+void convert_color(Column& column, Scalar type) {
+  const double from = full_intensity(column.type), to = full_intensity(type);
+  column.type = type;
+  if (from == to) return;
+  for (double& value : column.values) {
+    value = to > from ? value * (to / from) : value / (from / to);  // both quotients are integers
+    if (type == Scalar::float32) value = round_to_single(value);
+  }
+}
+
 void append_column(Column& to, const Column& from) {
+  if (is_color(to) && !to.list_count_type && to.type != from.type) {
+    const Scalar type = united_color(to.type, from.type);
+    convert_color(to, type);
+    Column converted = from;
+    convert_color(converted, type);
+    to.values.insert(to.values.end(), converted.values.begin(), converted.values.end());
+    return;
+  }
   to.type = united(to.type, from.type);
   if (to.list_count_type) to.list_count_type = united(*to.list_count_type, *from.list_count_type);
   const std::size_t base = to.values.size();

@@ -94,3 +94,25 @@ count() {
   grep -E '^[gf]' all.obj | tr '\n' ' ' >groups
   diff -b groups - <<<'g wing f 1 2 3 g tail f 3 2 1 f 4 5 6 g nose f 6 5 4 g 4 f 4 5 6'
 }
+
+@test "colors of bytes and of decimals get one scale, also through VTP" {
+  cd "$BATS_TEST_TMPDIR"
+  printf 'v %s 1 0.5 0\n' '0 0 0' '1 0 0' '0 1 0' >c.obj
+  echo 'f 1 2 3' >>c.obj
+  tm-convert --no-provenance --format ply-ascii c.obj |
+    sed -E 's/^property double (red|green|blue)/property uchar \1/; s/ 1 0\.5 0$/ 255 51 0/' >c.ply
+  tm-convert --no-provenance --format ply-ascii c.obj |
+    sed -E '/^property double (red|green|blue)/d; s/ 1 0\.5 0$//' >plain.ply
+  # colors FILE...: prints the colors of the vertices of the joined files, each once
+  colors() {
+    tm-cat -q --format ply-ascii "$@" | tee all.ply |
+      awk 'NF == 6 && $1 != "comment" { print $4, $5, $6 }' | uniq | paste -s -d,
+  }
+  [ "$(colors c.obj c.ply)" = "1 0.5 0,1 0.2 0" ]
+  grep -qx "property double red" all.ply
+  [ "$(colors c.ply c.obj)" = "1 0.2 0,1 0.5 0" ]
+  [ "$(colors plain.ply c.ply c.obj)" = "1 1 1,1 0.2 0,1 0.5 0" ]
+  [ "$(colors c.ply plain.ply)" = "255 51 0,255 255 255" ]
+  tm-convert --format vtp c.obj -o c.vtp
+  [ "$(colors c.vtp c.ply)" = "1 0.5 0,1 0.2 0" ]
+}

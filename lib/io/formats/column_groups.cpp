@@ -5,6 +5,7 @@
 
 #include "io/document/losses.h"
 #include "io/document/scalar.h"
+#include "mesh/color_scale.h"
 
 namespace transformesh {
 namespace {
@@ -71,8 +72,7 @@ void add_missing_colors(Columns& first, std::size_t first_rows, Columns& second,
     for (const char* channel : color_channels) {
       const Column* given = from.find(channel);
       if (given == nullptr || given->list_count_type || to.find(channel) != nullptr) continue;
-      const double white = is_floating(given->type) ? 1 : 255;
-      to.get(channel, given->type, rows).values.assign(rows, white);
+      to.get(channel, given->type, rows).values.assign(rows, full_intensity(given->type));
     }
   };
   if (first_rows > 0) add(second, first, first_rows);

@@ -10,6 +10,7 @@
 #include "io/formats/vtk.h"
 #include "io/polygons/merge_polygons.h"
 #include "io/streams/text_buffer.h"
+#include "mesh/color_scale.h"
 #include "transformesh/mesh_io.h"
 
 namespace transformesh {
@@ -82,7 +83,7 @@ class ObjWriter {
       }
       for (const Column* column : colors) {
         text_.add(' ');
-        text_.add_number(column->values[row] / (is_floating(column->type) ? 1 : 255));
+        text_.add_number(column->values[row] / full_intensity(column->type));
       }
       text_.add('\n');
     }

@@ -62,7 +62,9 @@ class Converter {
       return array.components == components && (array.role == role || array.name == role);
     };
     const std::size_t width = array.components;
-    const bool is_color = array.type == Scalar::uint8 && (width == 3 || width == 4);
+    const bool is_color = (array.type == Scalar::uint8 && (width == 3 || width == 4)) ||
+                          (array.name == "RGB" && width == 3) ||
+                          (array.name == "RGBA" && width == 4);
     if (is("Normals", 3)) {
       add_group({"nx", "ny", "nz"}, array, rows, columns);
     } else if (is("TCoords", 2)) {

@@ -40,9 +40,9 @@ struct VtkPiece {
 };
 
 /// Returns the mesh of a piece. Arrays become columns: Normals become nx ny nz, and TCoords become
-/// s t. Arrays of three or four bytes become red green blue alpha. Any other array of several
-/// components becomes a list. Throws InputError for an index out of range and for an array of wrong
-/// length.
+/// s t. The first array of three or four bytes, or of any type and named RGB or RGBA, becomes red
+/// green blue alpha. Any other array of several components becomes a list. Throws InputError for an
+/// index out of range and for an array of wrong length.
 ReadResult mesh_of_vtk(const Source& source, VtkPiece piece);
 
 /// Sets the type of an array from a VTK type with a size of `bytes`. Numbers are rounded to float

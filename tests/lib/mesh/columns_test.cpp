@@ -107,3 +107,48 @@ TEST_CASE("concatenated types hold the values of both") {
   CHECK(united(Scalar::int32, Scalar::float32) == Scalar::float64);
   CHECK(united(Scalar::float64, Scalar::float32) == Scalar::float64);
 }
+
+TEST_CASE("concatenated colors of different types have one scale") {
+  const auto joined = [](const char* name, Scalar first, double value, Scalar second,
+                         double other_value) {
+    Columns columns;
+    columns.get(name, first, 1).values = {value};
+    Columns other;
+    other.get(name, second, 1).values = {other_value};
+    columns.concatenate(other, 1, 1);
+    return columns.columns[0];
+  };
+  const Column red = joined("red", Scalar::float64, 0.5, Scalar::uint8, 51);
+  CHECK(red.type == Scalar::float64);
+  CHECK(red.values == Values{0.5, 51 / 255.0});
+  CHECK(joined("alpha", Scalar::uint16, 65535, Scalar::float64, 0.5).values == Values{1, 0.5});
+  const Column single = joined("blue", Scalar::uint8, 128, Scalar::float32, 0.25);
+  CHECK(single.type == Scalar::float32);
+  CHECK(single.values == Values{static_cast<double>(128 / 255.0F), 0.25});
+  const Column wide = joined("green", Scalar::uint8, 128, Scalar::uint16, 9);
+  CHECK(wide.type == Scalar::uint16);
+  CHECK(wide.values == Values{128 * 257, 9});
+  const Column mixed = joined("green", Scalar::int32, 255, Scalar::uint16, 65535);
+  CHECK(mixed.type == Scalar::float64);
+  CHECK(mixed.values == Values{1, 1});
+  CHECK(joined("red", Scalar::uint8, 255, Scalar::int32, 7).values == Values{255, 7});
+  CHECK(joined("height", Scalar::uint8, 255, Scalar::float64, 0.5).values == Values{255, 0.5});
+}
+
+TEST_CASE("colors that are filled in are white in the scale of the final type") {
+  Columns columns;
+  Columns bytes;
+  bytes.get("red", Scalar::uint8, 1).values = {0};
+  columns.concatenate(bytes, 1, 1);
+  CHECK(columns.columns[0].values == Values{255, 0});
+  Columns decimals;
+  decimals.get("red", Scalar::float64, 1).values = {0.5};
+  columns.concatenate(decimals, 2, 1);
+  columns.concatenate({}, 3, 1);
+  CHECK(columns.columns[0].values == Values{1, 0, 0.5, 1});
+
+  Columns wide;
+  wide.get("alpha", Scalar::uint16, 1).values = {3};
+  wide.concatenate({}, 1, 1);
+  CHECK(wide.columns[0].values == Values{3, 65535});
+}

@@ -45,6 +45,15 @@ const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
 }  // namespace
 
+TEST_CASE("obj: colors of type ushort are divided by 65535") {
+  Document document;
+  document.style.format = Format::obj;
+  document.mesh.positions.emplace_back(0, 0, 0);
+  for (const char* name : {"red", "green", "blue"})
+    document.mesh.vertex_columns.get(name, Scalar::uint16, 1).values = {65535};
+  CHECK(write_mesh(document).bytes == "v 0 0 0 1 1 1\n");
+}
+
 TEST_CASE("obj: comments, libraries and labels are lines of their own") {
   Document document = obj_document();
   document.style.comments = {"by hand", "tm:mtllib a#b.mtl", "tm:group 3 wing"};

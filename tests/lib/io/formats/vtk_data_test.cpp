@@ -47,6 +47,23 @@ TEST_CASE("vtk data: names that PLY cannot have, and arrays that are too wide") 
   CHECK(has_note(result.notes, "vtk: array 'wide' of 256 components left out"));
 }
 
+TEST_CASE(
+    "vtk data: arrays named RGB and RGBA are colors in every type, and other vectors are not") {
+  for (const Scalar type : {Scalar::uint8, Scalar::uint16, Scalar::float32, Scalar::float64}) {
+    VtkPiece given = piece();
+    given.point_arrays.push_back({"RGB", "", type, 3, {1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0}});
+    given.cell_arrays.push_back({"RGBA", "Scalars", type, 4, {1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1}});
+    const Mesh mesh = mesh_of(given).document.mesh;
+    CHECK(column(mesh.vertex_columns, "green").type == type);
+    CHECK(column(mesh.vertex_columns, "green").values == std::vector<double>{0, 0, 0, 1});
+    CHECK(mesh.vertex_columns.columns.size() == 3);
+    CHECK(column(mesh.face_columns, "alpha").values == std::vector<double>(4, 1));
+  }
+  VtkPiece given = piece();
+  given.point_arrays.push_back({"force", "Scalars", Scalar::float32, 3, std::vector<double>(12)});
+  CHECK(column(mesh_of(given).document.mesh.vertex_columns, "force").list_count_type);
+}
+
 TEST_CASE("vtk data: indices, offsets and lengths out of range") {
   VtkPiece given = piece();
   given.polygons.connectivity[2] = 4;
