@@ -103,7 +103,7 @@ Mesh revolve(const Profile& profile, double size, std::size_t faces) {
   double small = 0, large = 4 * size;
   for (int halving = 0; halving < 60; ++halving) {
     const double edge = (small + large) / 2;
-    // A lower bound of the number of faces avoids making too many rings: the profile has a line of
+    // A lower bound of the number of faces avoids making too many rings. The profile has a line of
     // length `size`, and each of its rings adds at least three faces.
     const bool is_too_small = size / edge > static_cast<double>(faces);
     (is_too_small || count_faces(rings_of(profile, edge)) > faces ? small : large) = edge;
