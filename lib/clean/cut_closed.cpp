@@ -1,11 +1,16 @@
 // Cuts a solid at a plane and closes the cut. The result is the intersection of the solid with a
 // prism whose base is in the plane, computed as the boundary of winding number 2. Cost: that of
-// clean(), twice.
+// clean(), twice. Whether the plane meets the solid at all is decided exactly.
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "clean/whole/clean_whole.h"
+#include "geometry/plane_distances.h"
 #include "mesh/triangle.h"
 #include "transformesh/clean.h"
+#include "transformesh/components.h"
 #include "transformesh/errors.h"
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
@@ -18,6 +23,11 @@ namespace {
 /// diagonals of the mesh's bounding box. The mesh reaches at most half a diagonal from this center.
 /// A choice: any value above 1/2 gives the same cut, up to rounding.
 constexpr double reach = 4;
+/// Corners of the base, as multiples of two directions in the plane. The edges are at a distance of
+/// at least 1 from the center.
+constexpr std::array<std::array<double, 2>, 3> base_corners = {{{-2, -1}, {2, -1}, {0, 2}}};
+constexpr const char* nothing_left =
+    "nothing of the mesh lies on the side that the plane's normal points to";
 
 /// Returns two directions perpendicular to a unit normal and to each other. If the normal is a
 /// coordinate axis, so are both directions.
@@ -43,11 +53,54 @@ Mesh prism_in_front(const CutPlane& plane, const Box& box) {
 
   Mesh prism;
   for (const double top : {0.0, std::abs(height) + size})
-    for (const auto& [x, y] : {std::pair(-2.0, -1.0), std::pair(2.0, -1.0), std::pair(0.0, 2.0)})
+    for (const auto& [x, y] : base_corners)
       prism.positions.emplace_back(center + reach * size * (x * u + y * v) + top * normal);
   prism.faces = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
                  {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
   return prism;
+}
+
+/// Moves the base of the prism into the plane exactly, if its corners can be doubles. Then the cap
+/// meets the vertices and faces in the plane without slivers. The given point must be in the plane
+/// and in the box. The directions of the base are cross products of the normal with coordinate
+/// axes, multiplied by a power of two, and hence have no rounding error.
+void place_base_exactly(Mesh& prism, const CutPlane& plane, const Box& box, const Vec3& point) {
+  Eigen::Index k = 0;
+  const double largest = plane.normal.cwiseAbs().maxCoeff(&k);
+  const Eigen::Index i = (k + 1) % 3, j = (k + 2) % 3;
+  const double scale = std::exp2(std::ceil(std::log2(reach * diagonal_of(box) / largest)));
+  Vec3 u = Vec3::Zero(), v = Vec3::Zero();
+  u[i] = v[j] = scale * plane.normal[k];
+  u[k] = -scale * plane.normal[i];
+  v[k] = -scale * plane.normal[j];
+  if (plane.normal[k] < 0) std::swap(u, v);
+
+  Mesh base;
+  for (const auto& [x, y] : base_corners) base.positions.emplace_back(point + x * u + y * v);
+  for (const Vec3& corner : base.positions)
+    if (!corner.allFinite()) return;
+  const PlaneDistances distances(base, plane);
+  for (Index corner = 0; corner < 3; ++corner)
+    if (distances[corner] != 0) return;
+  const Vec3 height = prism.positions[3] - prism.positions[0];
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    prism.positions[corner] = base.positions[corner];
+    prism.positions[corner + 3] = base.positions[corner] + height;
+  }
+}
+
+/// Drops the components that are behind the plane or touch it from behind: they do not change the
+/// part in front. The mesh must not intersect itself.
+void drop_components_behind(Mesh& solid, const CutPlane& plane) {
+  const PlaneDistances distances(solid, plane);
+  const std::vector<Index> component = connected_components(solid).of_face;
+  std::vector<bool> is_kept(solid.faces.size()), is_in_front(solid.faces.size());
+  for (std::size_t f = 0; f < solid.faces.size(); ++f)
+    for (const Index v : solid.faces[f])
+      if (distances[v] > 0) is_in_front[component[f]] = true;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) is_kept[f] = is_in_front[component[f]];
+  if (std::ranges::find(is_kept, true) == is_kept.end()) throw GoalError(nothing_left);
+  if (std::ranges::find(is_kept, false) != is_kept.end()) solid = select_faces(solid, is_kept);
 }
 
 /// Appends a mesh; all its columns are zero.
@@ -66,12 +119,26 @@ void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate, const Prog
   if (!check_manifold(mesh).is_closed())
     throw InputError(ErrorKind::not_closed,
                      "the mesh is open: a cut through it does not bound a solid");
-  const Mesh prism = prism_in_front(plane, bounding_box(mesh));
+  const Box box = bounding_box(mesh);
+  Mesh prism = prism_in_front(plane, box);
   CleanOptions options;
   options.coordinate = coordinate;
   // Clean the mesh first: if it overlaps itself, the winding number in the overlap is 2 even
   // without the prism.
   Mesh solid = clean(mesh, options, progress).mesh;
+  drop_components_behind(solid, plane);
+  const PlaneDistances distances(solid, plane);
+  bool is_cut = false;
+  std::optional<Vec3> point;  // a vertex in the plane
+  for (Index v = 0; v < solid.positions.size(); ++v) {
+    is_cut = is_cut || distances[v] < 0;
+    if (!point && distances[v] == 0) point = solid.positions[v];
+  }
+  if (!is_cut) {
+    mesh = std::move(solid);
+    return;
+  }
+  if (point) place_base_exactly(prism, plane, box, *point);
   append(solid, prism);
   options.winding_level = 2;
   try {
@@ -79,7 +146,7 @@ void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate, const Prog
     mesh = clean_whole(solid, options, progress).mesh;
   } catch (const GoalError& error) {
     if (error.kind() != ErrorKind::no_such_level) throw;
-    throw GoalError("nothing of the mesh lies on the side that the plane's normal points to");
+    throw GoalError(nothing_left);
   }
 }
 

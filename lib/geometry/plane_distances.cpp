@@ -2,10 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "geometry/numbers/exact_number.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
+namespace {
+
+/// Bound of the relative error of a sum of three products and a number, with a wide margin.
+constexpr double relative_error = 16 * std::numeric_limits<double>::epsilon();
+/// Value that exceeds the error of products that underflow.
+constexpr double underflow_guard = 1e-300;
+
+/// Returns the sign of normal * point - offset if doubles decide it, otherwise 0. Also returns 0 if
+/// numbers overflow.
+int filtered_side(const CutPlane& plane, const Vec3& point) {
+  const double value = plane.normal.dot(point) - plane.offset;
+  const double size = plane.normal.cwiseAbs().dot(point.cwiseAbs()) + std::abs(plane.offset);
+  const double bound = relative_error * size + underflow_guard;
+  return static_cast<int>(value > bound) - static_cast<int>(value < -bound);
+}
+
+/// Returns normal * point - offset divided by the length of the normal. The sign is exact.
+double exact_distance(const CutPlane& plane, double length, const Vec3& point) {
+  ExactNumber value = -ExactNumber(plane.offset);
+  for (int i = 0; i < 3; ++i) value = value + ExactNumber(plane.normal[i]) * ExactNumber(point[i]);
+  const int sign = sign_of(value);
+  if (sign == 0) return 0;
+  const double distance = quotient(value, ExactNumber(length));
+  return distance != 0 ? distance : sign * std::numeric_limits<double>::denorm_min();
+}
+
+}  // namespace
 
 PlaneDistances::PlaneDistances(const Mesh& mesh, const CutPlane& plane) : mesh_(mesh) {
   const double length = plane.normal.stableNorm();
@@ -14,11 +43,19 @@ PlaneDistances::PlaneDistances(const Mesh& mesh, const CutPlane& plane) : mesh_(
   normal_ = plane.normal / length;
   offset_ = plane.offset / length;
   distances_.reserve(mesh.positions.size());
-  for (const Vec3& p : mesh.positions) distances_.push_back(normal_.dot(p) - offset_);
+  for (const Vec3& p : mesh.positions) {
+    const double distance = normal_.dot(p) - offset_;
+    const int side = filtered_side(plane, p);
+    const bool is_certain = (side > 0 && distance > 0) || (side < 0 && distance < 0);
+    distances_.push_back(is_certain ? distance : exact_distance(plane, length, p));
+  }
 }
 
 PlaneDistances::Crossing PlaneDistances::crossing(Index a, Index b) const {
   const auto [low, high] = std::minmax(a, b);
+  // An end in the plane is the intersection. Projecting it would move it by a rounding error.
+  if (distances_[low] == 0) return {low, high, 0, mesh_.positions[low]};
+  if (distances_[high] == 0) return {low, high, 1, mesh_.positions[high]};
   const double weight = distances_[low] / (distances_[low] - distances_[high]);
   const Vec3& from = mesh_.positions[low];
   Vec3 position = from + weight * (mesh_.positions[high] - from);

@@ -1,5 +1,6 @@
 /// Signed distances of the vertices of a mesh from a plane, and intersections of edges with the
-/// plane.
+/// plane. The side of each vertex is decided exactly for the numbers of the plane as given, so that
+/// a plane can touch a vertex or contain a face.
 #pragma once
 
 #include <vector>
@@ -14,6 +15,7 @@ class PlaneDistances {
   PlaneDistances(const Mesh& mesh, const CutPlane& plane);
 
   /// Returns the distance of a vertex from the plane, positive on the side of the normal.
+  /// Its sign is exact: the distance is 0 if and only if the vertex is in the plane.
   double operator[](Index vertex) const { return distances_[vertex]; }
   /// True if the ends of an edge are strictly on different sides.
   bool is_crossed(Index a, Index b) const {
@@ -26,6 +28,7 @@ class PlaneDistances {
     Vec3 position = Vec3::Zero();
   };
   /// Returns the intersection of an edge with the plane; independent of the direction of the edge.
+  /// The ends must not be strictly on the same side, and not both in the plane.
   Crossing crossing(Index a, Index b) const;
   const Vec3& normal() const { return normal_; }  ///< normal of the plane, of unit length
 

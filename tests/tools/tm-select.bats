@@ -117,6 +117,30 @@ TABLE
   done
 }
 
+@test "a plane that touches the mesh or contains a face leaves nothing behind it, and all in front" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape box 1 1 1 | tm-transform --translate 0.5,0.5,0.5 >unit.ply
+  printf 'OFF\n4 4 0\n2 0 0\n0 8 0\n0 0 8\n0 0 0\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n' >steep.off
+  printf 'OFF\n4 4 0\n7 0 0\n0 7 0\n0 0 1\n0 0 0\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n' >flat.off
+  while read -r name plane back; do
+    faces=$(tm-info --get faces $name)
+    for cap in '' --cap; do
+      run --separate-stderr tm-select $cap --plane=$plane $name -o none.ply
+      assert_status 4
+      [[ $stderr == *"nothing of the mesh lies on the side"* ]]
+      [ ! -e none.ply ]
+      run --separate-stderr tm-select $cap --plane=$back $name -o all.ply
+      assert_status 0
+      [ "$stderr" = "" ]
+      [ "$(tm-info --get faces all.ply)" -eq "$faces" ]
+    done
+  done <<'TABLE'
+unit.ply -3,3,3,6 3,-3,-3,-6
+steep.off 4,1,1,8 -4,-1,-1,-8
+flat.off 1,1,7,7 -1,-1,-7,-7
+TABLE
+}
+
 @test "both sides of a capped cut are the whole, of a knot, a mesh that intersects itself, and floats" {
   tm-shape torus-knot --faces 6000 -o knot.ply
   tm-shape two-spheres --faces 3000 | tm-convert --float -o balls.ply

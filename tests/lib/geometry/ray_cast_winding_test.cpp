@@ -25,7 +25,7 @@ TEST_CASE("rays agree with solid angles") {
   const Mesh mesh = nest();
   const RayCastWinding by_rays(mesh);
   const SolidAngleWinding by_angles(mesh);
-  Random random(3);
+  test::Random random(3);
   int lowest = 0;
   int highest = 0;
   for (int i = 0; i < 2000; ++i) {

@@ -43,7 +43,7 @@ double distance_from(const Mesh& points, const Vec3& place) {
 /// Returns the largest distance found from the place by random steps of decreasing length within
 /// its face.
 double farthest_around(const Mesh& mesh, const Mesh& points, SurfacePoint place) {
-  Random random(5);
+  test::Random random(5);
   double farthest = distance_from(points, place.position);
   for (double step = 0.1; step > 1e-8; step *= 0.8)
     for (int i = 0; i < 8; ++i) {
