@@ -103,6 +103,22 @@ void drop_components_behind(Mesh& solid, const CutPlane& plane) {
   if (std::ranges::find(is_kept, false) != is_kept.end()) solid = select_faces(solid, is_kept);
 }
 
+/// Where a plane meets a solid.
+struct PlaneContact {
+  bool is_crossed = false;    ///< some vertex is behind the plane
+  std::optional<Vec3> point;  ///< a vertex in the plane
+};
+
+PlaneContact contact_of(const Mesh& solid, const CutPlane& plane) {
+  const PlaneDistances distances(solid, plane);
+  PlaneContact contact;
+  for (Index v = 0; v < solid.positions.size(); ++v) {
+    contact.is_crossed = contact.is_crossed || distances[v] < 0;
+    if (!contact.point && distances[v] == 0) contact.point = solid.positions[v];
+  }
+  return contact;
+}
+
 /// Appends a mesh; all its columns are zero.
 void append(Mesh& mesh, const Mesh& part) {
   const auto offset = static_cast<Index>(mesh.positions.size());
@@ -127,18 +143,12 @@ void cut_closed(Mesh& mesh, const CutPlane& plane, Scalar coordinate, const Prog
   // without the prism.
   Mesh solid = clean(mesh, options, progress).mesh;
   drop_components_behind(solid, plane);
-  const PlaneDistances distances(solid, plane);
-  bool is_cut = false;
-  std::optional<Vec3> point;  // a vertex in the plane
-  for (Index v = 0; v < solid.positions.size(); ++v) {
-    is_cut = is_cut || distances[v] < 0;
-    if (!point && distances[v] == 0) point = solid.positions[v];
-  }
-  if (!is_cut) {
+  const PlaneContact contact = contact_of(solid, plane);
+  if (!contact.is_crossed) {
     mesh = std::move(solid);
     return;
   }
-  if (point) place_base_exactly(prism, plane, box, *point);
+  if (contact.point) place_base_exactly(prism, plane, box, *contact.point);
   append(solid, prism);
   options.winding_level = 2;
   try {

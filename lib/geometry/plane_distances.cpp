@@ -5,15 +5,14 @@
 #include <limits>
 
 #include "geometry/numbers/exact_number.h"
+#include "geometry/numbers/machine_epsilon.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
 namespace {
 
 /// Bound of the relative error of a sum of three products and a number, with a wide margin.
-constexpr double relative_error = 16 * std::numeric_limits<double>::epsilon();
-/// Value that exceeds the error of products that underflow.
-constexpr double underflow_guard = 1e-300;
+constexpr double relative_error = 16 * machine_epsilon;
 
 /// Returns the sign of normal * point - offset if doubles decide it, otherwise 0. Also returns 0 if
 /// numbers overflow.
