@@ -103,7 +103,7 @@ void drop_components_behind(Mesh& solid, const CutPlane& plane) {
   if (std::ranges::find(is_kept, false) != is_kept.end()) solid = select_faces(solid, is_kept);
 }
 
-/// Where a plane meets a solid.
+/// Contact of a plane and a solid.
 struct PlaneContact {
   bool is_crossed = false;    ///< some vertex is behind the plane
   std::optional<Vec3> point;  ///< a vertex in the plane
