@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,21 @@ enum class Format { ply_ascii, ply_little, ply_big, off, obj, stl_ascii, stl_bin
                     three_mf, xyz };
 // clang-format on
 
-/// A PLY element other than vertices and faces, kept as it is.
+/// Identifies the vertices to which the numbers of an element refer: their count, and hashes of
+/// their positions and of the faces.
+struct VertexNumbers {
+  std::size_t vertices = 0;
+  std::size_t positions = 0;
+  std::size_t faces = 0;
+};
+
+/// A PLY element other than vertices and faces, kept as it is. An element `edge` has numbers of
+/// vertices (vertex1 and vertex2), so write_mesh() drops it if these vertices have changed.
 struct OtherElement {
   std::string name;
   std::size_t rows = 0;
   Columns columns;
+  std::optional<VertexNumbers> numbers = {};  ///< set by read_mesh()
 };
 
 /// Encoding of the file. The defaults are the format in which programs pass meshes through pipes.
@@ -48,10 +59,11 @@ struct Document {
   std::string texture = {};  ///< PNG file embedded in GLB; other formats refer to a separate file
 };
 
-/// Appends a document to another: vertices, faces, columns and further elements in their order. A
-/// column gets a type that holds the values of both; missing values are zero. Comments are joined
-/// without repetition, and the reference edge (unit of lengths) of the first document stays.
-/// Returns one line for each column that is a list in one document and a number in the other. O(n).
+/// Appends a document to another: vertices, faces, columns and further elements in their order. The
+/// vertex numbers of faces and of the element `edge` are shifted. A column gets a type that holds
+/// the values of both; missing values are zero. Comments are joined without repetition, and the
+/// reference edge (unit of lengths) of the first document stays. Returns one line for each column
+/// that is a list in one document and a number in the other. O(n).
 std::vector<std::string> append(Document& all, const Document& other);
 
 /// Returns the name of a format: ply, ply-ascii, ply-be, off, obj, stl, glb, vtp, 3mf or xyz.

@@ -97,9 +97,8 @@ class PlyReader {
           return property.name == "vertex_indices" || property.name == "vertex_index";
         });
     if (list != element.properties.end()) {
-      if (!list->count_type || is_floating(list->type)) {
+      if (!list->count_type || is_floating(list->type))
         source_.fail("face property " + quoted(list->name) + " must be a list of integers");
-      }
       style.face_list = list->name;
       style.face_list_count = *list->count_type;
       style.face_list_index = list->type;
@@ -136,8 +135,9 @@ class PlyReader {
     add_columns(table);
     read_rows(table);
     if (element.name == "tristrips" && element.rows > 0) return add_strips(table);
-    result_.document.other_elements.push_back(
-        {element.name, static_cast<std::size_t>(element.rows), std::move(table.columns)});
+    result_.document.other_elements.push_back({element.name, static_cast<std::size_t>(element.rows),
+                                               std::move(table.columns),
+                                               VertexNumbers{table.vertex_count, 0, 0}});
   }
 
   void add_strips(const PlyTable& table) {
