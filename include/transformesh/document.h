@@ -1,7 +1,8 @@
 /// A mesh with all other contents of its file, so that it can be written as it was read.
 #pragma once
 
-#include <cstddef>
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,13 @@ enum class Format { ply_ascii, ply_little, ply_big, off, obj, stl_ascii, stl_bin
                     three_mf, xyz };
 // clang-format on
 
-/// A PLY element other than vertices and faces, kept as it is.
+/// A PLY element other than vertices and faces. `edge` is dropped if its vertices have changed.
 struct OtherElement {
   std::string name;
   std::size_t rows = 0;
   Columns columns;
+  /// Set by read_mesh(): number of vertices, and hashes of their positions and of the faces.
+  std::optional<std::array<std::size_t, 3>> numbered = {};
 };
 
 /// Encoding of the file. The defaults are the format in which programs pass meshes through pipes.
@@ -28,8 +31,7 @@ struct Style {
   std::vector<std::string> comments;         ///< texts of comments, without the keyword `comment `
   std::vector<std::string> obj_info;         ///< texts of obj_info lines, without this keyword
   std::string face_list = "vertex_indices";  ///< PLY list of face corners, or vertex_index
-  Scalar face_list_count = Scalar::uint8;
-  Scalar face_list_index = Scalar::int32;
+  Scalar face_list_count = Scalar::uint8, face_list_index = Scalar::int32;
   std::size_t position_column = 0;   ///< number of vertex properties before x y z
   std::size_t face_list_column = 0;  ///< number of face properties before the index list
   /// Names of the PLY elements in the order of the file; empty: vertex, face, then the others. If
@@ -37,8 +39,7 @@ struct Style {
   std::vector<std::string> element_order;
   bool is_from_stl = false;       ///< lengths are in millimeters, if no comment states a unit
   bool sized_type_names = false;  ///< PLY types are float32, uint8, not float, uchar
-  /// Polygons are written as they were read (ReadOptions::keep_polygons).
-  bool keeps_polygons = false;
+  bool keeps_polygons = false;    ///< polygons are written as they were read (ReadOptions)
 };
 
 struct Document {
@@ -48,9 +49,9 @@ struct Document {
   std::string texture = {};  ///< PNG file embedded in GLB; other formats refer to a separate file
 };
 
-/// Appends a document to another: vertices, faces, columns and further elements in their order. A
-/// column gets a type that holds the values of both; missing values are zero. Comments are joined
-/// without repetition, and the reference edge (unit of lengths) of the first document stays.
+/// Appends vertices, faces, columns and further elements in their order. Vertex numbers of faces
+/// and of the element `edge` are shifted. A column gets a type that holds the values of both;
+/// missing values are zero. Comments are joined without repetition; the first reference edge stays.
 /// Returns one line for each column that is a list in one document and a number in the other. O(n).
 std::vector<std::string> append(Document& all, const Document& other);
 

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "io/document/edge_element.h"
 #include "io/document/missing_colors.h"
 #include "io/document/unit.h"
 #include "io/formats/obj_labels.h"
@@ -33,14 +34,16 @@ void append_mesh(Mesh& all, const Mesh& other, Notes& notes) {
   }
 }
 
-void append_elements(std::vector<OtherElement>& all, const std::vector<OtherElement>& others,
-                     Notes& notes) {
+/// Appends elements of a document to those of a document with `vertices` vertices.
+void append_elements(std::vector<OtherElement>& all, std::vector<OtherElement> others,
+                     std::size_t vertices, Notes& notes) {
   std::unordered_map<std::string, std::size_t> places;
   for (std::size_t i = 0; i < all.size(); ++i) places.emplace(all[i].name, i);
-  for (const OtherElement& other : others) {
+  for (OtherElement& other : others) {
+    shift_edges(other, vertices);
     const auto [place, is_new] = places.emplace(other.name, all.size());
     if (is_new) {
-      all.push_back(other);
+      all.push_back(std::move(other));
       continue;
     }
     OtherElement& same = all[place->second];
@@ -68,8 +71,10 @@ std::vector<std::string> append_separated(Document& all, const Document& other) 
                     std::string(second->name) + ": coordinates are joined without conversion");
   for (std::string& line : notes_of_missing_colors(all.mesh, other.mesh))
     notes.push_back(std::move(line));
+  append_elements(all.other_elements, other.other_elements, all.mesh.positions.size(), notes);
   append_mesh(all.mesh, other.mesh, notes);
-  append_elements(all.other_elements, other.other_elements, notes);
+  for (OtherElement& element : all.other_elements) element.numbered.reset();
+  number_edges(all, notes);
   append_lines(all.style.comments, other.style.comments);
   append_lines(all.style.obj_info, other.style.obj_info);
   if (other.style.coordinate == Scalar::float64) all.style.coordinate = Scalar::float64;

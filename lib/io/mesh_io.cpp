@@ -1,5 +1,6 @@
 #include "transformesh/mesh_io.h"
 
+#include "io/document/edge_element.h"
 #include "io/document/writable.h"
 #include "io/formats/detect_format.h"
 #include "io/formats/file_format.h"
@@ -131,10 +132,19 @@ WriteResult write_polygons(const Document& document) {
 ReadResult read_mesh(std::string_view bytes, const std::string& name, const ReadOptions& options) {
   ReadResult result = read_compressed(bytes, name, options);
   result.document.style.keeps_polygons = options.keep_polygons;
+  number_edges(result.document, result.notes);
   return result;
 }
 
 WriteResult write_mesh(const Document& document) {
+  if (has_stale_edges(document)) {
+    Document kept = document;
+    std::vector<std::string> notes;
+    drop_edges(kept, notes);
+    WriteResult result = write_mesh(kept);
+    result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
+    return result;
+  }
   const Column* numbers = document.mesh.face_columns.find(polygon_column);
   const bool has_polygons = numbers != nullptr && !numbers->list_count_type;
   return document.style.keeps_polygons && has_polygons ? write_polygons(document)

@@ -57,6 +57,15 @@ count() {
   tail -n 2 all.ply | tr '\n' ' ' | grep -qx '5 5 '
 }
 
+@test "edges of sections refer to their own vertices" {
+  tm-select --plane 0,0,1,0.25 --section sec.ply t.ply -o cut.ply
+  tm-cat --format ply-ascii sec.ply sec.ply >all.ply
+  [ "$(count edge all.ply)" -gt 2 ]
+  # Each segment has two vertices of its own.
+  tail -n "$(count edge all.ply)" all.ply | tr ' ' '\n' >numbers
+  seq 0 $(($(count vertex all.ply) - 1)) | cmp - numbers
+}
+
 @test "a broken input among several is named" {
   head -c 150 t.ply >broken.ply
   run --separate-stderr tm-cat t.ply broken.ply -o all.ply

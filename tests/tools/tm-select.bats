@@ -194,3 +194,17 @@ TABLE
     one_line "$stderr"
   done
 }
+
+@test "edges are dropped with a note if vertices are dropped, in the parts too" {
+  printf '%s\n' ply 'format ascii 1.0' 'element vertex 4' 'property double x' 'property double y' \
+    'property double z' 'element face 1' 'property list uchar int vertex_indices' \
+    'element edge 1' 'property int vertex1' 'property int vertex2' end_header \
+    '5 5 5' '0 0 0' '1 0 0' '0 1 0' '3 1 2 3' '2 3' >unused.ply
+  tm-select --largest 1 --split part unused.ply -o out.ply 2>notes
+  [ "$(grep -c "element 'edge' dropped" notes)" -eq 1 ]
+  for file in out.ply part-001.ply; do
+    grep -aq '^element vertex 3' $file
+    ! grep -aq '^element edge' $file || false
+  done
+  tm-convert --no-provenance unused.ply | cmp - unused.ply
+}

@@ -137,7 +137,8 @@ class PlyReader {
     read_rows(table);
     if (element.name == "tristrips" && element.rows > 0) return add_strips(table);
     result_.document.other_elements.push_back(
-        {element.name, static_cast<std::size_t>(element.rows), std::move(table.columns)});
+        {element.name, static_cast<std::size_t>(element.rows), std::move(table.columns),
+         std::array<std::size_t, 3>{table.vertex_count, 0, 0}});
   }
 
   void add_strips(const PlyTable& table) {

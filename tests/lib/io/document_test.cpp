@@ -2,6 +2,7 @@
 
 #include "helpers/shapes.h"
 #include "lib/io/bytes.h"
+#include "transformesh/mesh_io.h"
 
 using namespace transformesh;
 using namespace transformesh::testing;
@@ -9,6 +10,15 @@ using namespace transformesh::testing;
 namespace {
 
 Document document_of(Mesh mesh) { return {std::move(mesh), {}, {}}; }
+
+Document with_edges(Scalar type) {
+  Document document = document_of(test::tetrahedron());
+  OtherElement& edges = document.other_elements.emplace_back(OtherElement{"edge", 2, {}});
+  edges.columns.get("vertex1", type, 2).values = {0, 1};
+  edges.columns.get("vertex2", type, 2).values = {2, -1};
+  edges.columns.get("label", type, 2).values = {1, 1};
+  return document;
+}
 
 Mesh colored(Scalar type, double value) {
   Mesh mesh = test::tetrahedron();
@@ -30,6 +40,27 @@ TEST_CASE("documents are joined: faces are renumbered, comments not repeated") {
   CHECK(column(first.mesh.face_columns, "label").values ==
         std::vector<double>{0, 0, 0, 0, 1, 2, 3, 4});
   CHECK(first.style.comments == std::vector<std::string>{"one", "tm:reference-edge 2", "two"});
+}
+
+TEST_CASE("joined documents have edges between their own vertices") {
+  Document all = document_of(test::cube());
+  for (int i = 0; i < 2; ++i) CHECK(append(all, with_edges(Scalar::int32)).empty());
+  REQUIRE(all.other_elements.size() == 1);
+  const Columns& edges = all.other_elements[0].columns;
+  CHECK(column(edges, "vertex1").values == std::vector<double>{8, 9, 12, 13});
+  CHECK(column(edges, "vertex2").values == std::vector<double>{10, -1, 14, -1});
+  CHECK(column(edges, "label").values == std::vector<double>{1, 1, 1, 1});
+  CHECK(append(all, document_of(test::cube())).empty());
+  CHECK(write_mesh(all).notes.empty());
+}
+
+TEST_CASE("numbers of vertices in joined edges get a type that holds them") {
+  Document all = document_of(test::icosphere(2));
+  append(all, with_edges(Scalar::int8));
+  const Columns& edges = all.other_elements[0].columns;
+  CHECK(column(edges, "vertex1").values[0] == 162);
+  CHECK(column(edges, "vertex1").type == Scalar::int16);
+  CHECK(column(edges, "label").type == Scalar::int8);
 }
 
 TEST_CASE("joined documents keep the unit of the first, and differences are noted") {
