@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mesh/local_measures.h"
 #include "support/number.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -27,6 +28,15 @@ std::vector<std::size_t> by_size(const std::vector<double>& sizes) {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
   return order;
+}
+
+/// Returns the components in descending order of size. The sizes of extreme meshes are compared at
+/// a usual scale, at which they neither overflow nor vanish.
+std::vector<std::size_t> by_size(const Mesh& mesh, const Components& all, ComponentSize by) {
+  const int exponent = extreme_exponent(mesh);
+  if (exponent == 0 || by == ComponentSize::faces) return by_size(sizes_of(mesh, all, by));
+  const Mesh usual = scaled_down(mesh, exponent);
+  return by_size(sizes_of(usual, connected_components(usual), by));
 }
 
 /// Returns the vertices of each component, in ascending order.
@@ -105,7 +115,7 @@ ComponentSize component_size_of(const std::string& word) {
 
 std::vector<bool> faces_of_largest(const Mesh& mesh, std::size_t count, ComponentSize by) {
   const Components all = connected_components(mesh);
-  const std::vector<std::size_t> order = by_size(sizes_of(mesh, all, by));
+  const std::vector<std::size_t> order = by_size(mesh, all, by);
   std::vector<bool> chosen(order.size(), false);
   for (std::size_t i = 0; i < std::min(count, order.size()); ++i) chosen[order[i]] = true;
   return faces_of(all, chosen);
@@ -126,7 +136,7 @@ std::vector<Mesh> split_components(const Mesh& mesh, ComponentSize by) {
 
   std::vector<Index> new_vertex(mesh.positions.size(), no_index);
   std::vector<Mesh> parts;
-  for (const std::size_t c : by_size(sizes_of(mesh, all, by)))
+  for (const std::size_t c : by_size(mesh, all, by))
     parts.push_back(part_of(mesh, faces[c], vertices[c], new_vertex));
   return parts;
 }

@@ -25,6 +25,28 @@ TEST_CASE("components are chosen by faces, area or volume") {
   CHECK(std::count(both.begin(), both.end(), true) == std::ssize(mesh.faces));
 }
 
+TEST_CASE("a component of exactly the limit is kept, and equal components keep their order") {
+  const Mesh box = test::cuboid({15, 20, 12}, {22, 27, 19});
+  const auto count = [](const std::vector<bool>& keep) {
+    return std::count(keep.begin(), keep.end(), true);
+  };
+  CHECK(count(faces_of_at_least(box, 343, ComponentSize::volume)) == 12);
+  CHECK(count(faces_of_at_least(box, 343.01, ComponentSize::volume)) == 0);
+  const Mesh pair = test::joined(box, test::moved(box, {31, 57, 11}));
+  for (const Mesh& mesh : {pair, test::moved(pair, {7, 91, 3})}) {
+    CHECK(faces_of_largest(mesh, 1, ComponentSize::volume).front());
+    CHECK(split_components(mesh, ComponentSize::volume)[0].positions[0] == mesh.positions[0]);
+  }
+}
+
+TEST_CASE("the largest component is found in meshes of extreme extents") {
+  const Mesh mesh =
+      test::joined(test::cuboid({0, 0, 0}, {1, 1, 1}), test::cuboid({5, 0, 0}, {8, 3, 3}));
+  for (const ComponentSize by : {ComponentSize::area, ComponentSize::volume})
+    for (const double factor : {1e-200, 1e-110, 1e110, 1e200})
+      CHECK(faces_of_largest(test::scaled(mesh, factor), 1, by).back());
+}
+
 TEST_CASE("a mesh is split into its components, the largest first, with all columns") {
   Mesh mesh = test::joined(test::icosphere(1), test::cuboid({5, 0, 0}, {8, 3, 3}));
   mesh.positions.insert(mesh.positions.begin(), Vec3(99, 0, 0));  // not used by a face
