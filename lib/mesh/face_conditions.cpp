@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "mesh/local_measures.h"
@@ -73,30 +74,48 @@ std::vector<bool> faces_of(const Components& all, const std::vector<bool>& chose
   return keep;
 }
 
+/// Returns the float nearest to a value, or the value itself if floats do not reach it.
+double nearest_float(double value) {
+  if (!(std::abs(value) <= std::numeric_limits<float>::max())) return value;
+  return static_cast<double>(static_cast<float>(value));
+}
+
 struct Condition {
   std::string column, relation;
   double number = 0;
-  bool holds(double value) const {
-    if (relation == "<") return value < number;
-    if (relation == "<=") return value <= number;
-    if (relation == ">") return value > number;
-    if (relation == ">=") return value >= number;
-    return (value == number) == (relation == "=" || relation == "==");
+
+  bool holds(const Column& values, std::size_t row) const {
+    const double value = values.values[row];
+    // Text such as 0.1 stands for the float that is written as 0.1.
+    return values.type == Scalar::float32 ? holds(nearest_float(value), nearest_float(number))
+                                          : holds(value, number);
+  }
+
+ private:
+  bool holds(double value, double limit) const {
+    if (relation == "<") return value < limit;
+    if (relation == "<=") return value <= limit;
+    if (relation == ">") return value > limit;
+    if (relation == ">=") return value >= limit;
+    return (value == limit) == (relation == "=" || relation == "==");
   }
 };
 
-Condition parsed(std::string text) {
-  std::erase(text, ' ');
+std::string without_outer_spaces(const std::string& text) {
+  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
+Condition parsed(const std::string& text) {
   const std::size_t begin = std::min(text.find_first_of("<>=!"), text.size());
   const std::size_t end = std::min(text.find_first_not_of("<>=!", begin), text.size());
-  Condition result{text.substr(0, begin), text.substr(begin, end - begin), 0};
-  const auto number = number_in<double>(text.substr(end));
+  const std::string column = without_outer_spaces(text.substr(0, begin));
+  const std::string relation = text.substr(begin, end - begin);
+  const auto number = number_in<double>(without_outer_spaces(text.substr(end)));
   const std::vector<std::string> known{"<", "<=", "=", "==", "!=", ">=", ">"};
-  if (begin == 0 || !number ||
-      std::find(known.begin(), known.end(), result.relation) == known.end())
+  if (column.empty() || !number || std::find(known.begin(), known.end(), relation) == known.end())
     throw UsageError("'" + text + "' is no condition such as 'intersections>0'");
-  result.number = *number;
-  return result;
+  return {column, relation, *number};
 }
 
 const Column* numbers_of(const Columns& columns, const std::string& name) {
@@ -150,9 +169,9 @@ std::vector<bool> faces_where(const Mesh& mesh, const std::string& condition) {
   std::vector<bool> keep(mesh.faces.size());
   for (std::size_t f = 0; f < keep.size(); ++f) {
     const Face& face = mesh.faces[f];
-    keep[f] = of_faces != nullptr ? wanted.holds(of_faces->values[f])
+    keep[f] = of_faces != nullptr ? wanted.holds(*of_faces, f)
                                   : std::all_of(face.begin(), face.end(), [&](Index v) {
-                                      return wanted.holds(of_vertices->values[v]);
+                                      return wanted.holds(*of_vertices, v);
                                     });
   }
   return keep;

@@ -85,9 +85,26 @@ TEST_CASE("conditions on properties and boxes") {
   CHECK(faces_where(mesh, "label != 2") == Mask{true, true, false, true});
   CHECK(faces_where(mesh, "height < 1") == Mask{true, false, false, false});
   CHECK(faces_in_box(mesh, Box(Vec3::Zero(), Vec3(1, 1, 0.5))) == Mask{true, false, false, false});
-  for (const char* text : {"", "label", "label>", ">3", "label=>3", "label>3x"})
+  for (const char* text :
+       {"", "label", "label>", ">3", "label=>3", "label>3x", "label<1 0", "label < = 1", "  <1"})
     CHECK_THROWS_AS(faces_where(mesh, text), UsageError);
   CHECK_THROWS_AS(faces_where(mesh, "none>0"), InputError);
+  CHECK(faces_where(mesh, "  label  <  2  ") == Mask{true, true, false, false});
+}
+
+TEST_CASE("numbers of conditions are rounded to the type of the property") {
+  Mesh mesh = test::tetrahedron();
+  const double tenth = static_cast<double>(0.1F);
+  mesh.face_columns.get("q", Scalar::float32, 4).values = {0, tenth, 0.5, 1};
+  mesh.face_columns.get("d", Scalar::float64, 4).values = {0, tenth, 0.1, 1};
+  mesh.face_columns.get("i", Scalar::int32, 4).values = {0, 1, 2, 3};
+  using Mask = std::vector<bool>;
+  CHECK(faces_where(mesh, "q=0.1") == Mask{false, true, false, false});
+  CHECK(faces_where(mesh, "q>0.1") == Mask{false, false, true, true});
+  CHECK(faces_where(mesh, "q<=0.1") == Mask{true, true, false, false});
+  CHECK(faces_where(mesh, "q<1e300") == Mask(4, true));
+  CHECK(faces_where(mesh, "d=0.1") == Mask{false, false, true, false});
+  CHECK(faces_where(mesh, "i<0.5") == Mask{true, false, false, false});
 }
 
 }  // namespace transformesh
