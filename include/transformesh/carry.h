@@ -31,7 +31,8 @@ struct SourcePoints {
 };
 
 /// Returns the closest points of the source to a mesh that lies near it. Only faces whose normals
-/// differ by less than 90 degrees are considered. Throws InputError if the source has no faces.
+/// differ by less than 90 degrees are considered. Throws InputError if the source has no faces, or
+/// if both meshes together are more than 1e75 or less than 1e-75 across.
 SourcePoints closest_source_points(const Mesh& source, const Mesh& mesh);
 
 /// Writes the columns source_face, source_u and source_v of vertices and faces.

@@ -8,11 +8,11 @@
 #include <optional>
 #include <span>
 
+#include "geometry/common_extent.h"
 #include "geometry/search/closest_point.h"
 #include "geometry/search/kd_tree.h"
 #include "geometry/surface_samples.h"
 #include "mesh/local_measures.h"
-#include "support/number.h"
 #include "support/parallel.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
@@ -25,7 +25,6 @@ constexpr double accuracy_share = 0.9;
 /// Default of CompareOptions::distance, as a fraction of the bounding box diagonal of the
 /// reference.
 constexpr double default_distance_share = 0.01;
-constexpr double largest_extent = 1e75;
 constexpr std::size_t points_per_task = 256;  ///< affects time only
 /// Number of points between two reports of progress.
 constexpr std::size_t points_per_report = 16384;
@@ -106,22 +105,11 @@ OneWay measure(const Mesh& from, const Mesh& to, const CompareOptions& options,
   return result;
 }
 
-/// Throws InputError if products of areas would overflow.
-void check_extent(const Mesh& mesh, const Mesh& reference) {
-  const Box a = bounding_box(mesh);
-  const Box b = bounding_box(reference);
-  const Box both{a.min().cwiseMin(b.min()), a.max().cwiseMax(b.max())};
-  if (diagonal_of(both) < largest_extent) return;
-  throw InputError("the meshes are " + shortest_text(diagonal_of(both)) +
-                   " across, too large to compare: scale both to less than " +
-                   shortest_text(largest_extent));
-}
-
 void check_comparable(const Mesh& mesh, const Mesh& reference) {
   if (mesh.positions.empty()) throw InputError("the mesh has no vertices: nothing to compare");
   if (reference.positions.empty())
     throw InputError("the reference has no vertices: nothing to compare with");
-  check_extent(mesh, reference);
+  check_common_extent(mesh, reference, "to compare");
 }
 
 /// Returns the smallest value v such that at least the fraction `share` of the values is at most v.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/common_extent.h"
 #include "geometry/search/closest_point.h"
 #include "mesh/adjacency.h"
 #include "mesh/local_measures.h"
@@ -174,6 +175,7 @@ SourcePoints source_points_of_pieces(const Mesh& source, const Mesh& mesh,
 }
 
 SourcePoints closest_source_points(const Mesh& source, const Mesh& mesh) {
+  check_common_extent(mesh, source, "to find closest points");
   const ClosestPointQuery closest(source);
   const std::vector<Vec3> normals = sums_of_normals(mesh);
   const auto place = [&](const Vec3& point, const Vec3& normal) {

@@ -1,10 +1,12 @@
 #include "transformesh/components.h"
 
+#include <cmath>
 #include <utility>
 
 #include "mesh/connected_minima.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
+#include "mesh/local_measures.h"
 #include "mesh/umbrellas.h"
 #include "transformesh/measure.h"
 
@@ -54,6 +56,22 @@ Vec3 middle_of(const Mesh& mesh, const std::vector<char>& is_used) {
   return box.min() + (box.max() - box.min()) / 2;
 }
 
+/// Computes the volume of each component as volume() computes that of a mesh: each sum is divided
+/// only once, so that the volume of a box with integer coordinates is exact.
+void add_volumes(const Mesh& mesh, const std::vector<char>& is_used, Components& result) {
+  if (const int exponent = extreme_exponent(mesh); exponent != 0) {
+    add_volumes(scaled_down(mesh, exponent), is_used, result);
+    for (Component& component : result.components)
+      component.volume = std::ldexp(component.volume, 3 * exponent);
+    return;
+  }
+  const Vec3 reference = middle_of(mesh, is_used);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    result.components[result.of_face[f]].volume +=
+        volume_under_face(mesh, mesh.faces[f], reference);
+  for (Component& component : result.components) component.volume /= 6;
+}
+
 /// Counts faces and vertices, and sums the volumes, of each component.
 void count_faces(const Mesh& mesh, Components& result) {
   std::vector<char> is_used(mesh.positions.size(), 0);
@@ -65,10 +83,7 @@ void count_faces(const Mesh& mesh, Components& result) {
       is_used[vertex] = 1;
     }
   }
-  const Vec3 reference = middle_of(mesh, is_used);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    result.components[result.of_face[f]].volume +=
-        volume_under_face(mesh, mesh.faces[f], reference) / 6;
+  add_volumes(mesh, is_used, result);
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "mesh/local_measures.h"
 #include "support/number.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
@@ -27,6 +29,15 @@ std::vector<std::size_t> by_size(const std::vector<double>& sizes) {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
   return order;
+}
+
+/// Returns the components in descending order of size. The sizes of extreme meshes are compared at
+/// a usual scale, at which they neither overflow nor vanish.
+std::vector<std::size_t> by_size(const Mesh& mesh, const Components& all, ComponentSize by) {
+  const int exponent = extreme_exponent(mesh);
+  if (exponent == 0 || by == ComponentSize::faces) return by_size(sizes_of(mesh, all, by));
+  const Mesh usual = scaled_down(mesh, exponent);
+  return by_size(sizes_of(usual, connected_components(usual), by));
 }
 
 /// Returns the vertices of each component, in ascending order.
@@ -63,30 +74,48 @@ std::vector<bool> faces_of(const Components& all, const std::vector<bool>& chose
   return keep;
 }
 
+/// Returns the float nearest to a value, or the value itself if floats do not reach it.
+double nearest_float(double value) {
+  if (!(std::abs(value) <= std::numeric_limits<float>::max())) return value;
+  return static_cast<double>(static_cast<float>(value));
+}
+
 struct Condition {
   std::string column, relation;
   double number = 0;
-  bool holds(double value) const {
-    if (relation == "<") return value < number;
-    if (relation == "<=") return value <= number;
-    if (relation == ">") return value > number;
-    if (relation == ">=") return value >= number;
-    return (value == number) == (relation == "=" || relation == "==");
+
+  bool holds(const Column& values, std::size_t row) const {
+    const double value = values.values[row];
+    // Text such as 0.1 stands for the float that is written as 0.1.
+    return values.type == Scalar::float32 ? holds(nearest_float(value), nearest_float(number))
+                                          : holds(value, number);
+  }
+
+ private:
+  bool holds(double value, double limit) const {
+    if (relation == "<") return value < limit;
+    if (relation == "<=") return value <= limit;
+    if (relation == ">") return value > limit;
+    if (relation == ">=") return value >= limit;
+    return (value == limit) == (relation == "=" || relation == "==");
   }
 };
 
-Condition parsed(std::string text) {
-  std::erase(text, ' ');
+std::string without_outer_spaces(const std::string& text) {
+  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
+Condition parsed(const std::string& text) {
   const std::size_t begin = std::min(text.find_first_of("<>=!"), text.size());
   const std::size_t end = std::min(text.find_first_not_of("<>=!", begin), text.size());
-  Condition result{text.substr(0, begin), text.substr(begin, end - begin), 0};
-  const auto number = number_in<double>(text.substr(end));
+  const std::string column = without_outer_spaces(text.substr(0, begin));
+  const std::string relation = text.substr(begin, end - begin);
+  const auto number = number_in<double>(without_outer_spaces(text.substr(end)));
   const std::vector<std::string> known{"<", "<=", "=", "==", "!=", ">=", ">"};
-  if (begin == 0 || !number ||
-      std::find(known.begin(), known.end(), result.relation) == known.end())
+  if (column.empty() || !number || std::find(known.begin(), known.end(), relation) == known.end())
     throw UsageError("'" + text + "' is no condition such as 'intersections>0'");
-  result.number = *number;
-  return result;
+  return {column, relation, *number};
 }
 
 const Column* numbers_of(const Columns& columns, const std::string& name) {
@@ -105,7 +134,7 @@ ComponentSize component_size_of(const std::string& word) {
 
 std::vector<bool> faces_of_largest(const Mesh& mesh, std::size_t count, ComponentSize by) {
   const Components all = connected_components(mesh);
-  const std::vector<std::size_t> order = by_size(sizes_of(mesh, all, by));
+  const std::vector<std::size_t> order = by_size(mesh, all, by);
   std::vector<bool> chosen(order.size(), false);
   for (std::size_t i = 0; i < std::min(count, order.size()); ++i) chosen[order[i]] = true;
   return faces_of(all, chosen);
@@ -126,7 +155,7 @@ std::vector<Mesh> split_components(const Mesh& mesh, ComponentSize by) {
 
   std::vector<Index> new_vertex(mesh.positions.size(), no_index);
   std::vector<Mesh> parts;
-  for (const std::size_t c : by_size(sizes_of(mesh, all, by)))
+  for (const std::size_t c : by_size(mesh, all, by))
     parts.push_back(part_of(mesh, faces[c], vertices[c], new_vertex));
   return parts;
 }
@@ -140,9 +169,9 @@ std::vector<bool> faces_where(const Mesh& mesh, const std::string& condition) {
   std::vector<bool> keep(mesh.faces.size());
   for (std::size_t f = 0; f < keep.size(); ++f) {
     const Face& face = mesh.faces[f];
-    keep[f] = of_faces != nullptr ? wanted.holds(of_faces->values[f])
+    keep[f] = of_faces != nullptr ? wanted.holds(*of_faces, f)
                                   : std::all_of(face.begin(), face.end(), [&](Index v) {
-                                      return wanted.holds(of_vertices->values[v]);
+                                      return wanted.holds(*of_vertices, v);
                                     });
   }
   return keep;

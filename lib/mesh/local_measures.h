@@ -10,6 +10,13 @@ namespace transformesh {
 /// Returns the positions of the vertices that faces use, in the order of the vertices.
 std::vector<Vec3> used_positions(const Mesh& mesh);
 
+/// Returns the exponent of the power of two that scales extreme coordinates to about 1. Returns 0
+/// for usual coordinates, so that their results are not rounded differently.
+int extreme_exponent(const Mesh& mesh);
+/// Returns the mesh with coordinates divided by the power of two with this exponent, without
+/// columns.
+Mesh scaled_down(const Mesh& mesh, int exponent);
+
 /// Returns the mean of the corners of a face.
 inline Vec3 face_middle(const Mesh& mesh, Index face) {
   const auto& [a, b, c] = mesh.faces[face];

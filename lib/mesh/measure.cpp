@@ -24,26 +24,6 @@ constexpr std::size_t faces_per_task = 4096;                   ///< affects time
 constexpr double large = 1e60;
 constexpr double small = 1e-60;
 
-/// Returns the exponent of the power of two that scales extreme coordinates to about 1. Returns 0
-/// for usual coordinates, so that their results are not rounded differently.
-int extreme_exponent(const Mesh& mesh) {
-  double largest = 0;
-  for (const Vec3& point : mesh.positions)
-    largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
-  const bool is_extreme = largest > large || (largest > 0 && largest < small);
-  return is_extreme ? std::ilogb(largest) : 0;
-}
-
-Mesh scaled_down(const Mesh& mesh, int exponent) {
-  Mesh scaled;
-  scaled.faces = mesh.faces;
-  scaled.positions.reserve(mesh.positions.size());
-  for (const Vec3& point : mesh.positions)
-    scaled.positions.emplace_back(
-        point.unaryExpr([&](double x) { return std::ldexp(x, -exponent); }));
-  return scaled;
-}
-
 /// Returns the angle between two vectors, in [0, pi]; accurate near 0 and pi.
 double angle_between(const Vec3& u, const Vec3& v) {
   return elementary::atan2(u.cross(v).norm(), u.dot(v));
@@ -87,6 +67,24 @@ void extend(Box& box, const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 }  // namespace
+
+int extreme_exponent(const Mesh& mesh) {
+  double largest = 0;
+  for (const Vec3& point : mesh.positions)
+    largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
+  const bool is_extreme = largest > large || (largest > 0 && largest < small);
+  return is_extreme ? std::ilogb(largest) : 0;
+}
+
+Mesh scaled_down(const Mesh& mesh, int exponent) {
+  Mesh scaled;
+  scaled.faces = mesh.faces;
+  scaled.positions.reserve(mesh.positions.size());
+  for (const Vec3& point : mesh.positions)
+    scaled.positions.emplace_back(
+        point.unaryExpr([&](double x) { return std::ldexp(x, -exponent); }));
+  return scaled;
+}
 
 double diagonal_of(const Box& box) { return box.isEmpty() ? 0 : length_of(box.max() - box.min()); }
 

@@ -101,6 +101,10 @@ Registration::Pair Registration::pair_of(const OrientedPoint& sample) const {
 }
 
 std::vector<Registration::Pair> Registration::sorted_pairs() const {
+  if (samples_.size() < least_pairs)
+    throw GoalError("the mesh has only " + counted(samples_.size(), "point") +
+                    ", too few to align it: at least " + std::to_string(least_pairs) +
+                    " points are needed");
   std::vector<Pair> pairs(samples_.size());
   parallel_for(samples_.size(), samples_per_task, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) pairs[i] = pair_of(samples_[i]);

@@ -68,6 +68,28 @@ TEST_CASE("a mesh without source points is named, unless the closest places are 
   check_values(last);
 }
 
+TEST_CASE("closest points are refused for meshes whose areas overflow or vanish") {
+  const Mesh first = first_mesh();
+  const Mesh last = remeshed(first, .1, false);
+  CarryOptions options;
+  options.closest = true;
+  const auto carried = [&](double factor) {
+    const Mesh scaled_first = test::scaled(first, factor);
+    Mesh scaled_last = test::scaled(last, factor);
+    carry_along(std::array{&scaled_first}, scaled_last, options);
+    return scaled_last;
+  };
+  for (const double factor : {1e-200, 1e-100, 1e-76, 1e75, 1e78, 1e100})
+    CHECK_THROWS_AS(carried(factor), InputError);
+  const std::vector<double> usual = carried(1).vertex_columns.find("x")->values;
+  for (const double factor : {1e-75, 1e74}) {
+    const Mesh mesh = carried(factor);
+    const std::vector<double>& values = mesh.vertex_columns.find("x")->values;
+    for (std::size_t v = 0; v < usual.size(); ++v)
+      CHECK(values[v] == doctest::Approx(usual[v]).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("names of columns are looked up, and a chain has a first mesh") {
   const Mesh first = first_mesh();
   Mesh last = remeshed(first, .1, true);

@@ -116,6 +116,22 @@ TEST_CASE("meshes too large to compare are refused") {
   CHECK(std::isfinite(compare(test::scaled(mesh, 1e70), mesh, {.samples = 10}).rms));
 }
 
+TEST_CASE("meshes too small to compare are refused, and those just above the limit are right") {
+  const Mesh mesh = test::icosphere(4);
+  const Mesh moved = test::moved(mesh, {0.1, 0, 0});
+  const auto scaled_comparison = [&](double factor) {
+    return compare(test::scaled(mesh, factor), test::scaled(moved, factor), {.samples = 100});
+  };
+  for (const double factor : {1e-76, 1e-78, 1e-100, 1e-200})
+    CHECK_THROWS_AS(scaled_comparison(factor), InputError);
+  const double usual = scaled_comparison(1).hausdorff;
+  CHECK(scaled_comparison(1e-75).hausdorff == Approx(usual * 1e-75).epsilon(1e-9));
+  // Points at one place have no extent, and are compared.
+  Mesh point;
+  point.positions = {{1, 2, 3}};
+  CHECK(compare(point, point).hausdorff == 0);
+}
+
 TEST_CASE("the farthest point is as far as compare() finds it, and lies there") {
   const Mesh sphere = test::icosphere(3);
   for (const Mesh& mesh : {test::torus(1, 0.4, 40, 20), test::moved(sphere, Vec3(0.1, 0, 3)),

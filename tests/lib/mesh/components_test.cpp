@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <tuple>
 
 #include "helpers/shapes.h"
@@ -46,6 +47,18 @@ TEST_CASE("components of a closed manifold are the same by its opposite halfedge
     CHECK(found.components[i].faces == expected.components[i].faces);
     CHECK(found.components[i].boundary_loops == 0);
     CHECK(found.components[i].volume == expected.components[i].volume);
+  }
+}
+
+TEST_CASE("the volume of a component is that of its mesh, at any size") {
+  const Mesh box = test::cuboid({15, 20, 12}, {22, 27, 19});
+  const Mesh boxes = test::joined(box, test::moved(box, {100, 3, 8}));
+  for (const Component& component : connected_components(boxes).components)
+    CHECK(component.volume == 343);
+  for (const double factor : {1e-100, 1e-70, 1e70, 1e100}) {
+    const Mesh scaled = test::scaled(box, factor);
+    CHECK(connected_components(scaled).components[0].volume == volume(scaled));
+    CHECK(std::isnormal(volume(scaled)));
   }
 }
 

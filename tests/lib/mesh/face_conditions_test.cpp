@@ -25,6 +25,28 @@ TEST_CASE("components are chosen by faces, area or volume") {
   CHECK(std::count(both.begin(), both.end(), true) == std::ssize(mesh.faces));
 }
 
+TEST_CASE("a component of exactly the limit is kept, and equal components keep their order") {
+  const Mesh box = test::cuboid({15, 20, 12}, {22, 27, 19});
+  const auto count = [](const std::vector<bool>& keep) {
+    return std::count(keep.begin(), keep.end(), true);
+  };
+  CHECK(count(faces_of_at_least(box, 343, ComponentSize::volume)) == 12);
+  CHECK(count(faces_of_at_least(box, 343.01, ComponentSize::volume)) == 0);
+  const Mesh pair = test::joined(box, test::moved(box, {31, 57, 11}));
+  for (const Mesh& mesh : {pair, test::moved(pair, {7, 91, 3})}) {
+    CHECK(faces_of_largest(mesh, 1, ComponentSize::volume).front());
+    CHECK(split_components(mesh, ComponentSize::volume)[0].positions[0] == mesh.positions[0]);
+  }
+}
+
+TEST_CASE("the largest component is found in meshes of extreme extents") {
+  const Mesh mesh =
+      test::joined(test::cuboid({0, 0, 0}, {1, 1, 1}), test::cuboid({5, 0, 0}, {8, 3, 3}));
+  for (const ComponentSize by : {ComponentSize::area, ComponentSize::volume})
+    for (const double factor : {1e-200, 1e-110, 1e110, 1e200})
+      CHECK(faces_of_largest(test::scaled(mesh, factor), 1, by).back());
+}
+
 TEST_CASE("a mesh is split into its components, the largest first, with all columns") {
   Mesh mesh = test::joined(test::icosphere(1), test::cuboid({5, 0, 0}, {8, 3, 3}));
   mesh.positions.insert(mesh.positions.begin(), Vec3(99, 0, 0));  // not used by a face
@@ -63,9 +85,26 @@ TEST_CASE("conditions on properties and boxes") {
   CHECK(faces_where(mesh, "label != 2") == Mask{true, true, false, true});
   CHECK(faces_where(mesh, "height < 1") == Mask{true, false, false, false});
   CHECK(faces_in_box(mesh, Box(Vec3::Zero(), Vec3(1, 1, 0.5))) == Mask{true, false, false, false});
-  for (const char* text : {"", "label", "label>", ">3", "label=>3", "label>3x"})
+  for (const char* text :
+       {"", "label", "label>", ">3", "label=>3", "label>3x", "label<1 0", "label < = 1", "  <1"})
     CHECK_THROWS_AS(faces_where(mesh, text), UsageError);
   CHECK_THROWS_AS(faces_where(mesh, "none>0"), InputError);
+  CHECK(faces_where(mesh, "  label  <  2  ") == Mask{true, true, false, false});
+}
+
+TEST_CASE("numbers of conditions are rounded to the type of the property") {
+  Mesh mesh = test::tetrahedron();
+  const double tenth = static_cast<double>(0.1F);
+  mesh.face_columns.get("q", Scalar::float32, 4).values = {0, tenth, 0.5, 1};
+  mesh.face_columns.get("d", Scalar::float64, 4).values = {0, tenth, 0.1, 1};
+  mesh.face_columns.get("i", Scalar::int32, 4).values = {0, 1, 2, 3};
+  using Mask = std::vector<bool>;
+  CHECK(faces_where(mesh, "q=0.1") == Mask{false, true, false, false});
+  CHECK(faces_where(mesh, "q>0.1") == Mask{false, false, true, true});
+  CHECK(faces_where(mesh, "q<=0.1") == Mask{true, true, false, false});
+  CHECK(faces_where(mesh, "q<1e300") == Mask(4, true));
+  CHECK(faces_where(mesh, "d=0.1") == Mask{false, false, true, false});
+  CHECK(faces_where(mesh, "i<0.5") == Mask{true, false, false, false});
 }
 
 }  // namespace transformesh

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "helpers/shapes.h"
 #include "transformesh/errors.h"
 
@@ -48,4 +50,17 @@ TEST_CASE("partners on a border of the reference, and samples that face away, do
   const std::vector<OrientedPoint> away(200, {{0.5, 0.25, 0.1}, {0, 0, -1}});
   Registration registration(surface, away, {});
   CHECK_THROWS_AS(registration.run(1, [](int) {}), GoalError);
+}
+
+TEST_CASE("too few points are reported as such") {
+  const Mesh cube = test::cube();
+  const RegistrationSurface surface(cube);
+  const std::vector<OrientedPoint> few(8, {{0.5, 0.25, 1}, {0, 0, 1}});
+  const Registration registration(surface, few, {});
+  try {
+    registration.overlap();
+    FAIL("eight points are too few");
+  } catch (const GoalError& error) {
+    CHECK(std::string(error.what()).find("only 8 points") != std::string::npos);
+  }
 }
