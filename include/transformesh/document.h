@@ -20,8 +20,7 @@ struct OtherElement {
   std::string name;
   std::size_t rows = 0;
   Columns columns;
-  /// Set by read_mesh(): number of vertices, and hashes of their positions and of the faces.
-  std::optional<std::array<std::size_t, 3>> numbered = {};
+  std::optional<std::array<std::size_t, 3>> numbered = {};  ///< vertices (count, hashes) when read
 };
 
 /// Encoding of the file. The defaults are the format in which programs pass meshes through pipes.
