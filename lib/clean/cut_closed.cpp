@@ -68,7 +68,9 @@ void place_base_exactly(Mesh& prism, const CutPlane& plane, const Box& box, cons
   Eigen::Index k = 0;
   const double largest = plane.normal.cwiseAbs().maxCoeff(&k);
   const Eigen::Index i = (k + 1) % 3, j = (k + 2) % 3;
-  const double scale = std::exp2(std::ceil(std::log2(reach * diagonal_of(box) / largest)));
+  int exponent = 0;
+  std::frexp(reach * diagonal_of(box) / largest, &exponent);
+  const double scale = std::ldexp(1.0, exponent);
   Vec3 u = Vec3::Zero(), v = Vec3::Zero();
   u[i] = v[j] = scale * plane.normal[k];
   u[k] = -scale * plane.normal[i];

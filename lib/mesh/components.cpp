@@ -56,7 +56,7 @@ Vec3 middle_of(const Mesh& mesh, const std::vector<char>& is_used) {
   return box.min() + (box.max() - box.min()) / 2;
 }
 
-/// Computes the volume of each component as volume() computes that of a mesh: each sum is divided
+/// Computes the volume of each component as volume() computes that of a mesh. Each sum is divided
 /// only once, so that the volume of a box with integer coordinates is exact.
 void add_volumes(const Mesh& mesh, const std::vector<char>& is_used, Components& result) {
   if (const int exponent = extreme_exponent(mesh); exponent != 0) {
