@@ -19,11 +19,11 @@ void check_common_extent(const Mesh& mesh, const Mesh& reference, const std::str
   const double extent = diagonal_of({a.min().cwiseMin(b.min()), a.max().cwiseMax(b.max())});
   if (extent > 0 && extent < smallest_extent)
     throw InputError("the meshes are " + shortest_text(extent) + " across, too small " + purpose +
-                     ": scale both with tm-transform --scale by the same factor to at least " +
+                     ": scale both by the same factor to at least " +
                      shortest_text(smallest_extent));
   if (!(extent < largest_extent))
     throw InputError("the meshes are " + shortest_text(extent) + " across, too large " + purpose +
-                     ": scale both with tm-transform --scale by the same factor to less than " +
+                     ": scale both by the same factor to less than " +
                      shortest_text(largest_extent));
 }
 
