@@ -8,6 +8,7 @@
 
 #include "geometry/search/closest_point.h"
 #include "mesh/adjacency.h"
+#include "mesh/local_measures.h"
 #include "mesh/surface_columns.h"
 #include "support/empty_result_error.h"
 #include "transformesh/clean.h"
@@ -108,11 +109,6 @@ void append_other_side(Mesh& mesh, const std::vector<Vec3>& directions, double d
   mesh.face_columns = mesh.face_columns.select(rows);
 }
 
-Vec3 center_of(const Mesh& mesh, std::size_t face) {
-  const auto [a, b, c] = mesh.faces[face];
-  return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
-}
-
 [[noreturn]] void throw_too_deep() {
   throw GoalError("no point lies that deep inside the surface");
 }
@@ -136,8 +132,8 @@ std::vector<double> distances_from(const Mesh& source, const Mesh& mesh) {
   const ClosestPointQuery query(source);
   const std::vector<Index> opposites = opposite_halfedges(source);
   std::vector<double> distances;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const ClosestPoint closest = query(center_of(mesh, f));
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const ClosestPoint closest = query(face_middle(mesh, f));
     const bool is_wall = is_on_border(source, opposites, closest);
     distances.push_back(is_wall ? std::numeric_limits<double>::infinity() : closest.distance);
   }
@@ -150,7 +146,7 @@ void find_remains(const Mesh& mesh, const std::vector<double>& distances, double
                   MiterDeviation& deviation) {
   const auto least = std::min_element(distances.begin(), distances.end());
   if (deviation.is_large || *least >= least_distance * distance) return;
-  deviation.remains = center_of(mesh, static_cast<std::size_t>(least - distances.begin()));
+  deviation.remains = face_middle(mesh, static_cast<Index>(least - distances.begin()));
 }
 
 /// Removes components whose faces are all closer to the source surface than `least_distance` *
