@@ -30,9 +30,8 @@ struct SourcePoints {
   std::vector<SourcePoint> of_faces;  ///< source points of face centers
 };
 
-/// Returns the closest points of the source to a mesh that lies near it. Only faces whose normals
-/// differ by less than 90 degrees are considered. Throws InputError if the source has no faces, or
-/// if both meshes together are more than 1e75 or less than 1e-75 across.
+/// Returns the closest points of a nearby source, on faces whose normals differ by less than 90
+/// degrees. Throws InputError without source faces, and for extents below 1e-75 or above 1e75.
 SourcePoints closest_source_points(const Mesh& source, const Mesh& mesh);
 
 /// Writes the columns source_face, source_u and source_v of vertices and faces.

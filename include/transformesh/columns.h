@@ -51,9 +51,8 @@ struct Columns {
   Columns blend(std::span<const RowBlend> rows) const;
   /// Appends a row that is interpolated from rows of these columns.
   void append(const RowBlend& row);
-  /// Appends the `other_rows` rows of `other`. Missing values become zero, white or empty lists.
-  /// Colors of different types are converted to one scale: 0 to 1 if one of them is floating.
-  /// Returns the names of columns that are lists in one and numbers in the other.
+  /// Appends the `other_rows` rows of `other`. Missing values become zero, white or empty lists;
+  /// colors get one scale. Returns names of columns that are lists in one and numbers in the other.
   std::vector<std::string> concatenate(const Columns& other, std::size_t rows,
                                        std::size_t other_rows);
 };
