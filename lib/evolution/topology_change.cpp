@@ -14,8 +14,16 @@ namespace {
 
 LabeledVolume volume_of(const ComponentState& state) { return {state.label, state.volume}; }
 
+/// Returns the size of a component, rounded to 30 bits. So rounding errors do not decide which of
+/// two equal bodies keeps its label.
+double rounded_size(const ComponentState& state) {
+  int exponent = 0;
+  const double fraction = std::frexp(std::abs(state.volume), &exponent);
+  return std::ldexp(std::round(std::ldexp(fraction, 30)), exponent - 30);
+}
+
 bool is_larger(const ComponentState& a, const ComponentState& b) {
-  return std::abs(a.volume) > std::abs(b.volume);
+  return rounded_size(a) > rounded_size(b);
 }
 
 class Search {

@@ -57,6 +57,9 @@ TEST_CASE(
     "the largest component keeps its label when some merge, and each of the others is a row") {
   const LabeledStates before = labeled({state({1}, 1), state({2}, 5), state({3}, 2)});
   CHECK(events_between(before, {state({1, 2, 3}, 8)}) == "merge 2 1 > 2; merge 2 3 > 2; ");
+  // Volumes that differ only by rounding are equal, and the lower label stays.
+  const LabeledStates equal = labeled({state({1}, 1), state({2}, 1 + 4e-15)});
+  CHECK(events_between(equal, {state({1, 2}, 2)}) == "merge 1 2 > 1; ");
 }
 
 TEST_CASE("the largest part keeps the label when a component splits") {
