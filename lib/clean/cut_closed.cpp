@@ -3,6 +3,7 @@
 // clean(), twice. Whether the plane meets the solid at all is decided exactly.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 

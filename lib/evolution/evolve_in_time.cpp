@@ -186,27 +186,30 @@ class TimeLoop : public Loop {
       return;
     }
     if (events_) events_->begin_step(document.mesh);
+    DisplaceResult displaced;
     const auto move = [&](Mesh& mesh, const Progress&) {
       const std::vector<Vec3>& displacements = step.integrated.displacements;
-      const DisplaceResult result = move_vertices(mesh, displacements, mean_edge);
+      displaced = move_vertices(mesh, displacements, mean_edge);
       if (options_.keep_volume) keeper_.begin(mesh, displacements);
       moved_volume_ = volume(mesh);
-      return result;
+      return displaced;
     };
     try {
       last_ = iterate(document, move, iteration_, progress);
     } catch (const GoalError& error) {
-      if (!is_nothing_left(error.kind())) throw;
-      vanish(document.mesh);
+      if (!may_vanish(error.kind())) throw;
+      document.mesh = select_faces(document.mesh, std::vector<bool>(document.mesh.faces.size()));
+      last_ = {};
+      last_.displaced = displaced;
+      last_.was_cleaned = true;
     }
   }
 
-  /// Makes the mesh empty. A surface may shrink to nothing.
-  void vanish(Mesh& mesh) {
-    mesh = select_faces(mesh, std::vector<bool>(mesh.faces.size(), false));
-    last_.topology = {};
-    last_.faces = 0;
-    last_.was_cleaned = true;
+  /// True if the error of a step means that the surface has shrunk to nothing. If steps are not
+  /// repeated with shorter spans, the surface may also have turned inside out in a long step.
+  bool may_vanish(ErrorKind kind) const {
+    const bool is_located = options_.event_tolerance > 0 || kind != ErrorKind::surface_vanished;
+    return is_nothing_left(kind) && is_located;
   }
 
   void restore_volume(Document& document, const Progress& progress) {

@@ -3,13 +3,14 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include "geometry/search/closest_point.h"
 #include "mesh/adjacency.h"
 #include "mesh/local_measures.h"
 #include "mesh/surface_columns.h"
+#include "mesh/triangle.h"
 #include "support/empty_result_error.h"
 #include "transformesh/clean.h"
 #include "transformesh/components.h"
@@ -32,10 +33,6 @@ constexpr double miter_limit = 4;
 /// twice. Offsets of curved surfaces are correct at vertices, and less than 5 % too close between
 /// vertices.
 constexpr double least_distance = 0.95;
-
-/// A point is on an edge if its distance from the edge is at most this fraction of the edge.
-/// Rounding errors are smaller.
-constexpr double border_rounding = 1e-9;
 
 /// A deviation above this fraction of the distance is reported as large. On smooth surfaces,
 /// deviations of face planes are smaller. A choice.
@@ -113,58 +110,69 @@ void append_other_side(Mesh& mesh, const std::vector<Vec3>& directions, double d
   throw GoalError("no point lies that deep inside the surface");
 }
 
-/// True if a point of a face of the mesh is on a border edge of this face, up to rounding.
-bool is_on_border(const Mesh& mesh, const std::vector<Index>& opposites,
-                  const ClosestPoint& closest) {
-  for (Index h = 3 * closest.face; h < 3 * closest.face + 3; ++h) {
-    if (opposites[h] != no_index) continue;
-    const Vec3& a = mesh.positions[halfedge_source(mesh, h)];
-    const Vec3& b = mesh.positions[halfedge_target(mesh, h)];
-    const Vec3 nearest = closest_point_of_triangle(closest.point, a, b, b).point;
-    if ((nearest - closest.point).norm() <= border_rounding * (b - a).norm()) return true;
-  }
-  return false;
+/// Returns the border edges of a mesh as triangles without area.
+Mesh border_of(const Mesh& mesh) {
+  const std::vector<Index> opposites = opposite_halfedges(mesh);
+  Mesh border;
+  border.positions = mesh.positions;
+  for (Index h = 0; h < opposites.size(); ++h)
+    if (opposites[h] == no_index)
+      border.faces.push_back(
+          {halfedge_source(mesh, h), halfedge_target(mesh, h), halfedge_target(mesh, h)});
+  return border;
 }
 
-/// Returns the distance of each face's center from the source surface. It is infinite if the
-/// closest point is on a border of the source: the walls of a thick sheet are there.
-std::vector<double> distances_from(const Mesh& source, const Mesh& mesh) {
-  const ClosestPointQuery query(source);
-  const std::vector<Index> opposites = opposite_halfedges(source);
-  std::vector<double> distances;
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const ClosestPoint closest = query(face_middle(mesh, f));
-    const bool is_wall = is_on_border(source, opposites, closest);
-    distances.push_back(is_wall ? std::numeric_limits<double>::infinity() : closest.distance);
+/// Distances of points from the source surface and from its border.
+class SourceDistance {
+ public:
+  explicit SourceDistance(const Mesh& source) : query_(source), border_(border_of(source)) {
+    if (!border_.faces.empty()) to_border_.emplace(border_);
   }
-  return distances;
-}
 
-/// If a part that was turned inside out remains, sets its place. Planes that miss the distance are
-/// too close as well, and are reported as such.
-void find_remains(const Mesh& mesh, const std::vector<double>& distances, double distance,
-                  MiterDeviation& deviation) {
-  const auto least = std::min_element(distances.begin(), distances.end());
-  if (deviation.is_large || *least >= least_distance * distance) return;
-  deviation.remains = face_middle(mesh, static_cast<Index>(least - distances.begin()));
-}
+  double operator()(const Vec3& point) const { return query_(point).distance; }
+  bool is_near_border(const Vec3& point, double reach) const {
+    return to_border_ && to_border_->face_within(point, reach) != no_index;
+  }
+
+ private:
+  ClosestPointQuery query_;
+  Mesh border_;
+  std::optional<ClosestPointQuery> to_border_;
+};
 
 /// Removes components whose faces are all closer to the source surface than `least_distance` *
-/// distance. Removes the distances of their faces as well.
-void drop_remains(Mesh& mesh, std::vector<double>& distances, double distance) {
+/// distance.
+void drop_remains(Mesh& mesh, const SourceDistance& from_source, double distance) {
   const Components parts = connected_components(mesh);
   std::vector<double> farthest(parts.components.size(), 0);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    farthest[parts.of_face[f]] = std::max(farthest[parts.of_face[f]], distances[f]);
-  std::vector<bool> keep;
-  std::vector<double> kept;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    keep.push_back(farthest[parts.of_face[f]] >= least_distance * distance);
-    if (keep[f]) kept.push_back(distances[f]);
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    double& far = farthest[parts.of_face[f]];
+    far = std::max(far, from_source(face_middle(mesh, f)));
   }
-  if (kept.empty()) throw_too_deep();
+  std::vector<bool> keep;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    keep.push_back(farthest[parts.of_face[f]] >= least_distance * distance);
+  if (std::ranges::find(keep, true) == keep.end()) throw_too_deep();
   mesh = select_faces(mesh, keep);
-  distances = std::move(kept);
+}
+
+/// If a part that was turned inside out remains, sets its place. Such a part has points that are
+/// too close to the source surface. If planes miss the distance, their points are too close as
+/// well, and only this is reported. The walls of a thick sheet reach its surface. Therefore points
+/// as near to the border as walls can be are skipped.
+void find_remains(const Mesh& mesh, const SourceDistance& from_source, double distance,
+                  MiterDeviation& deviation) {
+  if (deviation.is_large) return;
+  double least = least_distance * distance;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto [a, b, c] = triangle_of(mesh, f);
+    for (const Vec3& point : {face_middle(mesh, f), a, b, c}) {
+      const double near = from_source(point);
+      if (near >= least || from_source.is_near_border(point, miter_limit * distance)) continue;
+      deviation.remains = point;
+      least = near;
+    }
+  }
 }
 
 Mesh cleaned(const Mesh& mesh, Scalar coordinate, const Progress& progress) {
@@ -223,9 +231,9 @@ MiterDeviation offset_mitered(Mesh& mesh, double distance, Scalar coordinate,
     throw;
   }
   MiterDeviation deviation = deviation_of(source, directions, distance);
-  std::vector<double> distances = distances_from(source, moved);
-  drop_remains(moved, distances, std::abs(distance));
-  find_remains(moved, distances, std::abs(distance), deviation);
+  const SourceDistance from_source(source);
+  drop_remains(moved, from_source, std::abs(distance));
+  find_remains(moved, from_source, std::abs(distance), deviation);
   mesh = std::move(moved);
   return deviation;
 }
@@ -240,7 +248,7 @@ MiterDeviation thicken(Mesh& mesh, double thickness, Scalar coordinate, const Pr
   move(solid, directions, thickness / 2);
   append_other_side(solid, directions, -thickness);
   solid = cleaned(solid, coordinate, progress);
-  find_remains(solid, distances_from(mesh, solid), thickness / 2, deviation);
+  find_remains(solid, SourceDistance(mesh), thickness / 2, deviation);
   mesh = std::move(solid);
   refresh_normals(mesh);
   return deviation;

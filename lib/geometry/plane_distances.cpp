@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "geometry/numbers/exact_number.h"
+#include "geometry/numbers/exact_plane_distance.h"
 #include "geometry/numbers/machine_epsilon.h"
 #include "transformesh/errors.h"
 
@@ -23,16 +22,6 @@ int filtered_side(const CutPlane& plane, const Vec3& point) {
   return static_cast<int>(value > bound) - static_cast<int>(value < -bound);
 }
 
-/// Returns normal * point - offset divided by the length of the normal. The sign is exact.
-double exact_distance(const CutPlane& plane, double length, const Vec3& point) {
-  ExactNumber value = -ExactNumber(plane.offset);
-  for (int i = 0; i < 3; ++i) value = value + ExactNumber(plane.normal[i]) * ExactNumber(point[i]);
-  const int sign = sign_of(value);
-  if (sign == 0) return 0;
-  const double distance = quotient(value, ExactNumber(length));
-  return distance != 0 ? distance : sign * std::numeric_limits<double>::denorm_min();
-}
-
 }  // namespace
 
 PlaneDistances::PlaneDistances(const Mesh& mesh, const CutPlane& plane) : mesh_(mesh) {
@@ -46,7 +35,8 @@ PlaneDistances::PlaneDistances(const Mesh& mesh, const CutPlane& plane) : mesh_(
     const double distance = normal_.dot(p) - offset_;
     const int side = filtered_side(plane, p);
     const bool is_certain = (side > 0 && distance > 0) || (side < 0 && distance < 0);
-    distances_.push_back(is_certain ? distance : exact_distance(plane, length, p));
+    distances_.push_back(is_certain ? distance
+                                    : exact_plane_distance(plane.normal, plane.offset, length, p));
   }
 }
 

@@ -215,6 +215,16 @@ END
     'BEGIN { exit adaptive > 0.2 || even < 2 * adaptive }'
 }
 
+@test "a surface that vanishes ends the run, and a note gives the time" {
+  cd "$BATS_TEST_TMPDIR"
+  tm-shape sphere --radius 0.3 --faces 320 -o ball.ply
+  run --separate-stderr tm-evolve ball.ply --time 0.05 --flow mean-curvature --events events.csv -o out.ply
+  assert_status 0
+  [[ $stderr == *"the surface vanished at time 0.02"* ]]
+  [ "$(tm-info --get faces out.ply)" -eq 0 ]
+  grep -q 'component vanished' events.csv
+}
+
 @test "volume that remeshing removes is noted, and --curved keeps it" {
   cd "$BATS_TEST_TMPDIR"
   tm-shape box 2 1 0.3 --faces 12 -o plate.ply

@@ -153,6 +153,8 @@ void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
     run.note("vertices moved by up to " + significant(result.max_move, 2) +
              " mean edges in a step; a smaller --time-step, or auto, follows the motion better");
   }
+  if (result.evolution.last.faces == 0)
+    run.note("the surface vanished at time " + significant(result.time, 4));
   const double volume =
       std::max(std::abs(result.volume), std::abs(result.volume - result.volume_drift));
   if (!choices.options.keep_volume && result.evolution.last.faces > 0 &&

@@ -32,7 +32,7 @@ void report_miter(const MiterDeviation& deviation, tool::Run& run) {
              ", where more than three planes meet at a vertex, or a spike is cut off");
   if (deviation.remains)
     run.note("the result is wrong at " + point_text(*deviation.remains) +
-             ", where a part that is thinner than the offset remains, turned inside out");
+             ", where a part or a gap too narrow for this distance remains, turned inside out");
 }
 
 void offset_document(Document& document, Choices& choices, tool::Run& run) {

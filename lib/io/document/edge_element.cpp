@@ -1,6 +1,8 @@
 #include "io/document/edge_element.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <string_view>
 
 #include "io/document/scalar.h"

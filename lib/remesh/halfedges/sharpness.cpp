@@ -20,8 +20,9 @@ constexpr double sharp_deg = 60;
 constexpr double line_deg = 40;
 /// A sharp edge is intended, and not noise, if the surface beside it is smooth. For this, the edges
 /// at its ends that are not lines must turn by less than this share of the turn of the sharp edge.
-/// With less than 40/90, the rims of holes with 9 to 11 sides would count as noise, because the
-/// sides of these holes meet at 33 to 40 degrees.
+/// Edges between the sides of a hole with 9 to 11 sides turn by 33 to 40 degrees and are no lines.
+/// The edge between the hole and a plate turns by 90 degrees. With a share below 40/90 it would
+/// count as noise.
 constexpr double smooth_share = 0.45;
 /// A mesh has sharp edges if the length of intended edges exceeds these shares of the length of all
 /// sharp edges and of all lines. With larger shares, features of noisy meshes are missed; with

@@ -13,6 +13,7 @@
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 #include "transformesh/offset.h"
+#include "transformesh/select.h"
 
 using namespace transformesh;
 using doctest::Approx;
@@ -65,6 +66,19 @@ TEST_CASE("a part turned inside out is dropped, or its place is reported") {
   CHECK(turned.remains->z() > 1.4);
   CHECK(turned.remains->head<2>().norm() < 0.2);
   CHECK_THROWS_AS(offset_mitered(rod, -2), GoalError);
+
+  // The notch between two boxes that overlap in a unit cube becomes a cube with sides of 0.2.
+  Mesh notched =
+      test::joined(test::cuboid({1, 1, 1}, {4, 3, 3}), test::cuboid({3, 2, 2}, {5, 4, 4}));
+  Mesh narrow = notched;
+  CHECK(offset_mitered(notched, -0.6).remains);
+  CHECK(!offset_mitered(narrow, -0.4).remains);
+
+  // The walls of a sheet with a slanted border reach its surface. That is no fault.
+  Mesh cut = test::cuboid({-1, -1, -1}, {1, 1, 1});
+  cut_open(cut, {{0.3, 0.2, 1}, 0});
+  CHECK(!thicken(cut, 0.2).remains);
+  CHECK(cut.face_columns.columns.empty());
 
   // The sides of a square tube. Its bore is narrower than the thickness.
   Mesh tube;
