@@ -229,13 +229,8 @@ assert tm.info(tm.clean(tm.shape("two-spheres", faces=500)))["components"] == 1'
   [ -e "$folder/transformesh/py.typed" ]
 }
 
-@test "exactly the headers of include/transformesh are installed, and each compiles on its own" {
+@test "exactly the headers of include/transformesh are installed" {
   diff <(cd "$tm_root/include" && find . -type f | sort) <(cd "$prefix/include" && find . -type f | sort)
-  cd "$prefix/include"
-  for header in transformesh/*.h; do
-    echo "#include \"$header\"" |
-      g++ -std=c++20 -fsyntax-only -x c++ -I. -isystem /usr/include/eigen3 - || fail "$header"
-  done
 }
 
 # public_headers: the names of the installed headers without .h, except the one that includes all others.
