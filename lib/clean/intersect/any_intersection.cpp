@@ -12,8 +12,8 @@ namespace transformesh {
 namespace {
 
 /// Meshes with at most this number of faces are searched without sampling. The number is a choice:
-/// a full search of so few faces is fast.
-constexpr std::size_t few_faces = 20000;
+/// a full search of so few faces is fast. With four times the samples, no face is sampled twice.
+constexpr std::size_t few_faces = 4096;
 /// Number of sampled faces. `sampled_cells_per_axis` is the resolution of the grid in which the
 /// faces near the sampled faces are found. Both are choices: with more samples or larger cells, the
 /// first search takes longer, and it detects rarer self-intersections.
@@ -60,12 +60,19 @@ Index sampled_face(std::size_t i, std::size_t faces) {
       std::min(share * static_cast<double>(faces), static_cast<double>(faces - 1)));
 }
 
+std::vector<Index> all_sampled_faces(const Mesh& mesh) {
+  std::vector<Index> samples(sampled_faces);
+  for (std::size_t i = 0; i < sampled_faces; ++i) samples[i] = sampled_face(i, mesh.faces.size());
+  return samples;
+}
+
 // Returns the sampled faces, all faces that share a grid cell with a sampled face, and all large
 // faces.
-std::vector<Index> faces_near_samples(const Mesh& mesh, const CornerCells& cells) {
+std::vector<Index> faces_near_samples(const Mesh& mesh, const CornerCells& cells,
+                                      const std::vector<Index>& samples) {
   MarkedCells marked(cells);
-  for (std::size_t i = 0; i < sampled_faces; ++i) {
-    const CellRange range = cells.around(mesh.faces[sampled_face(i, mesh.faces.size())]);
+  for (const Index sample : samples) {
+    const CellRange range = cells.around(mesh.faces[sample]);
     if (range.size() <= many_cells) marked.mark(range);
   }
   std::vector<char> is_near(mesh.faces.size());
@@ -81,14 +88,22 @@ std::vector<Index> faces_near_samples(const Mesh& mesh, const CornerCells& cells
   return result;
 }
 
+bool intersect(const Mesh& mesh, const std::vector<Index>& faces) {
+  return !find_intersections(mesh_of_faces(mesh, faces)).empty();
+}
+
+// Returns true if sampled faces intersect each other, which is soon found in a dense soup, or faces
+// near them.
 bool samples_intersect(const Mesh& mesh) {
+  const std::vector<Index> samples = all_sampled_faces(mesh);
+  if (intersect(mesh, samples)) return true;
   const CornerCells cells(mesh.positions, sampled_cells_per_axis);
   if (!cells.is_usable()) return false;
-  const std::vector<Index> faces = faces_near_samples(mesh, cells);
+  const std::vector<Index> faces = faces_near_samples(mesh, cells, samples);
   // Do not search the sample if it contains more than a quarter of all faces: the search of all
   // faces costs hardly more.
   if (faces.size() > mesh.faces.size() / 4) return false;
-  return !find_intersections(mesh_of_faces(mesh, faces)).empty();
+  return intersect(mesh, faces);
 }
 
 }  // namespace

@@ -42,4 +42,15 @@ TEST_CASE("a single crossing of a large mesh is found") {
   CHECK(!has_intersections(mesh));
 }
 
+TEST_CASE("sampled faces that do not intersect are no intersection, whatever the number of faces") {
+  const Mesh torus = test::workload("torus", 6000);
+  REQUIRE(torus.faces.size() > 5000);
+  for (std::size_t faces = 4090; faces < 5000; faces += 7) {
+    Mesh part = torus;
+    part.faces.resize(faces);
+    CAPTURE(faces);
+    CHECK(!has_intersections(part));
+  }
+}
+
 }  // namespace transformesh
