@@ -136,9 +136,10 @@ class PlyReader {
     add_columns(table);
     read_rows(table);
     if (element.name == "tristrips" && element.rows > 0) return add_strips(table);
-    result_.document.other_elements.push_back(
-        {element.name, static_cast<std::size_t>(element.rows), std::move(table.columns),
-         std::array<std::size_t, 3>{table.vertex_count, 0, 0}});
+    const auto vertices = static_cast<std::size_t>(table.vertex_count);
+    result_.document.other_elements.push_back({element.name, static_cast<std::size_t>(element.rows),
+                                               std::move(table.columns),
+                                               std::array<std::size_t, 3>{vertices, 0, 0}});
   }
 
   void add_strips(const PlyTable& table) {
