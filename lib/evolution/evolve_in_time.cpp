@@ -21,7 +21,6 @@
 #include "evolution/time_span.h"
 #include "evolution/volume_keeper.h"
 #include "mesh/local_measures.h"
-#include "mesh/surface_columns.h"
 #include "support/empty_result_error.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
@@ -73,6 +72,7 @@ class TimeLoop : public Loop {
     is_closed_ = check_manifold(document.mesh).is_closed();
     if (options_.keep_volume && !is_closed_)
       throw InputError("only a closed mesh has a volume to keep");
+    split_edges(document, progress);
     is_done_ = document.mesh.faces.empty();
     if (events_) events_->start(document.mesh);
     measure_surface(document.mesh);
@@ -176,14 +176,24 @@ class TimeLoop : public Loop {
     return clean_in_place(document, progress, iteration_.outermost).topology;
   }
 
+  /// Splits long edges of the source. `curved` changes the volume if it smooths large faces.
+  void split_edges(Document& document, const Progress& progress) {
+    IterationOptions splits = iteration_;
+    // Vertices on curves could reach other bodies.
+    if (!options_.bodies.empty()) splits.remesh.curved = false;
+    const double before = volume(document.mesh);
+    split_long_edges(document, splits, progress);
+    if (is_closed_) drift_ = volume(document.mesh) - before;
+  }
+
   void iterate_along(Document& document, const TrialStep& step, double mean_edge,
                      const Progress& progress) {
     iteration_.expects_changes = last_.was_cleaned;
     if (events_) events_->begin_step(document.mesh);
-    const auto vanishes = [&](ErrorKind kind) { return may_vanish(kind); };
     if (!options_.bodies.empty()) {
-      const BodiesResult result = iterate_bodies(document, step.integrated.displacements, contact(),
-                                                 iteration_, vanishes, progress);
+      const BodiesResult result = iterate_bodies(
+          document, step.integrated.displacements, contact(), iteration_,
+          [&](ErrorKind kind) { return may_vanish(kind); }, progress);
       last_ = result.iteration;
       last_.displaced.mean_edge = mean_edge;
       remeshed_ = result.remeshed;

@@ -226,6 +226,18 @@ END
     'BEGIN { exit adaptive > 0.2 || even < 2 * adaptive }'
 }
 
+@test "curved remeshing of long edges changes the volume, and the advice avoids it" {
+  tm-shape sphere --faces 320 --double -o coarse.ply
+  carry() { run --separate-stderr tm-evolve "$1" --curved --max-edge 0.1 --min-edge 0.05 --time 0.1 --flow translation -o out.ply; }
+  carry coarse.ply
+  assert_status 0
+  [[ $stderr == *"remeshing changed the volume by 0."*": remesh the source first, by tm-remesh --edge LENGTH, or use shorter edges"* ]]
+  tm-remesh -q --edge 0.08 coarse.ply -o fine.ply
+  carry fine.ply
+  assert_status 0
+  [[ $stderr != *"remeshing changed"* ]]
+}
+
 @test "a surface that vanishes ends the run, and a note gives the time" {
   cd "$BATS_TEST_TMPDIR"
   tm-shape sphere --radius 0.3 --faces 320 -o ball.ply
