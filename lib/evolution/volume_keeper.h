@@ -13,9 +13,9 @@ namespace transformesh {
 
 class VolumeKeeper {
  public:
-  /// Call after the movement and before cleaning. Stores the volume of each component, the number
-  /// of each face's component as a face column, and the length of each vertex's movement as a
-  /// vertex column, which cleaning and remeshing interpolate.
+  /// Call after the movement and before cleaning. Stores the volume of each component. Adds the
+  /// number of each face's component as a face column, and the length of each vertex's movement as
+  /// a vertex column. Cleaning and remeshing interpolate the latter.
   void begin(Mesh& mesh, const std::vector<Vec3>& displacements);
 
   /// Call after remeshing. Removes the columns and restores volumes, up to the rounding of the
