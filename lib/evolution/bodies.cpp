@@ -52,6 +52,10 @@ Body body_of(const Document& document, double number, const std::vector<Index>& 
   return body;
 }
 
+[[noreturn]] void rethrow_with_body(const Body& body) {
+  rethrow_with_prefix("body " + shortest_text(body.number) + ": ");
+}
+
 /// Returns all bodies except one as a mesh without columns.
 Mesh others_of(const std::vector<Body>& bodies, std::size_t left_out) {
   Mesh all;
@@ -121,9 +125,13 @@ Topology clean_bodies(Document& document, const BodyContact& contact, bool outer
   std::vector<Body> bodies = split_bodies(document, contact.column);
   Topology sum;
   for (Body& body : bodies) {
-    const Topology part = clean_in_place(body.document, progress, outermost).topology;
-    sum.components += part.components;
-    sum.genus += part.genus;
+    try {
+      const Topology part = clean_in_place(body.document, progress, outermost).topology;
+      sum.components += part.components;
+      sum.genus += part.genus;
+    } catch (const Error&) {
+      rethrow_with_body(body);
+    }
   }
   join_bodies(bodies, contact.column, document);
   return sum;
@@ -178,7 +186,7 @@ BodiesResult iterate_bodies(Document& document, const std::vector<Vec3>& displac
       add(part.iteration, sum.iteration);
       sum.remeshed += part.remeshed;
     } catch (const Error&) {
-      rethrow_with_prefix("body " + shortest_text(bodies[i].number) + ": ");
+      rethrow_with_body(bodies[i]);
     }
   }
   join_bodies(bodies, contact.column, document);

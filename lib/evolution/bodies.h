@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "transformesh/error_kind.h"
 #include "transformesh/iteration.h"
 
 namespace transformesh {

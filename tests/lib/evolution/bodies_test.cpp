@@ -179,6 +179,15 @@ TEST_CASE("bodies that intersect at the beginning are refused with their number"
   }
 }
 
+TEST_CASE("a body that is inside out is refused with its number") {
+  Document document = document_of({ball(1, {0, 0, 0}), ball(1, {3, 0, 0})});
+  for (std::size_t f = document.mesh.faces.size() / 2; f < document.mesh.faces.size(); ++f)
+    std::swap(document.mesh.faces[f][0], document.mesh.faces[f][1]);
+  const TimeOptions time{.end = 0.5, .bodies = "body", .gap = 0.02};
+  CHECK_THROWS_WITH_AS(evolve_in_time(document, make_flow("normal").motion, time, unsmoothed()),
+                       doctest::Contains("body 1: "), GoalError);
+}
+
 TEST_CASE("bodies without a gap, or with volumes to keep, are refused") {
   Document document = document_of({ball(1, {0, 0, 0})});
   const Motion rest = growing({{0, 0, 0}}, {0});
